@@ -1,0 +1,45 @@
+# Helpers shared by the folders: one function a kind of target, so that flags are said once.
+
+add_library(triax_flags INTERFACE)
+# -ffp-contract=off: a replay must give the same bits as the simulation that wrote the record,
+# whichever optimisation level each was built with.
+target_compile_options(triax_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
+  -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off)
+target_include_directories(triax_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(TRIAX_SANITIZE)
+  target_compile_options(triax_flags INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(triax_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(TRIAX_FUZZ)
+  target_compile_options(triax_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# triax_library(NAME): every .cpp below this folder, so that a new file pair needs no other edit.
+function(triax_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC triax_flags)
+endfunction()
+
+# triax_embed(TARGET SYMBOL FILES...): the files' text as a C++ table that needs no install path.
+# Declares in namespace triax: extern const std::span<const EmbeddedFile> SYMBOL (cmake/embedded.hpp.in).
+function(triax_embed target symbol)
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.cpp)
+  list(TRANSFORM ARGN PREPEND "" OUTPUT_VARIABLE files)
+  add_custom_command(OUTPUT ${out}
+    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=${symbol} "-DFILES=${files}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
+  target_sources(${target} PRIVATE ${out})
+endfunction()
+
+# triax_tests(NAME LIBRARY): the Catch2 tests below this folder as one program.
+function(triax_tests name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE triax_test_main ${ARGN})
+  target_precompile_headers(${name} PRIVATE <catch2/catch.hpp>)
+  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()

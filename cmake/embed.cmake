@@ -1,0 +1,16 @@
+# Writes the text of FILES into OUT as `std::span<const EmbeddedFile> SYMBOL` (see lab/records/embedded.hpp).
+set(body "")
+string(REPLACE " " ";" files "${FILES}")
+foreach(file IN LISTS files)
+  file(READ "${file}" text)
+  get_filename_component(stem "${file}" NAME_WE)
+  string(APPEND body "    {\"${stem}\", R\"__triax__(${text})__triax__\"},\n")
+endforeach()
+file(WRITE "${OUT}" "#include \"lab/records/embedded.hpp\"
+namespace triax::lab {
+namespace { constexpr EmbeddedFile kFiles[] = {
+${body}}; }
+extern const std::span<const EmbeddedFile> ${SYMBOL};
+const std::span<const EmbeddedFile> ${SYMBOL}{kFiles};
+}  // namespace triax::lab
+")

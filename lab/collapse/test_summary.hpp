@@ -1,0 +1,89 @@
+#pragma once
+// What a whole test came to: the content of a report (docs: the JSON contract of architecture.md).
+// SI; an unknown value is empty.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/records/record_header.hpp"
+
+namespace triax::lab {
+
+enum class CollapseKind { none, limited, flow };
+std::string_view to_string(CollapseKind);
+std::optional<CollapseKind> collapse_kind_from(std::string_view);
+
+/// Something that happened at an instant, with its evidence.
+struct Event {
+  std::int64_t reading = 0;
+  std::optional<double> time_s;
+  std::string kind;    ///< "stage_started", "collapse", "limit_surface", "loss_of_control"...
+  std::string detail;  ///< one sentence with numbers and units
+};
+
+/// One instant of the test.
+struct Instant {
+  std::int64_t reading = 0;
+  std::optional<double> time_s;
+  std::optional<double> axial_strain;
+  std::optional<double> q_pa;
+  std::optional<double> p_eff_pa;
+  std::optional<double> pore_pressure_pa;
+  std::optional<double> eta() const {
+    if (!q_pa || !p_eff_pa || *p_eff_pa == 0) return std::nullopt;
+    return *q_pa / *p_eff_pa;
+  }
+  std::optional<double> phi_mob_rad() const;
+};
+
+/// One criterion's own finding.
+struct Criterion {
+  std::string name;  ///< "second_order_work", "loss_of_control", "control_peak"
+  bool detected = false;
+  std::optional<std::int64_t> reading;
+  std::optional<double> time_s;
+  std::optional<double> eta;
+  std::string evidence;  ///< one sentence with numbers and units
+};
+
+struct Consolidation {
+  std::optional<double> p_eff_pa;  ///< p'0 at the start of shear
+  std::optional<double> b_value;
+  std::optional<double> void_ratio;
+  std::optional<double> height_m;
+  std::optional<double> diameter_m;
+};
+
+/// A measured value held against what is acceptable.
+struct Check {
+  std::string name;  ///< "b_value", "rate", "closure_deviator_stress"
+  std::optional<double> measured;
+  std::optional<double> limit;
+  bool ok = false;
+  std::string note;  ///< why, in one sentence
+};
+
+struct Collapse {
+  CollapseKind kind = CollapseKind::none;
+  std::optional<bool> inside_limit_surface;
+  std::optional<Instant> onset;
+  std::optional<double> second_order_work_normalised;  ///< at the first significant window
+  std::optional<double> second_order_work_error;
+  std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
+  std::string limit_source;                  ///< where M comes from, in words
+  std::vector<Criterion> criteria;
+  bool detected() const { return kind != CollapseKind::none; }
+};
+
+struct TestSummary {
+  Consolidation consolidation;
+  std::optional<Instant> peak;  ///< of q
+  Collapse collapse;
+  std::optional<Truth> truth;
+  std::vector<Check> checks;
+  std::vector<Warning> warnings;
+  std::int64_t readings = 0;
+};
+
+}  // namespace triax::lab

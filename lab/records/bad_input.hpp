@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace triax::lab {
+
+/// Input that cannot be understood: one line that names the file, the line or key, what was found
+/// and what would be right. The program ends with status 2 and leaves nothing behind.
+class BadInput : public std::runtime_error {
+ public:
+  explicit BadInput(const std::string& what) : std::runtime_error(what) {}
+  /// "FILE:LINE: message"; line 0 leaves the line out.
+  BadInput(const std::string& file, std::int64_t line, const std::string& message)
+      : std::runtime_error(line > 0 ? file + ":" + std::to_string(line) + ": " + message
+                                    : file + ": " + message) {}
+};
+
+/// Work that was understood but failed on the way (disk full, control lost): status 1.
+class WorkFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace triax::lab

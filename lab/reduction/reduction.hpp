@@ -1,0 +1,53 @@
+#pragma once
+// From raw channels to stresses and strains, one reading at a time, in constant memory.
+//
+// Right cylinder (formats: ASTM D4767, D7181; ISO 17892-9), c = start of shear:
+//   ε₁ = (δ − δ_c)/H_c        ε_v = −(V_b − V_b,c)/V_c     (water in = volume increase)
+//   A  = A_c (1 − ε_v)/(1 − ε₁)      q = F/A      σ₁′ = σ_c + q − u,   σ₃′ = σ_c − u
+//   e  = e_c − ε_v (1 + e_c)
+// A record that holds only reduced stresses and strains enters here too: its columns are taken as
+// they are and completed (p' and q from σ₁′, σ₃′ or the other way round).
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/collapse/test_summary.hpp"
+#include "lab/records/record_header.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::lab {
+
+/// How the membrane's hoop and axial stiffness is taken off q (compression positive, dq_m ≥ 0).
+enum class MembraneCorrection {
+  none,
+  astm,  ///< Δq = 4 E t ε₁/D_c (ASTM D4767)
+  iso,   ///< Δσ₁ = (4Et/D₁)(ε₁ + ε_v/3), Δσ₃ = (4Et/D₁)(ε_v/3) (ISO 17892-9)
+};
+
+struct ReductionOptions {
+  MembraneCorrection membrane = MembraneCorrection::none;
+};
+
+class Reduction {
+ public:
+  /// Throws BadInput if the specimen's dimensions are needed and missing (says which key to set).
+  Reduction(const RecordHeader& header, const ReductionOptions& options);
+  ~Reduction();
+  Reduction(const Reduction&) = delete;
+  Reduction& operator=(const Reduction&) = delete;
+
+  /// Throws BadInput on a reading that no specimen can have given (axial strain of 1 or more).
+  State reduce(const Reading& reading);
+
+  /// Dimensions, void ratio, p'0 and B, as far as the readings so far tell.
+  Consolidation consolidation() const;
+  /// B value; closure of the columns that the file itself had computed.
+  std::vector<Check> checks() const;
+  std::vector<Warning> warnings() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace triax::lab

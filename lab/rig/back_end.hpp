@@ -1,0 +1,29 @@
+#pragma once
+// Where readings come from: a file (recorded), a specimen from sim/ (virtual) or instruments
+// (remote). All three look the same from here on.
+#include <optional>
+
+#include "lab/records/reading.hpp"
+#include "lab/records/record_header.hpp"
+
+namespace triax::lab {
+
+class BackEnd {
+ public:
+  virtual ~BackEnd() = default;
+  BackEnd() = default;
+  BackEnd(const BackEnd&) = delete;
+  BackEnd& operator=(const BackEnd&) = delete;
+
+  /// Known before the first reading. May gain warnings while readings are drawn.
+  virtual const RecordHeader& header() const = 0;
+  /// Draws the next reading into `reading`; false at the end of the test. Throws BadInput (status
+  /// 2) or WorkFailed (status 1); readings drawn before stay valid.
+  virtual bool next(Reading& reading) = 0;
+  /// Progress in [0, 1], where it is known.
+  virtual double progress() const = 0;
+  /// What the specimen itself did, complete once next() has returned false; only simulations know.
+  virtual std::optional<Truth> truth() const { return std::nullopt; }
+};
+
+}  // namespace triax::lab
