@@ -1,0 +1,27 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace triax::db {
+
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// A question that users ask, kept with the schema: `triax query NAME`.
+struct NamedQuery {
+  std::string_view name;
+  std::string_view purpose;  ///< one line for --list
+  std::string_view sql;
+};
+const std::vector<NamedQuery>& named_queries();
+
+/// Runs a named query or SQL text against the database, strictly read only: SQLite itself refuses to
+/// write (read-only handle, query_only, and an authorizer against ATTACH). Throws lab::BadInput with
+/// SQLite's own words for SQL that cannot be run.
+void query(const std::string& path, const std::string& name_or_sql,
+           const std::function<void(const std::vector<std::string>&)>& columns,
+           const std::function<void(const std::vector<Value>&)>& row);
+
+}  // namespace triax::db

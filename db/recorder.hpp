@@ -1,0 +1,34 @@
+#pragma once
+#include <QObject>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "lab/rig/session.hpp"
+
+namespace triax::db {
+
+/// Writes one running test into the database while it runs, in short transactions on a thread of its
+/// own, so that others can read meanwhile and a kill at any instant loses at most the last second.
+///
+/// Nothing is touched on disk before the first batch is due (about half a second, or some ten thousand
+/// scans, or finish): bad input that shows up early leaves the database, and even its absence, as it was.
+class Recorder : public QObject {
+  Q_OBJECT
+ public:
+  explicit Recorder(std::string path);
+  ~Recorder() override;  ///< a test that was not finished stays behind as interrupted
+
+  /// Listens to every signal of a session.
+  void listen(lab::Session& session);
+  /// The test is over: stores the summary, marks it complete; gives its id.
+  std::int64_t finish(const lab::TestSummary& summary);
+  /// The input was bad: takes out whatever of this test had been written.
+  void discard();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace triax::db

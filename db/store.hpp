@@ -1,0 +1,56 @@
+#pragma once
+// What was measured, in SQLite. All SQL of the project lives in this folder.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/collapse/second_order_work_point.hpp"
+#include "lab/collapse/test_summary.hpp"
+#include "lab/records/reading.hpp"
+#include "lab/records/record_header.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::db {
+
+enum class TestStatus { running, complete, interrupted };
+std::string_view to_string(TestStatus);
+
+struct StoredTest {
+  std::int64_t id = 0;
+  TestStatus status = TestStatus::running;
+  std::string recorded_at;  ///< ISO 8601, UTC
+  lab::RecordHeader header;
+  lab::TestSummary summary;
+  std::vector<lab::Event> events;
+};
+
+/// Reads a database of tests (the Recorder writes it).
+class Store {
+ public:
+  /// Opens an existing database read only. Before that, tests whose writer is no longer alive are
+  /// marked as interrupted, where the file can be written at all. Throws lab::BadInput if the file is
+  /// missing, is no triax database, or has a newer schema than this program.
+  explicit Store(const std::string& path);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  /// Ids of the tests named by id or name; all, oldest first, if `names` is empty. A name that stands
+  /// for several tests means the latest. Throws lab::BadInput for one that does not exist.
+  std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
+  StoredTest load(std::int64_t id) const;
+
+  /// Every scan of a test in order; `every` > 1 skips (figures of long tests).
+  void for_each_scan(std::int64_t id, std::int64_t every,
+                     const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
+  std::int64_t scan_count(std::int64_t id) const;
+  std::vector<lab::SecondOrderWorkPoint> second_order_work(std::int64_t id) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace triax::db
