@@ -1,11 +1,12 @@
 # Helpers shared by the folders: one function a kind of target, so that flags are said once.
 
 add_library(triax_flags INTERFACE)
+# -Wno-missing-field-initializers: designated initializers leave the other members at their defaults.
 # -ffp-contract=off: a replay must give the same bits as the simulation that wrote the record,
 # whichever optimisation level each was built with.
 target_compile_options(triax_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
-  -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off)
+  -Wno-missing-field-initializers -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off)
 target_include_directories(triax_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(TRIAX_SANITIZE)
   target_compile_options(triax_flags INTERFACE

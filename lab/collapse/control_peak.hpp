@@ -1,0 +1,31 @@
+#pragma once
+// The control variable passes a peak: q under prescribed displacement; at constant q, drained, the
+// volume turns to contraction while p' falls (the peak of ε_v against −p').
+#include <optional>
+
+#include "lab/collapse/change_point.hpp"
+#include "lab/collapse/finding.hpp"
+#include "lab/collapse/path_rates.hpp"
+
+namespace triax::lab {
+
+class ControlPeak {
+ public:
+  void start_stage(const StageInfo* stage);
+  void add(const PathPoint& point, bool has_time);
+  const std::optional<Finding>& finding() const { return finding_; }
+
+ private:
+  void check_q(const PathPoint& point, bool has_time);
+  void check_contraction(const PathPoint& point, bool has_time);
+
+  bool drained_constant_q_ = false;
+  bool load_controlled_ = false;
+  std::optional<PathPoint> top_;  ///< of q so far
+  ChangePoint contraction_;
+  std::optional<PathPoint> before_;
+  double last_reading_ = -1;
+  std::optional<Finding> finding_;
+};
+
+}  // namespace triax::lab

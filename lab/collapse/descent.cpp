@@ -1,0 +1,140 @@
+#include "lab/collapse/descent.hpp"
+
+#include <algorithm>
+
+namespace triax::lab {
+namespace {
+
+/// The point where second-order work vanishes between `a`, where it is positive, and `b`. Between
+/// two neighbouring readings it is the one with the larger q: undrained, work vanishes at the peak
+/// of q, and a parabola through seven readings leans towards the flatter side of a sharp peak.
+PathPoint zero_crossing(const PathPoint& a, const PathPoint& b) {
+  if (a.shortest_window() && b.shortest_window() && b.reading - a.reading < 1.5) {
+    const PathPoint first = unsmoothed(a), second = unsmoothed(b);
+    return first.q >= second.q ? first : second;
+  }
+  const double fall = a.work.normalised - b.work.normalised;
+  const double share = fall > 0 ? std::clamp(a.work.normalised / fall, 0.0, 1.0) : 0.0;
+  PathPoint p = share < 0.5 ? a : b;
+  const auto between = [share](double x, double y) { return x + share * (y - x); };
+  p.reading = between(a.reading, b.reading);
+  p.progress = between(a.progress, b.progress);
+  p.q = between(a.q, b.q);
+  p.p_eff = between(a.p_eff, b.p_eff);
+  p.axial_strain = between(a.axial_strain, b.axial_strain);
+  p.volumetric_strain = between(a.volumetric_strain, b.volumetric_strain);
+  p.pore_pressure = between(a.pore_pressure, b.pore_pressure);
+  return p;
+}
+
+/// True if from `a` to `b` strength worth the name was lost and the finite increments themselves
+/// give negative second-order work beyond three standard errors. A few readings may be too few for
+/// sure slopes, while what was lost is plain.
+bool falls_between(const PathPoint& a, const PathPoint& b) {
+  if (a.q - b.q < Descent::kWorthALoss * a.q) return false;
+  const PathStep step{b.q - a.q, b.p_eff - a.p_eff, b.axial_strain - a.axial_strain,
+                      b.volumetric_strain - a.volumetric_strain};
+  const double error = direction_error(step, a.stress_variance + b.stress_variance,
+                                       a.strain_variance + b.strain_variance);
+  return normalised_second_order_work(step) < -3 * error;
+}
+
+}  // namespace
+
+double Descent::strength_loss() const {
+  return onset.q > 0 ? std::clamp(q_lost / onset.q, 0.0, 1.0) : 0.0;
+}
+
+double Descent::strength_regained() const {
+  const double lost = onset.q - q_least;
+  return lost > 0 ? (q_regained - q_least) / lost : 0.0;
+}
+
+void DescentTracker::start_stage() {
+  turn_negative_.clear();
+  turn_positive_.clear();
+  before_.reset();
+  after_.reset();
+  significant_.reset();
+  previous_.reset();
+  q_lost_ = 0;
+  if (latest_) latest_->ended = true;
+}
+
+void DescentTracker::add(const PathPoint& point) {
+  const double advance = previous_ ? point.reading - previous_->reading : 1.0;
+  const double weight = std::min(1.0, advance / static_cast<double>(point.window_readings));
+  const bool resolved = point.normalised_error <= ChangePoint::kUseless;
+  const double q_before = previous_ ? previous_->q : point.q;
+  previous_ = point;
+  if (resolved && point.work.normalised < 0) q_lost_ += q_before - point.q;
+
+  for (auto* descent : {&latest_, &worst_})
+    if (*descent) (*descent)->q_regained = std::max((*descent)->q_regained, point.q);
+
+  if (latest_ && !latest_->ended) {
+    turn_positive_.add(-point.work.normalised, point.normalised_error, weight);
+    follow(point);
+    if (turn_positive_.found()) {
+      latest_->ended = latest_->came_back = true;
+      keep_worst();
+      start_over(point);
+    }
+    return;
+  }
+  if (!resolved) return;
+  // Where strength grew by as much as would count as a loss, nothing was descending before.
+  if (after_ && point.q > (1 + Descent::kWorthALoss) * after_->q) turn_negative_.clear();
+  if (turn_negative_.add(point.work.normalised, point.normalised_error, weight)) {
+    start_over(point);
+    return;
+  }
+  if (!after_) after_ = point;
+  if (!significant_ && point.significantly_negative()) significant_ = point;
+  if (turn_negative_.found() || (turn_negative_.lasted() && falls_between(*after_, point)))
+    open(point);
+}
+
+void DescentTracker::start_over(const PathPoint& point) {
+  turn_negative_.clear();
+  before_ = point;
+  after_.reset();
+  significant_.reset();
+  q_lost_ = 0;
+}
+
+void DescentTracker::open(const PathPoint& point) {
+  turn_positive_.clear();
+  const PathPoint onset = before_ ? zero_crossing(*before_, *after_) : *after_;
+  const bool continues =
+      latest_ && onset.q < latest_->onset.q && latest_->strength_regained() < 0.5;
+  if (continues) {
+    latest_->ended = latest_->came_back = false;
+  } else {
+    latest_ = Descent{.onset = onset,
+                      .first_significant = significant_.value_or(point),
+                      .q_lost = 0,
+                      .q_least = onset.q,
+                      .q_regained = onset.q,
+                      .axial_strain_last = onset.axial_strain};
+  }
+  follow(point);
+}
+
+void DescentTracker::follow(const PathPoint& point) {
+  latest_->q_lost += q_lost_;
+  q_lost_ = 0;
+  if (point.q < latest_->q_least) {
+    latest_->q_least = point.q;
+    latest_->q_regained = point.q;
+  }
+  latest_->axial_strain_last = point.axial_strain;
+  keep_worst();
+}
+
+void DescentTracker::keep_worst() {
+  const bool same = worst_ && worst_->onset.reading == latest_->onset.reading;
+  if (same || !worst_ || latest_->strength_loss() >= worst_->strength_loss()) worst_ = latest_;
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,57 @@
+#pragma once
+// Descents: stretches of the path along which second-order work is negative, with what they cost.
+#include <optional>
+
+#include "lab/collapse/change_point.hpp"
+#include "lab/collapse/path_rates.hpp"
+
+namespace triax::lab {
+
+/// One stretch of negative second-order work.
+struct Descent {
+  /// Share of q that must be lost before a descent counts as a loss of sustainability: dips of a
+  /// few percent at a phase transformation are common and stop by themselves (docs/decisions).
+  static constexpr double kWorthALoss = 0.10;
+
+  PathPoint onset;              ///< where second-order work vanishes
+  PathPoint first_significant;  ///< the first point negative beyond its scatter
+  double q_lost = 0;      ///< fall of q while second-order work was negative, Pa: not unloading
+  double q_least = 0;     ///< smallest q since the onset, Pa
+  double q_regained = 0;  ///< largest q since that smallest one, Pa
+  double axial_strain_last = 0;
+  bool ended = false;      ///< with its stage, or because
+  bool came_back = false;  ///< second-order work turned positive again
+
+  /// Share of the strength at the onset that was lost, 0 to 1.
+  double strength_loss() const;
+  /// How much of the fall to the smallest q has come back since; 1 and more if all of it.
+  double strength_regained() const;
+};
+
+class DescentTracker {
+ public:
+  void add(const PathPoint& point);
+  /// The descent that cost most strength so far; a descent that begins before the strength lost in
+  /// the one before has half come back is that one's continuation.
+  const std::optional<Descent>& worst() const { return worst_; }
+  /// The descent under way or just ended.
+  const std::optional<Descent>& latest() const { return latest_; }
+  /// A new stage begins: no onset may be placed before it.
+  void start_stage();
+
+ private:
+  void start_over(const PathPoint& point);
+  void open(const PathPoint& point);
+  void follow(const PathPoint& point);
+  void keep_worst();
+
+  ChangePoint turn_negative_, turn_positive_;
+  std::optional<PathPoint> before_;  ///< last point before the possible change
+  std::optional<PathPoint> after_;   ///< first one past it
+  std::optional<PathPoint> significant_;
+  std::optional<Descent> latest_, worst_;
+  std::optional<PathPoint> previous_;
+  double q_lost_ = 0;  ///< since after_
+};
+
+}  // namespace triax::lab

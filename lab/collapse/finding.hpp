@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "lab/collapse/test_summary.hpp"
+
+namespace triax::lab {
+
+/// What a criterion found: where, and the sentence that proves it.
+struct Finding {
+  Instant instant;
+  std::string evidence;
+};
+
+}  // namespace triax::lab

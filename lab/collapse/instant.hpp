@@ -1,0 +1,13 @@
+#pragma once
+#include "lab/collapse/path_rates.hpp"
+#include "lab/collapse/test_summary.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::lab {
+
+/// The instant of one state; time is left out where the record has none.
+Instant instant_of(const State& state, bool has_time);
+/// The instant of a smoothed point of the path, at the nearest reading.
+Instant instant_of(const PathPoint& point, bool has_time);
+
+}  // namespace triax::lab

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "lab/collapse/path_rates.hpp"
+#include "lab/records/record_header.hpp"
+
+namespace triax::lab {
+
+/// The Mohr-Coulomb line η = M against which an onset is judged: from the friction angle that the
+/// specimen's description gives, else the largest stress ratio that the test itself mobilised.
+class LimitSurface {
+ public:
+  explicit LimitSurface(const SpecimenInfo& specimen);
+
+  void add(const PathPoint& point);
+  /// M, unless nothing is known yet.
+  std::optional<double> stress_ratio() const;
+  /// Where M comes from, in words.
+  std::string source() const;
+  /// True if η lies strictly inside: more than 5 % below M, which is about one degree of φ.
+  bool inside(double eta) const;
+
+ private:
+  std::optional<double> given_;
+  std::optional<double> largest_;
+  double p_largest_ = 0;
+};
+
+}  // namespace triax::lab

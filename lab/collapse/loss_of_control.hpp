@@ -1,0 +1,42 @@
+#pragma once
+// Collapse as Nova defines it: the programme, with its control parameters, cannot be maintained.
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "lab/collapse/finding.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::lab {
+
+/// Watches single readings, because a run-away may be over before any window is full. Two signs:
+/// - a held q (constant_q) falls by more than 5 % and six standard deviations of what it was held
+/// to;
+/// - the axial strain bursts, under load or held q, at ten times the rate of the stage so far or
+/// more. A frame that prescribes displacement keeps its control through a peak: nothing is looked
+/// for.
+class LossOfControl {
+ public:
+  void start_stage(const StageInfo* stage);
+  void add(const State& state, bool has_time);
+  const std::optional<Finding>& finding() const { return finding_; }
+
+ private:
+  void check_held_q(const State& state, bool has_time);
+  void check_burst(const State& state, bool has_time);
+
+  static constexpr int kReference = 20;  ///< readings that say at which q a stage holds
+  static constexpr int kRecent = 5;      ///< readings over which a burst is looked for
+
+  AxialControl control_ = AxialControl::displacement;
+  std::int64_t count_ = 0;
+  double q_mean_ = 0, q_square_ = 0;
+  int below_ = 0;  ///< successive readings at which the held q is missing
+  State first_below_;
+  std::array<State, kRecent> recent_{};
+  double mean_step_ = 0;  ///< of the axial strain between readings, before the recent ones
+  std::int64_t steps_ = 0;
+  std::optional<Finding> finding_;
+};
+
+}  // namespace triax::lab

@@ -1,0 +1,142 @@
+#include "lab/collapse/monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lab/collapse/control_peak.hpp"
+#include "lab/collapse/descent.hpp"
+#include "lab/collapse/instant.hpp"
+#include "lab/collapse/limit_surface.hpp"
+#include "lab/collapse/loss_of_control.hpp"
+#include "lab/collapse/verdict.hpp"
+
+namespace triax::lab {
+
+struct CollapseMonitor::Impl {
+  explicit Impl(const RecordHeader& h) : header(h), limit(h.specimen) {}
+
+  void start_stage(const State& state);
+  void watch(const State& state, const CollapseMonitor& outer);
+  void take(const PathPoint& point, const CollapseMonitor& outer);
+  void tell_of_descent(const CollapseMonitor& outer);
+
+  const RecordHeader header;
+  PathRates rates;
+  DescentTracker descents;
+  LossOfControl control;
+  ControlPeak control_peak;
+  LimitSurface limit;
+  std::optional<State> peak;
+  std::optional<int> stage;
+  bool held_q = false;  ///< in the stage under way
+  double path = 0;      ///< along the axial strain, where there is no time
+  double last_strain = kMissing;
+  std::optional<double> told_onset;
+  std::optional<Descent> held_descent;  ///< the first that lasted at held q
+};
+
+namespace {
+
+bool complete(const State& s) {
+  return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial);
+}
+
+bool watched(const StageInfo* stage) {
+  return !stage || stage->role == StageRole::shear || stage->role == StageRole::unknown;
+}
+
+}  // namespace
+
+CollapseMonitor::CollapseMonitor(const RecordHeader& header)
+    : impl_(std::make_unique<Impl>(header)) {
+  impl_->rates.on_point = [this](const PathPoint& point) { impl_->take(point, *this); };
+}
+
+CollapseMonitor::~CollapseMonitor() = default;
+
+void CollapseMonitor::watch(const State& state) {
+  if (complete(state)) impl_->watch(state, *this);
+}
+
+void CollapseMonitor::Impl::start_stage(const State& state) {
+  rates.finish();
+  stage = state.stage;
+  const StageInfo* info = header.stage(state.stage);
+  descents.start_stage();
+  control.start_stage(info);
+  control_peak.start_stage(info);
+  held_q = info && info->control == AxialControl::constant_q;
+}
+
+void CollapseMonitor::Impl::watch(const State& s, const CollapseMonitor& /*outer*/) {
+  if (!stage || *stage != s.stage) start_stage(s);
+  if (!watched(header.stage(s.stage))) return;
+  if (!peak || s.q > peak->q) peak = s;
+  control.add(s, header.has_time);
+
+  if (!std::isnan(last_strain)) path += std::fabs(s.strain.axial - last_strain);
+  last_strain = s.strain.axial;
+  const auto or_zero = [](double x) { return std::isnan(x) ? 0.0 : x; };
+  PathSample sample;
+  sample.signal = {static_cast<double>(s.reading),
+                   header.has_time ? s.time_s : path,
+                   s.q,
+                   s.p_eff,
+                   s.strain.axial,
+                   or_zero(s.volumetric_strain),
+                   or_zero(s.pore_pressure)};
+  rates.add(sample);
+}
+
+void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
+  limit.add(point);
+  descents.add(point);
+  control_peak.add(point, header.has_time);
+  if (outer.on_point) {
+    outer.on_point({.reading = std::llround(point.reading),
+                    .time_s = point.progress,
+                    .work = point.work,
+                    .normalised_error = point.normalised_error,
+                    .window_readings = point.window_readings});
+  }
+  tell_of_descent(outer);
+}
+
+void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
+  const auto& descent = descents.latest();
+  if (!descent) return;
+  const bool costly = descent->strength_loss() >= Descent::kWorthALoss;
+  const bool yields = held_q && lasts_at_held_q(*descent);
+  if (yields && !held_descent) held_descent = descent;
+  if (held_descent && held_descent->onset.reading == descent->onset.reading) held_descent = descent;
+  if (!(costly || yields) || told_onset == descent->onset.reading) return;
+  told_onset = descent->onset.reading;
+  const Instant at = instant_of(descent->onset, header.has_time);
+  const bool inside = limit.inside(descent->onset.eta());
+  if (!outer.on_event) return;
+  outer.on_event(
+      {.reading = at.reading,
+       .time_s = at.time_s,
+       .kind = inside ? "loss_of_sustainability" : "limit_surface",
+       .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
+                             "{:.3f} and stays negative",
+                             *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->onset.eta())});
+}
+
+Collapse CollapseMonitor::finish() {
+  impl_->rates.finish();
+  return verdict({.worst = impl_->descents.worst(),
+                  .at_held_q = impl_->held_descent,
+                  .loss_of_control = impl_->control.finding(),
+                  .control_peak = impl_->control_peak.finding(),
+                  .limit = impl_->limit,
+                  .has_time = impl_->header.has_time});
+}
+
+std::optional<Instant> CollapseMonitor::peak() const {
+  if (!impl_->peak) return std::nullopt;
+  return instant_of(*impl_->peak, impl_->header.has_time);
+}
+
+}  // namespace triax::lab

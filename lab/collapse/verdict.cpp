@@ -1,0 +1,101 @@
+#include "lab/collapse/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include "lab/collapse/instant.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr double kFlowLoss = 0.5;
+constexpr double kHeldStrain = 0.01;
+
+CollapseKind kind_of(const Descent& descent, bool at_held_q) {
+  if (at_held_q && lasts_at_held_q(descent)) return CollapseKind::flow;
+  const double loss = descent.strength_loss();
+  if (loss >= kFlowLoss && descent.strength_regained() < 0.5) return CollapseKind::flow;
+  return loss >= Descent::kWorthALoss ? CollapseKind::limited : CollapseKind::none;
+}
+
+std::string describe(const Descent& d) {
+  const auto& w = d.first_significant;
+  return fmt::format(
+      "normalised second-order work {:.3f} ± {:.3f} over {} readings; {:.0f} % of q lost while it "
+      "was negative{}",
+      w.work.normalised, w.normalised_error, w.window_readings, d.strength_loss() * 100,
+      d.came_back ? ", then positive again" : "");
+}
+
+Criterion by_second_order_work(const std::optional<Descent>& descent, CollapseKind kind,
+                               bool has_time) {
+  Criterion c{.name = "second_order_work"};
+  if (!descent) {
+    c.evidence = "nowhere negative with statistical significance";
+    return c;
+  }
+  const Instant at = instant_of(descent->onset, has_time);
+  c.detected = kind != CollapseKind::none;
+  c.reading = at.reading;
+  c.time_s = at.time_s;
+  c.eta = at.eta();
+  c.evidence = describe(*descent);
+  return c;
+}
+
+Criterion by_finding(std::string name, const std::optional<Finding>& finding,
+                     std::string otherwise) {
+  Criterion c{.name = std::move(name)};
+  if (!finding) {
+    c.evidence = std::move(otherwise);
+    return c;
+  }
+  c.detected = true;
+  c.reading = finding->instant.reading;
+  c.time_s = finding->instant.time_s;
+  c.eta = finding->instant.eta();
+  c.evidence = finding->evidence;
+  return c;
+}
+
+}  // namespace
+
+bool lasts_at_held_q(const Descent& descent) {
+  return !descent.came_back &&
+         descent.axial_strain_last - descent.onset.axial_strain >= kHeldStrain;
+}
+
+Collapse verdict(const Evidence& e) {
+  Collapse c;
+  c.limit_stress_ratio = e.limit.stress_ratio();
+  c.limit_source = e.limit.source();
+
+  // The descent at held q, if any, began before q itself was lost: it is the earlier onset.
+  const auto& descent = e.at_held_q ? e.at_held_q : e.worst;
+  if (descent) c.kind = kind_of(*descent, e.at_held_q.has_value());
+  if (descent && c.kind != CollapseKind::none) {
+    c.onset = instant_of(descent->onset, e.has_time);
+    c.second_order_work_normalised = descent->first_significant.work.normalised;
+    c.second_order_work_error = descent->first_significant.normalised_error;
+  }
+  c.criteria.push_back(by_second_order_work(descent, c.kind, e.has_time));
+  c.criteria.push_back(by_finding("loss_of_control", e.loss_of_control,
+                                  "the programme could be maintained, as far as it is known"));
+  c.criteria.push_back(
+      by_finding("control_peak", e.control_peak, "the control variable passed no peak"));
+
+  if (c.kind == CollapseKind::none && e.loss_of_control) {
+    // Over before any window was full: the burst itself is the evidence.
+    c.kind = CollapseKind::flow;
+    c.onset = e.loss_of_control->instant;
+  }
+  if (!c.onset || !c.onset->eta() || !c.limit_stress_ratio) return c;
+  c.inside_limit_surface = e.limit.inside(*c.onset->eta());
+  if (!*c.inside_limit_surface) {
+    c.kind = CollapseKind::none;
+    c.criteria.front().detected = false;
+    c.criteria.front().evidence += "; a failure on the limit surface, not a collapse inside it";
+  }
+  return c;
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,31 @@
+#pragma once
+// What the criteria come to together.
+#include <optional>
+
+#include "lab/collapse/descent.hpp"
+#include "lab/collapse/finding.hpp"
+#include "lab/collapse/limit_surface.hpp"
+
+namespace triax::lab {
+
+/// Everything that was found by the end of a test.
+struct Evidence {
+  std::optional<Descent> worst;      ///< descent that cost most strength
+  std::optional<Descent> at_held_q;  ///< descent that lasted while q was held
+  std::optional<Finding> loss_of_control;
+  std::optional<Finding> control_peak;
+  const LimitSurface& limit;
+  bool has_time = true;
+};
+
+/// A descent under a held q shows in the strain, not in q: it counts once the axial strain has
+/// grown by 1 % since the onset without second-order work turning positive again.
+bool lasts_at_held_q(const Descent& descent);
+
+/// flow: half the strength or more is lost and not half of that comes back, or the specimen yields
+/// at held q to the end; limited: a tenth or more is lost, and it stops or comes back; none: less,
+/// or the onset lies on the limit surface (softening of dense sand is a failure there, no diffuse
+/// collapse).
+Collapse verdict(const Evidence& evidence);
+
+}  // namespace triax::lab

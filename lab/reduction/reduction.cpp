@@ -1,0 +1,70 @@
+#include "lab/reduction/reduction.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/reduction/b_value.hpp"
+#include "lab/reduction/closure.hpp"
+#include "lab/reduction/raw_reduction.hpp"
+#include "lab/reduction/reduced_columns.hpp"
+
+namespace triax::lab {
+
+struct Reduction::Impl {
+  Impl(const RecordHeader& h, const ReductionOptions& options)
+      : header(h), raw(h.is_raw()), from_raw(h, options), from_columns(h) {}
+
+  const RecordHeader header;
+  const bool raw;
+  RawReduction from_raw;
+  ReducedColumns from_columns;
+  BValue b_value;
+  Closure closure;
+};
+
+Reduction::Reduction(const RecordHeader& header, const ReductionOptions& options)
+    : impl_(std::make_unique<Impl>(header, options)) {}
+
+Reduction::~Reduction() = default;
+
+State Reduction::reduce(const Reading& reading) {
+  Impl& r = *impl_;
+  State state = r.raw ? r.from_raw.reduce(reading) : r.from_columns.reduce(reading);
+  if (state.strain.axial >= 1 || state.volumetric_strain >= 1)
+    throw BadInput(
+        r.header.source, reading.line,
+        fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: a specimen cannot be "
+                    "compressed by its whole height or volume; check the units, and the "
+                    "specimen's height",
+                    state.strain.axial, state.volumetric_strain));
+  if (r.raw) {
+    const StageInfo* stage = r.header.stage(reading.stage);
+    r.b_value.add(reading, stage && stage->role == StageRole::b_check);
+    r.closure.add(reading, state, !stage || stage->role == StageRole::shear);
+  }
+  return state;
+}
+
+Consolidation Reduction::consolidation() const {
+  Consolidation c =
+      impl_->raw ? impl_->from_raw.consolidation() : impl_->from_columns.consolidation();
+  c.b_value = impl_->b_value.value();
+  return c;
+}
+
+std::vector<Check> Reduction::checks() const {
+  std::vector<Check> checks;
+  if (impl_->b_value.value()) checks.push_back(impl_->b_value.check());
+  if (auto closed = impl_->closure.check(impl_->from_raw.start_area(), impl_->header)) {
+    checks.push_back(*closed);
+  }
+  return checks;
+}
+
+std::vector<Warning> Reduction::warnings() const {
+  return impl_->raw ? impl_->from_raw.warnings() : impl_->from_columns.warnings();
+}
+
+}  // namespace triax::lab
