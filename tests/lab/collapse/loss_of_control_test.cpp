@@ -1,0 +1,62 @@
+#include "lab/collapse/loss_of_control.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+using namespace triax::lab;
+
+namespace {
+
+const StageInfo kHeld{.number = 1,
+                      .name = "csd",
+                      .role = StageRole::shear,
+                      .drainage = Drainage::open,
+                      .control = AxialControl::constant_q};
+
+State at(int reading, double q, double strain) {
+  State s;
+  s.reading = reading;
+  s.time_s = reading;
+  s.q = q;
+  s.p_eff = 200e3;
+  s.strain.axial = strain;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a held q that falls is loss of control; its noise is not") {
+  std::mt19937_64 rng(8);
+  std::normal_distribution<double> noise(0, 500);
+  LossOfControl control;
+  control.start_stage(&kHeld);
+  for (int i = 0; i < 2000; ++i) control.add(at(i, 60e3 + noise(rng), i * 1e-6), true);
+  CHECK_FALSE(control.finding());
+  for (int i = 2000; i < 2050; ++i)
+    control.add(at(i, 60e3 - (i - 2000) * 1e3 + noise(rng), i * 1e-6), true);
+  REQUIRE(control.finding());
+  CHECK(control.finding()->instant.reading > 2000);
+  CHECK(control.finding()->instant.reading < 2010);
+}
+
+TEST_CASE("a burst of strain within one scan is loss of control under load") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  LossOfControl control;
+  control.start_stage(&load);
+  for (int i = 0; i < 300; ++i) control.add(at(i, 50e3, i * 1e-5), true);
+  CHECK_FALSE(control.finding());
+  control.add(at(300, 5e3, 0.15), true);
+  REQUIRE(control.finding());
+  CHECK(control.finding()->instant.reading == 299);
+}
+
+TEST_CASE("a prescribed displacement is never lost") {
+  StageInfo displacement = kHeld;
+  displacement.control = AxialControl::displacement;
+  LossOfControl control;
+  control.start_stage(&displacement);
+  for (int i = 0; i < 300; ++i) control.add(at(i, 50e3, i * 1e-5), true);
+  control.add(at(300, 5e3, 0.15), true);
+  CHECK_FALSE(control.finding());
+}

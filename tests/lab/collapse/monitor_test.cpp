@@ -1,0 +1,112 @@
+#include "lab/collapse/monitor.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/lab/collapse/synthetic_path.hpp"
+
+using namespace triax::lab;
+using triax::lab::testing::SyntheticPath;
+using triax::lab::testing::undrained_header;
+
+namespace {
+
+Collapse judge(SyntheticPath path, int readings, RecordHeader header = undrained_header()) {
+  CollapseMonitor monitor(header);
+  for (int i = 0; i < readings; ++i) monitor.watch(path.state(i));
+  return monitor.finish();
+}
+
+}  // namespace
+
+TEST_CASE("a clean peak is a flow collapse with its onset at the peak") {
+  const Collapse c = judge({}, 5000);
+  REQUIRE(c.kind == CollapseKind::flow);
+  CHECK(std::abs(c.onset->reading - 600) <= 3);
+  CHECK(*c.onset->q_pa == Approx(140e3).epsilon(1e-3));
+  REQUIRE(c.criteria.size() == 3);
+  CHECK(c.criteria[0].detected);
+  CHECK_FALSE(c.criteria[1].detected);  // a prescribed displacement is never lost
+  CHECK(c.criteria[2].detected);
+  CHECK(*c.second_order_work_normalised < 0);
+}
+
+TEST_CASE("through noise the onset stays near, over many seeds") {
+  for (int seed = 1; seed <= 30; ++seed) {
+    SyntheticPath path;
+    path.q_noise = path.u_noise = 150;
+    path.rng.seed(std::uint64_t(seed));
+    const Collapse c = judge(path, 5000);
+    INFO("seed " << seed);
+    REQUIRE(c.kind == CollapseKind::flow);
+    CHECK(std::fabs(*c.onset->eta() - 140e3 / path.p(path.peak_strain)) < 0.05);
+  }
+}
+
+TEST_CASE("hardening to the end is no collapse, over many seeds") {
+  for (int seed = 1; seed <= 30; ++seed) {
+    SyntheticPath path;
+    path.peak_strain = 0.05;
+    path.q_noise = path.u_noise = 300;
+    path.rng.seed(std::uint64_t(seed));
+    const Collapse c = judge(path, 4900);  // ends just before the peak
+    INFO("seed " << seed);
+    CHECK(c.kind == CollapseKind::none);
+    CHECK_FALSE(c.criteria[0].detected);
+  }
+}
+
+TEST_CASE("strength that comes back makes the collapse a limited one") {
+  CollapseMonitor monitor(undrained_header());
+  SyntheticPath path;
+  for (int i = 0; i < 5000; ++i) {
+    State s = path.state(i);
+    const double recovery = i > 1200 ? (i - 1200) * 60.0 : 0.0;  // dilation after the minimum
+    s.q += recovery;
+    s.p_eff += recovery;
+    monitor.watch(s);
+  }
+  const Collapse c = monitor.finish();
+  CHECK(c.kind == CollapseKind::limited);
+  CHECK(std::abs(c.onset->reading - 600) <= 3);
+}
+
+TEST_CASE("softening on the limit surface is no diffuse collapse") {
+  RecordHeader header = undrained_header();
+  header.specimen.limit_friction_angle_rad = triax::sim::radians(18);  // M 0.69, close to the onset
+  SyntheticPath path;
+  const double eta = path.q(path.peak_strain) / path.p(path.peak_strain);
+  REQUIRE(eta > 0.95 * triax::sim::stress_ratio_at_friction_angle(triax::sim::radians(18)));
+  const Collapse c = judge(path, 5000, header);
+  CHECK(c.kind == CollapseKind::none);
+  CHECK(c.inside_limit_surface == false);
+}
+
+TEST_CASE("a record without time runs along its strain and finds the same onset") {
+  RecordHeader header = undrained_header();
+  header.has_time = false;
+  const Collapse c = judge({}, 5000, header);
+  CHECK(c.kind == CollapseKind::flow);
+  CHECK(std::abs(c.onset->reading - 600) <= 3);
+  CHECK_FALSE(c.onset->time_s);
+}
+
+TEST_CASE("nothing but consolidation is not judged") {
+  RecordHeader header = undrained_header();
+  header.stages[0].role = StageRole::consolidation;
+  const Collapse c = judge({}, 5000, header);
+  CHECK(c.kind == CollapseKind::none);
+  CHECK_FALSE(c.onset);
+}
+
+TEST_CASE("missing values are passed over") {
+  CollapseMonitor monitor(undrained_header());
+  SyntheticPath path;
+  for (int i = 0; i < 5000; ++i) {
+    State s = path.state(i);
+    if (i % 10 == 3) s.q = kMissing;
+    monitor.watch(s);
+  }
+  const Collapse c = monitor.finish();
+  CHECK(c.kind == CollapseKind::flow);
+  CHECK(std::abs(c.onset->reading - 600) <= 4);
+}
