@@ -12,8 +12,10 @@ namespace triax::lab {
 
 void ControlPeak::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
+  const double loss = largest_loss_;
   *this = ControlPeak();
   finding_ = found;
+  largest_loss_ = loss;
   if (!stage) return;
   drained_constant_q_ =
       stage->control == AxialControl::constant_q && stage->drainage == Drainage::open;
@@ -27,16 +29,14 @@ void ControlPeak::add(const PathPoint& point, bool has_time) {
     check_q(point, has_time);
 }
 
-void ControlPeak::check_q(const PathPoint& point, bool has_time) {
-  if (!top_ || point.q > top_->q) {
-    // A higher peak takes back what was said of a lower one.
-    if (finding_ && top_) finding_.reset();
-    top_ = point;
-    return;
-  }
-  if (finding_ || point.q > (1 - Descent::kWorthALoss) * top_->q) return;
+void ControlPeak::check_q(const PathPoint& smoothed, bool has_time) {
+  const PathPoint point = smoothed.shortest_window() ? unsmoothed(smoothed) : smoothed;
+  if (!top_ || point.q > top_->q) top_ = point;
+  const double loss = (top_->q - point.q) / top_->q;
+  if (loss < Descent::kWorthALoss || loss <= largest_loss_) return;
+  largest_loss_ = loss;
   finding_ = Finding{
-      instant_of(top_->shortest_window() ? unsmoothed(*top_) : *top_, has_time),
+      instant_of(*top_, has_time),
       fmt::format("q peaked at {:.2f} kPa and fell to {:.2f} kPa", top_->q / 1e3, point.q / 1e3)};
 }
 

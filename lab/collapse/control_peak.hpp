@@ -22,6 +22,7 @@ class ControlPeak {
   bool drained_constant_q_ = false;
   bool load_controlled_ = false;
   std::optional<PathPoint> top_;  ///< of q so far
+  double largest_loss_ = 0;       ///< share of q lost after a peak: the peak that cost most is kept
   ChangePoint contraction_;
   std::optional<PathPoint> before_;
   double last_reading_ = -1;

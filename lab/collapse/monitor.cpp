@@ -33,7 +33,7 @@ struct CollapseMonitor::Impl {
   double path = 0;      ///< along the axial strain, where there is no time
   double last_strain = kMissing;
   std::optional<double> told_onset;
-  std::optional<Descent> held_descent;  ///< the first that lasted at held q
+  std::optional<Descent> held_descent;  ///< the first that lasted
 };
 
 namespace {
@@ -108,8 +108,8 @@ void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
   if (!descent) return;
   const bool costly = descent->strength_loss() >= Descent::kWorthALoss;
   const bool yields = held_q && lasts_at_held_q(*descent);
-  if (yields && !held_descent) held_descent = descent;
-  if (held_descent && held_descent->onset.reading == descent->onset.reading) held_descent = descent;
+  const bool known = held_descent && held_descent->onset.reading == descent->onset.reading;
+  if (known || (yields && !held_descent)) held_descent = descent;
   if (!(costly || yields) || told_onset == descent->onset.reading) return;
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->onset, header.has_time);

@@ -10,11 +10,16 @@ namespace {
 constexpr double kFlowLoss = 0.5;
 constexpr double kHeldStrain = 0.01;
 
-CollapseKind kind_of(const Descent& descent, bool at_held_q) {
-  if (at_held_q && lasts_at_held_q(descent)) return CollapseKind::flow;
+CollapseKind kind_of(const Descent& descent) {
   const double loss = descent.strength_loss();
   if (loss >= kFlowLoss && descent.strength_regained() < 0.5) return CollapseKind::flow;
   return loss >= Descent::kWorthALoss ? CollapseKind::limited : CollapseKind::none;
+}
+
+/// A specimen that yielded at held q flows unless it caught itself with its q.
+CollapseKind kind_at_held_q(const Evidence& e) {
+  const bool lost_q = e.loss_of_control || (e.worst && kind_of(*e.worst) == CollapseKind::flow);
+  return e.at_held_q->came_back && !lost_q ? CollapseKind::limited : CollapseKind::flow;
 }
 
 std::string describe(const Descent& d) {
@@ -71,7 +76,7 @@ Collapse verdict(const Evidence& e) {
 
   // The descent at held q, if any, began before q itself was lost: it is the earlier onset.
   const auto& descent = e.at_held_q ? e.at_held_q : e.worst;
-  if (descent) c.kind = kind_of(*descent, e.at_held_q.has_value());
+  if (descent) c.kind = e.at_held_q ? kind_at_held_q(e) : kind_of(*descent);
   if (descent && c.kind != CollapseKind::none) {
     c.onset = instant_of(descent->onset, e.has_time);
     c.second_order_work_normalised = descent->first_significant.work.normalised;

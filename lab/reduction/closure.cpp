@@ -11,7 +11,7 @@ void Closure::add(const Reading& reading, const State& state, bool in_shear) {
   const double theirs = reading[Quantity::deviator_stress];
   if (!in_shear || std::isnan(theirs) || std::isnan(state.q)) return;
   ours_theirs_ += state.q * theirs;
-  theirs_theirs_ += theirs * theirs;
+  ours_ours_ += state.q * state.q;
   const double their_area = reading[Quantity::current_area];
   if (!(their_area > 0)) return;
   if (!their_start_area_) their_start_area_ = their_area;
@@ -21,18 +21,18 @@ void Closure::add(const Reading& reading, const State& state, bool in_shear) {
 
 std::optional<Check> Closure::check(std::optional<double> start_area,
                                     const RecordHeader& header) const {
-  if (!(theirs_theirs_ > 0)) return std::nullopt;
-  const double difference = ours_theirs_ / theirs_theirs_ - 1;
+  if (!(ours_ours_ > 0)) return std::nullopt;
+  const double difference = 1 - ours_theirs_ / ours_ours_;
   Check c{.name = "closure_deviator_stress",
           .measured = difference,
           .limit = kLimit,
           .ok = std::fabs(difference) <= kLimit};
-  c.note = fmt::format("our q is {:.2f} % {} than the file's own", std::fabs(difference) * 100,
-                       difference < 0 ? "lower" : "higher");
+  c.note = fmt::format("the file's own q is {:.2f} % {} than ours", std::fabs(difference) * 100,
+                       difference < 0 ? "higher" : "lower");
   if (area_count_ == 0 || !start_area || c.ok) return c;
 
   const double area_ratio = area_ratio_sum_ / static_cast<double>(area_count_);
-  if (std::fabs(area_ratio - 1 - difference) > 0.01) return c;
+  if (std::fabs(1 / area_ratio - 1 + difference) > 0.01) return c;
   c.note += fmt::format(
       ", because of the area: at the start of shear the file takes {:.1f} mm2, ours is {:.1f} mm2",
       *their_start_area_ * 1e6, *start_area * 1e6);

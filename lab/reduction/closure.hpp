@@ -19,8 +19,8 @@ class Closure {
   std::optional<Check> check(std::optional<double> start_area, const RecordHeader& header) const;
 
  private:
-  double ours_theirs_ = 0, theirs_theirs_ = 0;  ///< sums of products of q, Pa²
-  double area_ratio_sum_ = 0;                   ///< theirs/ours
+  double ours_theirs_ = 0, ours_ours_ = 0;  ///< sums of products of q, Pa²
+  double area_ratio_sum_ = 0;               ///< theirs/ours
   std::int64_t area_count_ = 0;
   std::optional<double> their_start_area_;
 };
