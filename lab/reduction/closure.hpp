@@ -14,8 +14,9 @@ class Closure {
   static constexpr double kLimit = 0.02;  ///< relative difference of q that passes
 
   void add(const Reading& reading, const State& state, bool in_shear);
-  /// The deviator stress's closure, if the file has one of its own: measured is ours/theirs − 1, by
-  /// least squares over the shear stage. `start_area` is our area at the start of shear.
+  /// The deviator stress's closure, if the file has one of its own: measured is (ours −
+  /// theirs)/ours, by least squares over the shear stage. `start_area` is our area at the start of
+  /// shear.
   std::optional<Check> check(std::optional<double> start_area, const RecordHeader& header) const;
 
  private:

@@ -1,0 +1,77 @@
+#include "lab/collapse/control_peak.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+using namespace triax::lab;
+
+namespace {
+
+PathPoint point(int reading, double q) {
+  PathPoint p;
+  p.reading = reading;
+  p.progress = reading;
+  p.window_readings = 14;
+  p.q = q;
+  p.p_eff = 100e3;
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("of several peaks of q the one that cost most is kept") {
+  ControlPeak peak;
+  peak.start_stage(nullptr);
+  int reading = 0;
+  for (const double q : {50e3, 100e3, 80e3}) peak.add(point(reading++, q), true);
+  REQUIRE(peak.finding());
+  CHECK(peak.finding()->instant.reading == 1);
+  for (const double q : {120e3, 30e3}) peak.add(point(reading++, q), true);
+  CHECK(peak.finding()->instant.reading == 3);
+  for (const double q : {150e3, 130e3}) peak.add(point(reading++, q), true);
+  CHECK(peak.finding()->instant.reading == 3);
+}
+
+TEST_CASE("less than a tenth is no peak") {
+  ControlPeak peak;
+  peak.start_stage(nullptr);
+  int reading = 0;
+  for (const double q : {50e3, 100e3, 91e3, 95e3}) peak.add(point(reading++, q), true);
+  CHECK_FALSE(peak.finding());
+}
+
+TEST_CASE("at constant q, drained, the turn to contraction under falling p' is found") {
+  const StageInfo stage{
+      .role = StageRole::shear, .drainage = Drainage::open, .control = AxialControl::constant_q};
+  std::mt19937_64 rng(9);
+  std::normal_distribution<double> noise(0, 1e-7);
+  ControlPeak peak;
+  peak.start_stage(&stage);
+  for (int i = 0; i < 400; ++i) {
+    PathPoint p = point(i, 60e3);
+    p.p_rate = -50;
+    p.p_rate_error = 2;
+    p.axial_rate = 1e-6;
+    p.volumetric_rate = (i - 200) * 5e-9 + noise(rng);  // swells before, contracts after
+    p.volumetric_rate_error = 1e-7;
+    peak.add(p, true);
+  }
+  REQUIRE(peak.finding());
+  CHECK(std::abs(peak.finding()->instant.reading - 200) < 25);
+}
+
+TEST_CASE("contraction while p' does not fall is consolidation, no collapse") {
+  const StageInfo stage{
+      .role = StageRole::shear, .drainage = Drainage::open, .control = AxialControl::constant_q};
+  ControlPeak peak;
+  peak.start_stage(&stage);
+  for (int i = 0; i < 100; ++i) {
+    PathPoint p = point(i, 60e3);
+    p.p_rate = 50;
+    p.p_rate_error = 2;
+    p.volumetric_rate = 1e-6;
+    p.volumetric_rate_error = 1e-8;
+    peak.add(p, true);
+  }
+  CHECK_FALSE(peak.finding());
+}

@@ -1,0 +1,75 @@
+#include "lab/collapse/verdict.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "sim/mechanics/axisymmetric.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+Descent descent(double q_onset, double p_eff, double q_lost, double q_regained) {
+  Descent d;
+  d.onset.reading = 10;
+  d.onset.q = q_onset;
+  d.onset.p_eff = p_eff;
+  d.first_significant.work.normalised = -0.2;
+  d.q_lost = q_lost;
+  d.q_least = q_onset - q_lost;
+  d.q_regained = q_regained;
+  return d;
+}
+
+LimitSurface sand() {
+  SpecimenInfo specimen;
+  specimen.limit_friction_angle_rad = triax::sim::radians(32);
+  return LimitSurface(specimen);
+}
+
+CollapseKind kind(const Descent& d) {
+  const LimitSurface limit = sand();
+  return verdict({.worst = d, .limit = limit}).kind;
+}
+
+}  // namespace
+
+TEST_CASE("kinds follow what was lost and what came back") {
+  CHECK(kind(descent(100e3, 150e3, 95e3, 6e3)) == CollapseKind::flow);
+  CHECK(kind(descent(100e3, 150e3, 60e3, 75e3)) ==
+        CollapseKind::limited);  // more than half came back
+  CHECK(kind(descent(100e3, 150e3, 28e3, 72e3)) == CollapseKind::limited);
+  CHECK(kind(descent(100e3, 150e3, 8e3, 92e3)) == CollapseKind::none);
+}
+
+TEST_CASE("on the limit surface nothing is a diffuse collapse") {
+  const LimitSurface limit = sand();
+  const Collapse c = verdict({.worst = descent(126e3, 100e3, 60e3, 66e3), .limit = limit});
+  CHECK(c.kind == CollapseKind::none);
+  CHECK(c.inside_limit_surface == false);
+  CHECK_FALSE(c.criteria[0].detected);
+}
+
+TEST_CASE("yielding at held q is a flow unless the specimen catches itself with its q") {
+  const LimitSurface limit = sand();
+  Descent held = descent(60e3, 105e3, 0, 60e3);
+  held.axial_strain_last = held.onset.axial_strain + 0.02;
+  CHECK(lasts_at_held_q(held));
+  CHECK(verdict({.at_held_q = held, .limit = limit}).kind == CollapseKind::flow);
+  held.came_back = true;
+  CHECK_FALSE(lasts_at_held_q(held));
+  CHECK(verdict({.at_held_q = held, .limit = limit}).kind == CollapseKind::limited);
+  const Finding lost{.instant = {.reading = 20}, .evidence = "q fell"};
+  CHECK(verdict({.at_held_q = held, .loss_of_control = lost, .limit = limit}).kind ==
+        CollapseKind::flow);
+}
+
+TEST_CASE("a burst alone is a collapse where no window could be filled") {
+  const LimitSurface limit = sand();
+  const Finding burst{.instant = {.reading = 20, .q_pa = 60e3, .p_eff_pa = 100e3},
+                      .evidence = "ran"};
+  const Collapse c = verdict({.loss_of_control = burst, .limit = limit});
+  CHECK(c.kind == CollapseKind::flow);
+  CHECK(c.onset->reading == 20);
+  CHECK(c.inside_limit_surface == true);
+  CHECK(verdict({.limit = limit}).kind == CollapseKind::none);
+}
