@@ -20,7 +20,7 @@ void Closure::add(const Reading& reading, const State& state, bool in_shear) {
 }
 
 std::optional<Check> Closure::check(std::optional<double> start_area,
-                                    const RecordHeader& header) const {
+                                    const std::vector<Warning>& record_warnings) const {
   if (!(ours_ours_ > 0)) return std::nullopt;
   const double difference = 1 - ours_theirs_ / ours_ours_;
   Check c{.name = "closure_deviator_stress",
@@ -36,7 +36,7 @@ std::optional<Check> Closure::check(std::optional<double> start_area,
   c.note += fmt::format(
       ", because of the area: at the start of shear the file takes {:.1f} mm2, ours is {:.1f} mm2",
       *their_start_area_ * 1e6, *start_area * 1e6);
-  const bool joined = std::ranges::any_of(header.warnings, [](const Warning& w) {
+  const bool joined = std::ranges::any_of(record_warnings, [](const Warning& w) {
     return w.text.find("back_volume") != std::string::npos;
   });
   if (joined)

@@ -17,7 +17,8 @@ class Closure {
   /// The deviator stress's closure, if the file has one of its own: measured is (ours −
   /// theirs)/ours, by least squares over the shear stage. `start_area` is our area at the start of
   /// shear.
-  std::optional<Check> check(std::optional<double> start_area, const RecordHeader& header) const;
+  std::optional<Check> check(std::optional<double> start_area,
+                             const std::vector<Warning>& record_warnings) const;
 
  private:
   double ours_theirs_ = 0, ours_ours_ = 0;  ///< sums of products of q, Pa²

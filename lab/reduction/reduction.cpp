@@ -54,10 +54,10 @@ Consolidation Reduction::consolidation() const {
   return c;
 }
 
-std::vector<Check> Reduction::checks() const {
+std::vector<Check> Reduction::checks(const std::vector<Warning>& record_warnings) const {
   std::vector<Check> checks;
   if (impl_->b_value.value()) checks.push_back(impl_->b_value.check());
-  if (auto closed = impl_->closure.check(impl_->from_raw.start_area(), impl_->header)) {
+  if (auto closed = impl_->closure.check(impl_->from_raw.start_area(), record_warnings)) {
     checks.push_back(*closed);
   }
   return checks;

@@ -41,8 +41,9 @@ class Reduction {
 
   /// Dimensions, void ratio, p'0 and B, as far as the readings so far tell.
   Consolidation consolidation() const;
-  /// B value; closure of the columns that the file itself had computed.
-  std::vector<Check> checks() const;
+  /// B value; closure of the columns that the file itself had computed. What the record's reader
+  /// had to join (`record_warnings`) may explain a difference.
+  std::vector<Check> checks(const std::vector<Warning>& record_warnings) const;
   std::vector<Warning> warnings() const;
 
  private:

@@ -65,7 +65,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   summary.peak = monitor.peak();
   summary.consolidation = reduction.consolidation();
   summary.truth = back_end.truth();
-  summary.checks = reduction.checks();
+  summary.checks = reduction.checks(back_end.header().warnings);
   summary.warnings = back_end.header().warnings;
   for (auto& warning : reduction.warnings()) summary.warnings.push_back(std::move(warning));
   emit progressed(1.0);
