@@ -17,8 +17,8 @@ void ControlPeak::start_stage(const StageInfo* stage) {
   finding_ = found;
   largest_loss_ = loss;
   if (!stage) return;
-  drained_constant_q_ =
-      stage->control == AxialControl::constant_q && stage->drainage == Drainage::open;
+  held_q_ = stage->control == AxialControl::constant_q;
+  drained_constant_q_ = held_q_ && stage->drainage == Drainage::open;
   load_controlled_ = stage->control == AxialControl::load;
 }
 
@@ -31,8 +31,11 @@ void ControlPeak::add(const PathPoint& point, bool has_time) {
 
 void ControlPeak::check_q(const PathPoint& smoothed, bool has_time) {
   const PathPoint point = smoothed.shortest_window() ? unsmoothed(smoothed) : smoothed;
-  if (!top_ || point.q > top_->q) top_ = point;
-  const double loss = (top_->q - point.q) / top_->q;
+  // A held q has no peak but an end: the last point at which it stood at its level, noise apart.
+  const double level = held_q_ ? 0.98 * q_top_ : q_top_;
+  if (!top_ || point.q > level) top_ = point;
+  q_top_ = std::max(q_top_, point.q);
+  const double loss = (q_top_ - point.q) / q_top_;
   if (loss < Descent::kWorthALoss || loss <= largest_loss_) return;
   largest_loss_ = loss;
   finding_ = Finding{

@@ -21,8 +21,11 @@ class ControlPeak {
 
   bool drained_constant_q_ = false;
   bool load_controlled_ = false;
-  std::optional<PathPoint> top_;  ///< of q so far
-  double largest_loss_ = 0;       ///< share of q lost after a peak: the peak that cost most is kept
+  bool held_q_ = false;
+  double q_top_ = 0;
+  std::optional<PathPoint>
+      top_;                  ///< where q was largest; held q: where it was last as good as that
+  double largest_loss_ = 0;  ///< share of q lost after a peak: the peak that cost most is kept
   ChangePoint contraction_;
   std::optional<PathPoint> before_;
   double last_reading_ = -1;

@@ -75,3 +75,15 @@ TEST_CASE("contraction while p' does not fall is consolidation, no collapse") {
   }
   CHECK_FALSE(peak.finding());
 }
+
+TEST_CASE("a held q that is lost, undrained, had its end where it last stood at its level") {
+  const StageInfo stage{
+      .role = StageRole::shear, .drainage = Drainage::closed, .control = AxialControl::constant_q};
+  ControlPeak peak;
+  peak.start_stage(&stage);
+  peak.add(point(0, 60.4e3), true);  // noise makes the first the largest
+  for (int i = 1; i < 50; ++i) peak.add(point(i, 60e3), true);
+  for (int i = 50; i < 60; ++i) peak.add(point(i, 58e3 - 3e3 * (i - 50)), true);
+  REQUIRE(peak.finding());
+  CHECK(peak.finding()->instant.reading == 49);
+}
