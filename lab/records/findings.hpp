@@ -1,6 +1,8 @@
 #pragma once
+#include <concepts>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lab/records/record_header.hpp"
@@ -8,14 +10,19 @@
 namespace triax::lab {
 
 /// Collects what was changed or assumed while a record was read. Findings of one kind become one
-/// warning: the first with its line, the rest as a count.
+/// warning: the first with its line, the rest as a count. A file with hundreds of kinds is broken
+/// in a way that one more warning does not explain: the rest is only counted.
 class Findings {
  public:
   /// Writes into `warnings`, which must outlive this object.
   explicit Findings(std::vector<Warning>& warnings) : warnings_(warnings) {}
 
-  /// One finding; `kind` says which findings are of one kind. Costs a search over the few kinds.
-  void note(const std::string& kind, std::int64_t line, const std::string& text);
+  /// One finding; `kind` says which findings are of one kind.
+  void note(std::string_view kind, std::int64_t line, std::string text);
+  /// The same; the text is made for the first of its kind only.
+  void note(std::string_view kind, std::int64_t line, std::invocable auto make_text) {
+    if (!repeats(kind, line)) note(kind, line, std::string(make_text()));
+  }
   /// The record is over: adds the counts to the texts.
   void finish();
 
@@ -26,6 +33,8 @@ class Findings {
     std::int64_t more = 0;
     std::int64_t last_line = 0;
   };
+  bool repeats(std::string_view kind, std::int64_t line);
+
   std::vector<Warning>& warnings_;
   std::vector<Kind> kinds_;
 };

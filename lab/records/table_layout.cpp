@@ -222,6 +222,8 @@ class Planner {
     if (layout_.dialect.own_headings) plan_own();
     std::ranges::sort(layout_.columns, {}, &PlannedColumn::cell);
   }
+  /// What is to be said about headings in which nothing was recognised.
+  const std::vector<std::string>& unknown() const { return unknown_; }
 
  private:
   [[noreturn]] void fail(const std::string& message) const {
@@ -248,7 +250,7 @@ class Planner {
       if (taken_[i] || cells_[i].empty()) continue;
       const auto own = own_heading(cells_[i]);
       if (!own) {
-        unknown(cells_[i]);
+        leave_out(cells_[i]);
         continue;
       }
       for (const PlannedColumn& other : layout_.columns)
@@ -260,14 +262,14 @@ class Planner {
     }
   }
 
-  void unknown(std::string_view heading) {
+  void leave_out(std::string_view heading) {
     for (const PlannedColumn& other : layout_.columns)
       if (folded(other.heading) == folded(heading)) two_columns(other.cell, other.cell);
     std::vector<std::string> known{"time_s", "stage"};
     for (const QuantityInfo& row : quantities()) known.push_back(lab::heading(row.quantity));
-    findings_.note("unknown column " + std::string(heading), layout_.heading_line,
-                   fmt::format("column {} is not known and left out; did you mean '{}'?",
-                               excerpt(heading), nearest(heading, known)));
+    unknown_.push_back(fmt::format("column {} is not known and left out; did you mean '{}'?",
+                                   excerpt(heading), nearest(heading, known)));
+    findings_.note("unknown column " + std::string(heading), layout_.heading_line, unknown_.back());
   }
 
   [[noreturn]] void two_columns(std::size_t a, std::size_t b) const {
@@ -322,6 +324,7 @@ class Planner {
   Cells cells_;
   std::vector<bool> taken_;
   std::vector<std::optional<std::string>> units_;
+  std::vector<std::string> unknown_;
 };
 
 // Where headings are set apart in another way than rows, the first row tells how.
@@ -400,10 +403,12 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
   if (row >= lines.size() && head.whole_file)
     throw BadInput(layout.file, layout.heading_line,
                    "headings but no row of readings below them; nothing was recorded");
-  Planner(layout, lines[best->line], findings).plan(units);
+  Planner planner(layout, lines[best->line], findings);
+  planner.plan(units);
   layout.separator = row_separator(layout, row < lines.size() ? lines[row] : std::string());
   if (const auto missing = missing_channels(layout.quantities()); !missing.empty())
-    throw BadInput(layout.file, layout.heading_line, missing);
+    throw BadInput(layout.file, layout.heading_line,
+                   joined({missing, joined(planner.unknown(), "; ")}, "; "));
   return layout;
 }
 

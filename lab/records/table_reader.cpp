@@ -38,7 +38,8 @@ TableReader::TableReader(ByteSource& source, const TableLayout& layout, Findings
       separator_(character(layout.separator)) {
   values_.fill(kMissing);
   for (const PlannedColumn& column : layout.columns)
-    plan_[column.cell] = {slot_of(column, kTime, kStageTime, kStage), column.scale, &column};
+    plan_[column.cell] = {slot_of(column, kTime, kStageTime, kStage), column.scale, &column,
+                          "missing " + column.heading};
   std::string_view line;
   while (lines_.line_number() + 1 < layout.first_row_line)
     if (!lines_.next(line)) break;
@@ -156,8 +157,9 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
   const auto& heading = plan.column->heading;
   if (kind == CellKind::missing) {
     values_[plan.slot] = kMissing;
-    findings_.note("missing " + heading, lines_.line_number(),
-                   fmt::format("column {} has no value ({})", excerpt(heading), excerpt(cell)));
+    findings_.note(plan.missing, lines_.line_number(), [&] {
+      return fmt::format("column {} has no value ({})", excerpt(heading), excerpt(cell));
+    });
     return;
   }
   if (kind == CellKind::text)

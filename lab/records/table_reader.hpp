@@ -41,6 +41,7 @@ class TableReader {
     std::size_t slot = kUnwanted;
     double scale = 1;
     const PlannedColumn* column = nullptr;
+    std::string missing;  // kind of finding
   };
 
   bool parse_fast(std::string_view line);

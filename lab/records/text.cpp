@@ -152,6 +152,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 std::string joined(const std::vector<std::string>& words, std::string_view between) {
   std::string out;
   for (const auto& word : words) {
+    if (word.empty()) continue;
     if (!out.empty()) out += between;
     out += word;
   }

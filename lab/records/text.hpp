@@ -20,6 +20,7 @@ std::string excerpt(std::string_view text);
 /// The candidate with the fewest typing errors (insert, delete, replace, swap) from `word`; empty
 /// if there are no candidates.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// Empty words are left out.
 std::string joined(const std::vector<std::string>& words, std::string_view between = ", ");
 
 }  // namespace triax::lab

@@ -77,14 +77,17 @@ void TimeLine::repair(double& time, std::int64_t line, Findings& findings) {
   }
   const double behind = last_ + least_step();
   if (shifted == last_) {
-    findings.note("time repeated", line,
-                  fmt::format("the time {:g} s stands twice: the second is set {:g} s later", time,
-                              behind - last_));
+    findings.note("time repeated", line, [&] {
+      return fmt::format("the time {:g} s stands twice: the second is set {:g} s later", time,
+                         behind - last_);
+    });
   } else {
-    findings.note("time back", line,
-                  fmt::format("the time runs back from {:g} s to {:g} s: it is shifted by {:g} s "
-                              "from here on, until it is ahead by itself",
-                              last_, time, behind - time));
+    findings.note("time back", line, [&] {
+      return fmt::format(
+          "the time runs back from {:g} s to {:g} s: it is shifted by {:g} s "
+          "from here on, until it is ahead by itself",
+          last_, time, behind - time);
+    });
     offset_ = behind - time;
   }
   time = behind;

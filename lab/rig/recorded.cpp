@@ -56,6 +56,7 @@ struct RecordedRig::Impl {
     if (!waiting) throw BadInput(layout.file, layout.heading_line, "no row of readings");
   }
 
+  TomlTable parse_preamble(const std::string& toml) const;
   void read_document(const std::string& metadata_file, const std::string& metadata);
   void apply_sets(const RecordOptions& options, bool stages);
   void settle_stages();
@@ -81,10 +82,19 @@ struct RecordedRig::Impl {
   int stage = 0;
 };
 
+TomlTable RecordedRig::Impl::parse_preamble(const std::string& toml) const {
+  try {
+    return TomlTable::parse(toml, layout.file);
+  } catch (const BadInput& error) {
+    throw BadInput(std::string(error.what()) +
+                   " (lines behind # hold TOML; begin a free remark with ##)");
+  }
+}
+
 void RecordedRig::Impl::read_document(const std::string& metadata_file,
                                       const std::string& metadata) {
   if (const auto own = toml_preamble(layout); !own.empty())
-    read_metadata(header, truth, TomlTable::parse(own, layout.file));
+    read_metadata(header, truth, parse_preamble(own));
   else if (!metadata_file.empty())
     read_metadata(header, truth, TomlTable::parse(metadata, metadata_file));
 }
@@ -214,7 +224,8 @@ std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOp
   auto source = open_file(path);
   const auto beside = std::filesystem::path(path).replace_extension(".toml");
   std::error_code unreadable;
-  if (beside == path || !std::filesystem::is_regular_file(beside, unreadable))
+  if (beside == path || beside == options.dialect ||
+      !std::filesystem::is_regular_file(beside, unreadable))
     return open_record(std::move(source), options);
   return std::make_unique<RecordedRig>(std::move(source), options, beside.string(),
                                        read_text_file(beside.string()));
