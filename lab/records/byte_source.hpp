@@ -1,0 +1,32 @@
+#pragma once
+// Where the bytes of a record come from: a file, or memory (tests, fuzzers).
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace triax::lab {
+
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  ByteSource() = default;
+  ByteSource(const ByteSource&) = delete;
+  ByteSource& operator=(const ByteSource&) = delete;
+
+  /// Name for messages: the path as the user gave it.
+  virtual const std::string& name() const = 0;
+  virtual std::uint64_t size() const = 0;
+  /// Fills the front of `into`; gives the number of bytes, 0 at the end. Throws WorkFailed where
+  /// the medium fails.
+  virtual std::size_t read(std::span<char> into) = 0;
+  /// Back to the first byte.
+  virtual void rewind() = 0;
+};
+
+/// Throws BadInput for a file that is missing, cannot be read, is a directory or no regular file.
+std::unique_ptr<ByteSource> open_file(const std::string& path);
+std::unique_ptr<ByteSource> open_memory(std::string name, std::string bytes);
+
+}  // namespace triax::lab

@@ -1,0 +1,37 @@
+#include "lab/records/counter_join.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace triax::lab {
+
+void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool stage_begins,
+                        std::int64_t line, Findings& findings) {
+  for (Counter& counter : counters_) {
+    double& value = si[index(counter.quantity)];
+    if (std::isnan(value)) continue;
+    const double before = counter.last;
+    counter.last = value;
+    const bool reset = stage_begins && std::abs(before) > counter.drift &&
+                       std::abs(value) <= std::abs(before) * (counter.joins ? 0.02 : 0.2);
+    if (reset) {
+      const QuantityInfo& row = info(counter.quantity);
+      const auto unit = *sim::find_unit(row.unit);
+      const auto jump =
+          fmt::format("{} jumps from {:.6g} to {:.6g} {} where stage {} begins", row.name,
+                      before / unit.scale, value / unit.scale, row.unit, stage);
+      if (counter.joins) {
+        counter.offset += before - value;
+        findings.note(fmt::format("reset {} {}", row.name, stage), line,
+                      jump + ": the counter was set to zero; joined as if nothing had moved");
+      } else {
+        findings.note(fmt::format("reset {} {}", row.name, stage), line,
+                      jump + ": unloaded, or the load cell was set to zero; left as it is");
+      }
+    }
+    if (counter.offset != 0) value += counter.offset;
+  }
+}
+
+}  // namespace triax::lab

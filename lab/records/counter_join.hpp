@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "lab/records/findings.hpp"
+#include "lab/records/reading.hpp"
+
+namespace triax::lab {
+
+/// Joins counters that an operator set to zero between two stages: displacement, back and cell
+/// volume. The assumption, which the finding states with the size of the jump, is that nothing
+/// moved meanwhile. A load cell that was set to zero is reported and left as it is: the specimen
+/// may have been unloaded.
+///
+/// A counter counts as reset if it begins a stage within 2 % of zero while it had left the stage
+/// before at more than what the channel can have drifted (0.02 mm, 20 mm³).
+class CounterJoin {
+ public:
+  /// `si` are the values of the next row; joined ones are replaced.
+  void apply(std::array<double, kQuantityCount>& si, int stage, bool stage_begins,
+             std::int64_t line, Findings& findings);
+
+ private:
+  struct Counter {
+    Quantity quantity;
+    double drift;  // SI, a change that is no reset
+    bool joins;
+    double last = kMissing;  // as the file had it
+    double offset = 0;
+  };
+  std::array<Counter, 4> counters_{{{Quantity::axial_displacement, 0.02e-3, true},
+                                    {Quantity::back_volume, 20e-9, true},
+                                    {Quantity::cell_volume, 20e-9, true},
+                                    {Quantity::axial_force, 5, false}}};
+};
+
+}  // namespace triax::lab

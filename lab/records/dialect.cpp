@@ -1,0 +1,195 @@
+#include "lab/records/dialect.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/embedded.hpp"
+#include "lab/records/metadata.hpp"
+#include "lab/records/text.hpp"
+#include "lab/records/toml_reader.hpp"
+
+namespace triax::lab {
+namespace {
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names{"time", "stage_time", "stage"};
+  for (const QuantityInfo& row : quantities()) names.emplace_back(row.name);
+  return names;
+}
+
+Separator read_separator(const TomlTable& table, const char* key) {
+  const auto text = table.text(key).value_or("auto");
+  if (text == "auto") return Separator::automatic;
+  if (text == "," || text == "comma") return Separator::comma;
+  if (text == ";" || text == "semicolon") return Separator::semicolon;
+  if (text == "\t" || text == "tab") return Separator::tab;
+  if (text == " " || text == "blanks") return Separator::blanks;
+  if (text == "wide blanks") return Separator::wide_blanks;
+  table.fail(key, excerpt(text) +
+                      " is no separator; it can be auto, comma, semicolon, tab, blanks or 'wide "
+                      "blanks' (two or more)");
+}
+
+DecimalMark read_decimal(const TomlTable& table) {
+  const auto text = table.text("decimal").value_or("auto");
+  if (text == "auto") return DecimalMark::open;
+  if (text == ".") return DecimalMark::point;
+  if (text == ",") return DecimalMark::comma;
+  table.fail("decimal", excerpt(text) + " is no decimal mark; it can be auto, . or ,");
+}
+
+void check_unit(const TomlTable& table, const char* key, const std::string& unit,
+                const DialectColumn& column) {
+  if (!table.has(key)) return;
+  const auto wanted = column.role == ColumnRole::stage ? sim::Dimension::none
+                      : column.role == ColumnRole::quantity
+                          ? sim::find_unit(info(column.quantity).unit)->dimension
+                          : sim::Dimension::time;
+  const auto found = sim::find_unit(unit);
+  if (!found) table.fail(key, excerpt(unit) + " is no known unit");
+  if (found->dimension != wanted) table.fail(key, excerpt(unit) + " does not fit this column");
+}
+
+DialectColumn read_column(const TomlTable& columns, const std::string& key) {
+  DialectColumn column;
+  if (key == "time") {
+    column.role = ColumnRole::time;
+  } else if (key == "stage_time") {
+    column.role = ColumnRole::stage_time;
+  } else if (key == "stage") {
+    column.role = ColumnRole::stage;
+  } else if (const auto quantity = find_quantity(key)) {
+    column.quantity = *quantity;
+  } else {
+    const auto known = column_names();
+    throw BadInput(columns.file(), columns.line(key),
+                   fmt::format("[columns] has no {}; did you mean '{}'? (known: {})", excerpt(key),
+                               nearest(key, known), joined(known)));
+  }
+  if (columns.is_table(key)) {
+    const auto table = *columns.table(key);
+    column.names = table.texts("names");
+    column.unit = table.text("unit").value_or("");
+    column.true_unit = table.text("true_unit").value_or("");
+    column.sign = table.number("sign").value_or(1);
+    check_unit(table, "unit", column.unit, column);
+    check_unit(table, "true_unit", column.true_unit, column);
+    if (column.sign != 1 && column.sign != -1) table.fail("sign", "it can be 1 or -1");
+    if (table.has("true_unit") && column.true_unit.empty()) column.true_unit.assign(1, '-');
+    table.finish();
+  } else {
+    column.names = columns.texts(key);
+  }
+  if (column.names.empty()) columns.fail(key, "needs the heading of the column, as in the file");
+  return column;
+}
+
+void read_keys(Dialect& dialect, const TomlTable& document, const std::string& group) {
+  const auto table = document.table(group);
+  if (!table) return;
+  const auto known = metadata_keys();
+  for (const auto& name : table->keys()) {
+    const auto key = fmt::format("{}.{}", group, name);
+    if (std::ranges::find(known, key) == known.end())
+      throw BadInput(table->file(), table->line(name),
+                     fmt::format("unknown key {} in [{}]; did you mean '{}'?", excerpt(name), group,
+                                 nearest(key, known)));
+    dialect.keys.push_back({key, table->texts(name)});
+  }
+}
+
+void read_defaults(Dialect& dialect, const TomlTable& document) {
+  dialect.stage.role = StageRole::shear;
+  dialect.stage.control = AxialControl::displacement;
+  const auto table = document.table("defaults");
+  if (!table) return;
+  dialect.programme = table->text("programme").value_or("");
+  RecordHeader probe;
+  for (const char* key : {"role", "drainage", "control"}) {
+    const auto text = table->text(key);
+    if (!text) continue;
+    if (std::string_view(key) == "drainage" && *text == "auto") continue;
+    set_metadata(probe, fmt::format("{}:{}", table->file(), table->line(key)),
+                 fmt::format("stages.1.{}", key), *text);
+    const StageInfo& stage = probe.stages.front();
+    if (std::string_view(key) == "role") dialect.stage.role = stage.role;
+    if (std::string_view(key) == "control") dialect.stage.control = stage.control;
+    if (std::string_view(key) == "drainage") {
+      dialect.stage.drainage = stage.drainage;
+      dialect.drainage_from_columns = false;
+    }
+  }
+  table->finish();
+}
+
+}  // namespace
+
+Dialect parse_dialect(std::string_view toml, const std::string& file) {
+  const auto document = TomlTable::parse(toml, file);
+  Dialect dialect;
+  dialect.name = document.text("name").value_or("");
+  dialect.about = document.text("about").value_or("");
+  if (trimmed(dialect.name).empty())
+    throw BadInput(file, 1, "a dialect needs a name: name = \"my_lab\"");
+  if (const auto table = document.table("recognise")) {
+    dialect.headings = table->texts("headings");
+    dialect.contains = table->texts("contains");
+    dialect.own_headings = table->flag("own_headings").value_or(false);
+    table->finish();
+  }
+  if (const auto table = document.table("table")) {
+    dialect.separator = read_separator(*table, "separator");
+    dialect.heading_separator = read_separator(*table, "heading_separator");
+    dialect.decimal = read_decimal(*table);
+    dialect.comment = table->text("comment").value_or("");
+    dialect.comment_is_toml = table->flag("comment_is_toml").value_or(false);
+    table->finish();
+  }
+  if (const auto table = document.table("columns"))
+    for (const auto& key : table->keys()) dialect.columns.push_back(read_column(*table, key));
+  if (dialect.columns.empty())
+    throw BadInput(file, 0, "a dialect needs [columns], for example axial_strain = \"eps1\"");
+  read_keys(dialect, document, "test");
+  read_keys(dialect, document, "specimen");
+  read_defaults(dialect, document);
+  document.finish();
+  return dialect;
+}
+
+const std::vector<Dialect>& shipped_dialects() {
+  static const std::vector<Dialect> dialects = [] {
+    std::vector<Dialect> all;
+    for (const EmbeddedFile& file : kShippedDialects)
+      all.push_back(parse_dialect(file.text, std::string(file.name) + ".toml"));
+    std::ranges::stable_partition(all, &Dialect::own_headings);
+    return all;
+  }();
+  return dialects;
+}
+
+Dialect find_dialect(const std::string& name_or_file) {
+  if (name_or_file.ends_with(".toml")) {
+    const auto file = read_text_file(name_or_file);
+    return parse_dialect(file, name_or_file);
+  }
+  std::vector<std::string> names;
+  for (const Dialect& dialect : shipped_dialects()) {
+    if (dialect.name == name_or_file) return dialect;
+    names.push_back(dialect.name);
+  }
+  throw BadInput(
+      fmt::format("--dialect {}: there is no such dialect; did you mean '{}'? (known: "
+                  "{}; or the path of a .toml file)",
+                  name_or_file, nearest(name_or_file, names), joined(names)));
+}
+
+bool matches_name(std::string_view heading, std::string_view name) {
+  const auto text = folded(heading);
+  const auto wanted = folded(name);
+  if (!wanted.ends_with('*')) return text == wanted;
+  return text.starts_with(std::string_view(wanted).substr(0, wanted.size() - 1));
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,269 @@
+#include "lab/records/metadata.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
+
+namespace triax::lab {
+namespace {
+
+// Keys of [truth] but the first, in the order in which they are written.
+struct TruthKey {
+  std::string_view name;
+  std::string_view unit;
+  std::optional<double> Truth::*member;
+};
+constexpr TruthKey kTruthKeys[] = {{"time", "s", &Truth::time_s},
+                                   {"axial_strain", "", &Truth::axial_strain},
+                                   {"q", "kPa", &Truth::q_pa},
+                                   {"p_eff", "kPa", &Truth::p_eff_pa},
+                                   {"pore_pressure", "kPa", &Truth::pore_pressure_pa}};
+
+std::string full_name(std::string_view name, std::string_view unit) {
+  return unit.empty() ? std::string(name) : fmt::format("{}_{}", name, unit);
+}
+
+double parse_number(const std::string& where, std::string_view key, std::string_view text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (stop != end || error != std::errc{} || !std::isfinite(value))
+    throw BadInput(
+        fmt::format("{}: {} = {} is no number (write it like 12.5)", where, key, excerpt(text)));
+  return value;
+}
+
+std::string names_of(std::initializer_list<std::string_view> names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+template <class Value>
+Value one_of(const std::string& where, std::string_view key, std::string_view text,
+             std::optional<Value> found, std::initializer_list<std::string_view> allowed) {
+  if (found) return *found;
+  throw BadInput(
+      fmt::format("{}: {} = {}; it can be {}", where, key, excerpt(text), names_of(allowed)));
+}
+
+[[noreturn]] void unknown_key(const std::string& where, std::string_view key) {
+  const auto known = metadata_keys();
+  throw BadInput(fmt::format("{}: unknown key {}; did you mean '{}'? (known: {})", where,
+                             excerpt(key), nearest(key, known), joined(known)));
+}
+
+void set_test(RecordHeader& header, const std::string& where, std::string_view key,
+              std::string_view name, std::string_view value) {
+  if (name == "name") {
+    if (trimmed(value).empty()) throw BadInput(where + ": test.name is empty");
+    header.name = value;
+  } else if (name == "programme") {
+    header.programme = value;
+  } else if (name == "origin") {
+    std::optional<Origin> origin;
+    if (value == "recorded") origin = Origin::recorded;
+    if (value == "simulated") origin = Origin::simulated;
+    header.origin = one_of(where, key, value, origin, {"recorded", "simulated"});
+  } else if (name == "seed") {
+    std::uint64_t seed = 0;
+    const char* end = value.data() + value.size();
+    const auto [stop, error] = std::from_chars(value.data(), end, seed);
+    if (stop != end || error != std::errc{})
+      throw BadInput(
+          fmt::format("{}: {} = {} is no whole number from 0 on", where, key, excerpt(value)));
+    header.seed = seed;
+  } else {
+    unknown_key(where, key);
+  }
+}
+
+void set_specimen(SpecimenInfo& specimen, const std::string& where, std::string_view key,
+                  std::string_view name, std::string_view value) {
+  if (name == "material") {
+    specimen.material = value;
+    return;
+  }
+  for (const SpecimenKey& row : specimen_keys()) {
+    auto unit = *sim::find_unit(row.unit);
+    if (name != full_name(row.name, row.unit)) {
+      const auto other = split_unit(name);
+      if (!other || other->name != row.name || other->unit.dimension != unit.dimension) continue;
+      unit = other->unit;
+    }
+    const double number = parse_number(where, key, value);
+    if (!(number > 0) || !std::isfinite(sim::to_si(number, unit)))
+      throw BadInput(fmt::format("{}: {} = {} must be above zero", where, key, number));
+    specimen.*row.member = sim::to_si(number, unit);
+    return;
+  }
+  unknown_key(where, key);
+}
+
+StageInfo& stage_of(RecordHeader& header, int number) {
+  const auto found = std::ranges::find(header.stages, number, &StageInfo::number);
+  if (found != header.stages.end()) return *found;
+  StageInfo made;
+  made.number = number;
+  return header.stages.emplace_back(made);
+}
+
+void set_stage(StageInfo& stage, const std::string& where, std::string_view key,
+               std::string_view name, std::string_view value) {
+  if (name == "name")
+    stage.name = value;
+  else if (name == "role")
+    stage.role = one_of(where, key, value, stage_role_from(value),
+                        {"saturation", "b_check", "consolidation", "shear", "unknown"});
+  else if (name == "drainage")
+    stage.drainage = one_of(where, key, value, drainage_from(value), {"open", "closed", "unknown"});
+  else if (name == "control")
+    stage.control = one_of(where, key, value, axial_control_from(value),
+                           {"displacement", "load", "constant_q", "unknown"});
+  else
+    unknown_key(where, key);
+}
+
+void read_truth(std::optional<Truth>& truth, const TomlTable& table) {
+  Truth found;
+  found.lost_sustainability = table.flag("lost_sustainability").value_or(false);
+  for (const TruthKey& row : kTruthKeys)
+    if (const auto value = table.number(full_name(row.name, row.unit))) {
+      if (!std::isfinite(*value)) table.fail(full_name(row.name, row.unit), "must be finite");
+      found.*row.member = sim::to_si(*value, *sim::find_unit(row.unit));
+    }
+  table.finish();
+  truth = found;
+}
+
+void append_number(std::string& out, std::string_view name, std::string_view unit,
+                   const std::optional<double>& si) {
+  if (!si || !std::isfinite(*si)) return;
+  const auto text = fmt::format("{}", sim::to_field(*si, *sim::find_unit(unit)));
+  out += fmt::format("{} = {}\n", full_name(name, unit), text);
+}
+
+void append_text(std::string& out, std::string_view name, std::string_view text) {
+  if (!text.empty()) out += fmt::format("{} = {}\n", name, toml_quoted(text));
+}
+
+}  // namespace
+
+std::optional<NamedUnit> split_unit(std::string_view name) {
+  const auto at = name.rfind('_');
+  if (at == std::string_view::npos || at == 0 || at + 1 == name.size()) return std::nullopt;
+  const auto unit = sim::find_unit(name.substr(at + 1));
+  if (!unit) return std::nullopt;
+  return NamedUnit{name.substr(0, at), *unit};
+}
+
+const std::vector<SpecimenKey>& specimen_keys() {
+  static const std::vector<SpecimenKey> keys{
+      {"height", "mm", &SpecimenInfo::height_m},
+      {"diameter", "mm", &SpecimenInfo::diameter_m},
+      {"void_ratio", "", &SpecimenInfo::void_ratio},
+      {"consolidated_void_ratio", "", &SpecimenInfo::consolidated_void_ratio},
+      {"consolidated_height", "mm", &SpecimenInfo::consolidated_height_m},
+      {"dry_mass", "g", &SpecimenInfo::dry_mass_kg},
+      {"specific_gravity", "", &SpecimenInfo::specific_gravity},
+      {"membrane_thickness", "mm", &SpecimenInfo::membrane_thickness_m},
+      {"membrane_modulus", "kPa", &SpecimenInfo::membrane_modulus_pa},
+      {"limit_friction_angle", "deg", &SpecimenInfo::limit_friction_angle_rad}};
+  return keys;
+}
+
+std::vector<std::string> metadata_keys() {
+  std::vector<std::string> keys{"test.name", "test.origin", "test.programme", "test.seed"};
+  for (const SpecimenKey& row : specimen_keys())
+    keys.push_back("specimen." + full_name(row.name, row.unit));
+  for (const char* key : {"specimen.material", "stages.N.name", "stages.N.role",
+                          "stages.N.drainage", "stages.N.control"})
+    keys.emplace_back(key);
+  return keys;
+}
+
+void set_metadata(RecordHeader& header, const std::string& where, std::string_view key,
+                  std::string_view value) {
+  const auto dot = key.find('.');
+  const auto group = key.substr(0, dot);
+  const auto rest = dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
+  if (group == "test") {
+    set_test(header, where, key, rest, value);
+  } else if (group == "specimen") {
+    set_specimen(header.specimen, where, key, rest, value);
+  } else if (group == "stages") {
+    const auto second = rest.find('.');
+    int number = 0;
+    const auto digits = rest.substr(0, second);
+    const auto [stop, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (second == std::string_view::npos || digits.empty() || number < 0 || error != std::errc{} ||
+        stop != digits.data() + digits.size())
+      unknown_key(where, key);
+    // A copy first: a bad value leaves no stage behind.
+    StageInfo probe;
+    set_stage(probe, where, key, rest.substr(second + 1), value);
+    set_stage(stage_of(header, number), where, key, rest.substr(second + 1), value);
+  } else {
+    unknown_key(where, key);
+  }
+}
+
+void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const TomlTable& document) {
+  const auto take = [&](const TomlTable& table, const std::string& prefix) {
+    for (const auto& key : table.keys()) {
+      const auto where = fmt::format("{}:{}", table.file(), table.line(key));
+      set_metadata(header, where, prefix + key, table.scalar(key).value_or(""));
+    }
+  };
+  if (const auto table = document.table("test")) take(*table, "test.");
+  if (const auto table = document.table("specimen")) take(*table, "specimen.");
+  for (const TomlTable& table : document.tables("stages")) {
+    const auto number = table.integer("number");
+    if (!number || *number < 0 || *number > 1'000'000)
+      throw BadInput(table.file(), table.line(), "[[stages]] needs number = 1, 2, ...");
+    const auto prefix = fmt::format("stages.{}.", *number);
+    stage_of(header, static_cast<int>(*number));
+    for (const auto& key : table.keys()) {
+      if (key == "number") continue;
+      const auto where = fmt::format("{}:{}", table.file(), table.line(key));
+      set_metadata(header, where, prefix + key, table.scalar(key).value_or(""));
+    }
+  }
+  if (const auto table = document.table("truth")) read_truth(truth, *table);
+  document.finish();
+}
+
+std::string metadata_toml(const RecordHeader& header) {
+  std::string out = "[test]\n";
+  append_text(out, "name", header.name);
+  append_text(out, "origin", to_string(header.origin));
+  append_text(out, "programme", header.programme);
+  // TOML's whole numbers are signed: a larger seed is written as text.
+  if (header.seed)
+    out += *header.seed >> 63 ? fmt::format("seed = \"{}\"\n", *header.seed)
+                              : fmt::format("seed = {}\n", *header.seed);
+  out += "[specimen]\n";
+  append_text(out, "material", header.specimen.material);
+  for (const SpecimenKey& row : specimen_keys())
+    append_number(out, row.name, row.unit, header.specimen.*row.member);
+  for (const StageInfo& stage : header.stages) {
+    out += fmt::format("[[stages]]\nnumber = {}\n", stage.number);
+    append_text(out, "name", stage.name);
+    append_text(out, "role", to_string(stage.role));
+    append_text(out, "drainage", to_string(stage.drainage));
+    append_text(out, "control", to_string(stage.control));
+  }
+  return out;
+}
+
+std::string truth_toml(const Truth& truth) {
+  std::string out = fmt::format("[truth]\nlost_sustainability = {}\n", truth.lost_sustainability);
+  for (const TruthKey& row : kTruthKeys) append_number(out, row.name, row.unit, truth.*row.member);
+  return out;
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,43 @@
+#pragma once
+// What is said about a test beside its readings, under one set of keys wherever it is said: the
+// preamble of our CSV, the TOML file beside a record, a dialect, --set on the command line.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/records/record_header.hpp"
+#include "lab/records/toml_reader.hpp"
+
+namespace triax::lab {
+
+/// A key of [specimen] that holds a number.
+struct SpecimenKey {
+  std::string_view name;  ///< "height"
+  std::string_view unit;  ///< "mm"; "" for a plain number
+  std::optional<double> SpecimenInfo::*member;
+};
+const std::vector<SpecimenKey>& specimen_keys();
+
+/// Every key, with its unit: "test.name", "specimen.height_mm", "stages.N.role"...
+std::vector<std::string> metadata_keys();
+
+/// Sets one key from text. A dimension may come in another unit of its kind ("specimen.height_cm").
+/// Throws BadInput "WHERE: ..." for an unknown key (names the nearest and all) and for a bad value.
+void set_metadata(RecordHeader& header, const std::string& where, std::string_view key,
+                  std::string_view value);
+
+/// Takes [test], [specimen], [[stages]] and [truth] of a document; unknown keys are BadInput.
+void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const TomlTable& document);
+
+/// The same as TOML text, known values only. Reading it back gives the same values.
+std::string metadata_toml(const RecordHeader& header);
+std::string truth_toml(const Truth& truth);
+
+/// "cell_pressure_kPa" -> {"cell_pressure", kPa}; nothing where the last part is no unit.
+struct NamedUnit {
+  std::string_view name;
+  sim::Unit unit;
+};
+std::optional<NamedUnit> split_unit(std::string_view name);
+
+}  // namespace triax::lab

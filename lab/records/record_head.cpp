@@ -1,0 +1,120 @@
+#include "lab/records/record_head.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/metadata.hpp"
+#include "lab/records/text.hpp"
+
+namespace triax::lab {
+namespace {
+
+std::string without_colon(std::string_view label) {
+  label = trimmed(label);
+  while (label.ends_with(':')) label = trimmed(label.substr(0, label.size() - 1));
+  return std::string(label);
+}
+
+// "specimen.height_mm" for a label that says cm becomes "specimen.height_cm".
+std::string key_in_unit(const std::string& key, const std::string& label) {
+  const auto unit = split_heading(label).unit;
+  const auto named = split_unit(key);
+  if (!unit || !named || named->unit.dimension == sim::Dimension::none) return key;
+  const auto found = sim::find_unit(*unit);
+  if (!found || found->dimension != named->unit.dimension) return key;
+  return fmt::format("{}_{}", named->name, *unit);
+}
+
+// A plain number as a laboratory types it, with the decimal mark of its country.
+std::string number_text(std::string_view cell) {
+  DecimalMark mark = DecimalMark::open;
+  double value = 0;
+  if (parse_cell(cell, mark, value) == CellKind::number) return fmt::format("{}", value);
+  return std::string(cell);
+}
+
+void take_label(RecordHeader& header, const TableLayout& layout, std::size_t line,
+                const std::vector<std::string_view>& cells, std::size_t cell, const DialectKey& key,
+                Findings& findings) {
+  const auto label = without_colon(cells[cell]);
+  const bool known = std::ranges::any_of(key.labels, [&](const auto& name) {
+    return matches_name(label, without_colon(name)) ||
+           matches_name(split_heading(label).name, without_colon(name));
+  });
+  if (!known) return;
+  const auto value = std::find_if(cells.begin() + static_cast<std::ptrdiff_t>(cell) + 1,
+                                  cells.end(), [](auto text) { return !text.empty(); });
+  if (value == cells.end()) return;
+  const auto number = static_cast<std::int64_t>(line) + 1;
+  const bool text = key.key.ends_with("material") || key.key.starts_with("test.");
+  try {
+    set_metadata(header, fmt::format("{}:{}", layout.file, number), key_in_unit(key.key, label),
+                 text ? std::string(*value) : number_text(*value));
+  } catch (const BadInput&) {
+    findings.note("preamble " + key.key, number,
+                  fmt::format("{} = {} is no value for {} and left out", excerpt(label),
+                              excerpt(*value), key.key));
+  }
+}
+
+}  // namespace
+
+void describe_record(RecordHeader& header, const TableLayout& layout, Findings& findings) {
+  header.source = layout.file;
+  header.name = std::filesystem::path(layout.file).stem().string();
+  header.dialect = layout.dialect.name;
+  header.programme = layout.dialect.programme;
+  header.columns = layout.quantities();
+  header.has_time = layout.has(ColumnRole::time) || layout.has(ColumnRole::stage_time);
+  std::vector<std::string_view> cells;
+  for (std::size_t line = 0; line < layout.head.size(); ++line) {
+    split_cells(layout.head[line], layout.heading_separator, cells);
+    for (std::size_t cell = 0; cell + 1 < cells.size(); ++cell)
+      for (const DialectKey& key : layout.dialect.keys)
+        take_label(header, layout, line, cells, cell, key, findings);
+  }
+  if (!header.has_time)
+    findings.note("no time", layout.heading_line,
+                  "there is no time column: rates and derivatives run along the axial strain");
+}
+
+std::string toml_preamble(const TableLayout& layout) {
+  const auto& mark = layout.dialect.comment;
+  if (!layout.dialect.comment_is_toml) return {};
+  std::string toml;
+  bool any = false;
+  for (const std::string& line : layout.head) {
+    if (line.starts_with(mark)) {
+      std::string_view text = line;
+      text.remove_prefix(mark.size());
+      if (text.starts_with(' ')) text.remove_prefix(1);
+      any = any || !trimmed(text).empty();
+      toml += text;
+    }
+    toml += '\n';
+  }
+  return any ? toml : std::string();
+}
+
+StageInfo single_stage(const TableLayout& layout, std::string_view programme) {
+  StageInfo stage = layout.dialect.stage;
+  stage.number = 1;
+  if (!layout.dialect.drainage_from_columns) return stage;
+  const auto name = folded(programme);
+  const auto columns = layout.quantities();
+  const auto has = [&](Quantity q) { return std::ranges::find(columns, q) != columns.end(); };
+  if (name.ends_with('u'))
+    stage.drainage = Drainage::closed;
+  else if (name.ends_with('d'))
+    stage.drainage = Drainage::open;
+  else if (has(Quantity::volumetric_strain))
+    stage.drainage = Drainage::open;
+  else if (has(Quantity::pore_pressure) || has(Quantity::excess_pore_pressure))
+    stage.drainage = Drainage::closed;
+  return stage;
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,26 @@
+#pragma once
+// All that can be said of a record before its first reading, from its head, from the TOML file
+// beside it, from the dialect and from --set, the later one stronger.
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lab/records/findings.hpp"
+#include "lab/records/record_header.hpp"
+#include "lab/records/table_layout.hpp"
+
+namespace triax::lab {
+
+/// Name, source, dialect and columns; then what the preamble says by the dialect's keys. Values
+/// that cannot be read are left out with a finding.
+void describe_record(RecordHeader& header, const TableLayout& layout, Findings& findings);
+
+/// The preamble of our CSV as TOML text of as many lines as the head has; empty if there is none.
+std::string toml_preamble(const TableLayout& layout);
+
+/// The one stage of a record that has no stage column: the dialect's, with the drainage judged by
+/// the programme (…U, …D) or the columns (pore pressure; volume change) if the dialect leaves it
+/// open.
+StageInfo single_stage(const TableLayout& layout, std::string_view programme);
+
+}  // namespace triax::lab

@@ -1,0 +1,128 @@
+#include "lab/records/record_writer.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/metadata.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr std::size_t kFlushAt = std::size_t{1} << 16;
+
+std::string as_comment(std::string_view toml) {
+  std::string out;
+  while (!toml.empty()) {
+    const auto end = toml.find('\n');
+    out.append("# ").append(toml.substr(0, end)).append("\n");
+    toml.remove_prefix(end == std::string_view::npos ? toml.size() : end + 1);
+  }
+  return out;
+}
+
+}  // namespace
+
+struct RecordWriter::Impl {
+  std::string path;
+  std::string part;
+  int descriptor = -1;
+  bool has_time = true;
+  std::vector<std::pair<Quantity, sim::Unit>> columns;
+  std::string text;
+
+  ~Impl() {
+    if (descriptor >= 0) ::close(descriptor);
+    if (!part.empty()) ::unlink(part.c_str());
+  }
+
+  [[noreturn]] void fail() const {
+    throw WorkFailed(path + ": cannot be written: " + std::strerror(errno));
+  }
+
+  void create() {
+    part = path + ".part-XXXXXX";
+    descriptor = ::mkstemp(part.data());
+    if (descriptor < 0) {
+      part.clear();
+      fail();
+    }
+    const auto mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(descriptor, 0666 & ~mask);
+  }
+
+  void flush() {
+    std::string_view rest = text;
+    while (!rest.empty()) {
+      const auto count = ::write(descriptor, rest.data(), rest.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      rest.remove_prefix(static_cast<std::size_t>(count));
+    }
+    text.clear();
+  }
+
+  void append(double value) {
+    if (!std::isfinite(value)) return;
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+  }
+
+  void append_headings() {
+    if (has_time) text += "time_s,";
+    text += "stage";
+    for (const auto& [quantity, unit] : columns) text.append(",").append(heading(quantity));
+    text += '\n';
+  }
+};
+
+RecordWriter::RecordWriter(const std::string& path, const RecordHeader& header)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->path = path;
+  impl_->has_time = header.has_time;
+  for (const Quantity q : header.columns)
+    impl_->columns.emplace_back(q, *sim::find_unit(info(q).unit));
+  impl_->create();
+  impl_->text = as_comment(metadata_toml(header));
+  impl_->append_headings();
+}
+
+RecordWriter::~RecordWriter() = default;
+
+void RecordWriter::write(const Reading& reading) {
+  if (impl_->has_time) {
+    impl_->append(reading.time_s);
+    impl_->text += ',';
+  }
+  impl_->text += std::to_string(reading.stage);
+  for (const auto& [quantity, unit] : impl_->columns) {
+    impl_->text += ',';
+    impl_->append(sim::to_field(reading[quantity], unit));
+  }
+  impl_->text += '\n';
+  if (impl_->text.size() > kFlushAt) impl_->flush();
+}
+
+void RecordWriter::finish(const std::optional<Truth>& truth) {
+  if (truth) impl_->text += as_comment(truth_toml(*truth));
+  impl_->flush();
+  if (::fsync(impl_->descriptor) != 0) impl_->fail();
+  if (::close(std::exchange(impl_->descriptor, -1)) != 0) impl_->fail();
+  if (std::rename(impl_->part.c_str(), impl_->path.c_str()) != 0) impl_->fail();
+  impl_->part.clear();
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,141 @@
+#include "lab/records/stage_inference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace triax::lab {
+namespace {
+
+using enum Quantity;
+
+// What counts as movement for this specimen, SI.
+struct Thresholds {
+  double displacement = 0.5e-3;
+  double force = 10;
+  double volume = 20e-9;
+  double pressure = 5e3;
+
+  explicit Thresholds(const SpecimenInfo& specimen) {
+    if (specimen.height_m) displacement = 0.005 * *specimen.height_m;
+    if (!specimen.diameter_m) return;
+    const double area = std::numbers::pi * *specimen.diameter_m * *specimen.diameter_m / 4;
+    force = pressure * area;
+    if (specimen.height_m) volume = 1e-4 * area * *specimen.height_m;
+  }
+};
+
+StageRole role_without_shear(const StageSummary& stage, const Thresholds& least,
+                             Drainage drainage) {
+  const double cell = stage[cell_pressure].change();
+  const double pore = std::isnan(stage[pore_pressure].change()) ? stage[back_pressure].change()
+                                                                : stage[pore_pressure].change();
+  const bool cell_moves = std::abs(cell) > least.pressure;
+  if (cell_moves && drainage == Drainage::closed)
+    return pore / cell >= 0.5 ? StageRole::b_check : StageRole::saturation;
+  if (cell_moves && cell > 0 && pore > least.pressure && std::abs(cell - pore) < 0.5 * cell)
+    return StageRole::saturation;
+  if (drainage == Drainage::open) return StageRole::consolidation;
+  return StageRole::unknown;
+}
+
+}  // namespace
+
+void LineFit::add(double x, double y) {
+  if (std::isnan(x) || std::isnan(y)) return;
+  n += 1;
+  const double dx = x - mean_x;
+  const double dy = y - mean_y;
+  mean_x += dx / n;
+  mean_y += dy / n;
+  sxx += dx * (x - mean_x);
+  sxy += dx * (y - mean_y);
+  syy += dy * (y - mean_y);
+}
+
+double LineFit::residual() const {
+  return std::sqrt(std::max(0.0, syy - sxy * sxy / sxx) / std::max(n, 1.0));
+}
+
+double LineFit::r_squared() const { return sxx > 0 && syy > 0 ? sxy * sxy / (sxx * syy) : 0.0; }
+
+void StageSummary::Span::add(double value) {
+  if (std::isnan(value)) return;
+  if (std::isnan(first)) first = low = high = value;
+  last = value;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+double StageSummary::Span::excursion() const { return std::max(high - first, first - low); }
+
+void StageSummary::add(const Row& row) {
+  if (rows++ == 0) first_line = row.line;
+  for (std::size_t i = 0; i < spans.size(); ++i) spans[i].add(row.si[i]);
+  const double time = std::isnan(row.stage_time_s) ? row.time_s : row.stage_time_s;
+  displacement_in_time.add(time, row.si[index(axial_displacement)]);
+  force_in_time.add(time, row.si[index(axial_force)]);
+  displacement_in_strain.add(row.si[index(axial_strain)], row.si[index(axial_displacement)]);
+}
+
+std::vector<StageSummary> summarise_stages(
+    TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of) {
+  constexpr std::size_t kMostStages = 10'000;
+  std::vector<StageSummary> stages;
+  Row row;
+  while (reader.next(row)) {
+    const int number = std::isnan(row.stage) ? (stages.empty() ? 1 : stages.back().number)
+                                             : number_of(row.stage, row.line);
+    if (stages.empty() || stages.back().number != number) {
+      if (stages.size() >= kMostStages) break;
+      stages.emplace_back().number = number;
+    }
+    stages.back().add(row);
+  }
+  return stages;
+}
+
+std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
+                                    const SpecimenInfo& specimen) {
+  const Thresholds least(specimen);
+  std::vector<StageInfo> stages;
+  std::set<int> known;
+  for (const StageSummary& summary : summaries) {
+    if (!known.insert(summary.number).second) continue;
+    StageInfo stage;
+    stage.number = summary.number;
+    const double volume = summary[back_volume].range();
+    if (!std::isnan(volume))
+      stage.drainage = volume <= least.volume ? Drainage::closed : Drainage::open;
+    const bool sheared = summary[axial_displacement].range() > least.displacement &&
+                         summary[axial_force].excursion() > least.force;
+    if (sheared) {
+      constexpr double kSteady = 0.999;
+      stage.role = StageRole::shear;
+      if (summary.displacement_in_time.r_squared() > kSteady)
+        stage.control = AxialControl::displacement;
+      else if (summary.force_in_time.r_squared() > kSteady)
+        stage.control = AxialControl::load;
+    } else {
+      stage.role = role_without_shear(summary, least, stage.drainage);
+    }
+    stages.push_back(stage);
+  }
+  return stages;
+}
+
+std::optional<double> typed_height(const StageSummary& shear, double our_height_m) {
+  constexpr double kLeastStrain = 0.01;
+  constexpr double kFewestRows = 10;
+  const LineFit& fit = shear.displacement_in_strain;
+  if (fit.n < kFewestRows || !(shear[axial_strain].range() > kLeastStrain)) return std::nullopt;
+  const double height = fit.slope();
+  const double rounding = 2e-4 * shear[axial_displacement].range();
+  if (!(height > 0) || !(fit.residual() <= rounding)) return std::nullopt;
+  if (std::abs(height - our_height_m) <= 5e-4 * our_height_m) return std::nullopt;
+  const double step = std::pow(10, std::floor(std::log10(height)) - 4);
+  return std::round(height / step) * step;
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,180 @@
+#include "lab/records/table_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
+
+namespace triax::lab {
+namespace {
+
+std::size_t slot_of(const PlannedColumn& column, std::size_t time, std::size_t stage_time,
+                    std::size_t stage) {
+  switch (column.role) {
+    case ColumnRole::time:
+      return time;
+    case ColumnRole::stage_time:
+      return stage_time;
+    case ColumnRole::stage:
+      return stage;
+    case ColumnRole::quantity:
+      break;
+  }
+  return index(column.quantity);
+}
+
+}  // namespace
+
+TableReader::TableReader(ByteSource& source, const TableLayout& layout, Findings& findings)
+    : layout_(layout),
+      findings_(findings),
+      lines_(source),
+      plan_(layout.cell_count),
+      decimal_(layout.dialect.decimal),
+      separator_(character(layout.separator)) {
+  values_.fill(kMissing);
+  for (const PlannedColumn& column : layout.columns)
+    plan_[column.cell] = {slot_of(column, kTime, kStageTime, kStage), column.scale, &column,
+                          "missing " + column.heading};
+  std::string_view line;
+  while (lines_.line_number() + 1 < layout.first_row_line)
+    if (!lines_.next(line)) break;
+}
+
+bool TableReader::next(Row& row) {
+  std::string_view line;
+  while (lines_.next(line)) {
+    const bool plain = separator_ != 0 && decimal_ == DecimalMark::point && parse_fast(line);
+    if (!plain && (skipped(line) || !parse_general(line))) continue;
+    if (blank_line_ > 0) {
+      if (row.line > 0)
+        findings_.note("blank lines", blank_line_, "a blank line inside the table is left out");
+      blank_line_ = 0;
+    }
+    if (lines_.cut_off())
+      findings_.note("cut off", lines_.line_number(),
+                     "the last line has no line end: if the file was cut there, its last value may "
+                     "be short");
+    std::copy_n(values_.begin(), kQuantityCount, row.si.begin());
+    row.time_s = values_[kTime];
+    row.stage_time_s = values_[kStageTime];
+    row.stage = values_[kStage];
+    row.line = lines_.line_number();
+    return true;
+  }
+  return false;
+}
+
+bool TableReader::parse_fast(std::string_view line) {
+  const char* at = line.data();
+  const char* end = at + line.size();
+  for (std::size_t i = 0; i < plan_.size(); ++i) {
+    const Plan& plan = plan_[i];
+    if (i > 0) {
+      if (at == end || *at != separator_) return false;
+      ++at;
+    }
+    if (plan.slot == kUnwanted) {
+      while (at != end && *at != separator_)
+        if (*at++ == '"') return false;
+      continue;
+    }
+    double value = 0;
+    if (!parse_plain(at, end, value)) return false;
+    values_[plan.slot] = value * plan.scale;
+  }
+  return at == end;
+}
+
+bool TableReader::skipped(std::string_view line) {
+  if (trimmed(line).empty()) {
+    if (blank_line_ == 0) blank_line_ = lines_.line_number();
+    return true;
+  }
+  if (!layout_.dialect.comment.empty() && line.starts_with(layout_.dialect.comment)) {
+    if (layout_.dialect.comment_is_toml) keep_comment(line);
+    return true;
+  }
+  return false;
+}
+
+void TableReader::keep_comment(std::string_view line) {
+  constexpr std::int64_t kMostLines = 10'000;
+  if (trailer_line_ == 0) trailer_line_ = lines_.line_number();
+  const auto offset = lines_.line_number() - trailer_line_;
+  if (offset > kMostLines || trailer_.size() > kLongestLine)
+    throw BadInput(layout_.file, lines_.line_number(),
+                   "lines of metadata stand below the rows, but far from each other: keep them "
+                   "together above the headings or at the end");
+  auto written = std::ranges::count(trailer_, '\n');
+  for (; written < offset; ++written) trailer_ += '\n';
+  line.remove_prefix(layout_.dialect.comment.size());
+  if (line.starts_with(' ')) line.remove_prefix(1);
+  trailer_.append(line).append("\n");
+}
+
+bool TableReader::parse_general(std::string_view line) {
+  split_cells(line, layout_.separator, cells_);
+  if (std::ranges::all_of(cells_, &std::string_view::empty)) {
+    findings_.note("empty rows", lines_.line_number(), "a line of empty cells is left out");
+    return false;
+  }
+  check_cell_count(line);
+  for (std::size_t i = 0; i < plan_.size(); ++i)
+    if (plan_[i].slot != kUnwanted) parse_number(cells_[i], plan_[i]);
+  return true;
+}
+
+void TableReader::check_cell_count(std::string_view line) {
+  const auto wanted = plan_.size();
+  const auto found = cells_.size();
+  if (found == wanted) return;
+  const bool only_empty =
+      found > wanted && std::all_of(cells_.begin() + static_cast<std::ptrdiff_t>(wanted),
+                                    cells_.end(), [](auto cell) { return cell.empty(); });
+  if (only_empty) return;
+  if (found < wanted && lines_.cut_off())
+    throw BadInput(layout_.file, lines_.line_number(),
+                   fmt::format("the file is truncated: it ends inside this line, after {} of {} "
+                               "cells; copy it again, or remove this line",
+                               found, wanted));
+  throw BadInput(layout_.file, lines_.line_number(),
+                 fmt::format("{} cell{} where the headings in line {} have {}: {}", found,
+                             found == 1 ? "" : "s", layout_.heading_line, wanted, excerpt(line)));
+}
+
+void TableReader::parse_number(std::string_view cell, const Plan& plan) {
+  const auto before = decimal_;
+  double value = kMissing;
+  const auto kind = parse_cell(cell, decimal_, value);
+  if (before != decimal_ && decimal_ == DecimalMark::comma)
+    findings_.note("decimal comma", lines_.line_number(),
+                   "the decimal mark is a comma: " + excerpt(cell) + " is read so");
+  const auto& heading = plan.column->heading;
+  if (kind == CellKind::missing) {
+    values_[plan.slot] = kMissing;
+    findings_.note(plan.missing, lines_.line_number(), [&] {
+      return fmt::format("column {} has no value ({})", excerpt(heading), excerpt(cell));
+    });
+    return;
+  }
+  if (kind == CellKind::text)
+    throw BadInput(
+        layout_.file, lines_.line_number(),
+        fmt::format("column {} holds {}, which is no number{}", excerpt(heading), excerpt(cell),
+                    decimal_ == DecimalMark::open
+                        ? ""
+                        : fmt::format(" (the decimal mark of this table is '{}')",
+                                      static_cast<char>(decimal_))));
+  values_[plan.slot] = value * plan.scale;
+  if (kind == CellKind::infinite || !std::isfinite(values_[plan.slot]))
+    throw BadInput(layout_.file, lines_.line_number(),
+                   fmt::format("column {} holds {}: no instrument can have measured that",
+                               excerpt(heading), excerpt(cell)));
+}
+
+}  // namespace triax::lab

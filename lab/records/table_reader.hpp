@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lab/records/line_reader.hpp"
+#include "lab/records/reading.hpp"
+#include "lab/records/table_layout.hpp"
+
+namespace triax::lab {
+
+/// One row of a record as the file has it, in SI; what the file does not hold is NaN.
+struct Row {
+  std::array<double, kQuantityCount> si{};
+  double time_s = kMissing;
+  double stage_time_s = kMissing;
+  double stage = kMissing;
+  std::int64_t line = 0;
+};
+
+/// Draws the rows of a recognised table from the first to the last, in constant memory.
+class TableReader {
+ public:
+  /// All three must outlive the reader. Starts at the first row whatever was read before.
+  TableReader(ByteSource& source, const TableLayout& layout, Findings& findings);
+
+  /// The next row; false at the end. Throws BadInput "FILE:LINE: ..." on text in a number, a wrong
+  /// number of cells, an infinite value, a file that ends inside a row. Missing cells, lines
+  /// without values and an unclear last line are noted as findings.
+  bool next(Row& row);
+
+  std::uint64_t position() const { return lines_.position(); }
+  /// Comment lines met since the first row, without their mark, one text line a file line.
+  const std::string& trailer() const { return trailer_; }
+  /// Line of the file in which trailer() begins.
+  std::int64_t trailer_line() const { return trailer_line_; }
+
+ private:
+  enum Slot : std::size_t { kTime = kQuantityCount, kStageTime, kStage, kUnwanted };
+  struct Plan {
+    std::size_t slot = kUnwanted;
+    double scale = 1;
+    const PlannedColumn* column = nullptr;
+    std::string missing;  // kind of finding
+  };
+
+  bool parse_fast(std::string_view line);
+  bool parse_general(std::string_view line);
+  void parse_number(std::string_view cell, const Plan& plan);
+  void check_cell_count(std::string_view line);
+  bool skipped(std::string_view line);
+  void keep_comment(std::string_view line);
+
+  const TableLayout& layout_;
+  Findings& findings_;
+  LineReader lines_;
+  std::vector<Plan> plan_;
+  std::vector<std::string_view> cells_;
+  std::array<double, kUnwanted + 1> values_{};
+  DecimalMark decimal_;
+  char separator_;
+  std::int64_t blank_line_ = 0;
+  std::string trailer_;
+  std::int64_t trailer_line_ = 0;
+};
+
+}  // namespace triax::lab

@@ -1,0 +1,26 @@
+#pragma once
+// Text as laboratories write it: two encodings, blanks in odd places, keys typed almost right.
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace triax::lab {
+
+bool is_utf8(std::string_view bytes);
+/// Bytes of Windows-1252 as UTF-8; the five bytes that code page leaves open become U+FFFD.
+std::string utf8_from_cp1252(std::string_view bytes);
+
+/// Without blanks, tabs, and no-break spaces at both ends.
+std::string_view trimmed(std::string_view text);
+/// For comparing names: trimmed, runs of blanks as one, ASCII letters in lower case.
+std::string folded(std::string_view text);
+/// The text in single quotes for a message: UTF-8, no control characters, cut after 40 bytes or so.
+std::string excerpt(std::string_view text);
+
+/// The candidate with the fewest typing errors (insert, delete, replace, swap) from `word`; empty
+/// if there are no candidates.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// Empty words are left out.
+std::string joined(const std::vector<std::string>& words, std::string_view between = ", ");
+
+}  // namespace triax::lab

@@ -1,0 +1,231 @@
+#include "lab/records/toml_reader.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <utility>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/byte_source.hpp"
+#include "lab/records/text.hpp"
+
+namespace triax::lab {
+
+struct TomlTable::Impl {
+  std::shared_ptr<const toml::table> document;
+  const toml::table* table = nullptr;
+  std::string file;
+  std::string name;
+  std::int64_t line_offset = 0;
+  std::vector<std::string> asked;
+
+  const toml::node* ask(std::string_view key) {
+    if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
+    return table->get(key);
+  }
+  std::int64_t line_of(const toml::node& node) const {
+    return static_cast<std::int64_t>(node.source().begin.line) + line_offset;
+  }
+  std::shared_ptr<Impl> child(const toml::table& inner, std::string_view key) const {
+    auto made = std::make_shared<Impl>();
+    *made = {document,    &inner,
+             file,        name.empty() ? std::string(key) : name + "." + std::string(key),
+             line_offset, {}};
+    return made;
+  }
+};
+
+namespace {
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+// Each dot of a dotted key is a table inside a table, and tables are taken apart by recursion.
+bool too_deep(std::string_view text) {
+  constexpr int kMostDots = 200;
+  int dots = 0;
+  for (const char c : text) {
+    if (c == '\n') dots = 0;
+    if (c == '.' && ++dots > kMostDots) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TomlTable TomlTable::parse(std::string_view text, const std::string& file,
+                           std::int64_t first_line) {
+  if (too_deep(text))
+    throw BadInput(file, first_line, "this is no description: a line has more than 200 dots");
+  auto impl = std::make_shared<Impl>();
+  impl->file = file;
+  impl->line_offset = first_line - 1;
+  try {
+    impl->document = std::make_shared<const toml::table>(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    const auto line = static_cast<std::int64_t>(error.source().begin.line) + impl->line_offset;
+    throw BadInput(file, line, "this is no valid TOML: " + std::string(error.description()));
+  }
+  impl->table = impl->document.get();
+  return TomlTable(std::move(impl));
+}
+
+std::string read_text_file(const std::string& path) {
+  constexpr std::size_t kLargest = std::size_t{1} << 20;
+  const auto source = open_file(path);
+  if (source->size() > kLargest)
+    throw BadInput(path, 0, "larger than 1 MB; a TOML description has a few hundred lines at most");
+  std::string text(static_cast<std::size_t>(source->size()), '\0');
+  std::size_t size = 0;
+  while (size < text.size()) {
+    const auto count = source->read({text.data() + size, text.size() - size});
+    if (count == 0) break;
+    size += count;
+  }
+  text.resize(size);
+  return text;
+}
+
+TomlTable TomlTable::read(const std::string& path) { return parse(read_text_file(path), path); }
+
+std::optional<double> TomlTable::number(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return std::nullopt;
+  if (!node->is_number()) fail(key, "a number is wanted");
+  return node->value<double>();
+}
+
+std::optional<std::int64_t> TomlTable::integer(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return std::nullopt;
+  if (!node->is_integer()) fail(key, "a whole number is wanted");
+  return node->value<std::int64_t>();
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return std::nullopt;
+  if (!node->is_string()) fail(key, "a text in quotes is wanted");
+  return node->value<std::string>();
+}
+
+std::optional<bool> TomlTable::flag(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return std::nullopt;
+  if (!node->is_boolean()) fail(key, "true or false is wanted");
+  return node->value<bool>();
+}
+
+std::optional<std::string> TomlTable::scalar(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return std::nullopt;
+  if (const auto* text = node->as_string()) return text->get();
+  if (const auto* whole = node->as_integer()) return std::to_string(whole->get());
+  if (const auto* number = node->as_floating_point()) return shortest(number->get());
+  if (const auto* truth = node->as_boolean()) return truth->get() ? "true" : "false";
+  fail(key, "one value is wanted");
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return {};
+  if (const auto* text = node->as_string()) return {text->get()};
+  const auto* array = node->as_array();
+  if (!array) fail(key, "a text or a list of texts is wanted");
+  std::vector<std::string> out;
+  for (const auto& item : *array) {
+    const auto* text = item.as_string();
+    if (!text) fail(key, "a list of texts is wanted");
+    out.push_back(text->get());
+  }
+  return out;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return std::nullopt;
+  const auto* inner = node->as_table();
+  if (!inner) fail(key, "a table is wanted: [" + std::string(key) + "]");
+  return TomlTable(impl_->child(*inner, key));
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return {};
+  const auto* array = node->as_array();
+  if (!array) fail(key, "a list of tables is wanted: [[" + std::string(key) + "]]");
+  std::vector<TomlTable> out;
+  for (const auto& item : *array) {
+    const auto* inner = item.as_table();
+    if (!inner) fail(key, "a list of tables is wanted: [[" + std::string(key) + "]]");
+    out.push_back(TomlTable(impl_->child(*inner, key)));
+  }
+  return out;
+}
+
+bool TomlTable::has(std::string_view key) const { return impl_->table->contains(key); }
+
+bool TomlTable::is_table(std::string_view key) const {
+  const auto* node = impl_->table->get(key);
+  return node && node->is_table();
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::pair<toml::source_position, std::string>> found;
+  for (const auto& [key, node] : *impl_->table)
+    found.emplace_back(key.source().begin, std::string(key.str()));
+  std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> out;
+  for (auto& [position, key] : found) out.push_back(std::move(key));
+  return out;
+}
+
+std::int64_t TomlTable::line(std::string_view key) const {
+  const auto* node = impl_->table->get(key);
+  return node ? impl_->line_of(*node) : line();
+}
+
+std::int64_t TomlTable::line() const { return impl_->line_of(*impl_->table); }
+const std::string& TomlTable::file() const { return impl_->file; }
+const std::string& TomlTable::name() const { return impl_->name; }
+
+void TomlTable::finish() const {
+  for (const auto& key : keys()) {
+    if (std::ranges::find(impl_->asked, key) != impl_->asked.end()) continue;
+    const auto where = name().empty() ? std::string() : " in [" + name() + "]";
+    throw BadInput(file(), line(key),
+                   "unknown key " + excerpt(key) + where + "; did you mean '" +
+                       nearest(key, impl_->asked) + "'? (known: " + joined(impl_->asked) + ")");
+  }
+}
+
+void TomlTable::fail(std::string_view key, const std::string& message) const {
+  const auto path = name().empty() ? std::string(key) : name() + "." + std::string(key);
+  throw BadInput(file(), line(key), path + ": " + message);
+}
+
+std::string toml_quoted(std::string_view text) {
+  const std::string utf8 = is_utf8(text) ? std::string(text) : utf8_from_cp1252(text);
+  std::string out = "\"";
+  for (const char c : utf8) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      std::array<char, 8> escaped{};
+      std::snprintf(escaped.data(), escaped.size(), "\\u%04X", static_cast<unsigned>(c));
+      out += escaped.data();
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+}  // namespace triax::lab

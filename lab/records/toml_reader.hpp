@@ -1,0 +1,64 @@
+#pragma once
+// TOML with strict keys: a key that nobody asked for is an error that names the nearest right one.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace triax::lab {
+
+/// One table of a TOML document. Every error is a BadInput "FILE:LINE: ...". Copies share what has
+/// been asked for.
+class TomlTable {
+ public:
+  /// `first_line` is the line of `file` in which `text` begins.
+  static TomlTable parse(std::string_view text, const std::string& file,
+                         std::int64_t first_line = 1);
+  /// Throws BadInput for a file that cannot be read or is larger than 1 MB.
+  static TomlTable read(const std::string& path);
+
+  // Asking for a key makes it a known one. Empty where the key is absent; BadInput where its value
+  // is of another type. A whole number is a number too.
+  std::optional<double> number(std::string_view key) const;
+  std::optional<std::int64_t> integer(std::string_view key) const;
+  std::optional<std::string> text(std::string_view key) const;
+  std::optional<bool> flag(std::string_view key) const;
+  /// A string, number or boolean as text; numbers with the shortest digits that mean the same
+  /// value.
+  std::optional<std::string> scalar(std::string_view key) const;
+  /// A string or an array of strings.
+  std::vector<std::string> texts(std::string_view key) const;
+  std::optional<TomlTable> table(std::string_view key) const;
+  /// [[key]]
+  std::vector<TomlTable> tables(std::string_view key) const;
+
+  bool has(std::string_view key) const;
+  bool is_table(std::string_view key) const;
+  /// Keys in the order of the file.
+  std::vector<std::string> keys() const;
+  std::int64_t line(std::string_view key) const;
+  /// Line of the table itself.
+  std::int64_t line() const;
+  const std::string& file() const;
+  /// "specimen" for [specimen]; empty for the whole document.
+  const std::string& name() const;
+
+  /// Throws for the first key that was never asked for: what was found and the nearest right key.
+  void finish() const;
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+
+ private:
+  struct Impl;
+  explicit TomlTable(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+  std::shared_ptr<Impl> impl_;
+};
+
+/// The whole of a small file. Throws BadInput where it cannot be read or is larger than 1 MB.
+std::string read_text_file(const std::string& path);
+
+/// A basic TOML string with its quotes; bytes that are no UTF-8 are taken as Windows-1252.
+std::string toml_quoted(std::string_view text);
+
+}  // namespace triax::lab

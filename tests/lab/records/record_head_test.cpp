@@ -1,0 +1,64 @@
+#include "lab/records/record_head.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace triax::lab;
+
+namespace {
+struct Head {
+  std::vector<Warning> warnings;
+  Findings findings{warnings};
+  RecordHeader header;
+  TableLayout layout;
+  explicit Head(const std::string& text, const std::optional<Dialect>& dialect = {}) {
+    const auto source = open_memory("folder/my test.csv", text);
+    layout = recognise_table(*source, dialect, findings);
+    describe_record(header, layout, findings);
+  }
+};
+}  // namespace
+
+TEST_CASE("the preamble is read by the dialect's labels, in the file's units") {
+  const auto dialect = parse_dialect(
+      "name = \"d\"\n[columns]\naxial_strain = \"eps\"\ndeviator_stress = \"q\"\n"
+      "mean_effective_stress = \"p\"\n[test]\nprogramme = \"Type\"\n[specimen]\n"
+      "height_mm = \"Height\"\ndiameter_mm = \"Diameter\"\nmaterial = \"Soil\"\n",
+      "d.toml");
+  const Head head(
+      "Type:;CID;Soil;fine sand\nHeight (cm):;14,5\nDiameter (mm);unknown\neps;q (kPa);p (kPa)\n"
+      "0;0;100\n",
+      dialect);
+  CHECK(head.header.name == "my test");
+  CHECK(head.header.dialect == "d");
+  CHECK(head.header.programme == "CID");
+  CHECK(head.header.specimen.material == "fine sand");
+  CHECK(*head.header.specimen.height_m == Approx(0.145));
+  CHECK_FALSE(head.header.specimen.diameter_m);
+  CHECK_FALSE(head.header.has_time);
+  REQUIRE(head.warnings.size() == 2);
+  CHECK(head.warnings[0].line == 3);
+  CHECK_THAT(head.warnings[1].text, Catch::Contains("no time column"));
+  CHECK(single_stage(head.layout, head.header.programme).drainage == Drainage::open);
+}
+
+TEST_CASE("our preamble is TOML behind #, line for line") {
+  const Head head(
+      "# [test]\n\n# name = \"x\"\ntime_s,axial_strain,deviator_stress_kPa,"
+      "mean_effective_stress_kPa\n0,0,0,1\n");
+  CHECK(toml_preamble(head.layout) == "[test]\n\nname = \"x\"\n");
+}
+
+TEST_CASE("the drainage of a single stage follows programme, then columns") {
+  const auto dialect = parse_dialect(
+      "name = \"d\"\n[columns]\naxial_strain = \"eps\"\ndeviator_stress = \"q\"\n"
+      "mean_effective_stress = \"p\"\npore_pressure = \"u\"\nvolumetric_strain = \"v\"\n",
+      "d.toml");
+  const auto drainage = [&](const std::string& headings, std::string_view programme) {
+    const Head head(headings + "\n(-),(kPa),(kPa),(kPa)\n0,0,1,1\n", dialect);
+    return single_stage(head.layout, programme).drainage;
+  };
+  CHECK(drainage("eps,q,p,u", "") == Drainage::closed);
+  CHECK(drainage("eps,q,p,u", "CID") == Drainage::open);
+  CHECK(drainage("eps,q,p,x", "") == Drainage::unknown);
+  CHECK(drainage("eps,q,p,x", "CIU") == Drainage::closed);
+}

@@ -1,0 +1,105 @@
+#include "lab/records/stage_inference.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace triax::lab;
+using enum Quantity;
+
+namespace {
+// One stage from start to end values, linear in 20 rows (kPa, mm3, mm, kN).
+struct Ends {
+  double cell[2], pore[2], volume[2], displacement[2], force[2];
+};
+StageSummary stage(int number, const Ends& ends, double typed_height_m = 0) {
+  StageSummary summary;
+  summary.number = number;
+  constexpr int kRows = 20;
+  for (int i = 0; i < kRows; ++i) {
+    const double x = i / (kRows - 1.0);
+    const auto at = [&](const double(&pair)[2]) { return pair[0] + x * (pair[1] - pair[0]); };
+    Row row;
+    row.si.fill(kMissing);
+    row.line = i + 10;
+    row.time_s = 10 * x;
+    row.si[index(cell_pressure)] = 1e3 * at(ends.cell);
+    row.si[index(pore_pressure)] = 1e3 * at(ends.pore);
+    row.si[index(back_volume)] = 1e-9 * at(ends.volume);
+    row.si[index(axial_displacement)] = 1e-3 * at(ends.displacement);
+    row.si[index(axial_force)] = 1e3 * at(ends.force);
+    if (typed_height_m > 0)
+      row.si[index(axial_strain)] = row.si[index(axial_displacement)] / typed_height_m;
+    summary.add(row);
+  }
+  return summary;
+}
+SpecimenInfo specimen() {
+  SpecimenInfo info;
+  info.height_m = 0.1;
+  info.diameter_m = 0.05;
+  return info;
+}
+}  // namespace
+
+TEST_CASE("each stage is told by what moved in it") {
+  const auto stages =
+      infer_stages({stage(1, {{4, 100}, {2, 15}, {0, 0}, {0, 0}, {0, 0}}),
+                    stage(2, {{100, 300}, {15, 299}, {0, 10000}, {0, 0}, {0, 0}}),
+                    stage(3, {{300, 350}, {299, 335}, {10000, 10000}, {0, 0}, {0, 0}}),
+                    stage(4, {{350, 350}, {335, 300}, {10000, 8000}, {0, 3}, {0, 0}}),
+                    stage(5, {{350, 350}, {300, 330}, {8000, 8000}, {3, 27}, {0, 0.18}}),
+                    stage(6, {{350, 350}, {330, 330}, {8000, 5000}, {27, 40}, {0.18, 0.3}}),
+                    stage(7, {{350, 350}, {330, 330}, {5000, 5000}, {40, 40}, {0.3, 0.3}})},
+                   specimen());
+  REQUIRE(stages.size() == 7);
+  CHECK(stages[0].role == StageRole::saturation);
+  CHECK(stages[1].role == StageRole::saturation);
+  CHECK(stages[2].role == StageRole::b_check);
+  CHECK(stages[2].drainage == Drainage::closed);
+  CHECK(stages[3].role == StageRole::consolidation);
+  CHECK(stages[3].drainage == Drainage::open);
+  CHECK(stages[4].role == StageRole::shear);
+  CHECK(stages[4].drainage == Drainage::closed);
+  CHECK(stages[4].control == AxialControl::displacement);
+  CHECK(stages[5].role == StageRole::shear);
+  CHECK(stages[5].drainage == Drainage::open);
+  CHECK(stages[6].role == StageRole::unknown);
+}
+
+TEST_CASE("a typed-in start height is found from the file's own strain") {
+  const Ends shear{{350, 350}, {300, 330}, {0, 0}, {3, 27}, {0, 0.18}};
+  const auto typed = typed_height(stage(5, shear, 0.0978), 0.09703);
+  REQUIRE(typed);
+  CHECK(*typed == Approx(0.0978).epsilon(1e-9));
+  CHECK_FALSE(typed_height(stage(5, shear, 0.0978), 0.0978));
+  CHECK_FALSE(typed_height(stage(5, shear), 0.09703));
+  const Ends little{{350, 350}, {300, 330}, {0, 0}, {3, 3.5}, {0, 0.18}};
+  CHECK_FALSE(typed_height(stage(5, little, 0.0978), 0.09703));
+}
+
+TEST_CASE("a line fit gives slope, scatter and explained share") {
+  LineFit fit;
+  for (int i = 0; i < 10; ++i) fit.add(i, 2.0 * i + 1 + (i % 2 ? 0.1 : -0.1));
+  CHECK(fit.slope() == Approx(2).epsilon(0.01));
+  CHECK(fit.residual() == Approx(0.1).epsilon(0.05));
+  CHECK(fit.r_squared() > 0.999);
+  fit.add(std::nan(""), 1);
+  CHECK(fit.n == 10);
+  CHECK(LineFit{}.r_squared() == 0);
+}
+
+TEST_CASE("stages are gathered in the order of the rows") {
+  const auto source = open_memory(
+      "m",
+      "stage,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n2,0,0,1\n2,1,0,1\n3,5,0,1\n");
+  std::vector<Warning> warnings;
+  Findings findings(warnings);
+  const auto layout = recognise_table(*source, {}, findings);
+  TableReader reader(*source, layout, findings);
+  const auto stages =
+      summarise_stages(reader, [](double value, auto) { return static_cast<int>(value); });
+  REQUIRE(stages.size() == 2);
+  CHECK(stages[0].number == 2);
+  CHECK(stages[0].rows == 2);
+  CHECK(stages[0][axial_displacement].change() == Approx(1e-3));
+  CHECK(stages[1].first_line == 4);
+}

@@ -1,0 +1,94 @@
+#include "lab/records/table_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lab/records/bad_input.hpp"
+
+using namespace triax::lab;
+using enum Quantity;
+
+namespace {
+struct Table {
+  std::vector<Row> rows;
+  std::vector<Warning> warnings;
+  std::string trailer;
+};
+Table read(const std::string& text) {
+  const auto source = open_memory("m.csv", text);
+  Table table;
+  Findings findings(table.warnings);
+  const TableLayout layout = recognise_table(*source, {}, findings);
+  TableReader reader(*source, layout, findings);
+  Row row;
+  while (reader.next(row)) table.rows.push_back(row);
+  table.trailer = reader.trailer();
+  findings.finish();
+  return table;
+}
+const std::string kHeadings = "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n";
+}  // namespace
+
+TEST_CASE("rows come in SI with their line, the same by the fast and by the general way") {
+  const auto fast = read(kHeadings + "0.0,0.1,0.2,800.5\n1.0,0.2,0.3,801.5\n");
+  const auto quoted = read(kHeadings + "0.0,0.1,0.2,800.5\n\"1.0\", 0.2 ,3e-1,\"801.5\"\n");
+  REQUIRE(fast.rows.size() == 2);
+  REQUIRE(quoted.rows.size() == 2);
+  CHECK(fast.rows[1].line == 3);
+  CHECK(fast.rows[1].time_s == 1);
+  CHECK(fast.rows[1].si[index(cell_pressure)] == 801.5e3);
+  CHECK(std::isnan(fast.rows[1].si[index(pore_pressure)]));
+  for (const Quantity q : {axial_displacement, axial_force, cell_pressure})
+    CHECK(fast.rows[1].si[index(q)] == quoted.rows[1].si[index(q)]);
+  CHECK(fast.warnings.empty());
+}
+
+TEST_CASE("missing cells are missing, not zero, and are counted") {
+  const auto table =
+      read(kHeadings + "0.0,0.1,0.2,800\n1,0.1,,800\n2,0.1,NaN,800\n3,0.1,0.5,800\n");
+  REQUIRE(table.rows.size() == 4);
+  CHECK(std::isnan(table.rows[1].si[index(axial_force)]));
+  CHECK(std::isnan(table.rows[2].si[index(axial_force)]));
+  CHECK(table.rows[3].si[index(axial_force)] == 500);
+  REQUIRE(table.warnings.size() == 1);
+  CHECK(table.warnings[0].line == 3);
+  CHECK_THAT(table.warnings[0].text, Catch::Contains("1 more, the last in line 4"));
+}
+
+TEST_CASE("lines without values are left out, those inside the table are reported") {
+  const auto table = read(kHeadings + "\n0,0.1,0.2,800\n\n1,0.1,0.2,800\n,,,\n\n\n");
+  CHECK(table.rows.size() == 2);
+  REQUIRE(table.warnings.size() == 2);
+  CHECK(table.warnings[0].line == 4);
+  CHECK(table.warnings[1].line == 6);
+}
+
+TEST_CASE("what is wrong in a row is named with line and column") {
+  const std::string row = "0,0.1,0.2,800\n";
+  const std::pair<std::string, std::string> wrong[] = {
+      {"1,0.1,abc,800\n", "m.csv:3: column 'axial_force_kN' holds 'abc', which is no number"},
+      {"1,0.1,0.2\n", "m.csv:3: 3 cells where the headings in line 1 have 4"},
+      {"1,0.1,0.2,800,900\n", "m.csv:3: 5 cells"},
+      {"1,0.1,0.2", "m.csv:3: the file is truncated"},
+      {"1,0.1,inf,800\n", "no instrument can have measured"},
+      {"1,0.1,1e308,800\n", "no instrument can have measured"},
+      {"1;0.1;0.2;800\n", "m.csv:3: 1 cell where"}};
+  for (const auto& [last, message] : wrong) {
+    INFO(last);
+    CHECK_THROWS_WITH(read(kHeadings + row + last), Catch::Contains(message));
+  }
+  CHECK(read(kHeadings + row + "1,0.1,0.2,800,,\n").rows.size() == 2);
+}
+
+TEST_CASE("a last line that may have been cut is reported") {
+  const auto table = read(kHeadings + "0,0.1,0.2,800\n1,0.1,0.2,80");
+  CHECK(table.rows.size() == 2);
+  REQUIRE(table.warnings.size() == 1);
+  CHECK(table.warnings[0].line == 3);
+}
+
+TEST_CASE("metadata below the rows is kept for its reader with its lines") {
+  const auto table =
+      read(kHeadings + "0,0.1,0.2,800\n# [truth]\n#   a = 1\n1,0.1,0.2,800\n# b = 2\n");
+  CHECK(table.rows.size() == 2);
+  CHECK(table.trailer == "[truth]\n  a = 1\n\nb = 2\n");
+}

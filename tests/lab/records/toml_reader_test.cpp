@@ -1,0 +1,62 @@
+#include "lab/records/toml_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lab/records/bad_input.hpp"
+
+using namespace triax::lab;
+
+TEST_CASE("values are read by their type, a whole number is a number too") {
+  const auto document = TomlTable::parse(
+      "name = \"a\"\nn = 3\nx = 0.1\nok = true\nlist = [\"p\", \"q\"]\n[t]\ny = 2.5\n[[s]]\nk = 1\n"
+      "[[s]]\nk = 2\n",
+      "a.toml");
+  CHECK(document.text("name") == "a");
+  CHECK(document.integer("n") == 3);
+  CHECK(document.number("n") == 3.0);
+  CHECK(document.number("x") == 0.1);
+  CHECK(document.flag("ok") == true);
+  CHECK(document.scalar("x") == "0.1");
+  CHECK(document.scalar("n") == "3");
+  CHECK(document.texts("list") == std::vector<std::string>{"p", "q"});
+  CHECK(document.texts("name") == std::vector<std::string>{"a"});
+  CHECK(document.table("t")->number("y") == 2.5);
+  CHECK(document.table("t")->name() == "t");
+  CHECK(document.tables("s").size() == 2);
+  CHECK(document.tables("s")[1].integer("k") == 2);
+  CHECK_FALSE(document.number("absent"));
+  CHECK(document.keys() == std::vector<std::string>{"name", "n", "x", "ok", "list", "t", "s"});
+  CHECK_NOTHROW(document.finish());
+}
+
+TEST_CASE("errors name file and line, also for text that begins further down") {
+  const auto document = TomlTable::parse("a = 1\nb = \"x\"\n", "a.toml", 10);
+  CHECK(document.line("b") == 11);
+  CHECK_THROWS_WITH(document.number("b"), "a.toml:11: b: a number is wanted");
+  CHECK_THROWS_WITH(TomlTable::parse("a = 1\nb = = 2\n", "a.toml", 10),
+                    Catch::StartsWith("a.toml:11: this is no valid TOML"));
+  CHECK_THROWS_AS(TomlTable::read("samples/none.toml"), BadInput);
+}
+
+TEST_CASE("a key that nobody asked for is an error with the nearest right key") {
+  const auto document = TomlTable::parse("[specimen]\nhight = 1\n", "a.toml");
+  const auto table = *document.table("specimen");
+  table.number("height");
+  table.number("diameter");
+  CHECK_THROWS_WITH(table.finish(),
+                    Catch::Contains("a.toml:2: unknown key 'hight' in [specimen]") &&
+                        Catch::Contains("did you mean 'height'"));
+}
+
+TEST_CASE("a document cannot exhaust the stack") {
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += ".a";
+  CHECK_THROWS_AS(TomlTable::parse(deep + " = 1", "a.toml"), BadInput);
+  CHECK_THROWS_AS(TomlTable::parse("a = " + std::string(100'000, '['), "a.toml"), BadInput);
+}
+
+TEST_CASE("quoted text reads back as it was") {
+  for (const std::string text : {"plain", "a \"b\" \\ c", "line\nbreak\ttab", "σ ³", ""})
+    CHECK(TomlTable::parse("k = " + toml_quoted(text), "a").text("k") == text);
+  CHECK(TomlTable::parse("k = " + toml_quoted("mm\xB3"), "a").text("k") == "mm³");
+}

@@ -1,0 +1,233 @@
+#include "lab/rig/recorded.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+
+#include "lab/records/bad_input.hpp"
+
+using namespace triax::lab;
+using enum Quantity;
+
+namespace {
+
+std::unique_ptr<RecordedRig> open_text(const std::string& text, const RecordOptions& options = {}) {
+  return open_record(open_memory("m.csv", text), options);
+}
+
+std::vector<Reading> all_readings(RecordedRig& rig) {
+  std::vector<Reading> readings;
+  Reading reading;
+  while (rig.next(reading)) readings.push_back(reading);
+  return readings;
+}
+
+bool warns(const RecordHeader& header, std::int64_t line, const std::string& text) {
+  return std::ranges::any_of(header.warnings, [&](const Warning& warning) {
+    return warning.line == line && warning.text.find(text) != std::string::npos;
+  });
+}
+
+// A file of the shared real records; empty, with a word in the output, where it is missing.
+std::string shared(const std::string& name) {
+  const char* folder = std::getenv("TRIAX_SHARED_DATA");
+  const auto path = std::filesystem::path(folder ? folder : "../shared/data") / name;
+  if (std::filesystem::exists(path)) return path.string();
+  WARN("skipped: " << path.string() << " is missing");
+  return {};
+}
+
+const std::string kHeadings = "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n";
+
+}  // namespace
+
+TEST_CASE("a bare record is one stage of shear with its readings numbered from 0") {
+  const auto rig = open_text(kHeadings + "0,0,0.1,800\n0.5,0.1,0.2,800\n1,0.2,0.3,800\n");
+  CHECK(rig->header().name == "m");
+  CHECK(rig->header().is_raw());
+  REQUIRE(rig->header().stages.size() == 1);
+  CHECK(rig->header().stages[0].role == StageRole::shear);
+  CHECK(rig->header().stages[0].drainage == Drainage::unknown);
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == 3);
+  CHECK(readings[2].number == 2);
+  CHECK(readings[2].time_s == 1);
+  CHECK(readings[2].line == 4);
+  CHECK(readings[2][axial_force] == 300);
+  CHECK(rig->progress() == 1);
+  Reading reading;
+  CHECK_FALSE(rig->next(reading));
+}
+
+TEST_CASE("what is set is stronger than what the file says") {
+  RecordOptions options;
+  options.sets = {
+      {"specimen.height_mm", "150"}, {"test.name", "other"}, {"stages.1.drainage", "closed"}};
+  const auto rig = open_text(
+      "# [test]\n# name = \"file\"\n# [specimen]\n# height_mm = 140\n"
+      "# diameter_mm = 70\n" +
+          kHeadings + "0,0,0,1\n1,0,0,1\n",
+      options);
+  CHECK(rig->header().name == "other");
+  CHECK(*rig->header().specimen.height_m == Approx(0.15));
+  CHECK(*rig->header().specimen.diameter_m == Approx(0.07));
+  CHECK(rig->header().stages[0].drainage == Drainage::closed);
+  options.sets = {{"specimen.hight_mm", "1"}};
+  CHECK_THROWS_WITH(open_text(kHeadings + "0,0,0,1\n", options),
+                    Catch::StartsWith("--set specimen.hight_mm=1: unknown key"));
+}
+
+TEST_CASE("errors in the preamble have its line") {
+  CHECK_THROWS_WITH(open_text("# [specimen]\n# hight_mm = 1\n" + kHeadings + "0,0,0,1\n"),
+                    Catch::StartsWith("m.csv:2: unknown key"));
+  CHECK_THROWS_WITH(open_text("# a remark\n" + kHeadings + "0,0,0,1\n"),
+                    Catch::Contains("with ##"));
+  CHECK_NOTHROW(open_text("## a remark\n" + kHeadings + "0,0,0,1\n"));
+}
+
+TEST_CASE("a time that stands still and a column without values are refused") {
+  const auto drain = [](const std::string& text) {
+    const auto rig = open_text(text);
+    all_readings(*rig);
+  };
+  CHECK_THROWS_WITH(drain(kHeadings + "3,0,0,1\n3,0,0,1\n3,0,0,1\n"),
+                    Catch::Contains("m.csv:4: the time is the same in all 3 rows"));
+  CHECK_THROWS_WITH(drain(kHeadings + "1,0,,1\n2,0,NaN,1\n"),
+                    Catch::Contains("a column without a single value"));
+  CHECK_NOTHROW(drain(kHeadings + "3,0,0,1\n"));
+}
+
+TEST_CASE("the example dialect reads the example record") {
+  RecordOptions options;
+  options.dialect = "samples/dialects/my_lab.toml";
+  const auto rig = open_record("samples/dialects/my_lab_record.txt", options);
+  CHECK(rig->header().dialect == "my_lab");
+  CHECK(*rig->header().specimen.height_m == Approx(0.14));
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == 9);
+  CHECK(readings[1].time_s == 30);
+  CHECK(readings[4][axial_strain] == Approx(0.004));
+  CHECK(readings[4][deviator_stress] == Approx(46.5e3));
+  CHECK(readings[8][effective_radial_stress] == Approx(11.5e3));
+}
+
+TEST_CASE("metadata can stand in a TOML file beside the record") {
+  const RecordOptions options;
+  const std::string rows = kHeadings + "0,0,0,1\n1,0,0,1\n";
+  RecordedRig rig(open_memory("m.csv", rows), options, "m.toml", "[test]\nname = \"beside\"\n");
+  CHECK(rig.header().name == "beside");
+  CHECK_THROWS_WITH(RecordedRig(open_memory("m.csv", rows), options, "m.toml", "[test]\nnam = 1\n"),
+                    Catch::StartsWith("m.toml:2: unknown key 'test.nam'"));
+}
+
+TEST_CASE("a simulated record is never changed") {
+  const auto rig = open_text(
+      "# [test]\n# origin = \"simulated\"\n"
+      "stage,time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n"
+      "1,0,5,0,1\n2,1,0,0,1\n");
+  CHECK(all_readings(*rig)[1][axial_displacement] == 0);
+}
+
+TEST_CASE("GDSLab: five stages, joined counters, the typed-in height") {
+  const auto path = shared("gds/2023-1-2.gds");
+  if (path.empty()) return;
+  const auto rig = open_record(path, {});
+  const RecordHeader& header = rig->header();
+  CHECK(header.dialect == "gdslab");
+  CHECK(*header.specimen.height_m == Approx(0.1));
+  CHECK(*header.specimen.diameter_m == Approx(0.05));
+  CHECK(*header.specimen.specific_gravity == 2.55);
+  CHECK(*header.specimen.membrane_thickness_m == Approx(0.4e-3));
+  CHECK(*header.specimen.consolidated_height_m == Approx(0.0978).epsilon(1e-6));
+  const StageRole roles[] = {StageRole::saturation, StageRole::saturation, StageRole::b_check,
+                             StageRole::consolidation, StageRole::shear};
+  REQUIRE(header.stages.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(header.stages[i].role == roles[i]);
+  CHECK(header.stages[4].drainage == Drainage::closed);
+  CHECK(header.stages[4].control == AxialControl::displacement);
+
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == 4501);
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    REQUIRE(readings[i].time_s > readings[i - 1].time_s);
+  CHECK(readings.back().time_s == Approx(86100 + 48889));
+  const auto first_of_shear =
+      std::ranges::find_if(readings, [](const Reading& r) { return r.stage == 5; });
+  CHECK((*first_of_shear)[back_volume] == Approx(8058e-9));
+  CHECK((*first_of_shear)[axial_displacement] == Approx(2.968e-3));
+  CHECK(readings.back()[axial_displacement] == Approx((2.968 + 24.45) * 1e-3));
+  CHECK(readings.back()[deviator_stress] == Approx(72.8158e3));
+  CHECK(warns(header, 2901, "97.80 mm"));
+  CHECK(warns(header, 2901, "back_volume jumps from 8058 to 0 mm3"));
+  CHECK(warns(header, 42, "stage 2 begins at 300 s"));
+}
+
+TEST_CASE("Karlsruhe: undrained and drained tables") {
+  const auto undrained = shared("kfs/TMU-MT1.dat");
+  const auto drained = shared("kfs/TMD3.dat");
+  if (undrained.empty() || drained.empty()) return;
+  const auto rig = open_record(undrained, {});
+  CHECK(rig->header().dialect == "karlsruhe");
+  CHECK_FALSE(rig->header().has_time);
+  CHECK(rig->header().stages[0].drainage == Drainage::closed);
+  const auto readings = all_readings(*rig);
+  const auto peak =
+      std::ranges::max_element(readings, {}, [](const Reading& r) { return r[deviator_stress]; });
+  CHECK((*peak)[deviator_stress] == Approx(56.491e3));
+  CHECK((*peak)[axial_strain] == Approx(0.005135));
+  CHECK((*peak)[effective_axial_stress] - (*peak)[effective_radial_stress] ==
+        Approx((*peak)[deviator_stress]).margin(2));
+
+  const auto other = open_record(drained, {});
+  CHECK(other->header().stages[0].drainage == Drainage::open);
+  Reading first;
+  REQUIRE(other->next(first));
+  CHECK(first[void_ratio] == 0.97513162);
+  CHECK(first[mean_effective_stress] == Approx(201.81e3));
+}
+
+TEST_CASE("Nerlerk: the columns agree with each other and with p and q") {
+  const auto path = shared("nerlerk/Nerlerk270_CIU_G101.csv");
+  if (path.empty()) return;
+  const auto rig = open_record(path, {});
+  CHECK(rig->header().name == "CIU_G101");
+  CHECK(rig->header().programme == "CIU");
+  CHECK(rig->header().specimen.material == "NERLERK SAND");
+  CHECK(*rig->header().specimen.void_ratio == 0.883);
+  CHECK(*rig->header().specimen.consolidated_void_ratio == 0.804);
+  CHECK(rig->header().stages[0].drainage == Drainage::closed);
+  for (const Reading& reading : all_readings(*rig)) {
+    const double axial = reading[effective_axial_stress];
+    const double radial = reading[effective_radial_stress];
+    CHECK(reading[deviator_stress] == Approx(axial - radial).margin(1));
+    CHECK(reading[mean_effective_stress] == Approx((axial + 2 * radial) / 3).margin(1));
+    CHECK(reading[volumetric_strain] == 0);
+  }
+}
+
+TEST_CASE("cyclic: the last state, with p' below zero, comes through") {
+  const auto path = shared("cyclic/SJT-07.csv");
+  if (path.empty()) return;
+  const auto rig = open_record(path, {});
+  CHECK(rig->header().dialect == "cyclic");
+  CHECK(rig->header().stages[0].control == AxialControl::load);
+  const auto readings = all_readings(*rig);
+  CHECK(readings.size() == 341);
+  CHECK(readings.back()[mean_effective_stress] == Approx(-930).epsilon(1e-6));
+  CHECK(readings.back()[axial_strain] == Approx(0.1576684));
+}
+
+TEST_CASE("stress path: stages with clocks of their own become one time") {
+  const auto path = shared("stress_path/Triax-p-q_01__Versuch01.csv");
+  if (path.empty()) return;
+  const auto rig = open_record(path, {});
+  CHECK(rig->header().dialect == "stress_path");
+  CHECK(rig->header().is_raw());
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == 79);
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    CHECK(readings[i].time_s > readings[i - 1].time_s);
+  CHECK(rig->header().stage(7)->role == StageRole::shear);
+  CHECK(rig->header().stage(7)->drainage == Drainage::open);
+  CHECK(warns(rig->header(), 84, "78 more, the last in line 162"));
+}
