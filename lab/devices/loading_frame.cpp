@@ -1,12 +1,14 @@
 #include "lab/devices/loading_frame.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace triax::lab {
 
-double servo_velocity(const LoadingFrame& frame, double wanted_force_n, double force_n) {
-  return std::clamp(frame.servo_gain_m_per_s_per_n * (wanted_force_n - force_n),
-                    -frame.fastest_m_per_s, frame.fastest_m_per_s);
+bool gives(const LoadingFrame& frame, double velocity_m_per_s) {
+  constexpr double kRoundOff = 1e-9;
+  const double speed = std::abs(velocity_m_per_s);
+  return speed >= frame.slowest_m_per_s * (1 - kRoundOff) &&
+         speed <= frame.fastest_m_per_s * (1 + kRoundOff);
 }
 
 }  // namespace triax::lab

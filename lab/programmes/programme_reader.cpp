@@ -112,7 +112,7 @@ LoadingFrame read_frame(std::optional<StrictTable> table) {
   LoadingFrame f{.slowest_m_per_s = 0.00001 * kMmPerMin,
                  .fastest_m_per_s = 5.99999 * kMmPerMin,
                  .travel_m = 0.05,
-                 .servo_gain_m_per_s_per_n = 0.06 * kMmPerMin};
+                 .servo_gain_m_per_s_per_n = 6 * kMmPerMin};
   if (!table) return f;
   const auto set = [&](const char* key, double scale, double& member) {
     if (const auto value = table->maybe_number(key, kPositive)) member = *value * scale;

@@ -44,8 +44,7 @@ void read_axis(StrictTable& table, const LoadingFrame& frame, Stage& stage) {
   stage.axial = read_action(table);
   if (stage.axial == AxialAction::displacement) {
     stage.axial_rate_m_per_s = nonzero(table, "axial_rate_mm_per_min") * 1e-3 / 60;
-    const double speed = std::abs(stage.axial_rate_m_per_s);
-    if (speed < frame.slowest_m_per_s * (1 - 1e-9) || speed > frame.fastest_m_per_s * (1 + 1e-9))
+    if (!gives(frame, stage.axial_rate_m_per_s))
       table.fail("axial_rate_mm_per_min",
                  fmt::format("the frame gives {:g} to {:g} mm/min", frame.slowest_m_per_s * 6e4,
                              frame.fastest_m_per_s * 6e4));

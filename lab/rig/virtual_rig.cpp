@@ -14,8 +14,7 @@
 namespace triax::lab {
 namespace {
 
-/// Longest tick: a servo of a second's bandwidth sees the force twenty times a second.
-constexpr double kServoTick_s = 0.05;
+/// Longest tick.
 constexpr double kTick_s = 0.25;
 
 AxialControl control_of(AxialAction action) {
@@ -29,10 +28,6 @@ AxialControl control_of(AxialAction action) {
       return AxialControl::load;
   }
   return AxialControl::unknown;
-}
-
-bool needs_servo(const Stage& stage) {
-  return stage.axial == AxialAction::load || stage.axial == AxialAction::constant_q;
 }
 
 RecordHeader make_header(const Programme& programme, std::uint64_t seed) {
@@ -197,8 +192,9 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
     boundary.axial_rate = stage().axial_rate_m_per_s;
   } else {
     const double ahead_s = time_s - static_cast<double>(number) * programme.scan_interval_s;
-    boundary.axial_rate =
-        servo_velocity(programme.frame, wanted_force(ahead_s), specimen.axial_force(state));
+    boundary.axial = sim::SpecimenBoundary::Axial::servo;
+    boundary.servo = {wanted_force(ahead_s + dt_s), programme.frame.servo_gain_m_per_s_per_n,
+                      programme.frame.fastest_m_per_s};
   }
   const sim::SpecimenStep step = specimen.advance(state, boundary, dt_s);
   if (step.outcome == sim::StepOutcome::failed)
@@ -236,8 +232,7 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
 
 bool VirtualRig::Impl::advance_to_next_scan() {
   const double interval = programme.scan_interval_s;
-  const double longest = needs_servo(stage()) ? kServoTick_s : kTick_s;
-  const auto ticks = static_cast<int>(std::ceil(interval / longest - 1e-9));
+  const auto ticks = static_cast<int>(std::ceil(interval / kTick_s - 1e-9));
   const double start = static_cast<double>(number) * interval;
   const double dt = interval / ticks;
   for (int i = 0; i < ticks; ++i)

@@ -1,11 +1,11 @@
 #pragma once
 // The rig with a specimen from sim/ instead of instruments on a bench.
 //
-// Between scans the specimen is advanced in ticks: the servo of load and constant q acts once a
-// tick. Stages end at scans, on the specimen's true values; the reading at which an end is met is
-// the last of its stage. Transducers then make a reading of the true values; noise depends only on
-// seed, channel and number of the reading. Time is number × interval. Everything is held in a few
-// values: memory does not grow with the test.
+// Between scans the specimen is advanced in ticks, and a wanted force is set anew at each. Stages
+// end at scans, on the specimen's true values; the reading at which an end is met is the last of
+// its stage. Transducers then make a reading of the true values; noise depends only on seed,
+// channel and number of the reading. Time is number × interval. Everything is held in a few values:
+// memory does not grow with the test.
 //
 // Channels: axial displacement and back volume count from the start of the test; axial force is
 // that of an internal load cell, F = q A; cell volume is the water that follows the specimen's

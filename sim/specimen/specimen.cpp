@@ -48,8 +48,8 @@ double Specimen::water_compliance(const SpecimenState& s) const {
          properties_.system_compliance;
 }
 
-SpecimenStep Specimen::implicit_step(const SpecimenState& state, const SpecimenBoundary& boundary,
-                                     double elapsed_s, double dt_s) const {
+SpecimenStep Specimen::mixed_step(const SpecimenState& state, const SpecimenBoundary& boundary,
+                                  double elapsed_s, double dt_s) const {
   SpecimenStep step;
   step.state = state;
   const double cell_increment = boundary.cell_pressure_rate * dt_s;
@@ -65,9 +65,16 @@ SpecimenStep Specimen::implicit_step(const SpecimenState& state, const SpecimenB
     }
     control.strain.row(0) << 1, 0;
     control.increment(0) = -std::log1p(-shortening);
-  } else {
+  } else if (boundary.axial == SpecimenBoundary::Axial::deviator_stress) {
     control.stress.row(0) << 1, -1;
     control.increment(0) = boundary.axial_rate * dt_s;
+  } else {
+    // H dε₁ = g (F_wanted − F − A dq) dt
+    const double reach = boundary.servo.gain_m_per_s_per_n * dt_s;
+    const double force = reach * area_m2(state);
+    control.strain.row(0) << state.height_m, 0;
+    control.stress.row(0) << force, -force;
+    control.increment(0) = reach * (boundary.servo.wanted_force_n - axial_force(state));
   }
   // Water with du = dσ_c − dσ₃′ put in; nothing is divided by a compliance that may be zero.
   const double resistance = properties_.drainage_resistance;
@@ -99,6 +106,23 @@ SpecimenStep Specimen::implicit_step(const SpecimenState& state, const SpecimenB
     step.state.drained_volume_m3 +=
         volume_m3(state) - volume_m3(step.state) - water_compliance(state) * du;
   return step;
+}
+
+SpecimenStep Specimen::implicit_step(const SpecimenState& state, const SpecimenBoundary& boundary,
+                                     double elapsed_s, double dt_s) const {
+  if (boundary.axial != SpecimenBoundary::Axial::servo)
+    return mixed_step(state, boundary, elapsed_s, dt_s);
+  const SpecimenStep followed = mixed_step(state, boundary, elapsed_s, dt_s);
+  const double farthest = boundary.servo.fastest_m_per_s * dt_s;
+  const double moved = state.height_m - followed.state.height_m;
+  if (went_on(followed) && std::abs(moved) <= farthest) return followed;
+
+  SpecimenBoundary at_limit = boundary;
+  at_limit.axial = SpecimenBoundary::Axial::displacement;
+  at_limit.axial_rate = boundary.servo.wanted_force_n >= axial_force(state)
+                            ? boundary.servo.fastest_m_per_s
+                            : -boundary.servo.fastest_m_per_s;
+  return mixed_step(state, at_limit, elapsed_s, dt_s);
 }
 
 SpecimenStep Specimen::advance(const SpecimenState& state, const SpecimenBoundary& boundary,

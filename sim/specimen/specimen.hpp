@@ -30,11 +30,23 @@ struct SpecimenState {
   double drained_volume_m3 = 0;  ///< water that left through the valve since the start
 };
 
+/// A drive that follows a force: the cap's velocity is gain · (wanted force − force), at most
+/// `fastest` either way. The force is that at the end of the substep, so that any gain is stable.
+/// While the specimen carries the load the error in force stays small; once it cannot, the drive
+/// runs at its limit, q falls and the axial strain runs away: an honest run-away, but one without
+/// inertia.
+struct ForceServo {
+  double wanted_force_n = 0;
+  double gain_m_per_s_per_n = 0;
+  double fastest_m_per_s = 0;
+};
+
 /// What the apparatus does during a step; rates are constant over it.
 struct SpecimenBoundary {
-  enum class Axial { displacement, deviator_stress };
+  enum class Axial { displacement, deviator_stress, servo };
   Axial axial = Axial::displacement;
-  double axial_rate = 0;          ///< of the cap, m/s, compression positive; or of q, Pa/s
+  double axial_rate = 0;  ///< of the cap, m/s, compression positive; or of q, Pa/s
+  ForceServo servo;
   double cell_pressure_rate = 0;  ///< Pa/s
   bool valve_open = false;
   double back_pressure = 0;       ///< at the start of the step, Pa
@@ -78,6 +90,8 @@ class Specimen {
  private:
   SpecimenStep implicit_step(const SpecimenState& state, const SpecimenBoundary& boundary,
                              double elapsed_s, double dt_s) const;
+  SpecimenStep mixed_step(const SpecimenState& state, const SpecimenBoundary& boundary,
+                          double elapsed_s, double dt_s) const;
 
   Sanisand law_;
   SpecimenProperties properties_;
