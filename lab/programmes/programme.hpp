@@ -1,0 +1,60 @@
+#pragma once
+// A programme: specimen, rig and stages, SI. How it is written is in docs/formats; how it is read,
+// programme_reader.hpp.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/devices/loading_frame.hpp"
+#include "lab/devices/pressure_controller.hpp"
+#include "lab/devices/transducer.hpp"
+#include "lab/programmes/end_condition.hpp"
+#include "lab/programmes/material_library.hpp"
+#include "lab/records/quantity.hpp"
+#include "lab/records/record_header.hpp"
+#include "sim/specimen/specimen.hpp"
+
+namespace triax::lab {
+
+/// What the axis does in a stage. `free`: no piston, q = 0 exactly, the cap follows the specimen.
+enum class AxialAction { free, displacement, load, constant_q };
+
+struct Stage {
+  std::string name;
+  StageRole role = StageRole::unknown;
+  bool valve_open = true;
+  AxialAction axial = AxialAction::free;
+  double axial_rate_m_per_s = 0;    ///< displacement
+  double load_rate_n_per_s = 0;     ///< load
+  std::optional<double> held_q_pa;  ///< constant_q; empty: q as it is when the stage starts
+  PressureDemand cell;
+  PressureDemand back;
+  std::vector<EndCondition> end;  ///< any of them
+  double time_limit_s = 0;        ///< by then the end must have been reached
+  std::int64_t line = 0;          ///< of the programme's file
+};
+
+struct Programme {
+  std::string name;
+  std::string type;    ///< "ICU", "CSD", "CSU"...
+  std::string source;  ///< file it was read from
+  std::uint64_t seed = 0;
+  double scan_interval_s = 1;
+
+  MaterialSet material;
+  sim::SpecimenProperties specimen;
+  double void_ratio = 0;  ///< as built
+  double initial_effective_stress_pa = 0;
+  double initial_back_pressure_pa = 0;
+  std::optional<double> specific_gravity;
+
+  std::array<Transducer, kRawQuantityCount> transducers;  ///< in the order of Quantity
+  PressureController cell_controller;
+  PressureController back_controller;
+  LoadingFrame frame;
+  std::vector<Stage> stages;
+};
+
+}  // namespace triax::lab

@@ -1,0 +1,13 @@
+#pragma once
+#include "lab/programmes/programme.hpp"
+
+namespace triax::lab {
+
+class StrictTable;
+
+/// Reads one [[stages]] table. `cell_pa` and `back_pa` are the controllers' pressures at its start,
+/// as far as the programme tells, and are moved on to its end: from them follows whether an end
+/// that waits for a pressure can come at all. Throws BadInput.
+Stage read_stage(StrictTable& table, const Programme& programme, double& cell_pa, double& back_pa);
+
+}  // namespace triax::lab

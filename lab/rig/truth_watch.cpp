@@ -1,0 +1,52 @@
+#include "lab/rig/truth_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/mechanics/second_order_work.hpp"
+
+namespace triax::lab {
+
+void TruthWatch::open(const Middle& now, double height_at_shear_m) {
+  const bool turned = last_ && last_->work > 0;
+  const double time_s =
+      turned ? last_->time_s + (now.time_s - last_->time_s) * last_->work / (last_->work - now.work)
+             : now.time_s - now.dt_s / 2;
+  const double start_s = now.time_s - now.dt_s / 2;
+  const Middle& in = turned && time_s < start_s ? *last_ : now;
+  const double x = std::clamp((time_s - (in.time_s - in.dt_s / 2)) / in.dt_s, 0.0, 1.0);
+  const auto at = [x](double a, double b) { return a + x * (b - a); };
+  truth_.lost_sustainability = true;
+  truth_.time_s = time_s;
+  truth_.axial_strain = 1 - at(in.before.height_m, in.after.height_m) / height_at_shear_m;
+  truth_.q_pa = at(in.before.material.q, in.after.material.q);
+  truth_.p_eff_pa = at(in.before.material.p, in.after.material.p);
+  truth_.pore_pressure_pa = at(in.before.pore_pressure, in.after.pore_pressure);
+}
+
+void TruthWatch::watch(double time_s, double dt_s, const sim::SpecimenState& before,
+                       const sim::SpecimenStep& step, bool shear, double height_at_shear_m) {
+  if (confirmed_) return;
+  if (!shear) {
+    last_.reset();
+    pending_ = false;
+    return;
+  }
+  const auto& de = step.strain_increment;
+  const double work = sim::second_order_work({}, step.stress_increment, de).normalised;
+  const Middle now{time_s + dt_s / 2, work, before, step.state, dt_s};
+  if (work >= 0) {
+    pending_ = false;
+  } else {
+    if (!pending_) {
+      pending_ = true;
+      path_ = 0;
+      open(now, height_at_shear_m);
+    }
+    path_ += std::sqrt(de.axial * de.axial + 2 * de.radial * de.radial);
+    confirmed_ = path_ >= kLastingPath;
+  }
+  last_ = now;
+}
+
+}  // namespace triax::lab

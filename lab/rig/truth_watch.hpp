@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+
+#include "lab/records/record_header.hpp"
+#include "sim/specimen/specimen.hpp"
+
+namespace triax::lab {
+
+/// Watches the noise-free path of a simulated specimen for its own loss of sustainability: the
+/// first instant of shear at which the second-order work dσ′:dε of the increment that the programme
+/// takes turns negative and stays negative over a strain path ∫|dε| of kLastingPath. Elastic
+/// increments have positive work, so neither a stage change nor a servo's search can trigger it.
+/// The instant is interpolated between the middles of the two increments around the change of sign.
+class TruthWatch {
+ public:
+  static constexpr double kLastingPath = 1e-4;
+
+  /// One increment of the path, in order. `height_at_shear_m` is the height when shear began.
+  void watch(double time_s, double dt_s, const sim::SpecimenState& before,
+             const sim::SpecimenStep& step, bool shear, double height_at_shear_m);
+
+  Truth truth() const { return confirmed_ ? truth_ : Truth{}; }
+
+ private:
+  struct Middle {
+    double time_s, work;
+    sim::SpecimenState before, after;
+    double dt_s;
+  };
+  void open(const Middle& now, double height_at_shear_m);
+
+  std::optional<Middle> last_;
+  bool pending_ = false;
+  bool confirmed_ = false;
+  double path_ = 0;
+  Truth truth_;
+};
+
+}  // namespace triax::lab

@@ -1,0 +1,155 @@
+#include "sim/specimen/specimen.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/sim/materials/parameter_sets.hpp"
+
+using namespace triax::sim;
+using Axial = SpecimenBoundary::Axial;
+
+namespace {
+
+SpecimenProperties cylinder() {
+  SpecimenProperties p;
+  p.height_m = 0.14;
+  p.diameter_m = 0.07;
+  p.water_compressibility = 1 / 2.2e9;
+  p.system_compliance = 5e-13;
+  p.drainage_resistance = 1e11;
+  return p;
+}
+
+Specimen loose(const SpecimenProperties& properties = cylinder(), double p_pa = 100e3) {
+  return Specimen(Sanisand(test::s28_general()), properties, 1.086, p_pa, 300e3);
+}
+
+SpecimenBoundary free_piston(double cell_rate, bool open) {
+  SpecimenBoundary b;
+  b.axial = Axial::deviator_stress;
+  b.cell_pressure_rate = cell_rate;
+  b.valve_open = open;
+  b.back_pressure = 300e3;
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("Skempton's B follows from skeleton and compliance") {
+  const Specimen specimen = loose();
+  const auto& start = specimen.start();
+  const auto step = specimen.advance(start, free_piston(10, false), 1);
+  REQUIRE(step.outcome == StepOutcome::accepted);
+  const double b = (step.state.pore_pressure - start.pore_pressure) / 10;
+  const double storage = specimen.water_compliance(start) / specimen.volume_m3(start);
+  CHECK(b == Approx(1 / (1 + storage * specimen.law().bulk_modulus(start.material))).epsilon(1e-5));
+  CHECK(b > 0.96);
+  CHECK(b < 0.999);
+  CHECK(step.state.drained_volume_m3 == 0);
+}
+
+TEST_CASE("rigid water and lines give B = 1 and no volume change") {
+  SpecimenProperties p = cylinder();
+  p.water_compressibility = p.system_compliance = 0;
+  const Specimen specimen = loose(p);
+  const auto step = specimen.advance(specimen.start(), free_piston(10e3, false), 1);
+  CHECK(step.state.pore_pressure == Approx(310e3).epsilon(1e-12));
+  CHECK(step.state.material.void_ratio == Approx(1.086).epsilon(1e-14));
+}
+
+TEST_CASE("undrained compression with rigid water is the bare material point") {
+  SpecimenProperties p = cylinder();
+  p.water_compressibility = p.system_compliance = 0;
+  const Specimen specimen = loose(p);
+  SpecimenBoundary b;
+  b.axial_rate = 1e-5;
+  SpecimenState state = specimen.start();
+  for (int i = 0; i < 140; ++i) state = specimen.advance(state, b, 1).state;
+  CHECK(state.height_m == Approx(0.14 - 140e-5).epsilon(1e-13));
+  const auto point = advance_point(specimen.law(), specimen.start().material,
+                                   MixedControl::strain_path(std::log(0.14 / state.height_m)));
+  CHECK(state.material.q == Approx(point.state.q).epsilon(1e-9));
+  CHECK(state.material.p == Approx(point.state.p).epsilon(1e-9));
+  CHECK(state.pore_pressure ==
+        Approx(400e3 + state.material.q / 3 - state.material.p).epsilon(1e-9));
+}
+
+TEST_CASE("consolidation through a resistance lags and ends where the skeleton says") {
+  const Specimen specimen = loose();
+  SpecimenState state = specimen.start();
+  const SpecimenBoundary ramp = free_piston(1e3, true);
+  for (int i = 0; i < 100; ++i) {
+    const auto step = specimen.advance(state, ramp, 1);
+    REQUIRE(step.outcome == StepOutcome::accepted);
+    state = step.state;
+  }
+  const double lag = state.pore_pressure - 300e3;
+  // Quasi-steady lag: R V dp/(K dt).
+  const double bulk = specimen.law().bulk_modulus(state.material);
+  CHECK(lag == Approx(1e11 * specimen.volume_m3(state) * 1e3 / bulk).epsilon(0.05));
+
+  for (int i = 0; i < 300; ++i) state = specimen.advance(state, free_piston(0, true), 1).state;
+  CHECK(state.pore_pressure == Approx(300e3).margin(1));
+  CHECK(state.material.p == Approx(200e3).margin(1));
+  const auto dry =
+      advance_point(specimen.law(), specimen.start().material, MixedControl::stress_path(100e3, 0));
+  CHECK(state.material.void_ratio == Approx(dry.state.void_ratio).epsilon(1e-6));
+  CHECK(std::log(0.14 / state.height_m) == Approx(dry.strain_increment.axial).epsilon(1e-5));
+  const double water = specimen.volume_m3(specimen.start()) - specimen.volume_m3(state);
+  CHECK(state.drained_volume_m3 == Approx(water).epsilon(1e-4));
+}
+
+TEST_CASE("the length of the step does not matter") {
+  const Specimen specimen = loose();
+  SpecimenBoundary b;
+  b.axial_rate = 1e-6;
+  b.valve_open = true;
+  b.back_pressure = 300e3;
+  SpecimenState coarse = specimen.start(), fine = specimen.start();
+  for (int i = 0; i < 20; ++i) coarse = specimen.advance(coarse, b, 10).state;
+  for (int i = 0; i < 2000; ++i) fine = specimen.advance(fine, b, 0.1).state;
+  CHECK(coarse.pore_pressure == Approx(fine.pore_pressure).margin(20));
+  CHECK(coarse.material.q == Approx(fine.material.q).epsilon(1e-3));
+}
+
+TEST_CASE("area is that of the right cylinder in engineering strains") {
+  const Specimen specimen = loose();
+  SpecimenBoundary b;
+  b.axial_rate = 5e-6;
+  b.valve_open = true;
+  b.back_pressure = 300e3;
+  SpecimenState state = specimen.start();
+  const double area_0 = specimen.area_m2(state), volume_0 = specimen.volume_m3(state);
+  for (int i = 0; i < 200; ++i) state = specimen.advance(state, b, 1).state;
+  const double strain = 1 - state.height_m / 0.14;
+  const double volumetric = 1 - specimen.volume_m3(state) / volume_0;
+  CHECK(volumetric > 0);
+  CHECK(specimen.area_m2(state) == Approx(area_0 * (1 - volumetric) / (1 - strain)).epsilon(1e-12));
+  CHECK(specimen.axial_force(state) == Approx(state.material.q * specimen.area_m2(state)));
+}
+
+TEST_CASE("a load that the undrained specimen cannot carry is a loss of control") {
+  const Specimen specimen = loose();
+  SpecimenBoundary b;
+  b.axial = Axial::deviator_stress;
+  b.axial_rate = 1e3;
+  const auto step = specimen.advance(specimen.start(), b, 100);
+  CHECK(step.outcome == StepOutcome::lost_control);
+  CHECK(step.done_s == Approx(37.3).margin(0.5));
+  CHECK(step.state.material.q == Approx(37.3e3).margin(500));
+  CHECK(specimen.start().material.q == 0);
+}
+
+TEST_CASE("what no specimen can be is refused") {
+  SpecimenProperties p = cylinder();
+  p.height_m = -1;
+  CHECK_THROWS_AS(loose(p), std::invalid_argument);
+  p = cylinder();
+  p.drainage_resistance = -1;
+  CHECK_THROWS_AS(loose(p), std::invalid_argument);
+  CHECK_THROWS_AS(loose(cylinder(), 0), std::invalid_argument);
+  SpecimenBoundary crush;
+  crush.axial_rate = 1;
+  CHECK(loose().advance(loose().start(), crush, 1).outcome == StepOutcome::failed);
+}
