@@ -17,9 +17,9 @@ struct NamedQuery {
 };
 const std::vector<NamedQuery>& named_queries();
 
-/// Runs a named query or SQL text against the database, strictly read only: SQLite itself refuses to
-/// write (read-only handle, query_only, and an authorizer against ATTACH). Throws lab::BadInput with
-/// SQLite's own words for SQL that cannot be run.
+/// Runs a named query or SQL text against the database, strictly read only: SQLite itself refuses
+/// to write (read-only handle, query_only, and an authorizer against ATTACH). Throws lab::BadInput
+/// with SQLite's own words for SQL that cannot be run.
 void query(const std::string& path, const std::string& name_or_sql,
            const std::function<void(const std::vector<std::string>&)>& columns,
            const std::function<void(const std::vector<Value>&)>& row);

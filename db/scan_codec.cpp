@@ -94,9 +94,12 @@ double& derived(lab::State& state, std::size_t item) {
 }
 
 DerivedValues derived_of(const lab::State& state) {
-  return {state.strain.radial,          state.void_ratio,
-          state.area_m2,                state.effective_stress.axial,
-          state.effective_stress.radial, state.pore_pressure};
+  return {state.strain.radial,
+          state.void_ratio,
+          state.area_m2,
+          state.effective_stress.axial,
+          state.effective_stress.radial,
+          state.pore_pressure};
 }
 
 /// What follows from raw channels (SI) and the stored part of the state.

@@ -3,10 +3,11 @@
 //
 // Stored are the raw channels in units of the field and ε₁, ε_v, q, p' in SI. The rest follows from
 //   ε₃ = (ε_v − ε₁)/2      e = e_r − ε_v (1 + e_r)      A = A_r (1 − ε_v)/(1 − ε₁)
-//   σ₃' = σ_c − u,  σ₁' = σ_c + q − u;  or, where channels do not tell,  σ₃' = p' − q/3,  σ₁' = p' + 2q/3
-// with e_r, A_r the void ratio and area of the stage at zero strain. What these give may differ from
-// what was recorded by a few units in the last place: that difference, item by item, is packed into
-// one integer (`last_bits`, 0 for nearly every scan). What does not follow at all goes to a
+//   σ₃' = σ_c − u,  σ₁' = σ_c + q − u;  or, where channels do not tell,  σ₃' = p' − q/3,  σ₁' = p'
+//   + 2q/3
+// with e_r, A_r the void ratio and area of the stage at zero strain. What these give may differ
+// from what was recorded by a few units in the last place: that difference, item by item, is packed
+// into one integer (`last_bits`, 0 for nearly every scan). What does not follow at all goes to a
 // ScanDetail, as SI value.
 #include <array>
 #include <cstdint>
@@ -51,8 +52,8 @@ struct ScanDetail {
   std::int64_t state_missing = 0;  ///< bit i: item i is unknown although it would follow
 };
 
-/// Fills `row` and, where the scan needs one, `detail`; returns whether it does. Values that are not
-/// finite count as missing. Exact for magnitudes of 1e-290 and above, and for both zeros.
+/// Fills `row` and, where the scan needs one, `detail`; returns whether it does. Values that are
+/// not finite count as missing. Exact for magnitudes of 1e-290 and above, and for both zeros.
 bool encode(const lab::Reading& reading, const lab::State& state, const StageReference& reference,
             ScanRow& row, ScanDetail& detail);
 
