@@ -138,7 +138,9 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
 SQLite::Database open_for_writing(const std::string& path) {
   check_path(path);
   try {
-    SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeoutMs);
+    // No mutexes: a connection belongs to one thread at a time.
+    SQLite::Database database(
+        path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, kBusyTimeoutMs);
     prepare_for_writing(database, path);
     mark_abandoned_tests(database);
     return database;
@@ -166,7 +168,8 @@ SQLite::Database open_for_reading(const std::string& path) {
     return database;
   };
   try {
-    return checked(SQLite::Database(path, SQLite::OPEN_READONLY, kBusyTimeoutMs));
+    return checked(
+        SQLite::Database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, kBusyTimeoutMs));
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() != SQLITE_CANTOPEN && error.getErrorCode() != SQLITE_READONLY)
       throw_for(error, path);

@@ -27,11 +27,6 @@ constexpr std::chrono::milliseconds kTimeDue{500};
 /// The session waits for the disk beyond this: memory stays bounded.
 constexpr std::size_t kRowsAtMost = 20000;
 
-struct Scan {
-  lab::Reading reading;
-  lab::State state;
-};
-
 struct Batch {
   std::vector<Scan> scans;
   std::vector<lab::SecondOrderWorkPoint> work;
@@ -94,6 +89,8 @@ void Recorder::Impl::start(const lab::RecordHeader& header) {
   if (started()) throw lab::WorkFailed(path_ + ": a recorder records one test");
   header_ = header;
   recorded_at_ = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  filling_.scans.reserve(kRowsAtMost);
+  storing_.scans.reserve(kRowsAtMost);
   writer_ = std::thread([this] { write_batches(); });
 }
 
@@ -166,7 +163,7 @@ void Recorder::Impl::store_batch(Ending ending) {
 }
 
 void Recorder::Impl::store_rows() {
-  for (const Scan& scan : storing_.scans) scans_->write(scan.reading, scan.state);
+  scans_->write(storing_.scans);
   for (const lab::SecondOrderWorkPoint& point : storing_.work) scans_->write(point);
 }
 

@@ -17,15 +17,21 @@ void bind_unless_zero(PlainStatement& statement, int parameter, std::int64_t bit
     statement.bind_null(parameter);
 }
 
+ScanSource& registered(SQLite::Database& database, ScanSource& source) {
+  register_scan_source(database.getHandle(), source);
+  return source;
+}
+
 }  // namespace
 
 ScanWriter::ScanWriter(SQLite::Database& database, std::int64_t test_id)
     : database_(database),
       test_id_(test_id),
-      scan_(database, "INSERT INTO scans VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      source_{{}, [this](const Scan& scan, ScanRow& row) { return encode_row(scan, row); }, {}},
+      scans_((registered(database, source_), database),
+             "INSERT INTO scans SELECT * FROM incoming_scans"),
       detail_(database,
-              "INSERT INTO scan_details VALUES "
-              "(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+              "INSERT INTO scan_details VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
       work_(database, "INSERT INTO work_points VALUES (?,?,?,?,?,?,?,?)") {}
 
 std::int64_t ScanWriter::key(std::int64_t reading) const {
@@ -40,45 +46,57 @@ const StageReference& ScanWriter::reference(const lab::State& state) {
   const auto [place, is_new] = references_.try_emplace(state.stage, StageReference{});
   if (is_new) {
     place->second = reference_of(state);
-    SQLite::Statement insert(database_, "INSERT INTO stage_references VALUES (?,?,?,?)");
-    Binder(insert)
-        .integer(test_id_)
-        .integer(state.stage)
-        .number(place->second.void_ratio)
-        .number(place->second.area_m2)
-        .run();
+    new_stages_.push_back(state.stage);
   }
   current_stage_ = state.stage;
   current_ = &place->second;
   return *current_;
 }
 
-void ScanWriter::write(const lab::Reading& reading, const lab::State& state) {
-  ScanRow row;
-  ScanDetail detail;
-  const bool detailed = encode(reading, state, reference(state), row, detail);
-  const std::int64_t id = key(row.number);
-  scan_.bind(1, id);
-  scan_.bind(2, row.time_s);
-  scan_.bind(3, std::int64_t{row.stage});
-  for (std::size_t i = 0; i < row.raw.size(); ++i) scan_.bind(4 + static_cast<int>(i), row.raw[i]);
-  scan_.bind(11, row.axial_strain);
-  scan_.bind(12, row.volumetric_strain);
-  scan_.bind(13, row.q_pa);
-  scan_.bind(14, row.p_eff_pa);
-  bind_unless_zero(scan_, 15, row.last_bits);
-  scan_.run();
-  if (detailed) write_detail(id, detail);
+std::int64_t ScanWriter::encode_row(const Scan& scan, ScanRow& row) {
+  const std::int64_t id = key(scan.reading.number);
+  if (encode(scan.reading, scan.state, reference(scan.state), row, found_))
+    details_.emplace_back(id, found_);
+  return id;
 }
 
-void ScanWriter::write_detail(std::int64_t id, const ScanDetail& detail) {
-  int parameter = 1;
-  detail_.bind(parameter++, id);
-  for (const double value : detail.given) detail_.bind(parameter++, value);
-  bind_unless_zero(detail_, parameter++, detail.given_last_bits);
-  for (const double value : detail.state_si) detail_.bind(parameter++, value);
-  detail_.bind(parameter, detail.state_missing);
-  detail_.run();
+void ScanWriter::write(std::span<const Scan> scans) {
+  source_.scans = scans;
+  try {
+    scans_.run();
+  } catch (const SQLite::Exception&) {
+    if (source_.failure) std::rethrow_exception(source_.failure);
+    throw;
+  }
+  write_details();
+  write_references();
+}
+
+void ScanWriter::write_references() {
+  for (const int stage : new_stages_) {
+    const StageReference& reference = references_.at(stage);
+    SQLite::Statement insert(database_, "INSERT INTO stage_references VALUES (?,?,?,?)");
+    Binder(insert)
+        .integer(test_id_)
+        .integer(stage)
+        .number(reference.void_ratio)
+        .number(reference.area_m2)
+        .run();
+  }
+  new_stages_.clear();
+}
+
+void ScanWriter::write_details() {
+  for (const auto& [id, detail] : details_) {
+    int parameter = 1;
+    detail_.bind(parameter++, id);
+    for (const double value : detail.given) detail_.bind(parameter++, value);
+    bind_unless_zero(detail_, parameter++, detail.given_last_bits);
+    for (const double value : detail.state_si) detail_.bind(parameter++, value);
+    detail_.bind(parameter, detail.state_missing);
+    detail_.run();
+  }
+  details_.clear();
 }
 
 void ScanWriter::write(const lab::SecondOrderWorkPoint& point) {
