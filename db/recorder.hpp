@@ -8,11 +8,13 @@
 
 namespace triax::db {
 
-/// Writes one running test into the database while it runs, in short transactions on a thread of its
-/// own, so that others can read meanwhile and a kill at any instant loses at most the last second.
+/// Writes one running test into the database while it runs, in short transactions on a thread of
+/// its own, so that others can read meanwhile and a kill at any instant loses at most the last
+/// second.
 ///
-/// Nothing is touched on disk before the first batch is due (about half a second, or some ten thousand
-/// scans, or finish): bad input that shows up early leaves the database, and even its absence, as it was.
+/// Nothing is touched on disk before the first batch is due (about half a second, or some ten
+/// thousand scans, or finish): bad input that shows up early leaves the database, and even its
+/// absence, as it was.
 class Recorder : public QObject {
   Q_OBJECT
  public:

@@ -30,15 +30,15 @@ struct StoredTest {
 class Store {
  public:
   /// Opens an existing database read only. Before that, tests whose writer is no longer alive are
-  /// marked as interrupted, where the file can be written at all. Throws lab::BadInput if the file is
-  /// missing, is no triax database, or has a newer schema than this program.
+  /// marked as interrupted, where the file can be written at all. Throws lab::BadInput if the file
+  /// is missing, is no triax database, or has a newer schema than this program.
   explicit Store(const std::string& path);
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  /// Ids of the tests named by id or name; all, oldest first, if `names` is empty. A name that stands
-  /// for several tests means the latest. Throws lab::BadInput for one that does not exist.
+  /// Ids of the tests named by id or name; all, oldest first, if `names` is empty. A name that
+  /// stands for several tests means the latest. Throws lab::BadInput for one that does not exist.
   std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
   StoredTest load(std::int64_t id) const;
 

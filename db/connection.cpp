@@ -1,0 +1,221 @@
+#include "db/connection.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <sqlite3.h>
+
+#include <QUrl>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include "db/writer_identity.hpp"
+#include "lab/records/bad_input.hpp"
+#include "lab/records/embedded.hpp"
+
+namespace triax::lab {
+extern const std::span<const EmbeddedFile> kMigrations;
+}
+
+namespace triax::db {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int kBusyTimeoutMs = 20000;
+
+int version_of(const lab::EmbeddedFile& migration) {
+  int version = 0;
+  std::from_chars(migration.name.data(), migration.name.data() + migration.name.size(), version);
+  return version;
+}
+
+int read_int(SQLite::Database& database, const std::string& sql) {
+  return database.execAndGet(sql).getInt();
+}
+
+bool is_empty(SQLite::Database& database) {
+  return read_int(database, "SELECT count(*) FROM sqlite_schema") == 0;
+}
+
+/// Refuses what is not ours before anything is written.
+void check_ours(SQLite::Database& database, const std::string& path) {
+  const int id = read_int(database, "PRAGMA application_id");
+  if (id != kApplicationId && (id != 0 || !is_empty(database)))
+    throw lab::BadInput(path, 0,
+                        "this SQLite database was made by another program; name a triax database, "
+                        "or a file that does not exist yet");
+  const int version = read_int(database, "PRAGMA user_version");
+  if (version > newest_schema())
+    throw lab::BadInput(path, 0,
+                        "schema version " + std::to_string(version) +
+                            " is newer than this program's " + std::to_string(newest_schema()) +
+                            "; use a newer triax");
+}
+
+/// Two programs may create the file at once, and the switch to WAL does not wait by itself.
+void switch_to_wal(SQLite::Database& database) {
+  const auto deadline =
+      std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeoutMs);
+  for (;;) {
+    if (sqlite3_exec(database.getHandle(), "PRAGMA journal_mode = WAL", nullptr, nullptr,
+                     nullptr) == SQLITE_OK)
+      return;
+    if (database.getErrorCode() != SQLITE_BUSY || std::chrono::steady_clock::now() > deadline)
+      throw SQLite::Exception(database.getHandle());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void prepare_for_writing(SQLite::Database& database, const std::string& path) {
+  check_ours(database, path);
+  // Large pages: the scans of a test are read and written in long runs.
+  if (is_empty(database)) database.exec("PRAGMA page_size = 32768");
+  switch_to_wal(database);
+  // NORMAL syncs at checkpoints only: a killed program loses nothing that was committed.
+  database.exec(
+      "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 500; PRAGMA foreign_keys = ON; "
+      "PRAGMA cache_size = -8192");
+  migrate(database, path);
+}
+
+void check_path(const std::string& path) {
+  if (fs::is_directory(path))
+    throw lab::BadInput(path, 0,
+                        "is a folder; the database has to be a file, such as " + path +
+                            (path.ends_with('/') ? "" : "/") + "triax.db");
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw lab::BadInput(
+        path, 0,
+        "there is no folder " + folder.string() + " to put the database in; create it first");
+}
+
+/// What a reader does to a database it may not be allowed to change.
+void tidy_up(const std::string& path) {
+  try {
+    SQLite::Database database(path, SQLite::OPEN_READWRITE, kBusyTimeoutMs);
+    check_ours(database, path);
+    if (is_empty(database)) return;
+    if (read_int(database, "PRAGMA user_version") < newest_schema()) migrate(database, path);
+    mark_abandoned_tests(database);
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_NOTADB || error.getErrorCode() == SQLITE_CORRUPT)
+      throw_for(error, path);
+  }
+}
+
+/// A database in a folder without write permission: WAL needs files beside it, unless nobody
+/// writes.
+SQLite::Database open_immutable(const std::string& path) {
+  const QByteArray escaped = QUrl::toPercentEncoding(
+      QString::fromStdString(fs::absolute(path).string()), QByteArrayLiteral("/"));
+  return SQLite::Database("file:" + escaped.toStdString() + "?immutable=1",
+                          SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+}
+
+}  // namespace
+
+int newest_schema() { return version_of(lab::kMigrations.back()); }
+
+void migrate(SQLite::Database& database, const std::string& path, int target) {
+  if (!is_empty(database) && read_int(database, "PRAGMA user_version") >= target) return;
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  check_ours(database, path);
+  const int present = read_int(database, "PRAGMA user_version");
+  for (const lab::EmbeddedFile& migration : lab::kMigrations) {
+    const int version = version_of(migration);
+    if (version > present && version <= target) database.exec(std::string(migration.text));
+  }
+  if (present < target) {
+    database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
+    database.exec("PRAGMA user_version = " + std::to_string(target));
+  }
+  transaction.commit();
+}
+
+SQLite::Database open_for_writing(const std::string& path) {
+  check_path(path);
+  try {
+    // No mutexes: a connection belongs to one thread at a time.
+    SQLite::Database database(
+        path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, kBusyTimeoutMs);
+    prepare_for_writing(database, path);
+    mark_abandoned_tests(database);
+    return database;
+  } catch (const SQLite::Exception& error) {
+    throw_for(error, path);
+  }
+}
+
+SQLite::Database open_for_reading(const std::string& path) {
+  check_path(path);
+  if (!fs::exists(path))
+    throw lab::BadInput(path, 0,
+                        "there is no such database; `triax replay` and `triax simulate` make one");
+  tidy_up(path);
+  const auto checked = [&](SQLite::Database database) {
+    check_ours(database, path);
+    if (is_empty(database))
+      throw lab::BadInput(path, 0, "is empty; `triax replay` and `triax simulate` fill a database");
+    const int version = read_int(database, "PRAGMA user_version");
+    if (version < newest_schema())
+      throw lab::BadInput(path, 0,
+                          "schema version " + std::to_string(version) +
+                              " needs migration, but the file cannot be written; make it writable");
+    database.exec("PRAGMA query_only = ON");
+    return database;
+  };
+  try {
+    return checked(
+        SQLite::Database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, kBusyTimeoutMs));
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_CANTOPEN && error.getErrorCode() != SQLITE_READONLY)
+      throw_for(error, path);
+  }
+  try {
+    return checked(open_immutable(path));
+  } catch (const SQLite::Exception& error) {
+    throw_for(error, path);
+  }
+}
+
+void mark_abandoned_tests(SQLite::Database& database) {
+  SQLite::Statement running(database,
+                            "SELECT id, writer_pid, writer_started, writer_host FROM tests "
+                            "WHERE status = 'running'");
+  std::vector<std::int64_t> abandoned;
+  while (running.executeStep())
+    if (!may_be_alive({running.getColumn(1).getInt64(), running.getColumn(2).getInt64(),
+                       running.getColumn(3).getString()}))
+      abandoned.push_back(running.getColumn(0).getInt64());
+  running.reset();
+  for (const std::int64_t id : abandoned) {
+    SQLite::Statement mark(
+        database,
+        "UPDATE tests SET status = 'interrupted', readings = (SELECT count(*) FROM scans "
+        "WHERE scans.id BETWEEN tests.id << 32 AND tests.id << 32 | 4294967295) "
+        "WHERE id = ? AND status = 'running'");
+    mark.bind(1, id);
+    mark.exec();
+  }
+}
+
+void throw_for(const SQLite::Exception& error, const std::string& path) {
+  switch (error.getErrorCode()) {
+    case SQLITE_NOTADB:
+      throw lab::BadInput(path, 0,
+                          "is not an SQLite database; name a triax database, or a file "
+                          "that does not exist yet");
+    case SQLITE_CANTOPEN:
+      throw lab::BadInput(path, 0, "cannot be opened; check that file and folder may be written");
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      throw lab::BadInput(path, 0, "cannot be written; check the permissions of file and folder");
+    default:
+      throw lab::WorkFailed(path + ": " + error.what());
+  }
+}
+
+}  // namespace triax::db

@@ -1,0 +1,60 @@
+#include "db/query.hpp"
+
+namespace triax::db {
+
+const std::vector<NamedQuery>& named_queries() {
+  static const std::vector<NamedQuery> queries{
+      {"tests", "every test: what it was, where it came from, how it ended",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.recorded_at, "
+       "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
+       "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed "
+       "FROM tests t ORDER BY t.id"},
+      {"collapse_points", "the tests that collapsed, as in a table of a paper: p'0, e, phi, eta",
+       "SELECT * FROM collapse_points ORDER BY type_of_test, test_id"},
+      {"collapses", "the verdict on every test, with state and second-order work at onset",
+       "SELECT * FROM collapses ORDER BY test_id"},
+      {"criteria", "what each criterion found, with its evidence",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS criterion, c.detected, "
+       "c.reading, c.time_s, c.eta, c.evidence "
+       "FROM criteria c JOIN tests t ON t.id = c.test_id ORDER BY c.id"},
+      {"peaks", "the peak of q of every test", "SELECT * FROM peaks ORDER BY test_id"},
+      {"instability_line",
+       "stress ratio at collapse by programme, origin and kind: the slope of the instability line",
+       "SELECT type_of_test, origin, kind, count(*) AS tests, avg(eta) AS eta_mean, "
+       "min(eta) AS eta_min, max(eta) AS eta_max, avg(phi_mob_deg) AS phi_mob_mean_deg "
+       "FROM collapse_points WHERE eta IS NOT NULL GROUP BY type_of_test, origin, kind"},
+      {"truths", "where simulated specimens lost sustainability themselves, and where it was found",
+       "SELECT t.id AS test_id, t.name AS test, t.programme, u.lost_sustainability, "
+       "u.time_s AS true_time_s, u.q_kPa / u.p_eff_kPa AS true_eta, c.kind AS found, "
+       "c.time_s AS found_time_s, c.eta AS found_eta "
+       "FROM truths u JOIN tests t ON t.id = u.test_id "
+       "LEFT JOIN collapses c ON c.test_id = t.id ORDER BY t.id"},
+      {"specimens", "dimensions and void ratio of every specimen, as built and consolidated",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, s.material, s.height_mm, s.diameter_mm, "
+       "s.void_ratio, k.p_eff_kPa AS p0_eff_kPa, k.b_value, "
+       "coalesce(k.void_ratio, s.consolidated_void_ratio) AS consolidated_void_ratio, "
+       "coalesce(k.height_mm, s.consolidated_height_mm) AS consolidated_height_mm, "
+       "k.diameter_mm AS consolidated_diameter_mm "
+       "FROM tests t LEFT JOIN specimens s ON s.test_id = t.id "
+       "LEFT JOIN consolidations k ON k.test_id = t.id ORDER BY t.id"},
+      {"stages", "the stages of every test",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, s.number, s.name AS stage, s.role, "
+       "s.drainage, s.control "
+       "FROM stages s JOIN tests t ON t.id = s.test_id ORDER BY t.id, s.number"},
+      {"events", "what happened when, in the order it was seen",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, e.reading, e.time_s, e.kind, e.detail "
+       "FROM events e JOIN tests t ON t.id = e.test_id ORDER BY t.id, e.id"},
+      {"checks", "measured values held against what is acceptable",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS check_name, c.measured, "
+       "c.limit_value, c.ok, c.note "
+       "FROM checks c JOIN tests t ON t.id = c.test_id ORDER BY t.id, c.id"},
+      {"warnings", "what was changed, joined or missing in the records",
+       "SELECT DISTINCT t.id AS test_id, t.name AS test, t.origin, w.line, w.text "
+       "FROM warnings w JOIN tests t ON t.id = w.test_id ORDER BY t.id, w.line"},
+      {"unfinished_tests", "tests that still run or were interrupted",
+       "SELECT * FROM unfinished_tests ORDER BY test_id"},
+  };
+  return queries;
+}
+
+}  // namespace triax::db

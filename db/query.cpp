@@ -1,0 +1,110 @@
+#include "db/query.hpp"
+
+#include <SQLiteCpp/Column.h>
+#include <SQLiteCpp/Statement.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+
+#include "db/connection.hpp"
+#include "lab/records/bad_input.hpp"
+
+namespace triax::db {
+namespace {
+
+bool tells_only(const char* pragma) {
+  static constexpr const char* kHarmless[] = {
+      "application_id", "compile_options", "database_list",     "foreign_key_list", "function_list",
+      "index_info",     "index_list",      "index_xinfo",       "integrity_check",  "page_count",
+      "page_size",      "quick_check",     "foreign_key_check", "schema_version",   "table_info",
+      "table_list",     "table_xinfo",     "user_version"};
+  return std::ranges::any_of(kHarmless,
+                             [&](const char* name) { return sqlite3_stricmp(name, pragma) == 0; });
+}
+
+/// The third and fourth argument are, for a PRAGMA, its name and what is assigned to it; those that
+/// tell about a table take the table's name the same way.
+int authorize(void*, int action, const char* first, const char* second, const char*, const char*) {
+  switch (action) {
+    case SQLITE_SELECT:
+    case SQLITE_READ:
+    case SQLITE_FUNCTION:
+    case SQLITE_RECURSIVE:
+      return SQLITE_OK;
+    case SQLITE_PRAGMA: {
+      const bool assigns_number =
+          second != nullptr && std::all_of(second, second + std::char_traits<char>::length(second),
+                                           [](char c) { return c >= '0' && c <= '9'; });
+      return tells_only(first) && !assigns_number ? SQLITE_OK : SQLITE_DENY;
+    }
+    default:
+      return SQLITE_DENY;
+  }
+}
+
+std::string sql_for(const std::string& name_or_sql) {
+  for (const NamedQuery& query : named_queries())
+    if (query.name == name_or_sql) return std::string(query.sql);
+  if (name_or_sql.find_first_of(" \t\n\r;(") == std::string::npos)
+    throw lab::BadInput("there is no query named '" + name_or_sql +
+                        "'; `triax query --list` shows them, or write SQL");
+  return name_or_sql;
+}
+
+/// SQLite prepares the first statement only and says where it ended; more than blanks, semicolons
+/// and comments behind that would be left out without a word.
+void check_single(sqlite3* database, const std::string& sql) {
+  sqlite3_stmt* statement = nullptr;
+  const char* rest = sql.c_str();
+  int statements = 0;
+  while (*rest != '\0') {
+    const int outcome = sqlite3_prepare_v2(database, rest, -1, &statement, &rest);
+    statements += statement != nullptr || outcome != SQLITE_OK;
+    sqlite3_finalize(statement);
+    if (outcome != SQLITE_OK && statements == 1) throw SQLite::Exception(database);
+    if (statements > 1)
+      throw lab::BadInput("the SQL holds more than one statement; one query runs at a time");
+  }
+  if (statements == 0) throw lab::BadInput("the SQL holds no statement; write a SELECT");
+}
+
+Value value_of(const SQLite::Column& column) {
+  switch (column.getType()) {
+    case SQLITE_INTEGER:
+      return column.getInt64();
+    case SQLITE_FLOAT:
+      return column.getDouble();
+    case SQLITE_NULL:
+      return std::monostate{};
+    default:
+      return column.getString();
+  }
+}
+
+}  // namespace
+
+void query(const std::string& path, const std::string& name_or_sql,
+           const std::function<void(const std::vector<std::string>&)>& columns,
+           const std::function<void(const std::vector<Value>&)>& row) {
+  const std::string sql = sql_for(name_or_sql);
+  SQLite::Database database = open_for_reading(path);
+  sqlite3_set_authorizer(database.getHandle(), authorize, nullptr);
+  try {
+    check_single(database.getHandle(), sql);
+    SQLite::Statement statement(database, sql);
+    std::vector<std::string> names;
+    for (int i = 0; i < statement.getColumnCount(); ++i)
+      names.emplace_back(statement.getColumnName(i));
+    columns(names);
+    std::vector<Value> values(names.size());
+    while (statement.executeStep()) {
+      for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = value_of(statement.getColumn(static_cast<int>(i)));
+      row(values);
+    }
+  } catch (const SQLite::Exception& error) {
+    throw lab::BadInput("SQLite refuses the query: " + std::string(error.what()));
+  }
+}
+
+}  // namespace triax::db

@@ -1,0 +1,191 @@
+#include "db/store.hpp"
+
+#include <SQLiteCpp/Column.h>
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "db/connection.hpp"
+#include "db/plain_statement.hpp"
+#include "db/scan_codec.hpp"
+#include "db/test_reader.hpp"
+#include "lab/records/bad_input.hpp"
+
+namespace triax::db {
+namespace {
+
+using SQLite::Statement;
+
+constexpr char kScans[] =
+    "SELECT s.id & 4294967295, s.time_s, s.stage, s.axial_displacement_mm, s.axial_force_kN, "
+    "s.cell_pressure_kPa, s.back_pressure_kPa, s.pore_pressure_kPa, s.back_volume_mm3, "
+    "s.cell_volume_mm3, s.axial_strain, s.volumetric_strain, s.q_Pa, s.p_eff_Pa, s.last_bits, d.* "
+    "FROM scans s LEFT JOIN scan_details d ON d.id = s.id "
+    "WHERE s.id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 "
+    "AND (s.id & 4294967295) % ?2 = 0 ORDER BY s.id";
+constexpr int kDetailColumn = 15;
+
+void read_row(const PlainStatement& row, ScanRow& scan) {
+  scan.number = row.integer(0);
+  scan.time_s = row.number(1);
+  scan.stage = static_cast<int>(row.integer(2));
+  for (std::size_t i = 0; i < scan.raw.size(); ++i)
+    scan.raw[i] = row.number(3 + static_cast<int>(i));
+  scan.axial_strain = row.number(10);
+  scan.volumetric_strain = row.number(11);
+  scan.q_pa = row.number(12);
+  scan.p_eff_pa = row.number(13);
+  scan.last_bits = row.integer(14);
+}
+
+/// The columns of scan_details from its id on; false where the scan has none.
+bool read_detail(const PlainStatement& row, ScanDetail& detail) {
+  int column = kDetailColumn;
+  if (row.is_null(column++)) return false;
+  for (double& value : detail.given) value = row.number(column++);
+  detail.given_last_bits = row.integer(column++);
+  for (double& value : detail.state_si) value = row.number(column++);
+  detail.state_missing = row.integer(column);
+  return true;
+}
+
+std::map<int, StageReference> read_references(SQLite::Database& database, std::int64_t id) {
+  PlainStatement select(
+      database, "SELECT stage, void_ratio, area_m2 FROM stage_references WHERE test_id = ?");
+  select.bind(1, id);
+  std::map<int, StageReference> result;
+  while (select.step())
+    result[static_cast<int>(select.integer(0))] = {select.number(1), select.number(2)};
+  return result;
+}
+
+}  // namespace
+
+std::string_view to_string(TestStatus status) {
+  switch (status) {
+    case TestStatus::running:
+      return "running";
+    case TestStatus::complete:
+      return "complete";
+    case TestStatus::interrupted:
+      return "interrupted";
+  }
+  return {};
+}
+
+struct Store::Impl {
+  explicit Impl(const std::string& file) : path(file), database(open_for_reading(file)) {}
+
+  /// Runs `work`; what SQLite says becomes an error that names the file.
+  template <class Work>
+  auto guarded(const Work& work) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& error) {
+      throw_for(error, path);
+    }
+  }
+
+  std::int64_t find_one(const std::string& name);
+
+  std::string path;
+  SQLite::Database database;
+};
+
+std::int64_t Store::Impl::find_one(const std::string& name) {
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), id);
+  const bool is_number = error == std::errc{} && end == name.data() + name.size();
+  // A test that is called "42" is meant rather than the forty-second of the database.
+  Statement select(database,
+                   "SELECT id FROM tests WHERE name = ?1 OR id = ?2 "
+                   "ORDER BY name = ?1 DESC, id DESC LIMIT 1");
+  select.bind(1, name);
+  select.bind(2, is_number ? id : 0);
+  if (!select.executeStep())
+    throw lab::BadInput(
+        path, 0,
+        "there is no test with the id or name '" + name + "'; `triax query tests` lists them");
+  return select.getColumn(0).getInt64();
+}
+
+Store::Store(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
+Store::~Store() = default;
+
+std::vector<std::int64_t> Store::find(const std::vector<std::string>& names) const {
+  return impl_->guarded([&] {
+    std::vector<std::int64_t> ids;
+    for (const std::string& name : names) ids.push_back(impl_->find_one(name));
+    if (!names.empty()) return ids;
+    Statement select(impl_->database, "SELECT id FROM tests ORDER BY id");
+    while (select.executeStep()) ids.push_back(select.getColumn(0).getInt64());
+    return ids;
+  });
+}
+
+StoredTest Store::load(std::int64_t id) const {
+  return impl_->guarded([&] {
+    StoredTest test = read_test(impl_->database, id);
+    if (test.status == TestStatus::running) test.summary.readings = scan_count(id);
+    return test;
+  });
+}
+
+void Store::for_each_scan(
+    std::int64_t id, std::int64_t every,
+    const std::function<void(const lab::Reading&, const lab::State&)>& use) const {
+  impl_->guarded([&] {
+    const auto references = read_references(impl_->database, id);
+    PlainStatement row(impl_->database, kScans);
+    row.bind(1, id);
+    row.bind(2, std::max<std::int64_t>(every, 1));
+    ScanRow scan;
+    ScanDetail detail;
+    lab::Reading reading;
+    lab::State state;
+    while (row.step()) {
+      read_row(row, scan);
+      const bool detailed = read_detail(row, detail);
+      const auto reference = references.find(scan.stage);
+      decode(scan, detailed ? &detail : nullptr,
+             reference == references.end() ? StageReference{} : reference->second, reading, state);
+      use(reading, state);
+    }
+  });
+}
+
+std::int64_t Store::scan_count(std::int64_t id) const {
+  return impl_->guarded([&] {
+    Statement count(impl_->database,
+                    "SELECT count(*) FROM scans WHERE id BETWEEN ?1 << 32 "
+                    "AND ?1 << 32 | 4294967295");
+    count.bind(1, id);
+    count.executeStep();
+    return count.getColumn(0).getInt64();
+  });
+}
+
+std::vector<lab::SecondOrderWorkPoint> Store::second_order_work(std::int64_t id) const {
+  return impl_->guarded([&] {
+    PlainStatement row(impl_->database,
+                       "SELECT id & 4294967295, time_s, small_strain, eulerian, semi_lagrangian, "
+                       "normalised, normalised_error, window_readings FROM work_points "
+                       "WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 ORDER BY id");
+    row.bind(1, id);
+    std::vector<lab::SecondOrderWorkPoint> points;
+    while (row.step()) {
+      lab::SecondOrderWorkPoint& point = points.emplace_back();
+      point.reading = row.integer(0);
+      point.time_s = row.number(1);
+      point.work = {row.number(2), row.number(3), row.number(4), row.number(5)};
+      point.normalised_error = row.number(6);
+      point.window_readings = row.integer(7);
+    }
+    return points;
+  });
+}
+
+}  // namespace triax::db

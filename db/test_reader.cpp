@@ -1,0 +1,224 @@
+#include "db/test_reader.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include <sstream>
+
+#include "db/columns.hpp"
+#include "lab/records/bad_input.hpp"
+
+namespace triax::db {
+namespace {
+
+using SQLite::Statement;
+
+/// Calls `use` with the columns of each row that the query gives for the test.
+template <class Use>
+void for_rows(SQLite::Database& database, std::int64_t id, const char* sql, const Use& use) {
+  Statement select(database, sql);
+  select.bind(1, id);
+  while (select.executeStep()) {
+    Columns columns(select);
+    use(columns);
+  }
+}
+
+std::vector<lab::Quantity> quantities_in(const std::string& list) {
+  std::vector<lab::Quantity> result;
+  std::istringstream stream(list);
+  for (std::string heading; std::getline(stream, heading, ',');)
+    for (const lab::QuantityInfo& row : lab::quantities())
+      if (lab::heading(row.quantity) == heading) result.push_back(row.quantity);
+  return result;
+}
+
+TestStatus status_of(const std::string& text) {
+  for (const auto status : {TestStatus::running, TestStatus::complete})
+    if (to_string(status) == text) return status;
+  return TestStatus::interrupted;
+}
+
+void read_specimen(SQLite::Database& database, std::int64_t id, lab::SpecimenInfo& s) {
+  for_rows(database, id,
+           "SELECT height_mm, diameter_mm, void_ratio, consolidated_void_ratio, "
+           "consolidated_height_mm, dry_mass_g, specific_gravity, membrane_thickness_mm, "
+           "membrane_modulus_kPa, limit_friction_angle_deg, material "
+           "FROM specimens WHERE test_id = ?",
+           [&](Columns& c) {
+             s.height_m = c.si("mm");
+             s.diameter_m = c.si("mm");
+             s.void_ratio = c.number();
+             s.consolidated_void_ratio = c.number();
+             s.consolidated_height_m = c.si("mm");
+             s.dry_mass_kg = c.si("g");
+             s.specific_gravity = c.number();
+             s.membrane_thickness_m = c.si("mm");
+             s.membrane_modulus_pa = c.si("kPa");
+             s.limit_friction_angle_rad = c.si("deg");
+             s.material = c.text();
+           });
+}
+
+void read_stages(SQLite::Database& database, std::int64_t id, std::vector<lab::StageInfo>& stages) {
+  for_rows(database, id,
+           "SELECT number, name, role, drainage, control FROM stages WHERE test_id = ? "
+           "ORDER BY rowid",
+           [&](Columns& c) {
+             lab::StageInfo& stage = stages.emplace_back();
+             stage.number = static_cast<int>(c.integer().value_or(1));
+             stage.name = c.text();
+             stage.role = lab::stage_role_from(c.text()).value_or(stage.role);
+             stage.drainage = lab::drainage_from(c.text()).value_or(stage.drainage);
+             stage.control = lab::axial_control_from(c.text()).value_or(stage.control);
+           });
+}
+
+void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) {
+  lab::RecordHeader& h = test.header;
+  for_rows(database, id,
+           "SELECT id, name, origin, programme, source, dialect, seed, status, recorded_at, "
+           "has_time, columns, readings FROM tests WHERE id = ?",
+           [&](Columns& c) {
+             test.id = c.integer().value_or(0);
+             h.name = c.text();
+             h.origin = c.text() == "simulated" ? lab::Origin::simulated : lab::Origin::recorded;
+             h.programme = c.text();
+             h.source = c.text();
+             h.dialect = c.text();
+             if (const auto seed = c.integer()) h.seed = static_cast<std::uint64_t>(*seed);
+             test.status = status_of(c.text());
+             test.recorded_at = c.text();
+             h.has_time = c.truth().value_or(true);
+             h.columns = quantities_in(c.text());
+             test.summary.readings = c.integer().value_or(0);
+           });
+  read_specimen(database, id, h.specimen);
+  read_stages(database, id, h.stages);
+}
+
+void read_warnings(SQLite::Database& database, std::int64_t id, StoredTest& test) {
+  for_rows(database, id,
+           "SELECT found = 'at_start', line, text FROM warnings WHERE test_id = ? ORDER BY id",
+           [&](Columns& c) {
+             auto& list = *c.truth() ? test.header.warnings : test.summary.warnings;
+             lab::Warning& warning = list.emplace_back();
+             warning.line = c.integer().value_or(0);
+             warning.text = c.text();
+           });
+}
+
+std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_t id,
+                                         std::string_view kind) {
+  std::optional<lab::Instant> result;
+  for_rows(database, id,
+           "SELECT kind, reading, time_s, axial_strain, q_kPa, p_eff_kPa, pore_pressure_kPa "
+           "FROM instants WHERE test_id = ?",
+           [&](Columns& c) {
+             if (c.text() != kind) return;
+             lab::Instant& instant = result.emplace();
+             instant.reading = c.integer().value_or(0);
+             instant.time_s = c.number();
+             instant.axial_strain = c.number();
+             instant.q_pa = c.si("kPa");
+             instant.p_eff_pa = c.si("kPa");
+             instant.pore_pressure_pa = c.si("kPa");
+           });
+  return result;
+}
+
+void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
+  for_rows(database, id,
+           "SELECT kind, inside_limit_surface, second_order_work_normalised, "
+           "second_order_work_error, limit_stress_ratio, limit_source "
+           "FROM verdicts WHERE test_id = ?",
+           [&](Columns& c) {
+             collapse.kind = lab::collapse_kind_from(c.text()).value_or(collapse.kind);
+             collapse.inside_limit_surface = c.truth();
+             collapse.second_order_work_normalised = c.number();
+             collapse.second_order_work_error = c.number();
+             collapse.limit_stress_ratio = c.number();
+             collapse.limit_source = c.text();
+           });
+  collapse.onset = read_instant(database, id, "onset");
+  for_rows(database, id,
+           "SELECT name, detected, reading, time_s, eta, evidence FROM criteria WHERE test_id = ? "
+           "ORDER BY id",
+           [&](Columns& c) {
+             lab::Criterion& criterion = collapse.criteria.emplace_back();
+             criterion.name = c.text();
+             criterion.detected = c.truth().value_or(false);
+             criterion.reading = c.integer();
+             criterion.time_s = c.number();
+             criterion.eta = c.number();
+             criterion.evidence = c.text();
+           });
+}
+
+void read_consolidation_and_checks(SQLite::Database& database, std::int64_t id,
+                                   lab::TestSummary& summary) {
+  for_rows(database, id,
+           "SELECT p_eff_kPa, b_value, void_ratio, height_mm, diameter_mm FROM consolidations "
+           "WHERE test_id = ?",
+           [&](Columns& c) {
+             summary.consolidation.p_eff_pa = c.si("kPa");
+             summary.consolidation.b_value = c.number();
+             summary.consolidation.void_ratio = c.number();
+             summary.consolidation.height_m = c.si("mm");
+             summary.consolidation.diameter_m = c.si("mm");
+           });
+  for_rows(database, id,
+           "SELECT name, measured, limit_value, ok, note FROM checks WHERE test_id = ? ORDER BY id",
+           [&](Columns& c) {
+             lab::Check& check = summary.checks.emplace_back();
+             check.name = c.text();
+             check.measured = c.number();
+             check.limit = c.number();
+             check.ok = c.truth().value_or(false);
+             check.note = c.text();
+           });
+}
+
+void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::Truth>& truth) {
+  for_rows(database, id,
+           "SELECT lost_sustainability, time_s, axial_strain, q_kPa, p_eff_kPa, pore_pressure_kPa "
+           "FROM truths WHERE test_id = ?",
+           [&](Columns& c) {
+             truth.emplace();
+             truth->lost_sustainability = c.truth().value_or(false);
+             truth->time_s = c.number();
+             truth->axial_strain = c.number();
+             truth->q_pa = c.si("kPa");
+             truth->p_eff_pa = c.si("kPa");
+             truth->pore_pressure_pa = c.si("kPa");
+           });
+}
+
+void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::Event>& events) {
+  for_rows(database, id,
+           "SELECT reading, time_s, kind, detail FROM events WHERE test_id = ? ORDER BY id",
+           [&](Columns& c) {
+             lab::Event& event = events.emplace_back();
+             event.reading = c.integer().value_or(0);
+             event.time_s = c.number();
+             event.kind = c.text();
+             event.detail = c.text();
+           });
+}
+
+}  // namespace
+
+StoredTest read_test(SQLite::Database& database, std::int64_t id) {
+  StoredTest test;
+  read_header(database, id, test);
+  if (test.id == 0)
+    throw lab::BadInput(database.getFilename(), 0, "there is no test " + std::to_string(id));
+  read_warnings(database, id, test);
+  read_consolidation_and_checks(database, id, test.summary);
+  test.summary.peak = read_instant(database, id, "peak");
+  read_collapse(database, id, test.summary.collapse);
+  read_truth(database, id, test.summary.truth);
+  read_events(database, id, test.events);
+  return test;
+}
+
+}  // namespace triax::db

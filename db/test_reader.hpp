@@ -1,0 +1,14 @@
+#pragma once
+// The rows of one test beside its scans, as values: the inverse of test_writer.
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+
+#include "db/store.hpp"
+
+namespace triax::db {
+
+/// Throws lab::BadInput if there is no test of that id.
+StoredTest read_test(SQLite::Database& database, std::int64_t id);
+
+}  // namespace triax::db

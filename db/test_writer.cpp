@@ -1,0 +1,224 @@
+#include "db/test_writer.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include "db/columns.hpp"
+#include "db/writer_identity.hpp"
+
+namespace triax::db {
+namespace {
+
+using SQLite::Statement;
+
+std::string column_list(const std::vector<lab::Quantity>& columns) {
+  std::string text;
+  for (const lab::Quantity q : columns) {
+    if (!text.empty()) text += ',';
+    text += lab::heading(q);
+  }
+  return text;
+}
+
+void insert_specimen(SQLite::Database& database, std::int64_t id, const lab::SpecimenInfo& s) {
+  Statement insert(database, "INSERT INTO specimens VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
+  Binder(insert)
+      .integer(id)
+      .si(s.height_m, "mm")
+      .si(s.diameter_m, "mm")
+      .number(s.void_ratio)
+      .number(s.consolidated_void_ratio)
+      .si(s.consolidated_height_m, "mm")
+      .si(s.dry_mass_kg, "g")
+      .number(s.specific_gravity)
+      .si(s.membrane_thickness_m, "mm")
+      .si(s.membrane_modulus_pa, "kPa")
+      .si(s.limit_friction_angle_rad, "deg")
+      .text_or_null(s.material)
+      .run();
+}
+
+void insert_stages(SQLite::Database& database, std::int64_t id,
+                   const std::vector<lab::StageInfo>& stages) {
+  Statement insert(database, "INSERT INTO stages VALUES (?,?,?,?,?,?)");
+  for (const lab::StageInfo& stage : stages)
+    Binder(insert)
+        .integer(id)
+        .integer(stage.number)
+        .text(stage.name)
+        .text(to_string(stage.role))
+        .text(to_string(stage.drainage))
+        .text(to_string(stage.control))
+        .run();
+}
+
+void insert_warnings(SQLite::Database& database, std::int64_t id, std::string_view found,
+                     const std::vector<lab::Warning>& warnings) {
+  Statement insert(database, "INSERT INTO warnings (test_id, found, line, text) VALUES (?,?,?,?)");
+  for (const lab::Warning& warning : warnings)
+    Binder(insert)
+        .integer(id)
+        .text(found)
+        .integer(warning.line > 0 ? std::optional(warning.line) : std::nullopt)
+        .text(warning.text)
+        .run();
+}
+
+void insert_consolidation(SQLite::Database& database, std::int64_t id,
+                          const lab::Consolidation& c) {
+  Statement insert(database, "INSERT INTO consolidations VALUES (?,?,?,?,?,?)");
+  Binder(insert)
+      .integer(id)
+      .si(c.p_eff_pa, "kPa")
+      .number(c.b_value)
+      .number(c.void_ratio)
+      .si(c.height_m, "mm")
+      .si(c.diameter_m, "mm")
+      .run();
+}
+
+void insert_instant(SQLite::Database& database, std::int64_t id, std::string_view kind,
+                    const std::optional<lab::Instant>& instant) {
+  if (!instant) return;
+  Statement insert(database, "INSERT INTO instants VALUES (?,?,?,?,?,?,?,?)");
+  Binder(insert)
+      .integer(id)
+      .text(kind)
+      .integer(instant->reading)
+      .number(instant->time_s)
+      .number(instant->axial_strain)
+      .si(instant->q_pa, "kPa")
+      .si(instant->p_eff_pa, "kPa")
+      .si(instant->pore_pressure_pa, "kPa")
+      .run();
+}
+
+void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
+  Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?)");
+  Binder(insert)
+      .integer(id)
+      .text(to_string(c.kind))
+      .integer(c.inside_limit_surface)
+      .number(c.second_order_work_normalised)
+      .number(c.second_order_work_error)
+      .number(c.limit_stress_ratio)
+      .text_or_null(c.limit_source)
+      .run();
+  insert_instant(database, id, "onset", c.onset);
+  Statement criterion(database,
+                      "INSERT INTO criteria (test_id, name, detected, reading, time_s, eta, "
+                      "evidence) VALUES (?,?,?,?,?,?,?)");
+  for (const lab::Criterion& found : c.criteria)
+    Binder(criterion)
+        .integer(id)
+        .text(found.name)
+        .integer(found.detected)
+        .integer(found.reading)
+        .number(found.time_s)
+        .number(found.eta)
+        .text_or_null(found.evidence)
+        .run();
+}
+
+void insert_truth(SQLite::Database& database, std::int64_t id,
+                  const std::optional<lab::Truth>& truth) {
+  if (!truth) return;
+  Statement insert(database, "INSERT INTO truths VALUES (?,?,?,?,?,?,?)");
+  Binder(insert)
+      .integer(id)
+      .integer(truth->lost_sustainability)
+      .number(truth->time_s)
+      .number(truth->axial_strain)
+      .si(truth->q_pa, "kPa")
+      .si(truth->p_eff_pa, "kPa")
+      .si(truth->pore_pressure_pa, "kPa")
+      .run();
+}
+
+void insert_checks(SQLite::Database& database, std::int64_t id,
+                   const std::vector<lab::Check>& checks) {
+  Statement insert(database,
+                   "INSERT INTO checks (test_id, name, measured, limit_value, ok, note) "
+                   "VALUES (?,?,?,?,?,?)");
+  for (const lab::Check& check : checks)
+    Binder(insert)
+        .integer(id)
+        .text(check.name)
+        .number(check.measured)
+        .number(check.limit)
+        .integer(check.ok)
+        .text_or_null(check.note)
+        .run();
+}
+
+}  // namespace
+
+std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
+                         const std::string& recorded_at) {
+  const WriterIdentity writer = this_process();
+  Statement insert(database,
+                   "INSERT INTO tests (name, origin, programme, source, dialect, seed, status, "
+                   "recorded_at, has_time, columns, writer_pid, writer_started, writer_host) "
+                   "VALUES (?,?,?,?,?,?,'running',?,?,?,?,?,?)");
+  Binder(insert)
+      .text(header.name)
+      .text(to_string(header.origin))
+      .text_or_null(header.programme)
+      .text_or_null(header.source)
+      .text_or_null(header.dialect)
+      .integer(header.seed ? std::optional(static_cast<std::int64_t>(*header.seed)) : std::nullopt)
+      .text(recorded_at)
+      .integer(header.has_time)
+      .text(column_list(header.columns))
+      .integer(writer.pid)
+      .integer(writer.started)
+      .text(writer.host)
+      .run();
+  const std::int64_t id = database.getLastInsertRowid();
+  insert_specimen(database, id, header.specimen);
+  insert_stages(database, id, header.stages);
+  insert_warnings(database, id, "at_start", header.warnings);
+  return id;
+}
+
+void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event) {
+  Statement insert(
+      database, "INSERT INTO events (test_id, reading, time_s, kind, detail) VALUES (?,?,?,?,?)");
+  Binder(insert)
+      .integer(test_id)
+      .integer(event.reading)
+      .number(event.time_s)
+      .text(event.kind)
+      .text(event.detail)
+      .run();
+}
+
+void insert_summary(SQLite::Database& database, std::int64_t test_id,
+                    const lab::TestSummary& summary) {
+  insert_consolidation(database, test_id, summary.consolidation);
+  insert_instant(database, test_id, "peak", summary.peak);
+  insert_verdict(database, test_id, summary.collapse);
+  insert_truth(database, test_id, summary.truth);
+  insert_checks(database, test_id, summary.checks);
+  insert_warnings(database, test_id, "at_end", summary.warnings);
+  Statement complete(database, "UPDATE tests SET status = 'complete', readings = ? WHERE id = ?");
+  Binder(complete).integer(summary.readings).integer(test_id).run();
+}
+
+void mark_interrupted(SQLite::Database& database, std::int64_t test_id) {
+  Statement mark(database,
+                 "UPDATE tests SET status = 'interrupted', readings = (SELECT count(*) FROM scans "
+                 "WHERE scans.id BETWEEN tests.id << 32 AND tests.id << 32 | 4294967295) "
+                 "WHERE id = ?");
+  Binder(mark).integer(test_id).run();
+}
+
+void remove_test(SQLite::Database& database, std::int64_t test_id) {
+  for (const char* table : {"scans", "scan_details", "work_points"}) {
+    Statement range(database, std::string("DELETE FROM ") + table + " WHERE id BETWEEN ? AND ?");
+    Binder(range).integer(test_id << 32).integer(test_id << 32 | 0xffffffff).run();
+  }
+  Statement test(database, "DELETE FROM tests WHERE id = ?");
+  Binder(test).integer(test_id).run();
+}
+
+}  // namespace triax::db

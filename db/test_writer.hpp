@@ -1,0 +1,26 @@
+#pragma once
+// Rows of one test beside its scans. All run inside the caller's transaction.
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+#include <string>
+
+#include "db/store.hpp"
+#include "lab/collapse/test_summary.hpp"
+#include "lab/records/record_header.hpp"
+
+namespace triax::db {
+
+/// Test, specimen, stages and warnings; the test is running, its writer is this process.
+/// Returns the id of the test.
+std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
+                         const std::string& recorded_at);
+void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event);
+/// All that a summary holds, and `complete`.
+void insert_summary(SQLite::Database& database, std::int64_t test_id,
+                    const lab::TestSummary& summary);
+void mark_interrupted(SQLite::Database& database, std::int64_t test_id);
+/// Everything of that test, scans included.
+void remove_test(SQLite::Database& database, std::int64_t test_id);
+
+}  // namespace triax::db

@@ -1,0 +1,140 @@
+#include "db/connection.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "db/writer_identity.hpp"
+#include "lab/records/bad_input.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+using Catch::Matchers::Contains;
+using testing::TemporaryFolder;
+
+namespace {
+
+const int kCreate = SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+int read_int(SQLite::Database& database, const char* sql) {
+  return database.execAndGet(sql).getInt();
+}
+
+}  // namespace
+
+TEST_CASE("a new database has our settings, tables that check types, and the newest schema") {
+  TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  CHECK(read_int(database, "PRAGMA application_id") == db::kApplicationId);
+  CHECK(read_int(database, "PRAGMA user_version") == db::newest_schema());
+  CHECK(read_int(database, "PRAGMA page_size") == 32768);
+  CHECK(database.execAndGet("PRAGMA journal_mode").getString() == "wal");
+  CHECK(read_int(database,
+                 "SELECT count(*) FROM pragma_table_list WHERE type = 'table' AND NOT strict "
+                 "AND name NOT LIKE 'sqlite_%'") == 0);
+  CHECK_THROWS_WITH(database.exec("INSERT INTO scans (id, stage, q_Pa) VALUES (1, 1, 'text')"),
+                    Contains("cannot store TEXT value in REAL column"));
+  CHECK_THROWS_WITH(database.exec("INSERT INTO stages VALUES (7, 1, '', 'shear', 'open', 'load')"),
+                    Contains("FOREIGN KEY"));
+}
+
+TEST_CASE("SQLite has the functions that the views use") {
+  SQLite::Database database(":memory:", kCreate);
+  CHECK(database.execAndGet("SELECT degrees(asin(0.5))").getDouble() == Approx(30));
+}
+
+TEST_CASE("migrations run by number, keep what is there, and only once") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  {
+    SQLite::Database first(path, kCreate);
+    db::migrate(first, path, 1);
+    CHECK(read_int(first, "PRAGMA user_version") == 1);
+    CHECK(read_int(first, "SELECT count(*) FROM sqlite_schema WHERE type = 'view'") == 0);
+    first.exec("INSERT INTO work_points VALUES (1, 0.5, 1, 1, 1, 1, 0.1, 51)");
+  }
+  SQLite::Database second = db::open_for_reading(path);
+  CHECK(read_int(second, "PRAGMA user_version") == db::newest_schema());
+  CHECK(read_int(second, "SELECT count(*) FROM sqlite_schema WHERE type = 'view'") > 4);
+  CHECK(read_int(second, "SELECT window_readings FROM work_points") == 51);
+  SQLite::Database third = db::open_for_writing(path);
+  CHECK(read_int(third, "SELECT count(*) FROM work_points") == 1);
+}
+
+TEST_CASE("a migration that fails leaves the database as it was") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  SQLite::Database database(path, kCreate);
+  db::migrate(database, path, 1);
+  database.exec("CREATE VIEW states AS SELECT 1");  // in the way of the next migration
+  CHECK_THROWS_AS(db::migrate(database, path), SQLite::Exception);
+  CHECK(read_int(database, "PRAGMA user_version") == 1);
+  CHECK(read_int(database, "SELECT count(*) FROM sqlite_schema WHERE type = 'view'") == 1);
+}
+
+TEST_CASE("what is no database of ours is refused and not touched") {
+  TemporaryFolder folder;
+  const std::string foreign = folder.file("foreign.db"), newer = folder.file("newer.db");
+  const std::string text = folder.file("text.csv");
+  {
+    SQLite::Database made(foreign, kCreate);
+    made.exec("CREATE TABLE t (x); PRAGMA user_version = 1");
+    SQLite::Database ours = db::open_for_writing(newer);
+    ours.exec("PRAGMA user_version = 99; PRAGMA journal_mode = DELETE");
+  }
+  std::ofstream(text) << std::string(2000, 'a');
+  for (const auto& [path, words] : {std::pair(foreign, "another program"),
+                                    std::pair(newer, "newer"), std::pair(text, "not an SQLite")}) {
+    INFO(path);
+    const std::string before = bytes_of(path);
+    CHECK_THROWS_AS(db::open_for_writing(path), lab::BadInput);
+    CHECK_THROWS_WITH(db::open_for_writing(path), Contains(path) && Contains(words));
+    CHECK_THROWS_WITH(db::open_for_reading(path), Contains(path) && Contains(words));
+    CHECK(bytes_of(path) == before);
+  }
+}
+
+TEST_CASE("paths that cannot be a database say why") {
+  TemporaryFolder folder;
+  const std::string directory = folder.file("d"), nowhere = folder.file("no/t.db");
+  std::filesystem::create_directory(directory);
+  CHECK_THROWS_WITH(db::open_for_writing(directory), Contains("is a folder"));
+  CHECK_THROWS_WITH(db::open_for_writing(nowhere), Contains("there is no folder"));
+  CHECK_THROWS_WITH(db::open_for_reading(directory), Contains("is a folder"));
+  CHECK_THROWS_AS(db::open_for_reading(nowhere), lab::BadInput);
+  std::ofstream(folder.file("empty.db")).flush();
+  CHECK_THROWS_WITH(db::open_for_reading(folder.file("empty.db")), Contains("is empty"));
+}
+
+TEST_CASE("running tests are marked as interrupted only if their writer is gone") {
+  TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  const db::WriterIdentity me = db::this_process();
+  for (const db::WriterIdentity& writer : {db::WriterIdentity{1, 1, "another.host.example"}, me,
+                                           db::WriterIdentity{me.pid, me.started + 1, me.host}}) {
+    SQLite::Statement insert(
+        database,
+        "INSERT INTO tests (name, origin, status, recorded_at, has_time, columns, writer_pid, "
+        "writer_started, writer_host) VALUES ('a', 'recorded', 'running', '', 1, '', ?, ?, ?)");
+    insert.bind(1, writer.pid);
+    insert.bind(2, writer.started);
+    insert.bind(3, writer.host);
+    insert.exec();
+  }
+  database.exec("INSERT INTO scans (id, stage) VALUES ((3 << 32) + 0, 1), ((3 << 32) + 1, 1)");
+  db::mark_abandoned_tests(database);
+  const auto status = [&](int id) {
+    return database.execAndGet("SELECT status FROM tests WHERE id = " + std::to_string(id))
+        .getString();
+  };
+  CHECK(status(1) == "running");
+  CHECK(status(2) == "running");
+  CHECK(status(3) == "interrupted");
+  CHECK(read_int(database, "SELECT readings FROM tests WHERE id = 3") == 2);
+}

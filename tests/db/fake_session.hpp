@@ -1,0 +1,33 @@
+#pragma once
+// A session whose signals the test sends itself.
+#include "lab/rig/session.hpp"
+#include "tests/db/scans.hpp"
+
+namespace triax::testing {
+
+/// A header as of a recorded undrained test with raw channels.
+inline lab::RecordHeader raw_header(const std::string& name) {
+  using enum lab::Quantity;
+  lab::RecordHeader header;
+  header.name = name;
+  header.programme = "ICU";
+  header.source = name + ".csv";
+  header.columns = {axial_displacement, axial_force,   cell_pressure,
+                    back_pressure,      pore_pressure, back_volume};
+  header.specimen.height_m = 0.14;
+  header.specimen.diameter_m = 0.07;
+  header.stages = {
+      {1, "shear", lab::StageRole::shear, lab::Drainage::closed, lab::AxialControl::displacement}};
+  return header;
+}
+
+/// Sends `count` plausible scans from number `first` on.
+inline void send_scans(lab::Session& session, std::int64_t first, std::int64_t count) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(first));
+  for (std::int64_t number = first; number < first + count; ++number) {
+    const auto [reading, state] = raw_scan(random, number);
+    emit session.scanned(reading, state);
+  }
+}
+
+}  // namespace triax::testing

@@ -1,0 +1,170 @@
+#include "db/query.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "db/recorder.hpp"
+#include "lab/records/bad_input.hpp"
+#include "tests/db/fake_session.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+using Catch::Matchers::Contains;
+using testing::TemporaryFolder;
+
+namespace {
+
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<db::Value>> rows;
+};
+
+Table ask(const std::string& path, const std::string& question) {
+  Table table;
+  db::query(
+      path, question, [&](const std::vector<std::string>& names) { table.columns = names; },
+      [&](const std::vector<db::Value>& values) { table.rows.push_back(values); });
+  return table;
+}
+
+db::Value answer(const std::string& path, const std::string& question) {
+  return ask(path, question).rows.at(0).at(0);
+}
+
+/// Test 26 of the database, collapsed, with scans that the tests can compute.
+std::string record_collapse(const TemporaryFolder& folder, lab::Origin origin) {
+  const std::string path = folder.file("t.db");
+  lab::Session session;
+  db::Recorder recorder(path);
+  recorder.listen(session);
+  lab::RecordHeader header = testing::raw_header("26");
+  header.programme = "CSU";
+  header.origin = origin;
+  emit session.started(header);
+  testing::send_scans(session, 0, 100);
+  lab::TestSummary summary;
+  summary.consolidation = {300e3, 0.97, 0.871, {}, {}};
+  summary.collapse.kind = lab::CollapseKind::flow;
+  summary.collapse.inside_limit_surface = true;
+  summary.collapse.onset = lab::Instant{50, 5.0, 0.005, 56e3, 100e3, 500e3};
+  summary.readings = 100;
+  recorder.finish(summary);
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("collapse_points has the columns of the paper's table") {
+  TemporaryFolder folder;
+  const Table table = ask(record_collapse(folder, lab::Origin::simulated), "collapse_points");
+  CHECK(table.columns == std::vector<std::string>{"type_of_test", "test", "p0_eff_kPa",
+                                                  "void_ratio", "phi_mob_deg", "eta", "kind",
+                                                  "inside_limit_surface", "origin", "test_id"});
+  REQUIRE(table.rows.size() == 1);
+  const auto& row = table.rows[0];
+  CHECK(std::get<std::string>(row[0]) == "CSU");
+  CHECK(std::get<double>(row[2]) == 300);
+  CHECK(std::get<double>(row[3]) == 0.871);
+  CHECK(std::get<double>(row[4]) == Approx(14.84).margin(0.01));  // sin φ = 3·0.56/6.56
+  CHECK(std::get<double>(row[5]) == Approx(0.56));
+  CHECK(std::get<std::string>(row[8]) == "simulated");
+}
+
+TEST_CASE("every named query runs, gives columns and says what it is for") {
+  TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  for (const db::NamedQuery& query : db::named_queries()) {
+    INFO(query.name);
+    CHECK_FALSE(ask(path, std::string(query.name)).columns.empty());
+    CHECK(query.purpose.size() > 20);
+    CHECK(query.purpose.find('\n') == std::string_view::npos);
+  }
+}
+
+TEST_CASE("views give units of the field and what follows from the stored values") {
+  TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  std::mt19937_64 random(0);
+  for (int i = 0; i < 7; ++i) testing::raw_scan(random, i);
+  const auto [reading, state] = testing::raw_scan(random, 7);
+  const auto of_state = [&](const std::string& column) {
+    return std::get<double>(
+        answer(path, "SELECT " + column + " FROM states WHERE test = '26' AND reading = 7"));
+  };
+  CHECK(of_state("q_kPa") == Approx(state.q / 1e3));
+  CHECK(of_state("p_eff_kPa") == Approx(state.p_eff / 1e3));
+  CHECK(of_state("effective_axial_stress_kPa") == Approx(state.effective_stress.axial / 1e3));
+  CHECK(of_state("effective_radial_stress_kPa") == Approx(state.effective_stress.radial / 1e3));
+  CHECK(of_state("pore_pressure_kPa") == Approx(state.pore_pressure / 1e3));
+  CHECK(of_state("radial_strain") == Approx(state.strain.radial));
+  CHECK(of_state("shear_strain") == Approx(sim::shear_strain(state.strain)));
+  CHECK(of_state("void_ratio") == Approx(state.void_ratio));
+  CHECK(of_state("current_area_mm2") == Approx(state.area_m2 * 1e6));
+  CHECK(of_state("eta") == Approx(state.eta()));
+  CHECK(of_state("phi_mob_deg") == Approx(sim::degrees(state.phi_mob_rad())));
+  CHECK(std::get<double>(answer(path,
+                                "SELECT cell_pressure_kPa FROM readings WHERE test_id = 1 AND "
+                                "reading = 7")) ==
+        Approx(reading[lab::Quantity::cell_pressure] / 1e3));
+  CHECK(std::holds_alternative<std::monostate>(
+      answer(path, "SELECT cell_volume_mm3 FROM readings LIMIT 1")));
+}
+
+TEST_CASE("a filter on a test is a range of rows, not a scan of the table") {
+  TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  for (const char* question :
+       {"EXPLAIN QUERY PLAN SELECT * FROM readings WHERE test_id = 3",
+        "EXPLAIN QUERY PLAN SELECT * FROM states WHERE test_id = 3",
+        "EXPLAIN QUERY PLAN SELECT eta FROM states WHERE test = '26'",
+        "EXPLAIN QUERY PLAN SELECT * FROM second_order_work WHERE test_id = 3"}) {
+    std::string plan;
+    for (const auto& row : ask(path, question).rows) plan += std::get<std::string>(row[3]) + '\n';
+    INFO(question << "\n" << plan);
+    CHECK_THAT(plan, Contains("USING INTEGER PRIMARY KEY (rowid>? AND rowid<?)"));
+    CHECK_THAT(plan, !Contains("SCAN"));
+  }
+}
+
+TEST_CASE("SQLite itself refuses to write") {
+  TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  for (const std::string& sql :
+       {std::string("INSERT INTO tests (name) VALUES ('x')"), std::string("DELETE FROM scans"),
+        std::string("UPDATE tests SET name = 'x'"), std::string("CREATE TABLE x (y)"),
+        std::string("CREATE TEMP TABLE x (y)"), std::string("DROP VIEW states"),
+        std::string("PRAGMA user_version = 9"), std::string("PRAGMA query_only = 0"),
+        std::string("PRAGMA journal_mode = DELETE"), std::string("PRAGMA wal_checkpoint"),
+        std::string("BEGIN IMMEDIATE"), std::string("DETACH DATABASE main"), std::string("VACUUM"),
+        "ATTACH DATABASE '" + folder.file("other.db") + "' AS other",
+        "VACUUM INTO '" + folder.file("other.db") + "'",
+        std::string("WITH x AS (SELECT 1) INSERT INTO scans (id, stage) SELECT 1, 1 FROM x"),
+        std::string("SELECT load_extension('x')")}) {
+    INFO(sql);
+    CHECK_THROWS_AS(ask(path, sql), lab::BadInput);
+  }
+  CHECK_FALSE(std::filesystem::exists(folder.file("other.db")));
+  CHECK(std::get<std::int64_t>(answer(path, "SELECT count(*) FROM scans")) == 100);
+  CHECK(std::get<std::int64_t>(answer(path, "PRAGMA user_version")) == 2);
+  CHECK(std::get<std::string>(answer(path, "PRAGMA integrity_check")) == "ok");
+  CHECK(ask(path, "PRAGMA table_info(tests)").rows.size() == 15);
+}
+
+TEST_CASE("SQL that cannot be run says why in SQLite's words") {
+  TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  CHECK_THROWS_WITH(ask(path, "SELECT no_such_thing FROM tests"), Contains("no such column: no_such_thing"));
+  CHECK_THROWS_WITH(ask(path, "SELEC 1"), Contains("near \"SELEC\": syntax error"));
+  CHECK_THROWS_WITH(ask(path, "SELECT 1; SELECT 2"), Contains("more than one statement"));
+  CHECK_THROWS_WITH(ask(path, "SELECT 1; nonsense"), Contains("more than one statement"));
+  CHECK_THROWS_WITH(ask(path, " ; -- nothing"), Contains("no statement"));
+  CHECK_THROWS_WITH(ask(path, "collapse_point"), Contains("no query named 'collapse_point'"));
+  CHECK(std::get<std::int64_t>(answer(path, "SELECT 1 ; -- one")) == 1);
+}
+
+TEST_CASE("a database that is missing says how one comes about, and is not made") {
+  TemporaryFolder folder;
+  CHECK_THROWS_WITH(ask(folder.file("none.db"), "tests"),
+                    Contains("none.db") && Contains("triax replay"));
+  CHECK(folder.is_empty());
+}

@@ -1,0 +1,179 @@
+#include "db/store.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "db/recorder.hpp"
+#include "lab/records/bad_input.hpp"
+#include "tests/db/fake_session.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+using testing::TemporaryFolder;
+
+namespace {
+
+using Scans = std::vector<std::pair<lab::Reading, lab::State>>;
+
+Scans read_all(const db::Store& store, std::int64_t id, std::int64_t every = 1) {
+  Scans scans;
+  store.for_each_scan(id, every, [&](const lab::Reading& reading, const lab::State& state) {
+    scans.emplace_back(reading, state);
+  });
+  return scans;
+}
+
+}  // namespace
+
+TEST_CASE("a recorded test comes back bit for bit, raw, reduced and unruly scans alike") {
+  TemporaryFolder folder;
+  std::mt19937_64 random(7);
+  Scans sent;
+  for (int i = 0; i < 3000; ++i) {
+    auto scan = testing::raw_scan(random, i);
+    if (i >= 1000) scan.first.stage = scan.second.stage = 2;
+    if (i >= 2000) {
+      scan.second = testing::wild_state(random, scan.first);
+      scan.first[lab::Quantity::deviator_stress] = scan.second.q * 1.055;
+      scan.first[lab::Quantity::void_ratio] = -0.0;
+    }
+    if (i % 7 == 0) scan.first[lab::Quantity::back_volume] = -0.0;
+    if (i % 11 == 0) scan.second.volumetric_strain = -0.0;
+    if (i % 13 == 0) scan.first.time_s = scan.second.time_s = lab::kMissing;
+    sent.push_back(scan);
+  }
+  lab::Session session;
+  db::Recorder recorder(folder.file("t.db"));
+  recorder.listen(session);
+  emit session.started(testing::raw_header("a"));
+  for (const auto& [reading, state] : sent) emit session.scanned(reading, state);
+  const std::int64_t id = recorder.finish({});
+
+  const db::Store store(folder.file("t.db"));
+  const Scans back = read_all(store, id);
+  REQUIRE(back.size() == sent.size());
+  CHECK(store.scan_count(id) == 3000);
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    INFO("scan " << i);
+    REQUIRE(testing::same(sent[i].first, back[i].first));
+    REQUIRE(testing::same(sent[i].second, back[i].second));
+  }
+  const Scans some = read_all(store, id, 500);
+  REQUIRE(some.size() == 6);
+  CHECK(some[3].first.number == 1500);
+}
+
+TEST_CASE("all that is known of a test comes back, and what is unknown stays unknown") {
+  TemporaryFolder folder;
+  lab::RecordHeader header = testing::raw_header("csu 26");
+  header.origin = lab::Origin::simulated;
+  header.seed = 0xfedcba9876543210u;
+  header.dialect = "triax";
+  header.specimen.void_ratio = 0.885;
+  header.specimen.material = "Hostun S28";
+  header.specimen.limit_friction_angle_rad = sim::radians(32);
+  header.stages.push_back(
+      {2, "constant q", lab::StageRole::shear, lab::Drainage::open, lab::AxialControl::constant_q});
+  header.warnings = {{12, "time goes back"}};
+  lab::TestSummary summary;
+  summary.consolidation = {300e3, 0.97, 0.871, 0.1385, std::nullopt};
+  summary.peak = lab::Instant{4, 0.4, 0.0051, 56.5e3, 97e3, 520e3};
+  summary.collapse.kind = lab::CollapseKind::flow;
+  summary.collapse.inside_limit_surface = true;
+  summary.collapse.onset = lab::Instant{5, 0.5, 0.0052, 56.4e3, std::nullopt, 521e3};
+  summary.collapse.second_order_work_normalised = -0.4;
+  summary.collapse.second_order_work_error = 0.05;
+  summary.collapse.limit_stress_ratio = 1.29;
+  summary.collapse.limit_source = "specimen's friction angle";
+  summary.collapse.criteria = {{"second_order_work", true, 5, 0.5, 0.58, "fell to -0.4"},
+                               {"loss_of_control", false, {}, {}, {}, ""}};
+  summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt};
+  summary.checks = {{"b_value", 0.97, 0.95, true, "B is high enough"}, {"rate", {}, {}, false, ""}};
+  summary.warnings = {{0, "no limit surface"}};
+  summary.readings = 10;
+
+  lab::Session session;
+  db::Recorder recorder(folder.file("t.db"));
+  recorder.listen(session);
+  emit session.started(header);
+  testing::send_scans(session, 0, 10);
+  emit session.event({5, 0.5, "collapse", "q fell"});
+  emit session.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
+  const std::int64_t id = recorder.finish(summary);
+
+  const db::Store store(folder.file("t.db"));
+  const db::StoredTest test = store.load(id);
+  CHECK(test.status == db::TestStatus::complete);
+  CHECK(test.recorded_at.size() == 20);
+  CHECK(test.header.name == "csu 26");
+  CHECK(test.header.origin == lab::Origin::simulated);
+  CHECK(test.header.seed == header.seed);
+  CHECK(test.header.programme == "ICU");
+  CHECK(test.header.source == "csu 26.csv");
+  CHECK(test.header.dialect == "triax");
+  CHECK(test.header.columns == header.columns);
+  CHECK(test.header.has_time);
+  CHECK(test.header.specimen.height_m == 0.14);
+  CHECK(test.header.specimen.void_ratio == 0.885);
+  CHECK_FALSE(test.header.specimen.dry_mass_kg);
+  CHECK(test.header.specimen.material == "Hostun S28");
+  CHECK(*test.header.specimen.limit_friction_angle_rad == Approx(sim::radians(32)).epsilon(1e-15));
+  REQUIRE(test.header.stages.size() == 2);
+  CHECK(test.header.stages[1].name == "constant q");
+  CHECK(test.header.stages[1].role == lab::StageRole::shear);
+  CHECK(test.header.stages[1].drainage == lab::Drainage::open);
+  CHECK(test.header.stages[1].control == lab::AxialControl::constant_q);
+  REQUIRE(test.header.warnings.size() == 1);
+  CHECK(test.header.warnings[0].line == 12);
+
+  const lab::TestSummary& back = test.summary;
+  CHECK(back.consolidation.p_eff_pa == 300e3);
+  CHECK(back.consolidation.b_value == 0.97);
+  CHECK(back.consolidation.height_m == 0.1385);
+  CHECK_FALSE(back.consolidation.diameter_m);
+  CHECK(back.peak->reading == 4);
+  CHECK(back.peak->q_pa == 56.5e3);
+  CHECK(back.collapse.kind == lab::CollapseKind::flow);
+  CHECK(back.collapse.inside_limit_surface == true);
+  CHECK(back.collapse.onset->reading == 5);
+  CHECK_FALSE(back.collapse.onset->p_eff_pa);
+  CHECK(back.collapse.onset->pore_pressure_pa == 521e3);
+  CHECK(back.collapse.second_order_work_normalised == -0.4);
+  CHECK(back.collapse.limit_source == "specimen's friction angle");
+  REQUIRE(back.collapse.criteria.size() == 2);
+  CHECK(back.collapse.criteria[0].evidence == "fell to -0.4");
+  CHECK(back.collapse.criteria[0].eta == 0.58);
+  CHECK_FALSE(back.collapse.criteria[1].reading);
+  CHECK(back.truth->lost_sustainability);
+  CHECK(back.truth->time_s == 0.45);
+  CHECK_FALSE(back.truth->pore_pressure_pa);
+  REQUIRE(back.checks.size() == 2);
+  CHECK(back.checks[0].ok);
+  CHECK_FALSE(back.checks[1].measured);
+  REQUIRE(back.warnings.size() == 1);
+  CHECK(back.warnings[0].line == 0);
+  CHECK(back.readings == 10);
+  REQUIRE(test.events.size() == 1);
+  CHECK(test.events[0].kind == "collapse");
+  const auto work = store.second_order_work(id);
+  REQUIRE(work.size() == 1);
+  CHECK(work[0].reading == 3);
+  CHECK(work[0].work.eulerian == 1.4);
+  CHECK(work[0].window_readings == 51);
+}
+
+TEST_CASE("tests are found by name, latest first, or by id") {
+  TemporaryFolder folder;
+  for (const char* name : {"a", "b", "a", "1"}) {
+    lab::Session session;
+    db::Recorder recorder(folder.file("t.db"));
+    recorder.listen(session);
+    emit session.started(testing::raw_header(name));
+    testing::send_scans(session, 0, 2);
+    recorder.finish({});
+  }
+  const db::Store store(folder.file("t.db"));
+  CHECK(store.find({}) == std::vector<std::int64_t>{1, 2, 3, 4});
+  CHECK(store.find({"a", "b", "2", "1"}) == std::vector<std::int64_t>{3, 2, 2, 4});
+  CHECK_THROWS_AS(store.find({"c"}), lab::BadInput);
+  CHECK_THROWS_AS(store.load(77), lab::BadInput);
+}
