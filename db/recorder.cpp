@@ -224,7 +224,7 @@ void Recorder::listen(lab::Session& session) {
           });
   connect(&session, &lab::Session::second_order_work, this,
           [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); });
-  connect(&session, &lab::Session::event, this,
+  connect(&session, &lab::Session::happened, this,
           [impl](const lab::Event& event) { impl->add(&Batch::events, event); });
 }
 

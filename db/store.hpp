@@ -15,7 +15,7 @@
 namespace triax::db {
 
 enum class TestStatus { running, complete, interrupted };
-std::string_view to_string(TestStatus);
+std::string_view to_string(TestStatus status);
 
 struct StoredTest {
   std::int64_t id = 0;

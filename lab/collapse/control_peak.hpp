@@ -16,7 +16,7 @@ class ControlPeak {
   const std::optional<Finding>& finding() const { return finding_; }
 
  private:
-  void check_q(const PathPoint& point, bool has_time);
+  void check_q(const PathPoint& smoothed, bool has_time);
   void check_contraction(const PathPoint& point, bool has_time);
 
   bool drained_constant_q_ = false;

@@ -7,13 +7,14 @@ namespace triax::lab {
 LocalFit fit_window(const BlockPyramid& pyramid, int level) {
   static_assert(BlockPyramid::kBlocks == 7, "the weights below are those of seven points");
   constexpr int n = BlockPyramid::kBlocks;
-  const auto& middle = pyramid.block(level, n / 2).signal;
+  constexpr int kMiddle = n / 2;
+  const auto& middle = pyramid.block(level, kMiddle).signal;
 
   // Sums of y, i y, (i² − 4) y and y², y counted from the middle block so that nothing cancels.
   LocalFit::Values sum{}, first{}, second{}, square{};
   for (int b = 0; b < n; ++b) {
     const auto& signal = pyramid.block(level, b).signal;
-    const double i = b - n / 2;
+    const double i = b - kMiddle;
     for (std::size_t k = 0; k < PathSample::kSignals; ++k) {
       const double y = signal[k] - middle[k];
       sum[k] += y;

@@ -76,7 +76,7 @@ bool PathRates::resolves(const PathPoint& point, int level) const {
   return point.normalised_error <= kTolerance || longest || longer_is_worse;
 }
 
-void PathRates::learn(const LocalFit& fit, Level& level) const {
+void PathRates::learn(const LocalFit& fit, Level& level) {
   const double weight = 1.0 / std::min(++level.fits, 12);
   for (std::size_t k = 0; k < PathSample::kSignals; ++k)
     level.noise[k] += weight * (fit.variance[k] - level.noise[k]);

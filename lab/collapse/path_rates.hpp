@@ -73,7 +73,7 @@ class PathRates {
     double error = 0;  ///< of the latest point at this level
   };
   PathPoint point_at(const LocalFit& fit, int level, double offset) const;
-  void learn(const LocalFit& fit, Level& level) const;
+  static void learn(const LocalFit& fit, Level& level);
   bool resolves(const PathPoint& point, int level) const;
   void emit(const PathPoint& point);
 

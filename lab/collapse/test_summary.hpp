@@ -11,8 +11,8 @@
 namespace triax::lab {
 
 enum class CollapseKind { none, limited, flow };
-std::string_view to_string(CollapseKind);
-std::optional<CollapseKind> collapse_kind_from(std::string_view);
+std::string_view to_string(CollapseKind kind);
+std::optional<CollapseKind> collapse_kind_from(std::string_view text);
 
 /// Something that happened at an instant, with its evidence.
 struct Event {

@@ -16,13 +16,13 @@ enum class Drainage { unknown, open, closed };
 /// `displacement` also stands for a strain path; `constant_q` holds q while p' changes (CSD, CSU).
 enum class AxialControl { unknown, displacement, load, constant_q };
 
-std::string_view to_string(Origin);
-std::string_view to_string(StageRole);
-std::string_view to_string(Drainage);
-std::string_view to_string(AxialControl);
-std::optional<StageRole> stage_role_from(std::string_view);
-std::optional<Drainage> drainage_from(std::string_view);
-std::optional<AxialControl> axial_control_from(std::string_view);
+std::string_view to_string(Origin origin);
+std::string_view to_string(StageRole role);
+std::string_view to_string(Drainage drainage);
+std::string_view to_string(AxialControl control);
+std::optional<StageRole> stage_role_from(std::string_view text);
+std::optional<Drainage> drainage_from(std::string_view text);
+std::optional<AxialControl> axial_control_from(std::string_view text);
 
 struct StageInfo {
   int number = 1;

@@ -40,7 +40,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   Reduction reduction(back_end.header(), options.reduction);
   CollapseMonitor monitor(back_end.header());
   monitor.on_point = [this](const SecondOrderWorkPoint& p) { emit second_order_work(p); };
-  monitor.on_event = [this](const Event& e) { emit event(e); };
+  monitor.on_event = [this](const Event& e) { emit happened(e); };
   emit started(back_end.header());
 
   TestSummary summary;
@@ -50,7 +50,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   auto next_progress = Clock::now();
   while (back_end.next(reading)) {
     pace.wait_for(reading.time_s);
-    if (stage != reading.stage) emit event(stage_event(back_end.header(), reading));
+    if (stage != reading.stage) emit happened(stage_event(back_end.header(), reading));
     stage = reading.stage;
     const State state = reduction.reduce(reading);
     emit scanned(reading, state);

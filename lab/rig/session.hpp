@@ -26,7 +26,7 @@ class Session : public QObject {
   void started(const triax::lab::RecordHeader& header);
   void scanned(const triax::lab::Reading& reading, const triax::lab::State& state);
   void second_order_work(const triax::lab::SecondOrderWorkPoint& point);
-  void event(const triax::lab::Event& event);
+  void happened(const triax::lab::Event& event);
   void progressed(double fraction);  ///< about a hundred times a second of clock time at most
 };
 

@@ -49,7 +49,7 @@ TEST_CASE("signals carry every reading in order, and the summary says what they 
     ++scans;
   });
   QObject::connect(&session, &Session::second_order_work, [&] { ++points; });
-  QObject::connect(&session, &Session::event, [&](const Event& e) { events.push_back(e.kind); });
+  QObject::connect(&session, &Session::happened, [&](const Event& e) { events.push_back(e.kind); });
   const TestSummary summary = session.run(rig, {});
   CHECK(scans == 3000);
   CHECK(summary.readings == 3000);
