@@ -86,4 +86,15 @@ TEST_CASE("a programme without stages, an empty file, a folder and no file are r
   CHECK_THROWS_AS(read_programme("", "p.toml"), BadInput);
   CHECK_THROWS_WITH(load_programme("tests"), Contains("folder"));
   CHECK_THROWS_WITH(load_programme("no_such.toml"), Contains("no_such.toml"));
+  CHECK_THROWS_WITH(load_programme("/dev/zero"), Contains("not a file"));
+}
+
+TEST_CASE("a user's own material stands beside the programme") {
+  CHECK_THAT(complaint("material = ", "material_file = \"no_such.toml\"\nmaterial = "),
+             Contains("no_such.toml"));
+  const Programme p = read_programme(
+      replaced(programme_text(), "material = ",
+               "material_file = \"../../lab/programmes/materials/sanisand.toml\"\nmaterial = "),
+      "samples/programmes/p.toml");
+  CHECK(p.material.parameters.hardening_factor == 1.224);
 }
