@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "lab/programmes/stage_reader.hpp"
@@ -27,23 +27,36 @@ void read_test(StrictTable table, Programme& programme) {
   table.done();
 }
 
-std::vector<MaterialSet> user_materials(StrictTable& table, const std::string& name,
+/// The whole text of a description file. Throws BadInput for what no description is: a folder, a
+/// device, a file above a megabyte.
+std::string read_description(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw BadInput(path, 0, "is a folder, not a file");
+  if (!std::filesystem::is_regular_file(path, error)) throw BadInput(path, 0, "is not a file");
+  constexpr std::uintmax_t kLargest = 1U << 20U;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error || size > kLargest)
+    throw BadInput(path, 0,
+                   fmt::format("is larger than the {} bytes of any description", kLargest));
+  std::ifstream in(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in) throw BadInput(path, 0, "cannot be read");
+  return text;
+}
+
+std::vector<MaterialSet> user_materials(const std::string& name,
                                         const std::string& programme_file) {
   const auto path = std::filesystem::path(programme_file).parent_path() / name;
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  if (!in || !(text << in.rdbuf()))
-    table.fail("material_file", fmt::format("{} cannot be read", path.string()));
-  return read_materials(text.str(), path.string());
+  return read_materials(read_description(path.string()), path.string());
 }
 
 void read_specimen(StrictTable table, Programme& programme) {
   const std::string material = table.text("material");
   const auto file = table.maybe_text("material_file");
   try {
-    programme.material =
-        file ? find_material(material, user_materials(table, *file, programme.source))
-             : find_material(material);
+    programme.material = file ? find_material(material, user_materials(*file, programme.source))
+                              : find_material(material);
   } catch (const BadInput& error) {
     if (file) throw;
     table.fail("material", error.what());
@@ -175,17 +188,7 @@ Programme read_programme(std::string_view toml_text, const std::string& file) {
 }
 
 Programme load_programme(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw BadInput(path, 0, "is a folder, must be a programme file (TOML)");
-  constexpr std::uintmax_t kLargest = 1U << 20U;
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > kLargest)
-    throw BadInput(path, 0, fmt::format("holds {} bytes, a programme at most {}", size, kLargest));
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  if (!in || !(text << in.rdbuf())) throw BadInput(path, 0, "cannot be read, or is empty");
-  return read_programme(text.str(), path);
+  return read_programme(read_description(path), path);
 }
 
 }  // namespace triax::lab

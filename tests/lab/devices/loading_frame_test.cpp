@@ -1,0 +1,16 @@
+#include "lab/devices/loading_frame.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace triax::lab;
+
+TEST_CASE("a frame gives velocities of its range, either way") {
+  LoadingFrame frame;
+  frame.slowest_m_per_s = 1e-7;
+  frame.fastest_m_per_s = 1e-4;
+  CHECK(gives(frame, 1e-4));
+  CHECK(gives(frame, -1e-4));
+  CHECK(gives(frame, 1e-4 * (1 + 1e-15)));
+  CHECK_FALSE(gives(frame, 1.01e-4));
+  CHECK_FALSE(gives(frame, 0.9e-7));
+}

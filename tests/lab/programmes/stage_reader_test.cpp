@@ -1,0 +1,77 @@
+#include "lab/programmes/stage_reader.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/records/bad_input.hpp"
+#include "tests/lab/programmes/programme_text.hpp"
+
+using namespace triax::lab;
+using Catch::Contains;
+
+namespace {
+/// What the reader says of one stage with these lines.
+std::string complaint(const std::string& lines) {
+  const std::string stage =
+      "[[stages]]\nname = \"s\"\nrole = \"shear\"\ndrainage = \"open\"\n" + lines;
+  try {
+    read_programme(test::programme_text(stage), "p.toml");
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+const std::string kEnd = "end = [{quantity = \"time_min\", above = 5}]\n";
+}  // namespace
+
+TEST_CASE("sound stages are accepted") {
+  CHECK(complaint("axial = \"free\"\ncell_rate_kPa_per_min = 10\ncell_target_kPa = 500\n"
+                  "end = [{quantity = \"cell_pressure_kPa\", above = 500}]\n") == "accepted");
+  CHECK(complaint("axial = \"constant_q\"\nback_rate_kPa_per_min = 1\n" + kEnd) == "accepted");
+  CHECK(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = -0.1\n" + kEnd) == "accepted");
+}
+
+TEST_CASE("a stage must say what the axis does, at a rate the frame has") {
+  CHECK_THAT(complaint(kEnd), Contains("needs the key axial"));
+  CHECK_THAT(complaint("axial = \"constant\"\n" + kEnd), Contains("constant_q"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0\n" + kEnd),
+             Contains("is 0"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 60\n" + kEnd),
+             Contains("p.toml:19") && Contains("5.99999"));
+  CHECK_THAT(complaint("axial = \"free\"\naxial_rate_mm_per_min = 1\n" + kEnd),
+             Contains("does not know the key axial_rate_mm_per_min"));
+}
+
+TEST_CASE("an end that can never come is refused") {
+  CHECK_THAT(complaint("axial = \"free\"\n"), Contains("has no end"));
+  CHECK_THAT(
+      complaint("axial = \"free\"\nend = [{quantity = \"cell_pressure_kPa\", above = 500}]\n"),
+      Contains("never comes to 500 kPa"));
+  CHECK_THAT(complaint("axial = \"free\"\ncell_rate_kPa_per_min = 10\ncell_target_kPa = 450\n"
+                       "end = [{quantity = \"cell_pressure_kPa\", above = 500}]\n"),
+             Contains("never comes"));
+  CHECK_THAT(
+      complaint("axial = \"free\"\ncell_rate_kPa_per_min = -10\ncell_target_kPa = 450\n" + kEnd),
+      Contains("sign of cell_rate_kPa_per_min is wrong"));
+  CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"time_s\", below = 5}]\n"),
+             Contains("time only grows"));
+  CHECK_THAT(complaint("axial = \"free\"\ntime_limit_min = 4\n" + kEnd), Contains("never comes"));
+  CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"stress_ratio\", above = 4}]\n"),
+             Contains("at most 3"));
+  CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"axial_strain\", above = 4}]\n"),
+             Contains("did you mean axial_strain_pct?"));
+  CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"q_kPa\"}]\n"),
+             Contains("exactly one of above and below"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = -1\n"
+                       "end = [{quantity = \"axial_strain_pct\", above = 4}]\n"),
+             Contains("moves away"));
+}
+
+TEST_CASE("a pressure demand has a rate that its controller has") {
+  CHECK_THAT(complaint("axial = \"free\"\nback_target_kPa = 400\n" + kEnd),
+             Contains("needs back_rate_kPa_per_min"));
+  CHECK_THAT(complaint("axial = \"free\"\nback_rate_kPa_per_min = 0\n" + kEnd), Contains("hold"));
+  CHECK_THAT(complaint("axial = \"free\"\nback_rate_kPa_per_min = 1e6\n" + kEnd),
+             Contains("at most"));
+}

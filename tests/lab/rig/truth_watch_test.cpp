@@ -1,0 +1,65 @@
+#include "lab/rig/truth_watch.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace triax;
+
+namespace {
+
+/// An axial increment at constant radial stress, of one second.
+struct Path {
+  lab::TruthWatch watch;
+  sim::SpecimenState state;
+  double time_s = 0;
+
+  Path() {
+    state.height_m = 0.14;
+    state.material.q = 50e3;
+    state.material.p = 100e3;
+  }
+  void step(double dq_pa, double strain, bool shear = true) {
+    sim::SpecimenStep step;
+    step.state = state;
+    step.state.height_m *= 1 - strain;
+    step.state.material.q += dq_pa;
+    step.state.material.p += dq_pa / 3;
+    step.stress_increment.axial = dq_pa;
+    step.strain_increment.axial = strain;
+    watch.watch(time_s, 1, state, step, shear, 0.14);
+    state = step.state;
+    time_s += 1;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("negative work that lasts is the loss of sustainability, at its first instant") {
+  Path path;
+  for (int i = 0; i < 10; ++i) path.step(10, 1e-5);
+  for (int i = 0; i < 9; ++i) path.step(-10, 1e-5);
+  CHECK_FALSE(path.watch.truth().lost_sustainability);
+  for (int i = 0; i < 5; ++i) path.step(-10, 1e-5);
+  const lab::Truth truth = path.watch.truth();
+  REQUIRE(truth.lost_sustainability);
+  CHECK(*truth.time_s == Approx(10));
+  CHECK(*truth.q_pa == Approx(50e3 + 100));
+  CHECK(*truth.p_eff_pa == Approx(100e3 + 100.0 / 3));
+  CHECK(*truth.axial_strain == Approx(1e-4).epsilon(0.01));
+}
+
+TEST_CASE("a short search of the servo is no loss of sustainability") {
+  Path path;
+  for (int i = 0; i < 100; ++i) {
+    path.step(10, 1e-5);
+    path.step(-10, 3e-5);
+  }
+  CHECK_FALSE(path.watch.truth().lost_sustainability);
+}
+
+TEST_CASE("elastic unloading and what happens outside shear do not count") {
+  Path path;
+  for (int i = 0; i < 100; ++i) path.step(-10, -1e-5);
+  CHECK_FALSE(path.watch.truth().lost_sustainability);
+  for (int i = 0; i < 100; ++i) path.step(-10, 1e-5, false);
+  CHECK_FALSE(path.watch.truth().lost_sustainability);
+}

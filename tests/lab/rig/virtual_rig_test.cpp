@@ -1,0 +1,179 @@
+#include "lab/rig/virtual_rig.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/records/bad_input.hpp"
+#include "sim/point/point_driver.hpp"
+#include "tests/lab/programmes/programme_text.hpp"
+
+using namespace triax;
+using Catch::Contains;
+using lab::Quantity;
+
+namespace {
+
+std::vector<lab::Reading> run(lab::VirtualRig& rig) {
+  std::vector<lab::Reading> readings;
+  for (lab::Reading reading; rig.next(reading);) readings.push_back(reading);
+  return readings;
+}
+
+lab::Programme programme(const std::string& text) { return lab::read_programme(text, "p.toml"); }
+
+lab::Programme noisy() {
+  return programme(lab::test::programme_text({}, R"(back_pressure_kPa = 300.0
+[rig.transducers.axial_force]
+range_N = 2000.0
+bits = 16
+noise_N = 0.3
+[rig.transducers.pore_pressure]
+range_kPa = 1000.0
+bits = 16
+noise_kPa = 0.05
+[[stages]]
+name = "undrained compression"
+role = "shear"
+drainage = "closed"
+axial = "displacement"
+axial_rate_mm_per_min = 1.0
+end = [{quantity = "axial_strain_pct", above = 1.0}]
+)"));
+}
+
+}  // namespace
+
+TEST_CASE("with every imperfection zero the readings are those of the bare material point") {
+  const lab::Programme p = programme(lab::test::programme_text());
+  lab::VirtualRig rig(p);
+  const auto readings = run(rig);
+  REQUIRE(readings.size() > 80);
+  const sim::Sanisand law(p.material.parameters);
+  const double area_0 = std::numbers::pi / 4 * 0.07 * 0.07;
+  for (const auto& r : readings) {
+    const double strain = r[Quantity::axial_displacement] / 0.14;
+    const double area = area_0 / (1 - strain);  // right cylinder, no volume change
+    const double q = r[Quantity::axial_force] / area;
+    const double p_eff = r[Quantity::cell_pressure] - r[Quantity::pore_pressure] + q / 3;
+    const auto point = sim::advance_point(law, law.isotropic(100e3, 1.086),
+                                          sim::MixedControl::strain_path(-std::log1p(-strain)));
+    CHECK(q == Approx(point.state.q).epsilon(1e-9).margin(1e-6));
+    CHECK(p_eff == Approx(point.state.p).epsilon(1e-9));
+    CHECK(r[Quantity::back_volume] == 0);
+    CHECK(r[Quantity::back_pressure] == 300e3);
+    CHECK(r[Quantity::axial_displacement] ==
+          Approx(static_cast<double>(r.number) * 1e-3 / 60).epsilon(1e-9).margin(1e-15));
+  }
+  CHECK(*rig.truth()->axial_strain * 100 == Approx(0.517).margin(0.005));
+}
+
+TEST_CASE("a reading is a number of the field, bit for bit") {
+  lab::VirtualRig rig(noisy());
+  for (const auto& r : run(rig))
+    for (const auto& row : lab::quantities().first(lab::kRawQuantityCount)) {
+      const sim::Unit unit = *sim::find_unit(row.unit);
+      const double si = r[row.quantity];
+      REQUIRE(std::isfinite(si));
+      REQUIRE(sim::to_si(sim::to_field(si, unit), unit) == si);
+    }
+}
+
+TEST_CASE("the same seed gives the same readings, another seed others of the same specimen") {
+  lab::VirtualRig first(noisy()), second(noisy()), other(noisy(), 99);
+  const auto a = run(first), b = run(second), c = run(other);
+  REQUIRE(a.size() == b.size());
+  REQUIRE(a.size() == c.size());
+  bool differs = false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].time_s == static_cast<double>(i) * 1.0);
+    for (std::size_t k = 0; k < lab::kRawQuantityCount; ++k) CHECK(a[i].si[k] == b[i].si[k]);
+    differs = differs || a[i][Quantity::axial_force] != c[i][Quantity::axial_force];
+  }
+  CHECK(differs);
+  CHECK(first.specimen_state().material.q == other.specimen_state().material.q);
+  CHECK(other.header().seed == 99);
+}
+
+TEST_CASE("the header says what was simulated") {
+  lab::VirtualRig rig(noisy());
+  const lab::RecordHeader& h = rig.header();
+  CHECK(h.origin == lab::Origin::simulated);
+  CHECK(h.programme == "ICU");
+  CHECK(h.seed == 3);
+  CHECK(h.is_raw());
+  CHECK(h.columns.size() == 7);
+  CHECK(h.specimen.material == "sanisand/S28-general");
+  CHECK(sim::degrees(*h.specimen.limit_friction_angle_rad) == Approx(32).margin(0.01));
+  REQUIRE(h.stage(1) != nullptr);
+  CHECK(h.stage(1)->role == lab::StageRole::shear);
+  CHECK(h.stage(1)->drainage == lab::Drainage::closed);
+  CHECK(h.stage(1)->control == lab::AxialControl::displacement);
+}
+
+TEST_CASE("the load servo follows its force until the specimen cannot carry it") {
+  lab::VirtualRig rig(programme(lab::test::programme_text(R"([[stages]]
+name = "load"
+role = "shear"
+drainage = "closed"
+axial = "load"
+load_rate_N_per_min = 30.0
+end = [{quantity = "axial_strain_pct", above = 5.0}]
+)")));
+  const auto readings = run(rig);
+  const double collapse_s = *rig.truth()->time_s;
+  double fastest = 0;
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const auto& r = readings[i];
+    if (r.time_s < collapse_s - 10)
+      CHECK(r[Quantity::axial_force] == Approx(0.5 * r.time_s).margin(0.1));
+    fastest = std::max(
+        fastest, r[Quantity::axial_displacement] - readings[i - 1][Quantity::axial_displacement]);
+  }
+  CHECK(fastest == Approx(5.99999e-3 / 60).epsilon(1e-6));
+  CHECK(readings.back()[Quantity::axial_force] < 0.7 * 0.5 * collapse_s);
+  CHECK(*rig.truth()->q_pa / *rig.truth()->p_eff_pa == Approx(0.588).margin(0.002));
+}
+
+TEST_CASE("a stage that does not reach its end says so and ends the test") {
+  lab::VirtualRig rig(programme(lab::test::programme_text(R"([[stages]]
+name = "rest"
+role = "consolidation"
+drainage = "open"
+axial = "free"
+time_limit_min = 1.0
+end = [{quantity = "q_kPa", above = 30.0}]
+)")));
+  CHECK(rig.progress() == 0);
+  CHECK(run(rig).size() == 61);
+  CHECK(rig.progress() == 1);
+  REQUIRE(rig.header().warnings.size() == 1);
+  CHECK_THAT(rig.header().warnings[0].text, Contains("did not reach its end within 1 min"));
+  CHECK_FALSE(rig.truth()->lost_sustainability);
+}
+
+TEST_CASE("a saturated transducer is said once") {
+  lab::VirtualRig rig(programme(lab::test::programme_text(
+      {},
+      "back_pressure_kPa = 300.0\n[rig.transducers.pore_pressure]\nrange_kPa = 310.0\n"
+      "[[stages]]\nname = \"s\"\nrole = \"shear\"\ndrainage = \"closed\"\naxial = "
+      "\"displacement\"\naxial_rate_mm_per_min = 1.0\n"
+      "end = [{quantity = \"axial_strain_pct\", above = 1.0}]\n")));
+  CHECK(run(rig).back()[Quantity::pore_pressure] == 310e3);
+  REQUIRE(rig.header().warnings.size() == 1);
+  CHECK_THAT(rig.header().warnings[0].text, Contains("pore_pressure went out of its range"));
+}
+
+TEST_CASE("a free specimen that is unloaded to nothing ends in words") {
+  lab::VirtualRig rig(programme(lab::test::programme_text(R"([[stages]]
+name = "too far"
+role = "consolidation"
+drainage = "open"
+axial = "free"
+cell_rate_kPa_per_min = -60.0
+end = [{quantity = "cell_pressure_kPa", below = 200.0}]
+)")));
+  CHECK_THROWS_WITH(run(rig), Contains("too far") && Contains("p.toml"));
+}
