@@ -60,6 +60,9 @@ struct Fit {
 };
 
 std::optional<Fit> fit(const DialectColumn& column, std::string_view heading) {
+  if (std::ranges::none_of(column.names,
+                           [&](const auto& name) { return may_match(heading, name); }))
+    return std::nullopt;
   const auto parts = split_heading(heading);
   const auto tail = split_unit(heading);
   for (std::size_t i = 0; i < column.names.size(); ++i) {
@@ -72,6 +75,8 @@ std::optional<Fit> fit(const DialectColumn& column, std::string_view heading) {
 
 // A heading in triax's own form: "cell_pressure_kPa", "axial_strain", "axial_strain_pct".
 std::optional<std::pair<Quantity, std::string>> own_heading(std::string_view heading) {
+  const bool word = !heading.empty() && static_cast<unsigned char>(heading.front()) > '9';
+  if (!word) return std::nullopt;
   const auto name = folded(heading);
   if (const auto quantity = find_quantity(name)) return std::pair(*quantity, std::string());
   for (auto at = name.rfind('_'); at != std::string::npos && at > 0; at = name.rfind('_', at - 1))
@@ -102,7 +107,8 @@ std::size_t count_known(const Dialect& dialect, const Cells& cells) {
 bool has_headings(const Dialect& dialect, const Cells& cells) {
   return std::ranges::all_of(dialect.headings, [&](const std::string& name) {
     return std::ranges::any_of(cells, [&](std::string_view cell) {
-      return matches_name(cell, name) || matches_name(split_heading(cell).name, name);
+      return may_match(cell, name) &&
+             (matches_name(cell, name) || matches_name(split_heading(cell).name, name));
     });
   });
 }
