@@ -163,7 +163,7 @@ const std::vector<Dialect>& shipped_dialects() {
     std::vector<Dialect> all;
     for (const EmbeddedFile& file : kShippedDialects)
       all.push_back(parse_dialect(file.text, std::string(file.name) + ".toml"));
-    std::ranges::stable_partition(all, &Dialect::own_headings);
+    std::stable_partition(all.begin(), all.end(), [](const auto& one) { return one.own_headings; });
     return all;
   }();
   return dialects;
@@ -185,7 +185,18 @@ Dialect find_dialect(const std::string& name_or_file) {
                   name_or_file, nearest(name_or_file, names), joined(names)));
 }
 
+bool may_match(std::string_view heading, std::string_view name) {
+  const auto first = [](std::string_view text) {
+    text = trimmed(text);
+    const char c = text.empty() ? ' ' : text.front();
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  const char wanted = first(name);
+  return wanted == '*' || wanted == first(heading);
+}
+
 bool matches_name(std::string_view heading, std::string_view name) {
+  if (!may_match(heading, name)) return false;
   const auto text = folded(heading);
   const auto wanted = folded(name);
   if (!wanted.ends_with('*')) return text == wanted;

@@ -57,5 +57,8 @@ Dialect find_dialect(const std::string& name_or_file);
 
 /// True where a heading (without its unit) is one of the dialect's names for it.
 bool matches_name(std::string_view heading, std::string_view name);
+/// False where the first letters already differ: heading and name are then no match with or without
+/// a unit. Cheap, for the search over every cell of a long preamble.
+bool may_match(std::string_view heading, std::string_view name);
 
 }  // namespace triax::lab

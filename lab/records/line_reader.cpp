@@ -7,11 +7,14 @@
 
 namespace triax::lab {
 namespace {
-constexpr std::size_t kBlock = std::size_t{1} << 17;
+constexpr std::uint64_t kLargestBlock = std::uint64_t{1} << 17;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 }  // namespace
 
-LineReader::LineReader(ByteSource& source) : source_(source), buffer_(2 * kBlock) {
+LineReader::LineReader(ByteSource& source)
+    : source_(source),
+      block_(static_cast<std::size_t>(std::min(kLargestBlock, source.size() + 1))),
+      buffer_(2 * block_) {
   source_.rewind();
   fill();
   if (std::string_view(buffer_.data(), end_).starts_with(kByteOrderMark)) {
@@ -28,8 +31,8 @@ bool LineReader::fill() {
   if (end_ > kLongestLine)
     throw BadInput(source_.name(), line_number_ + 1,
                    "the line is longer than 1 MB; a record is a text file with one scan a line");
-  if (buffer_.size() - end_ < kBlock) buffer_.resize(buffer_.size() + kBlock);
-  const auto count = source_.read({buffer_.data() + end_, kBlock});
+  if (buffer_.size() - end_ < block_) buffer_.resize(buffer_.size() + block_);
+  const auto count = source_.read({buffer_.data() + end_, block_});
   if (std::memchr(buffer_.data() + end_, 0, count) != nullptr)
     throw BadInput(source_.name(), line_number_ + 1,
                    "NUL bytes found at or after this line: this is no plain text (save the record "

@@ -31,6 +31,7 @@ class LineReader {
   bool fill();
 
   ByteSource& source_;
+  std::size_t block_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "lab/records/bad_input.hpp"
+#include "lab/records/column_plan.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/text.hpp"
 

@@ -42,11 +42,4 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
 
 inline constexpr std::size_t kLongestHead = 400;
 
-/// A heading without its unit in () or [], and that unit.
-struct HeadingParts {
-  std::string name;
-  std::optional<std::string> unit;
-};
-HeadingParts split_heading(std::string_view heading);
-
 }  // namespace triax::lab

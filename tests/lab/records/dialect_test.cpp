@@ -63,4 +63,7 @@ TEST_CASE("names match without case, a trailing star matches any rest") {
   CHECK(matches_name(" Axial  Strain", "axial strain"));
   CHECK(matches_name("AXIAL STRAIN  EXCESS PWP", "Axial Strain*"));
   CHECK_FALSE(matches_name("Axial Strain 2", "Axial Strain"));
+  CHECK(matches_name("anything", "*"));
+  CHECK(may_match(" Axial", "a"));
+  CHECK_FALSE(may_match("Axial", "q"));
 }

@@ -89,11 +89,3 @@ TEST_CASE("an unknown column is left out and said") {
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0].text, Catch::Contains("did you mean 'pore_pressure_kPa'"));
 }
-
-TEST_CASE("headings come apart from their units") {
-  CHECK(split_heading("Axial Strain (%)").name == "Axial Strain");
-  CHECK(split_heading("Axial Strain (%)").unit == "%");
-  CHECK(split_heading("Zeit [s]").unit == "s");
-  CHECK_FALSE(split_heading("B Value").unit);
-  CHECK_FALSE(split_heading("(%)").unit);
-}
