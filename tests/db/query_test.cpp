@@ -153,7 +153,8 @@ TEST_CASE("SQLite itself refuses to write") {
 TEST_CASE("SQL that cannot be run says why in SQLite's words") {
   TemporaryFolder folder;
   const std::string path = record_collapse(folder, lab::Origin::recorded);
-  CHECK_THROWS_WITH(ask(path, "SELECT no_such_thing FROM tests"), Contains("no such column: no_such_thing"));
+  CHECK_THROWS_WITH(ask(path, "SELECT no_such_thing FROM tests"),
+                    Contains("no such column: no_such_thing"));
   CHECK_THROWS_WITH(ask(path, "SELEC 1"), Contains("near \"SELEC\": syntax error"));
   CHECK_THROWS_WITH(ask(path, "SELECT 1; SELECT 2"), Contains("more than one statement"));
   CHECK_THROWS_WITH(ask(path, "SELECT 1; nonsense"), Contains("more than one statement"));
