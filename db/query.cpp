@@ -12,18 +12,25 @@
 namespace triax::db {
 namespace {
 
-bool tells_only(const char* pragma) {
-  static constexpr const char* kHarmless[] = {
-      "application_id", "compile_options", "database_list",     "foreign_key_list", "function_list",
-      "index_info",     "index_list",      "index_xinfo",       "integrity_check",  "page_count",
-      "page_size",      "quick_check",     "foreign_key_check", "schema_version",   "table_info",
-      "table_list",     "table_xinfo",     "user_version"};
-  return std::ranges::any_of(kHarmless,
-                             [&](const char* name) { return sqlite3_stricmp(name, pragma) == 0; });
+struct Pragma {
+  const char* name;
+  bool takes_argument;  ///< which table, how many errors; for the others it would be an assignment
+};
+
+bool only_tells(const char* name, bool has_argument) {
+  static constexpr Pragma kHarmless[] = {
+      {"application_id", false},   {"compile_options", false}, {"database_list", false},
+      {"foreign_key_check", true}, {"foreign_key_list", true}, {"function_list", false},
+      {"index_info", true},        {"index_list", true},       {"index_xinfo", true},
+      {"integrity_check", true},   {"page_count", false},      {"page_size", false},
+      {"quick_check", true},       {"schema_version", false},  {"table_info", true},
+      {"table_list", true},        {"table_xinfo", true},      {"user_version", false}};
+  return std::ranges::any_of(kHarmless, [&](const Pragma& pragma) {
+    return sqlite3_stricmp(pragma.name, name) == 0 && (pragma.takes_argument || !has_argument);
+  });
 }
 
-/// The third and fourth argument are, for a PRAGMA, its name and what is assigned to it; those that
-/// tell about a table take the table's name the same way.
+/// For a PRAGMA, `first` is its name and `second` what stands behind it.
 int authorize(void*, int action, const char* first, const char* second, const char*, const char*) {
   switch (action) {
     case SQLITE_SELECT:
@@ -31,12 +38,8 @@ int authorize(void*, int action, const char* first, const char* second, const ch
     case SQLITE_FUNCTION:
     case SQLITE_RECURSIVE:
       return SQLITE_OK;
-    case SQLITE_PRAGMA: {
-      const bool assigns_number =
-          second != nullptr && std::all_of(second, second + std::char_traits<char>::length(second),
-                                           [](char c) { return c >= '0' && c <= '9'; });
-      return tells_only(first) && !assigns_number ? SQLITE_OK : SQLITE_DENY;
-    }
+    case SQLITE_PRAGMA:
+      return only_tells(first, second != nullptr) ? SQLITE_OK : SQLITE_DENY;
     default:
       return SQLITE_DENY;
   }

@@ -15,6 +15,10 @@ namespace triax::db {
 /// Nothing is touched on disk before the first batch is due (about half a second, or some ten
 /// thousand scans, or finish): bad input that shows up early leaves the database, and even its
 /// absence, as it was.
+///
+/// All calls and signals come from one thread. What goes wrong while writing (disk full, folder
+/// missing, file of another program) is thrown as lab::WorkFailed or lab::BadInput by finish(), or
+/// earlier out of the session's next signal; batches committed before stand until discard().
 class Recorder : public QObject {
   Q_OBJECT
  public:
@@ -23,9 +27,11 @@ class Recorder : public QObject {
 
   /// Listens to every signal of a session.
   void listen(lab::Session& session);
-  /// The test is over: stores the summary, marks it complete; gives its id.
+  /// The test is over: stores the summary, marks it complete; gives its id. Throws lab::WorkFailed
+  /// if no test was started.
   std::int64_t finish(const lab::TestSummary& summary);
-  /// The input was bad: takes out whatever of this test had been written.
+  /// The input was bad: takes out whatever of this test had been written, and the file if this
+  /// recorder made it and nobody else uses it. Does nothing after finish().
   void discard();
 
  private:

@@ -26,7 +26,8 @@ struct StoredTest {
   std::vector<lab::Event> events;
 };
 
-/// Reads a database of tests (the Recorder writes it).
+/// Reads a database of tests (the Recorder writes it), also while it is written. One thread at a
+/// time.
 class Store {
  public:
   /// Opens an existing database read only. Before that, tests whose writer is no longer alive are
@@ -42,7 +43,8 @@ class Store {
   std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
   StoredTest load(std::int64_t id) const;
 
-  /// Every scan of a test in order; `every` > 1 skips (figures of long tests).
+  /// Every scan of a test in order, bit for bit as recorded but for Reading::line, which is not
+  /// kept (0); `every` > 1 gives only readings whose number it divides (figures of long tests).
   void for_each_scan(std::int64_t id, std::int64_t every,
                      const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
   std::int64_t scan_count(std::int64_t id) const;

@@ -133,7 +133,8 @@ TEST_CASE("SQLite itself refuses to write") {
        {std::string("INSERT INTO tests (name) VALUES ('x')"), std::string("DELETE FROM scans"),
         std::string("UPDATE tests SET name = 'x'"), std::string("CREATE TABLE x (y)"),
         std::string("CREATE TEMP TABLE x (y)"), std::string("DROP VIEW states"),
-        std::string("PRAGMA user_version = 9"), std::string("PRAGMA query_only = 0"),
+        std::string("PRAGMA user_version = 9"), std::string("PRAGMA user_version = -0x9"),
+        std::string("PRAGMA page_size(512)"), std::string("PRAGMA query_only = 0"),
         std::string("PRAGMA journal_mode = DELETE"), std::string("PRAGMA wal_checkpoint"),
         std::string("BEGIN IMMEDIATE"), std::string("DETACH DATABASE main"), std::string("VACUUM"),
         "ATTACH DATABASE '" + folder.file("other.db") + "' AS other",
@@ -153,7 +154,8 @@ TEST_CASE("SQLite itself refuses to write") {
 TEST_CASE("SQL that cannot be run says why in SQLite's words") {
   TemporaryFolder folder;
   const std::string path = record_collapse(folder, lab::Origin::recorded);
-  CHECK_THROWS_WITH(ask(path, "SELECT no_such_thing FROM tests"), Contains("no such column: no_such_thing"));
+  CHECK_THROWS_WITH(ask(path, "SELECT no_such_thing FROM tests"),
+                    Contains("no such column: no_such_thing"));
   CHECK_THROWS_WITH(ask(path, "SELEC 1"), Contains("near \"SELEC\": syntax error"));
   CHECK_THROWS_WITH(ask(path, "SELECT 1; SELECT 2"), Contains("more than one statement"));
   CHECK_THROWS_WITH(ask(path, "SELECT 1; nonsense"), Contains("more than one statement"));

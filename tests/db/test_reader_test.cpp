@@ -1,0 +1,32 @@
+#include "db/test_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "db/connection.hpp"
+#include "db/test_writer.hpp"
+#include "lab/records/bad_input.hpp"
+#include "tests/db/fake_session.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+
+TEST_CASE("a test without summary reads as one of which nothing is known") {
+  testing::TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  lab::RecordHeader header = testing::raw_header("a");
+  header.has_time = false;
+  header.programme.clear();
+  header.columns = {lab::Quantity::axial_strain, lab::Quantity::deviator_stress};
+  const db::StoredTest test = db::read_test(database, db::insert_test(database, header, "now"));
+  CHECK(test.recorded_at == "now");
+  CHECK(test.header.columns == header.columns);
+  CHECK_FALSE(test.header.has_time);
+  CHECK(test.header.programme.empty());
+  CHECK_FALSE(test.header.seed);
+  CHECK_FALSE(test.summary.peak);
+  CHECK_FALSE(test.summary.truth);
+  CHECK_FALSE(test.summary.consolidation.b_value);
+  CHECK_FALSE(test.summary.collapse.onset);
+  CHECK(test.summary.checks.empty());
+  CHECK_THROWS_AS(db::read_test(database, 2), lab::BadInput);
+}

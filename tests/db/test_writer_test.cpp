@@ -1,0 +1,48 @@
+#include "db/test_writer.hpp"
+
+#include <SQLiteCpp/Database.h>
+
+#include <catch2/catch.hpp>
+
+#include "db/connection.hpp"
+#include "db/scan_writer.hpp"
+#include "db/test_reader.hpp"
+#include "tests/db/fake_session.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+
+TEST_CASE("a test is running, then complete or interrupted, and leaves nothing when removed") {
+  testing::TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  const auto id = db::insert_test(database, testing::raw_header("a"), "2026-01-01T00:00:00Z");
+  const auto other = db::insert_test(database, testing::raw_header("b"), "2026-01-01T00:00:00Z");
+  CHECK(db::read_test(database, id).status == db::TestStatus::running);
+  db::ScanWriter writer(database, id);
+  const std::vector<db::Scan> scans(1);
+  writer.write(scans);
+  db::insert_event(database, id, {0, {}, "collapse", "a sentence"});
+  lab::TestSummary summary;
+  summary.peak = lab::Instant{};
+  summary.collapse.criteria = {{}};
+  summary.truth = lab::Truth{};
+  summary.checks = {{}};
+  summary.warnings = {{0, "w"}};
+  db::insert_summary(database, id, summary);
+  CHECK(db::read_test(database, id).status == db::TestStatus::complete);
+  db::mark_interrupted(database, other);
+  CHECK(db::read_test(database, other).status == db::TestStatus::interrupted);
+  CHECK(db::read_test(database, other).header.stages.size() == 1);
+
+  db::remove_test(database, id);
+  db::remove_test(database, other);
+  SQLite::Statement tables(database, "SELECT name FROM sqlite_schema WHERE type = 'table'");
+  int seen = 0;
+  while (tables.executeStep()) {
+    const std::string table = tables.getColumn(0).getString();
+    INFO(table);
+    CHECK(database.execAndGet("SELECT count(*) FROM " + table).getInt() == 0);
+    ++seen;
+  }
+  CHECK(seen == 15);
+}
