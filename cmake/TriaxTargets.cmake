@@ -10,7 +10,7 @@ target_compile_options(triax_flags INTERFACE
 target_include_directories(triax_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(TRIAX_SANITIZE)
   # -Wno-maybe-uninitialized: g++ 12 sees ghosts inside <regex> once it is instrumented.
-  target_compile_options(triax_flags INTERFACE -Wno-maybe-uninitialized
+  target_compile_options(triax_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(triax_flags INTERFACE -fsanitize=address,undefined)
 endif()
