@@ -1,6 +1,7 @@
 #include "lab/records/metadata.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -18,11 +19,12 @@ struct TruthKey {
   std::string_view unit;
   std::optional<double> Truth::*member;
 };
-constexpr TruthKey kTruthKeys[] = {{"time", "s", &Truth::time_s},
-                                   {"axial_strain", "", &Truth::axial_strain},
-                                   {"q", "kPa", &Truth::q_pa},
-                                   {"p_eff", "kPa", &Truth::p_eff_pa},
-                                   {"pore_pressure", "kPa", &Truth::pore_pressure_pa}};
+constexpr auto kTruthKeys =
+    std::to_array<TruthKey>({{"time", "s", &Truth::time_s},
+                             {"axial_strain", "", &Truth::axial_strain},
+                             {"q", "kPa", &Truth::q_pa},
+                             {"p_eff", "kPa", &Truth::p_eff_pa},
+                             {"pore_pressure", "kPa", &Truth::pore_pressure_pa}});
 
 std::string full_name(std::string_view name, std::string_view unit) {
   return unit.empty() ? std::string(name) : fmt::format("{}_{}", name, unit);

@@ -107,14 +107,12 @@ StageInfo single_stage(const TableLayout& layout, std::string_view programme) {
   const auto name = folded(programme);
   const auto columns = layout.quantities();
   const auto has = [&](Quantity q) { return std::ranges::find(columns, q) != columns.end(); };
-  if (name.ends_with('u'))
-    stage.drainage = Drainage::closed;
-  else if (name.ends_with('d'))
-    stage.drainage = Drainage::open;
-  else if (has(Quantity::volumetric_strain))
-    stage.drainage = Drainage::open;
-  else if (has(Quantity::pore_pressure) || has(Quantity::excess_pore_pressure))
-    stage.drainage = Drainage::closed;
+  const bool has_pore_pressure =
+      has(Quantity::pore_pressure) || has(Quantity::excess_pore_pressure);
+  const bool named = name.ends_with('u') || name.ends_with('d');
+  const bool drained = named ? name.ends_with('d') : has(Quantity::volumetric_strain);
+  if (named || drained || has_pore_pressure)
+    stage.drainage = drained ? Drainage::open : Drainage::closed;
   return stage;
 }
 

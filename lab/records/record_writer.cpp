@@ -77,7 +77,7 @@ struct RecordWriter::Impl {
   void append(double value) {
     if (!std::isfinite(value)) return;
     std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     text.append(digits.data(), end);
   }
 

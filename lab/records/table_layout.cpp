@@ -1,6 +1,7 @@
 #include "lab/records/table_layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,8 +16,8 @@ namespace triax::lab {
 namespace {
 
 using Cells = std::vector<std::string_view>;
-constexpr Separator kCandidates[] = {Separator::tab, Separator::semicolon, Separator::comma,
-                                     Separator::blanks};
+constexpr std::array kCandidates{Separator::tab, Separator::semicolon, Separator::comma,
+                                 Separator::blanks};
 
 struct Head {
   std::vector<std::string> lines;  // UTF-8

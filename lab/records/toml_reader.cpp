@@ -42,7 +42,7 @@ namespace {
 
 std::string shortest(double value) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  auto* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
 }
 
@@ -182,6 +182,7 @@ std::vector<std::string> TomlTable::keys() const {
     found.emplace_back(key.source().begin, std::string(key.str()));
   std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> out;
+  out.reserve(found.size());
   for (auto& [position, key] : found) out.push_back(std::move(key));
   return out;
 }

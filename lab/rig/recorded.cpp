@@ -62,7 +62,7 @@ struct RecordedRig::Impl {
   void settle_stages();
   void look_for_typed_height(const std::vector<StageSummary>& summaries);
   bool draw(Reading& reading);
-  int stage_of(const Row& row);
+  int stage_of(const Row& drawn);
   void finish();
 
   std::unique_ptr<ByteSource> source;
