@@ -141,7 +141,7 @@ TEST_CASE("discard leaves the content of a database as it was") {
   }
   const std::string before = content(path);
   Recording second(path, "second");
-  emit second.session.event({1, 0.1, "collapse", "a sentence"});
+  emit second.session.happened({1, 0.1, "collapse", "a sentence"});
   testing::send_scans(second.session, 0, 30000);
   REQUIRE(comes_true([&] { return content(path).size() > 2 * before.size(); }));
   second.recorder.discard();

@@ -96,7 +96,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   recorder.listen(session);
   emit session.started(header);
   testing::send_scans(session, 0, 10);
-  emit session.event({5, 0.5, "collapse", "q fell"});
+  emit session.happened({5, 0.5, "collapse", "q fell"});
   emit session.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
   const std::int64_t id = recorder.finish(summary);
 
