@@ -1,0 +1,132 @@
+#include "src/figures/collapse_points_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "src/figures/plot_style.hpp"
+#include "src/figures/point_labels.hpp"
+#include "src/figures/stress_lines.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr int kWidth = 620;
+constexpr int kHeight = 520;
+
+struct CollapsePoint {
+  double p_kPa, q_kPa;
+  std::string test, programme;
+  bool simulated;
+};
+
+std::vector<CollapsePoint> collapse_points(const std::vector<ReportedTest>& tests) {
+  std::vector<CollapsePoint> points;
+  for (const auto& [test, curves] : tests) {
+    const auto& onset = test.summary.collapse.onset;
+    if (!onset || !onset->eta()) continue;
+    points.push_back({*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3, test.header.name,
+                      test.header.programme.empty() ? "other" : test.header.programme,
+                      test.header.origin == lab::Origin::simulated});
+  }
+  return points;
+}
+
+std::optional<double> slope(const std::vector<CollapsePoint>& points) {
+  double qp = 0, pp = 0;
+  for (const auto& point : points) {
+    qp += point.q_kPa * point.p_kPa;
+    pp += point.p_kPa * point.p_kPa;
+  }
+  return pp > 0 ? std::optional(qp / pp) : std::nullopt;
+}
+
+// Limits that print alike are one line.
+std::vector<double> limits(const std::vector<ReportedTest>& tests) {
+  std::map<std::int64_t, double> by_rounded;
+  for (const auto& test : tests)
+    if (const auto& m = test.stored.summary.collapse.limit_stress_ratio; m && std::isfinite(*m))
+      by_rounded.emplace(std::llround(*m * 100), *m);
+  std::vector<double> values;
+  for (const auto& [rounded, m] : by_rounded) values.push_back(m);
+  return values;
+}
+
+struct Marker {
+  QCPScatterStyle::ScatterShape shape;
+  QColor colour;
+};
+
+// In order of the programmes' names; the shape alone tells types apart in a black-and-white print.
+Marker marker(std::size_t type) {
+  static const std::array<Marker, 5> kMarkers = {{{QCPScatterStyle::ssCircle, kBlue},
+                                                  {QCPScatterStyle::ssSquare, kGreen},
+                                                  {QCPScatterStyle::ssTriangle, kOrange},
+                                                  {QCPScatterStyle::ssDiamond, kPurple},
+                                                  {QCPScatterStyle::ssTriangleInverted, kInk}}};
+  return kMarkers.at(type % kMarkers.size());
+}
+
+QCPCurve* add_group(QCustomPlot& plot, const std::string& name, const Marker& marker,
+                    bool simulated) {
+  auto* group = new QCPCurve(plot.xAxis, plot.yAxis);
+  group->setLineStyle(QCPCurve::lsNone);
+  group->setScatterStyle(QCPScatterStyle(marker.shape, line(marker.colour, 1.8),
+                                         simulated ? QBrush(Qt::white) : QBrush(marker.colour), 9));
+  group->setName(QString::fromStdString(name));
+  return group;
+}
+
+void draw_points(QCustomPlot& plot, const std::vector<CollapsePoint>& points) {
+  std::map<std::string, std::size_t> types;
+  for (const auto& point : points) types.emplace(point.programme, 0);
+  std::size_t next = 0;
+  for (auto& [name, type] : types) type = next++;
+  std::map<std::string, QCPCurve*> groups;
+  std::vector<PointLabel> labels;
+  for (const auto& point : points) {
+    const auto name = point.programme + (point.simulated ? " (simulated)" : " (recorded)");
+    const auto look = marker(types[point.programme]);
+    auto& group = groups[name];
+    if (group == nullptr) group = add_group(plot, name, look, point.simulated);
+    group->addData(point.p_kPa, point.q_kPa);
+    labels.push_back({point.p_kPa, point.q_kPa, point.test, kInk});
+  }
+  legend_below(plot, 2);
+  place_labels(plot, labels);
+}
+
+}  // namespace
+
+std::optional<double> fitted_instability_line(const std::vector<ReportedTest>& tests) {
+  return slope(collapse_points(tests));
+}
+
+Drawing collapse_points_figure(const std::vector<ReportedTest>& tests) {
+  const auto points = collapse_points(tests);
+  const auto eta = slope(points);
+  if (!eta) return {};
+  RangeOf p_range, q_range;
+  p_range.add(0);
+  q_range.add(0);
+  for (const auto& point : points) {
+    p_range.add(point.p_kPa);
+    q_range.add(point.q_kPa);
+  }
+  auto plot = make_plot(kWidth, kHeight);
+  style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
+  plot->xAxis->setRange(p_range.with_margin(0.12, true));
+  plot->yAxis->setRange(q_range.with_margin(0.35, true));
+  for (const double m : limits(tests)) draw_mohr_coulomb_line(*plot, m);
+  draw_instability_line(*plot, *eta);
+  draw_points(*plot, points);
+  return {
+      std::move(plot),
+      fmt::format("Collapse points of {} tests and the one instability line that fits them best "
+                  "(η = {:.2f}).",
+                  points.size(), *eta)};
+}
+
+}  // namespace triax::src

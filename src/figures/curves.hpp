@@ -1,0 +1,43 @@
+#pragma once
+// A test of a million scans drawn with some thousand points that still hold every peak.
+#include <cstdint>
+#include <vector>
+
+#include "lab/collapse/second_order_work_point.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::src {
+
+struct Curves {
+  std::vector<lab::State> states;               ///< in order
+  std::vector<lab::SecondOrderWorkPoint> work;  ///< in order
+};
+
+/// Of each of this many equal spans of a test, the first and last state and the extremes of q, u
+/// and the axial strain are drawn.
+inline constexpr std::int64_t kCurveBuckets = 500;
+
+/// Keeps of each span of the test its first and last state and those with the smallest and largest
+/// q, pore pressure and axial strain; in constant memory but for what is kept.
+class CurveThinner {
+ public:
+  /// `scans`: how many states will come; if there are few, all are kept.
+  CurveThinner(std::int64_t scans, std::int64_t buckets);
+  void add(const lab::State& state);
+  /// The states kept, in the order they came. The thinner is empty afterwards.
+  std::vector<lab::State> take();
+
+ private:
+  void close_bucket();
+
+  std::int64_t span_;
+  std::int64_t in_bucket_ = 0;
+  std::vector<lab::State> extremes_;  ///< first, last, then a smallest and a largest per quantity
+  std::vector<lab::State> kept_;
+};
+
+/// The same for points of second-order work, by the extremes of the normalised value.
+std::vector<lab::SecondOrderWorkPoint> thin(const std::vector<lab::SecondOrderWorkPoint>& points,
+                                            std::int64_t buckets);
+
+}  // namespace triax::src

@@ -1,0 +1,34 @@
+#pragma once
+// Drawing without a screen: a plot of fixed size that can be written as SVG, PNG or into a PDF
+// page.
+#include <qcustomplot.h>
+
+#include <memory>
+#include <string>
+
+namespace triax::src {
+
+/// A finished plot. Its size is in CSS pixels (1/96 inch); text is laid out for that size.
+struct Drawing {
+  std::unique_ptr<QCustomPlot> plot;
+  std::string caption;  ///< one or two sentences that say what is seen
+};
+
+/// Makes the application object that fonts and plots need, on Qt's platform without a screen; no
+/// display, no window system. Call before any drawing; further calls do nothing.
+void need_drawing();
+
+/// An empty plot of that size in the house style. Calls need_drawing().
+std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px);
+
+/// A standalone SVG element that looks the same with any font: each text carries its length.
+std::string to_svg(const QCustomPlot& plot);
+
+/// PNG bytes; `scale` device pixels per CSS pixel.
+std::string to_png(const QCustomPlot& plot, double scale);
+
+/// Draws into the rectangle of a page with its aspect kept, at the top, centred. Gives the height
+/// used, in the painter's units.
+double draw_on_page(const QCustomPlot& plot, QPainter& page, const QRectF& rectangle);
+
+}  // namespace triax::src

@@ -1,0 +1,22 @@
+#pragma once
+// Names beside points without covering one another.
+#include <qcustomplot.h>
+
+#include <string>
+#include <vector>
+
+namespace triax::src {
+
+struct PointLabel {
+  double x = 0;  ///< plot coordinates
+  double y = 0;
+  std::string text;
+  QColor colour;
+};
+
+/// Writes each text beside its point on the side where it covers no marker, no other label and does
+/// not leave the axes; a text for which there is no such place is left out. Ranges of the axes and
+/// the size of the plot must be final.
+void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels);
+
+}  // namespace triax::src

@@ -1,0 +1,13 @@
+#pragma once
+// Straight lines through the origin of the q-p′ plane.
+#include <qcustomplot.h>
+
+namespace triax::src {
+
+/// q = η p′ from the origin to the border of the axes, whose ranges must be final. p′, q in any one
+/// unit.
+void draw_instability_line(QCustomPlot& plot, double eta);
+/// q = M p′, the Mohr-Coulomb limit surface in compression.
+void draw_mohr_coulomb_line(QCustomPlot& plot, double limit_stress_ratio);
+
+}  // namespace triax::src

@@ -1,0 +1,94 @@
+#include "src/figures/stress_path_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/figures/plot_style.hpp"
+#include "src/figures/point_labels.hpp"
+#include "src/figures/stress_lines.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr int kWidth = 620;
+constexpr int kHeight = 460;
+
+struct Path {
+  QVector<double> order, p_kPa, q_kPa;
+  void add(const lab::State& state) {
+    if (!std::isfinite(state.p_eff) || !std::isfinite(state.q)) return;
+    order.push_back(static_cast<double>(state.reading));
+    p_kPa.push_back(state.p_eff * 1e-3);
+    q_kPa.push_back(state.q * 1e-3);
+  }
+};
+
+void draw_path(QCustomPlot& plot, const Path& path, const std::string& name, const QPen& pen) {
+  if (path.order.isEmpty()) return;
+  auto* curve = new QCPCurve(plot.xAxis, plot.yAxis);
+  curve->setData(path.order, path.p_kPa, path.q_kPa, true);
+  curve->setPen(pen);
+  curve->setName(QString::fromStdString(name));
+}
+
+// Where the test does not say which stage is shear, the whole record is taken as one path.
+bool is_shear(const lab::RecordHeader& header, int stage) {
+  const auto* info = header.stage(stage);
+  return info == nullptr || info->role == lab::StageRole::shear ||
+         info->role == lab::StageRole::unknown;
+}
+
+void mark(QCustomPlot& plot, const lab::Instant& at, QCPScatterStyle::ScatterShape shape,
+          const QColor& colour, const std::string& name) {
+  auto* point = new QCPCurve(plot.xAxis, plot.yAxis);
+  point->addData(*at.p_eff_pa * 1e-3, *at.q_pa * 1e-3);
+  point->setLineStyle(QCPCurve::lsNone);
+  point->setScatterStyle(QCPScatterStyle(shape, line(colour, 1.8), QBrush(Qt::white), 10));
+  point->setName(QString::fromStdString(name));
+}
+
+}  // namespace
+
+Drawing stress_path_figure(const ReportedTest& test) {
+  Path before, shear;
+  RangeOf p_range, q_range;
+  p_range.add(0);
+  q_range.add(0);
+  for (const auto& state : test.curves.states) {
+    (is_shear(test.stored.header, state.stage) ? shear : before).add(state);
+    p_range.add(state.p_eff * 1e-3);
+    q_range.add(state.q * 1e-3);
+  }
+  if (before.order.isEmpty() && shear.order.isEmpty()) return {};
+
+  auto plot = make_plot(kWidth, kHeight);
+  style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
+  plot->xAxis->setRange(p_range.with_margin(0.06, true));
+  plot->yAxis->setRange(q_range.with_margin(0.10, true));
+
+  const auto& collapse = test.stored.summary.collapse;
+  const auto& onset = collapse.onset;
+  const auto eta = onset ? onset->eta() : std::nullopt;
+  if (collapse.limit_stress_ratio) draw_mohr_coulomb_line(*plot, *collapse.limit_stress_ratio);
+  if (eta) draw_instability_line(*plot, *eta);
+  draw_path(*plot, before, "before shear", line(kGrey, 1.2));
+  draw_path(*plot, shear, before.order.isEmpty() ? "stress path" : "stress path in shear",
+            line(kBlue, 1.8));
+  if (eta) {
+    mark(*plot, *onset, QCPScatterStyle::ssCircle, kVermilion, "onset of collapse");
+    legend_below(*plot, 3);
+    place_labels(*plot, {{*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3,
+                          fmt::format("η = {:.2f}", *eta), kVermilion}});
+  } else {
+    legend_below(*plot, 3);
+  }
+  auto caption =
+      eta ? fmt::format("Effective stress path of test {}; collapse sets in at η = {:.2f}.",
+                        test.stored.header.name, *eta)
+          : fmt::format("Effective stress path of test {}; no collapse point.",
+                        test.stored.header.name);
+  return {std::move(plot), std::move(caption)};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,16 @@
+#pragma once
+// Where results go: a file appears whole or not at all; standard output says when it is broken.
+#include <string>
+#include <string_view>
+
+namespace triax::src {
+
+/// Writes to standard output and makes sure it arrived. Throws lab::WorkFailed with the reason
+/// (closed pipe, full disk); what was printed before stays printed.
+void print(std::string_view text);
+
+/// Writes a file under a temporary name beside it and renames it once complete, so that a failure
+/// leaves what was there before. "-" stands for standard output. Throws lab::WorkFailed.
+void write_file(const std::string& path, std::string_view bytes);
+
+}  // namespace triax::src

@@ -1,0 +1,30 @@
+#include "src/output/progress_bar.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace triax::src {
+
+ProgressBar::ProgressBar(std::string label)
+    : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (shown_percent_ >= 0) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ProgressBar::show(double fraction) {
+  if (!on_terminal_) return;
+  const int percent = static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0));
+  if (percent == shown_percent_) return;
+  shown_percent_ = percent;
+  constexpr int kWidth = 40;
+  const auto full = static_cast<std::size_t>(percent * kWidth / 100);
+  fmt::print(stderr, "\r{} [{:<{}}] {:3} %", label_, std::string(full, '='), kWidth, percent);
+  std::fflush(stderr);
+}
+
+}  // namespace triax::src

@@ -1,0 +1,34 @@
+#pragma once
+// A table of text with units in its headings: what text, HTML and PDF reports have in common.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace triax::src {
+
+enum class Align { left, right };
+
+struct Column {
+  std::string heading;  ///< with its unit: "p'0 (kPa)"
+  Align align = Align::left;
+};
+
+struct Table {
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
+};
+
+/// Columns a terminal needs for UTF-8 text (combining marks none, wide characters two).
+std::size_t display_width(const std::string& utf8);
+
+/// One line of a table: cells padded to `widths`, two blanks between, no blanks at the end.
+std::string table_line(const std::vector<std::string>& cells, const std::vector<Column>& columns,
+                       const std::vector<std::size_t>& widths);
+
+/// The width each column needs for its heading and rows.
+std::vector<std::size_t> column_widths(const Table& table);
+
+/// Headings, a rule and the rows, each line ended.
+std::string to_text(const Table& table);
+
+}  // namespace triax::src

@@ -1,0 +1,35 @@
+#pragma once
+// What a report says, before it is said as text, HTML or PDF: one source, three forms.
+#include <string>
+#include <vector>
+
+#include "src/output/table.hpp"
+#include "src/report/reported_test.hpp"
+
+namespace triax::src {
+
+/// A label and what is known about it; several lines for a list.
+struct Fact {
+  std::string label;
+  std::vector<std::string> lines;
+};
+
+/// One test in full.
+struct TestContent {
+  std::string title;   ///< "Test 3: TMU-MT1"
+  std::string banner;  ///< what a reader must not miss: SIMULATED, INTERRUPTED; empty if neither
+  std::vector<Fact> facts;
+  Table criteria;  ///< each criterion with its finding and evidence
+  Table checks;    ///< measured, limit, ok, why
+};
+
+/// One row a test, like Table 2 of Darve, Sibille, Daouadji and Nicot (2007): type of test, test,
+/// p'0 (kPa), e0, φ_mob (°), η at collapse; and origin, kind, limit surface, agreement.
+Table summary_table(const std::vector<ReportedTest>& tests);
+
+/// What the columns of the summary mean, one sentence each.
+std::vector<std::string> summary_notes();
+
+TestContent test_content(const ReportedTest& test);
+
+}  // namespace triax::src

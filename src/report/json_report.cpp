@@ -1,0 +1,164 @@
+#include "src/report/json_report.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sim/mechanics/axisymmetric.hpp"
+#include "sim/mechanics/units.hpp"
+
+namespace triax::src {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json plain(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+// The field value with the shortest digits that stands for this SI value, so that 56.5 kPa is not
+// printed as 56.500000000000007.
+Json field(const std::optional<double>& si, const sim::Unit& unit) {
+  return si && std::isfinite(*si) ? Json(sim::to_field(*si, unit)) : Json(nullptr);
+}
+
+Json kPa(const std::optional<double>& pa) { return field(pa, *sim::find_unit("kPa")); }
+Json mm(const std::optional<double>& metres) { return field(metres, *sim::find_unit("mm")); }
+
+Json deg(const std::optional<double>& rad) {
+  return plain(rad ? std::optional(sim::degrees(*rad)) : std::nullopt);
+}
+
+template <class T>
+Json maybe(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json text(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
+
+Json test_json(const db::StoredTest& test) {
+  const auto& header = test.header;
+  return {{"id", test.id},
+          {"name", header.name},
+          {"origin", lab::to_string(header.origin)},
+          {"programme", text(header.programme)},
+          {"source", text(header.source)},
+          {"dialect", text(header.dialect)},
+          {"seed", maybe(header.seed)},
+          {"status", db::to_string(test.status)},
+          {"recorded_at", text(test.recorded_at)},
+          {"readings", test.summary.readings},
+          {"axis", header.has_time ? "time" : "axial_strain"}};
+}
+
+Json specimen_json(const lab::SpecimenInfo& specimen) {
+  return {{"height_mm", mm(specimen.height_m)},
+          {"diameter_mm", mm(specimen.diameter_m)},
+          {"void_ratio", plain(specimen.void_ratio)},
+          {"consolidated_void_ratio", plain(specimen.consolidated_void_ratio)},
+          {"consolidated_height_mm", mm(specimen.consolidated_height_m)},
+          {"dry_mass_g", field(specimen.dry_mass_kg, *sim::find_unit("g"))},
+          {"specific_gravity", plain(specimen.specific_gravity)},
+          {"membrane_thickness_mm", mm(specimen.membrane_thickness_m)},
+          {"membrane_modulus_kPa", kPa(specimen.membrane_modulus_pa)},
+          {"limit_friction_angle_deg", deg(specimen.limit_friction_angle_rad)},
+          {"material", text(specimen.material)}};
+}
+
+Json consolidation_json(const db::StoredTest& test) {
+  const auto& consolidation = test.summary.consolidation;
+  return {{"p_eff_kPa", kPa(consolidation.p_eff_pa)},
+          {"b_value", plain(consolidation.b_value)},
+          {"void_ratio", plain(void_ratio(test))},
+          {"height_mm", mm(consolidation.height_m)},
+          {"diameter_mm", mm(consolidation.diameter_m)}};
+}
+
+void put_instant(Json& object, const std::optional<lab::Instant>& known) {
+  const lab::Instant at = known.value_or(lab::Instant{});
+  object["reading"] = known ? Json(at.reading) : Json(nullptr);
+  object["time_s"] = plain(at.time_s);
+  object["axial_strain"] = plain(at.axial_strain);
+  object["q_kPa"] = kPa(at.q_pa);
+  object["p_eff_kPa"] = kPa(at.p_eff_pa);
+  object["pore_pressure_kPa"] = kPa(at.pore_pressure_pa);
+  object["eta"] = plain(at.eta());
+  object["phi_mob_deg"] = deg(at.phi_mob_rad());
+}
+
+Json truth_json(const std::optional<lab::Truth>& truth) {
+  if (!truth) return nullptr;
+  lab::Instant at;
+  at.q_pa = truth->q_pa;
+  at.p_eff_pa = truth->p_eff_pa;
+  return {{"lost_sustainability", truth->lost_sustainability},
+          {"time_s", plain(truth->time_s)},
+          {"axial_strain", plain(truth->axial_strain)},
+          {"q_kPa", kPa(truth->q_pa)},
+          {"p_eff_kPa", kPa(truth->p_eff_pa)},
+          {"pore_pressure_kPa", kPa(truth->pore_pressure_pa)},
+          {"eta", plain(at.eta())},
+          {"phi_mob_deg", deg(at.phi_mob_rad())}};
+}
+
+Json criteria_json(const std::vector<lab::Criterion>& criteria) {
+  Json list = Json::array();
+  for (const auto& criterion : criteria)
+    list.push_back({{"name", criterion.name},
+                    {"detected", criterion.detected},
+                    {"reading", maybe(criterion.reading)},
+                    {"time_s", plain(criterion.time_s)},
+                    {"eta", plain(criterion.eta)},
+                    {"evidence", text(criterion.evidence)}});
+  return list;
+}
+
+Json collapse_json(const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  const bool known = has_verdict(test);
+  Json object;
+  object["detected"] = known ? Json(collapse.detected()) : Json(nullptr);
+  object["kind"] = known ? Json(lab::to_string(collapse.kind)) : Json(nullptr);
+  object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
+  put_instant(object, collapse.onset);
+  object["second_order_work_normalised"] = plain(collapse.second_order_work_normalised);
+  object["second_order_work_error"] = plain(collapse.second_order_work_error);
+  object["limit_stress_ratio"] = plain(collapse.limit_stress_ratio);
+  object["limit_source"] = text(collapse.limit_source);
+  object["criteria"] = criteria_json(collapse.criteria);
+  object["truth"] = truth_json(test.summary.truth);
+  return object;
+}
+
+Json checks_json(const std::vector<lab::Check>& checks) {
+  Json list = Json::array();
+  for (const auto& check : checks)
+    list.push_back({{"name", check.name},
+                    {"measured", plain(check.measured)},
+                    {"limit", plain(check.limit)},
+                    {"ok", check.ok},
+                    {"note", text(check.note)}});
+  return list;
+}
+
+Json report_json(const db::StoredTest& test) {
+  Json peak;
+  put_instant(peak, test.summary.peak);
+  return {{"test", test_json(test)},
+          {"specimen", specimen_json(test.header.specimen)},
+          {"consolidation", consolidation_json(test)},
+          {"peak", std::move(peak)},
+          {"collapse", collapse_json(test)},
+          {"checks", checks_json(test.summary.checks)},
+          {"warnings", warnings(test)}};
+}
+
+}  // namespace
+
+std::string json_report(const std::vector<ReportedTest>& tests) {
+  Json document = Json::array();
+  for (const auto& test : tests) document.push_back(report_json(test.stored));
+  if (tests.size() == 1) document = Json(document.front());
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace triax::src

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/report/reported_test.hpp"
+
+namespace triax::src {
+
+/// The JSON contract (docs/architecture.md): one object for one test, an array for several or none.
+/// Units are in the names (kPa, mm, degrees); what is unknown is null, never absent, never 0. A
+/// test without a verdict (running, interrupted) has null for "detected" and "kind".
+std::string json_report(const std::vector<ReportedTest>& tests);
+
+}  // namespace triax::src

@@ -1,0 +1,33 @@
+#pragma once
+// One test as a report needs it: what was stored, and its curves thinned for drawing.
+#include <string>
+#include <vector>
+
+#include "db/store.hpp"
+#include "src/figures/curves.hpp"
+
+namespace triax::src {
+
+struct ReportedTest {
+  db::StoredTest stored;
+  Curves curves;  ///< empty where the report draws no figure
+};
+
+enum class WithCurves { no, yes };
+
+/// Reads one test back from the store. With curves, every scan is visited once in constant memory.
+ReportedTest load_reported_test(const db::Store& store, std::int64_t id, WithCurves with_curves);
+
+/// True once the verdict stands: a test that is running or was interrupted has none.
+bool has_verdict(const db::StoredTest& test);
+
+/// Void ratio at the start of shear, else as the laboratory gives it, else as built.
+std::optional<double> void_ratio(const db::StoredTest& test);
+
+/// Names of the criteria that detected a collapse, and how many were asked.
+std::vector<std::string> agreeing_criteria(const db::StoredTest& test);
+
+/// Warnings of the record and of what followed, each once, "line 12: ..." where a line is meant.
+std::vector<std::string> warnings(const db::StoredTest& test);
+
+}  // namespace triax::src
