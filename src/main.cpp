@@ -1,1 +1,57 @@
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <CLI/Error.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+#include "lab/records/bad_input.hpp"
+#include "src/commands/application.hpp"
+#include "src/manual/manual.hpp"
+#include "src/output/output.hpp"
+
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
+
+int complain(const std::string& message, int status) {
+  fmt::print(stderr, "triax: {}\n", message);
+  return status;
+}
+
+int run(int argc, char** argv) {
+  using namespace triax;
+  const src::Application application = src::make_application();
+  // For the build, which installs what this writes; not part of what users are told.
+  if (argc == 3 && std::strcmp(argv[1], "--write-manual") == 0) {
+    src::write_manual(*application.app, argv[2]);
+    return kDone;
+  }
+  try {
+    application.app->parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return application.app->exit(success);
+  } catch (const CLI::ParseError& error) {
+    return complain(fmt::format("{} (see triax --help)", error.what()), kBadInput);
+  }
+  if (!*application.run) {
+    fmt::print(stderr, "{}", application.app->help());
+    return complain("a command is wanted", kBadInput);
+  }
+  (*application.run)();
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error that we can tell, not a silent death
+  try {
+    return run(argc, argv);
+  } catch (const triax::lab::BadInput& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kFailed);
+  }
+}

@@ -1,0 +1,16 @@
+#include "src/commands/command.hpp"
+
+#include "src/commands/query.hpp"
+#include "src/commands/replay.hpp"
+#include "src/commands/report.hpp"
+#include "src/commands/simulate.hpp"
+
+namespace triax::src {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all = {simulate_command(), replay_command(), report_command(),
+                                           query_command()};
+  return all;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,69 @@
+#include "src/commands/query.hpp"
+
+#include "db/query.hpp"
+
+#include <memory>
+
+#include "src/commands/shared_options.hpp"
+#include "src/output/output.hpp"
+#include "src/output/result_writer.hpp"
+#include "src/output/table.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Options {
+  std::string text;
+  std::string db = "triax.db";
+  std::string format = "table";
+  bool list = false;
+};
+
+void list_queries() {
+  Table table{{{"query"}, {"answers"}}, {}};
+  for (const auto& query : db::named_queries())
+    table.rows.push_back({std::string(query.name), std::string(query.purpose)});
+  print(to_text(table));
+}
+
+void run(const Options& o) {
+  if (o.list || o.text.empty()) return list_queries();
+  const auto writer = make_result_writer(o.format);
+  db::query(
+      o.db, o.text, [&](const std::vector<std::string>& columns) { writer->columns(columns); },
+      [&](const std::vector<db::Value>& row) { writer->row(row); });
+  writer->finish();
+}
+
+}  // namespace
+
+Command query_command() {
+  return {.name = "query",
+          .purpose = "ask the database: named queries or SQL, read only",
+          .description = {"Without an argument, or with --list, the named queries are listed. "
+                          "Anything that is not the "
+                          "name of one is taken as SQL. The database is opened so that SQLite "
+                          "itself refuses to write.",
+                          "The views tests, readings, states, second_order_work, events and "
+                          "collapse_points carry units "
+                          "in the names of their columns."},
+          .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+                           "there is no database yet, or --db names another file"},
+                          {"no such column: ...", "SQLite's own words on the SQL given"}},
+          .examples =
+              {{"triax query collapse_points", "the table of collapse points, like Table 2"},
+               {"triax query \"SELECT reading, q_kPa FROM states WHERE test_id = 1\" --format csv",
+                "one test's readings for a spreadsheet"}},
+          .set_up = [](CLI::App& app) -> std::function<void()> {
+            const auto o = std::make_shared<Options>();
+            app.add_option("query", o->text, "name of a query, or SQL")->type_name("NAME|SQL");
+            add_db(app, o->db);
+            app.add_option("--format", o->format, "table, csv or json [table]")
+                ->check(CLI::IsMember({"table", "csv", "json"}).description(""))
+                ->type_name("table|csv|json");
+            app.add_flag("--list", o->list, "list the named queries");
+            return [o] { run(*o); };
+          }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,101 @@
+#include "src/commands/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/rig/recorded.hpp"
+#include "src/commands/shared_options.hpp"
+#include "src/commands/test_run.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Options {
+  std::vector<std::string> records;
+  std::string dialect;
+  std::vector<std::string> sets;
+  lab::MembraneCorrection membrane = lab::MembraneCorrection::none;
+  std::string db = "triax.db";
+  double speed = 0;
+  bool json = false;
+};
+
+lab::RecordOptions record_options(const Options& o) {
+  lab::RecordOptions record{.dialect = o.dialect, .sets = {}};
+  for (const auto& set : o.sets) {
+    const auto equals = set.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw lab::BadInput(
+          fmt::format("--set {}: KEY=VALUE is wanted, as in specimen.height_mm=140", set));
+    record.sets.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+  }
+  return record;
+}
+
+void run(const Options& o) {
+  const lab::RecordOptions record = record_options(o);
+  // A name that is wrong is told before the first record has run for minutes.
+  for (const auto& path : o.records)
+    if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
+  std::vector<std::int64_t> ids;
+  for (const auto& path : o.records) {
+    const auto rig = lab::open_record(path, record);
+    ids.push_back(run_test(*rig, {.reduction = {.membrane = o.membrane}, .speed = o.speed}, o.db,
+                           std::filesystem::path(path).filename().string()));
+  }
+  print_tests(o.db, ids, o.json);
+}
+
+}  // namespace
+
+Command replay_command() {
+  return {
+      .name = "replay",
+      .purpose = "reduce recorded tests, watch their second-order work, keep and report them",
+      .description =
+          {"Reads records as their loggers wrote them: triax's own CSV, GDSLab .gds, the Karlsruhe "
+           "tables and others. The dialect is recognised from the content; --dialect names one or "
+           "brings the description of a new one. Readings go one at a time through reduction and "
+           "collapse monitor into the database; the report is then read back from there.",
+           "What a file does not hold is given with --set: specimen.height_mm, "
+           "specimen.diameter_mm, "
+           "specimen.void_ratio, specimen.limit_friction_angle_deg, stages.N.role and so on."},
+      .diagnostics = {{"... does not say the height of the specimen ...",
+                       "give --set specimen.height_mm=..."},
+                      {"FILE:LINE: ...",
+                       "the file could not be understood there; nothing of it is kept"}},
+      .examples =
+          {{"triax replay test.csv", "a record in triax's own form"},
+           {"triax replay *.gds --json", "several files, as one JSON document"},
+           {"triax replay raw.csv --set specimen.height_mm=140 --set specimen.diameter_mm=70",
+            "the file lacks the specimen"},
+           {"triax replay lab.txt --dialect my_lab.toml", "a logger of one's own"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<Options>();
+        app.add_option("records", o->records, "record files")->required()->type_name("RECORD");
+        app.add_option("--dialect", o->dialect, "name of a dialect, or file that describes one")
+            ->type_name("NAME|FILE.toml");
+        app.add_option("--set", o->sets,
+                       "what the file does not hold, or holds wrongly; may be repeated")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        const std::map<std::string, lab::MembraneCorrection> membranes = {
+            {"none", lab::MembraneCorrection::none},
+            {"astm", lab::MembraneCorrection::astm},
+            {"iso", lab::MembraneCorrection::iso}};
+        app.add_option("--membrane", o->membrane,
+                       "membrane correction: none, astm (D4767) or iso (17892-9) [none]")
+            ->transform(CLI::CheckedTransformer(membranes).description(""))
+            ->type_name("none|astm|iso");
+        add_db(app, o->db);
+        add_speed(app, o->speed);
+        add_json(app, o->json);
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,80 @@
+#include "src/commands/report.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "db/store.hpp"
+#include "src/commands/shared_options.hpp"
+#include "src/output/output.hpp"
+#include "src/report/html_report.hpp"
+#include "src/report/json_report.hpp"
+#include "src/report/pdf_report.hpp"
+#include "src/report/text_report.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Options {
+  std::vector<std::string> tests;
+  std::string db = "triax.db";
+  std::string format = "text";
+  std::string output;
+};
+
+void run(const Options& o) {
+  const db::Store store(o.db);
+  const bool drawn = o.format == "html" || o.format == "pdf";
+  std::vector<ReportedTest> tests;
+  for (const auto id : store.find(o.tests))
+    tests.push_back(load_reported_test(store, id, drawn ? WithCurves::yes : WithCurves::no));
+
+  const std::string output = !o.output.empty() ? o.output
+                             : drawn           ? "triax_report." + o.format
+                                               : "-";
+  if (o.format == "pdf")
+    pdf_report(tests, output);
+  else if (o.format == "html")
+    write_file(output, html_report(tests));
+  else
+    write_file(output, o.format == "json" ? json_report(tests) : text_report(tests));
+  if (output != "-")
+    print(fmt::format("{} of {} tests written to {}\n", o.format, tests.size(), output));
+}
+
+}  // namespace
+
+Command report_command() {
+  return {
+      .name = "report",
+      .purpose = "say when, why and at what stress ratio tests collapsed: text, JSON, HTML or PDF",
+      .description =
+          {"Reports the named tests, or all, from the database. A test is named by its number or "
+           "its name; "
+           "of several with one name the latest is meant.",
+           "HTML is one file with its figures inside; PDF is A4. Both hold the path in q-p' with "
+           "the onset, "
+           "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
+           "second-order work on one axis. Without --output they are written to triax_report.html "
+           "or "
+           "triax_report.pdf in the current folder; text and JSON go to standard output."},
+      .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+                       "there is no database yet, or --db names another file"}},
+      .examples = {{"triax report", "all tests as text"},
+                   {"triax report csu_26 --format html --output csu_26.html",
+                    "one test with figures"},
+                   {"triax report 1 2 3 --format json", "three tests as one JSON document"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<Options>();
+        app.add_option("tests", o->tests, "numbers or names of tests; none means all")
+            ->type_name("TEST");
+        add_db(app, o->db);
+        app.add_option("--format", o->format, "text, json, html or pdf [text]")
+            ->check(CLI::IsMember({"text", "json", "html", "pdf"}).description(""))
+            ->type_name("text|json|html|pdf");
+        app.add_option("--output", o->output, "file to write")->type_name("FILE");
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,49 @@
+#include "src/commands/shared_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Config.hpp>
+#include <cmath>
+
+#include "db/store.hpp"
+#include "src/output/output.hpp"
+#include "src/report/json_report.hpp"
+#include "src/report/text_report.hpp"
+
+namespace triax::src {
+
+void add_db(CLI::App& app, std::string& path) {
+  app.add_option("--db", path, "database of tests")->type_name("FILE")->capture_default_str();
+}
+
+void add_json(CLI::App& app, bool& json) {
+  app.add_flag("--json", json, "print one JSON document on standard output, nothing else");
+}
+
+void add_speed(CLI::App& app, double& speed) {
+  app.add_option_function<std::string>(
+         "--speed",
+         [&speed](const std::string& text) {
+           if (text == "max") return;
+           char* end = nullptr;
+           speed = std::strtod(text.c_str(), &end);
+           if (*end != '\0' || !(speed > 0) || !std::isfinite(speed))
+             throw CLI::ValidationError(
+                 "--speed",
+                 fmt::format("'{}' is neither max nor a positive number of seconds of the "
+                             "test per second of the clock",
+                             text));
+         },
+         "pace: as fast as possible, or N times the clock; results do not depend on it [max]")
+      ->type_name("max|N");
+}
+
+void print_tests(const std::string& db, const std::vector<std::int64_t>& ids, bool json) {
+  const db::Store store(db);
+  std::vector<ReportedTest> tests;
+  tests.reserve(ids.size());
+  for (const auto id : ids) tests.push_back(load_reported_test(store, id, WithCurves::no));
+  print(json ? json_report(tests) : text_report(tests));
+}
+
+}  // namespace triax::src

@@ -1,0 +1,23 @@
+#pragma once
+// Options that several commands share, each written once.
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace triax::src {
+
+/// --db FILE, triax.db in the current folder by default.
+void add_db(CLI::App& app, std::string& path);
+
+/// --json: one document on standard output and nothing else there.
+void add_json(CLI::App& app, bool& json);
+
+/// --speed max|N: 0 in `speed` stands for max.
+void add_speed(CLI::App& app, double& speed);
+
+/// Reads the named tests back from the database and prints them as text or JSON: the one way in
+/// which simulate, replay and report say what a test came to.
+void print_tests(const std::string& db, const std::vector<std::int64_t>& ids, bool json);
+
+}  // namespace triax::src

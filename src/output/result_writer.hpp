@@ -1,0 +1,27 @@
+#pragma once
+// Rows of a query as an aligned table, as CSV (RFC 4180) or as a JSON array of objects.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "db/query.hpp"
+
+namespace triax::src {
+
+class ResultWriter {
+ public:
+  virtual ~ResultWriter() = default;
+  ResultWriter() = default;
+  ResultWriter(const ResultWriter&) = delete;
+  ResultWriter& operator=(const ResultWriter&) = delete;
+
+  virtual void columns(const std::vector<std::string>& names) = 0;
+  virtual void row(const std::vector<db::Value>& values) = 0;
+  virtual void finish() = 0;  ///< writes what was held back
+};
+
+/// `format`: "table", "csv" or "json". CSV and JSON are printed as rows come, in constant memory; a
+/// table is held until its column widths are known.
+std::unique_ptr<ResultWriter> make_result_writer(const std::string& format);
+
+}  // namespace triax::src
