@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/report/words.hpp"
 
 namespace triax::src {
@@ -180,6 +182,22 @@ Table summary_table(const std::vector<ReportedTest>& tests) {
                           inside_limit_surface(test.summary.collapse), agreement(test)});
   }
   return table;
+}
+
+std::string summary_banner(const std::vector<ReportedTest>& tests) {
+  const auto count = [&](auto&& is_so) { return std::count_if(tests.begin(), tests.end(), is_so); };
+  const auto simulated =
+      count([](const auto& test) { return test.stored.header.origin == Origin::simulated; });
+  const auto interrupted =
+      count([](const auto& test) { return test.stored.status == db::TestStatus::interrupted; });
+  std::vector<std::string> parts;
+  if (simulated > 0)
+    parts.push_back(fmt::format("{} of {} tests SIMULATED: virtual specimens, no measurement",
+                                simulated, tests.size()));
+  if (interrupted > 0)
+    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict", interrupted,
+                                tests.size()));
+  return fmt::format("{}", fmt::join(parts, ". "));
 }
 
 std::vector<std::string> summary_notes() {
