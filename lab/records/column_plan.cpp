@@ -106,8 +106,9 @@ class Planner {
       if (folded(other.heading) == folded(heading)) two_columns(other.cell, other.cell);
     std::vector<std::string> known{"time_s", "stage"};
     for (const QuantityInfo& row : quantities()) known.push_back(lab::heading(row.quantity));
-    unknown_.push_back(fmt::format("column {} is not known and left out; did you mean '{}'?",
-                                   excerpt(heading), nearest(heading, known)));
+    const auto near = nearest(heading, known);
+    unknown_.push_back(fmt::format("column {} is not known and left out{}", excerpt(heading),
+                                   near.empty() ? "" : "; did you mean '" + near + "'?"));
     findings_.note("unknown column " + std::string(heading), layout_.heading_line, unknown_.back());
   }
 
