@@ -144,6 +144,7 @@ Dialect parse_dialect(std::string_view toml, const std::string& file) {
     dialect.decimal = read_decimal(*table);
     dialect.comment = table->text("comment").value_or("");
     dialect.comment_is_toml = table->flag("comment_is_toml").value_or(false);
+    dialect.missing_words = table->flag("missing_words").value_or(true);
     table->finish();
   }
   if (const auto table = document.table("columns"))
