@@ -4,9 +4,10 @@
 
 #include <stdexcept>
 
-#include "lab/programmes/strict_table.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/embedded.hpp"
+#include "lab/records/text.hpp"
+#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {
@@ -36,15 +37,15 @@ constexpr ParameterKey kKeys[] = {
     {"atmospheric_pressure_kPa", &sim::SanisandParameters::atmospheric_pressure_pa, 1e3},
 };
 
-MaterialSet read_set(StrictTable table, const std::string& name) {
+MaterialSet read_set(const TomlTable& table, const std::string& name) {
   MaterialSet set;
   set.name = name;
-  set.description = table.maybe_text("description").value_or("");
-  set.source = table.maybe_text("source").value_or("");
-  set.range = table.maybe_text("range").value_or("");
+  set.description = table.text("description").value_or("");
+  set.source = table.text("source").value_or("");
+  set.range = table.text("range").value_or("");
   for (const ParameterKey& key : kKeys)
-    set.parameters.*key.member = key.scale * table.number(key.key, {});
-  table.done();
+    set.parameters.*key.member = key.scale * table.required_number(key.key);
+  table.finish();
   try {
     const sim::Sanisand law(set.parameters);
   } catch (const std::invalid_argument& error) {
@@ -56,15 +57,14 @@ MaterialSet read_set(StrictTable table, const std::string& name) {
 }  // namespace
 
 std::vector<MaterialSet> read_materials(std::string_view toml_text, const std::string& file) {
-  const toml::table document = parse_toml(toml_text, file);
-  StrictTable root(document, file, "");
-  const std::string law = root.text("law");
-  if (law != "sanisand") root.fail("law", "is " + law + ", the only law known is sanisand");
-  StrictTable sets = root.table("sets");
-  root.done();
+  const TomlTable root = TomlTable::parse(toml_text, file);
+  const std::string law = root.required_text("law");
+  if (law != "sanisand") root.fail("law", excerpt(law) + " is no law; known: sanisand");
+  const TomlTable sets = root.required_table("sets");
+  root.finish();
   std::vector<MaterialSet> found;
   for (const std::string& key : sets.keys())
-    found.push_back(read_set(sets.table(key), law + "/" + key));
+    found.push_back(read_set(sets.required_table(key), law + "/" + key));
   if (found.empty()) throw BadInput(file, 0, "holds no set; write [sets.NAME]");
   return found;
 }
@@ -83,10 +83,7 @@ MaterialSet find_material(std::string_view name, const std::vector<MaterialSet>&
     if (set.name == name) return set;
     names.push_back(set.name);
   }
-  const std::string near = nearest_word(name, names);
-  throw BadInput(fmt::format("no material {}; {}", name,
-                             near.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
-                                          : fmt::format("did you mean {}?", near)));
+  throw BadInput(fmt::format("no material {}; {}", excerpt(name), suggestion(name, names)));
 }
 
 MaterialSet find_material(std::string_view name) {

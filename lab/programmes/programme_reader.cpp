@@ -4,13 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 #include "lab/programmes/stage_reader.hpp"
-#include "lab/programmes/strict_table.hpp"
 #include "lab/records/bad_input.hpp"
+#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {
@@ -18,42 +15,24 @@ namespace {
 constexpr Bounds kPositive{.above = 0};
 constexpr Bounds kNotNegative{.at_least = 0};
 
-void read_test(StrictTable table, Programme& programme) {
-  programme.name = table.text("name");
-  programme.type = table.text("type");
-  programme.seed = static_cast<std::uint64_t>(
-      table.maybe_integer("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(1));
-  programme.scan_interval_s = table.number("scan_interval_s", {.at_least = 1e-3, .at_most = 3600});
-  table.done();
-}
-
-/// The whole text of a description file. Throws BadInput for what no description is: a folder, a
-/// device, a file above a megabyte.
-std::string read_description(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw BadInput(path, 0, "is a folder, not a file");
-  if (!std::filesystem::is_regular_file(path, error)) throw BadInput(path, 0, "is not a file");
-  constexpr std::uintmax_t kLargest = 1U << 20U;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error || size > kLargest)
-    throw BadInput(path, 0,
-                   fmt::format("is larger than the {} bytes of any description", kLargest));
-  std::ifstream in(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) throw BadInput(path, 0, "cannot be read");
-  return text;
+void read_test(const TomlTable& table, Programme& programme) {
+  programme.name = table.required_text("name");
+  programme.type = table.required_text("type");
+  programme.seed = static_cast<std::uint64_t>(table.integer("seed", 0).value_or(1));
+  programme.scan_interval_s =
+      table.required_number("scan_interval_s", {.at_least = 1e-3, .at_most = 3600});
+  table.finish();
 }
 
 std::vector<MaterialSet> user_materials(const std::string& name,
                                         const std::string& programme_file) {
   const auto path = std::filesystem::path(programme_file).parent_path() / name;
-  return read_materials(read_description(path.string()), path.string());
+  return read_materials(read_text_file(path.string()), path.string());
 }
 
-void read_specimen(StrictTable table, Programme& programme) {
-  const std::string material = table.text("material");
-  const auto file = table.maybe_text("material_file");
+void read_specimen(const TomlTable& table, Programme& programme) {
+  const std::string material = table.required_text("material");
+  const auto file = table.text("material_file");
   try {
     programme.material = file ? find_material(material, user_materials(*file, programme.source))
                               : find_material(material);
@@ -61,20 +40,22 @@ void read_specimen(StrictTable table, Programme& programme) {
     if (file) throw;
     table.fail("material", error.what());
   }
-  programme.specimen.height_m = 1e-3 * table.number("height_mm", {.above = 0, .at_most = 2000});
-  programme.specimen.diameter_m = 1e-3 * table.number("diameter_mm", {.above = 0, .at_most = 1000});
-  programme.void_ratio = table.number("void_ratio", {.above = 0});
+  programme.specimen.height_m =
+      1e-3 * table.required_number("height_mm", {.above = 0, .at_most = 2000});
+  programme.specimen.diameter_m =
+      1e-3 * table.required_number("diameter_mm", {.above = 0, .at_most = 1000});
+  programme.void_ratio = table.required_number("void_ratio", {.above = 0});
   programme.initial_effective_stress_pa =
-      1e3 * table.number("initial_effective_stress_kPa", {.at_least = 1, .at_most = 1e4});
-  programme.specific_gravity = table.maybe_number("specific_gravity", {.above = 1, .at_most = 10});
-  table.done();
+      1e3 * table.required_number("initial_effective_stress_kPa", {.at_least = 1, .at_most = 1e4});
+  programme.specific_gravity = table.number("specific_gravity", {.above = 1, .at_most = 10});
+  table.finish();
   const sim::Sanisand law(programme.material.parameters);
   if (const auto objection =
           law.objection(law.isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
     table.fail("void_ratio", *objection);
 }
 
-Transducer read_transducer(StrictTable table, Quantity quantity) {
+Transducer read_transducer(const TomlTable& table, Quantity quantity) {
   Transducer t;
   const std::string unit(info(quantity).unit);
   // The load cell is spoken of in newtons, although its column is in kN.
@@ -82,11 +63,11 @@ Transducer read_transducer(StrictTable table, Quantity quantity) {
   const std::string spoken = force ? "N" : unit;
   const double scale = force ? 1e-3 : 1;
   t.unit = *sim::find_unit(unit);
-  t.range = scale * table.maybe_number("range_" + spoken, kPositive).value_or(0);
-  t.step = scale * table.maybe_number("resolution_" + spoken, kNotNegative).value_or(0);
-  t.noise_rms = scale * table.maybe_number("noise_" + spoken, kNotNegative).value_or(0);
-  t.offset = scale * table.maybe_number("offset_" + spoken, {}).value_or(0);
-  const auto bits = table.maybe_integer("bits", 4, 32);
+  t.range = scale * table.number("range_" + spoken, kPositive).value_or(0);
+  t.step = scale * table.number("resolution_" + spoken, kNotNegative).value_or(0);
+  t.noise_rms = scale * table.number("noise_" + spoken, kNotNegative).value_or(0);
+  t.offset = scale * table.number("offset_" + spoken).value_or(0);
+  const auto bits = table.integer("bits", 4, 32);
   if (bits) {
     if (t.range == 0) table.fail("bits", fmt::format("needs range_{} beside it", spoken));
     if (t.step > 0) table.fail("bits", fmt::format("give either bits or resolution_{}", spoken));
@@ -94,33 +75,33 @@ Transducer read_transducer(StrictTable table, Quantity quantity) {
   }
   if (t.range > 0 && t.step > t.range)
     table.fail("resolution_" + spoken, "is coarser than the range");
-  table.done();
+  table.finish();
   return t;
 }
 
-void read_transducers(StrictTable* table, Programme& programme) {
+void read_transducers(const std::optional<TomlTable>& table, Programme& programme) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     const auto& row = quantities()[i];
     programme.transducers[i].unit = *sim::find_unit(row.unit);
-    if (table == nullptr) continue;
-    if (auto one = table->maybe_table(row.name))
+    if (!table) continue;
+    if (auto one = table->table(row.name))
       programme.transducers[i] = read_transducer(*one, row.quantity);
   }
-  if (table != nullptr) table->done();
+  if (table) table->finish();
 }
 
-PressureController read_controller(std::optional<StrictTable> table) {
+PressureController read_controller(const std::optional<TomlTable>& table) {
   PressureController c{.range_pa = 3e6, .rate_limit_pa_per_s = 10e3};
   if (!table) return c;
-  c.range_pa = 1e3 * table->maybe_number("range_kPa", kPositive).value_or(c.range_pa / 1e3);
-  c.rate_limit_pa_per_s = 1e3 / 60 *
-                          table->maybe_number("rate_limit_kPa_per_min", kPositive)
-                              .value_or(c.rate_limit_pa_per_s * 60 / 1e3);
-  table->done();
+  c.range_pa = 1e3 * table->number("range_kPa", kPositive).value_or(c.range_pa / 1e3);
+  c.rate_limit_pa_per_s =
+      1e3 / 60 *
+      table->number("rate_limit_kPa_per_min", kPositive).value_or(c.rate_limit_pa_per_s * 60 / 1e3);
+  table->finish();
   return c;
 }
 
-LoadingFrame read_frame(std::optional<StrictTable> table) {
+LoadingFrame read_frame(const std::optional<TomlTable>& table) {
   constexpr double kMmPerMin = 1e-3 / 60;
   LoadingFrame f{.slowest_m_per_s = 0.00001 * kMmPerMin,
                  .fastest_m_per_s = 5.99999 * kMmPerMin,
@@ -128,7 +109,7 @@ LoadingFrame read_frame(std::optional<StrictTable> table) {
                  .servo_gain_m_per_s_per_n = 6 * kMmPerMin};
   if (!table) return f;
   const auto set = [&](const char* key, double scale, double& member) {
-    if (const auto value = table->maybe_number(key, kPositive)) member = *value * scale;
+    if (const auto value = table->number(key, kPositive)) member = *value * scale;
   };
   set("slowest_mm_per_min", kMmPerMin, f.slowest_m_per_s);
   set("fastest_mm_per_min", kMmPerMin, f.fastest_m_per_s);
@@ -136,59 +117,54 @@ LoadingFrame read_frame(std::optional<StrictTable> table) {
   set("servo_gain_mm_per_min_per_N", kMmPerMin, f.servo_gain_m_per_s_per_n);
   if (f.slowest_m_per_s > f.fastest_m_per_s)
     table->fail("slowest_mm_per_min", "is above fastest_mm_per_min");
-  table->done();
+  table->finish();
   return f;
 }
 
-void read_rig(StrictTable table, Programme& programme) {
-  programme.cell_controller = read_controller(table.maybe_table("cell_controller"));
-  programme.back_controller = read_controller(table.maybe_table("back_controller"));
-  programme.frame = read_frame(table.maybe_table("frame"));
+void read_rig(const TomlTable& table, Programme& programme) {
+  programme.cell_controller = read_controller(table.table("cell_controller"));
+  programme.back_controller = read_controller(table.table("back_controller"));
+  programme.frame = read_frame(table.table("frame"));
   const double highest =
       std::min(programme.back_controller.range_pa,
                programme.cell_controller.range_pa - programme.initial_effective_stress_pa) /
       1e3;
   programme.initial_back_pressure_pa =
-      1e3 * table.number("back_pressure_kPa", {.at_least = 0, .at_most = highest});
-  if (const auto modulus = table.maybe_number("water_bulk_modulus_GPa", kPositive))
+      1e3 * table.required_number("back_pressure_kPa", {.at_least = 0, .at_most = highest});
+  if (const auto modulus = table.number("water_bulk_modulus_GPa", kPositive))
     programme.specimen.water_compressibility = 1e-9 / *modulus;
   programme.specimen.system_compliance =
-      1e-12 * table.maybe_number("system_compliance_mm3_per_kPa", kNotNegative).value_or(0);
+      1e-12 * table.number("system_compliance_mm3_per_kPa", kNotNegative).value_or(0);
   programme.specimen.drainage_resistance =
-      1e12 * table.maybe_number("drainage_resistance_kPa_s_per_mm3", kNotNegative).value_or(0);
-  auto transducers = table.maybe_table("transducers");
-  read_transducers(transducers ? &*transducers : nullptr, programme);
-  table.done();
+      1e12 * table.number("drainage_resistance_kPa_s_per_mm3", kNotNegative).value_or(0);
+  read_transducers(table.table("transducers"), programme);
+  table.finish();
 }
 
 }  // namespace
 
 Programme read_programme(std::string_view toml_text, const std::string& file) {
-  const toml::table document = parse_toml(toml_text, file);
-  StrictTable root(document, file, "");
+  const TomlTable root = TomlTable::parse(toml_text, file);
   Programme programme;
   programme.source = file;
-  StrictTable test = root.table("test"), specimen = root.table("specimen"), rig = root.table("rig");
-  const toml::array* stages = root.maybe_array("stages");
-  root.done();
+  const TomlTable test = root.required_table("test");
+  const TomlTable specimen = root.required_table("specimen");
+  const TomlTable rig = root.required_table("rig");
+  const auto stages = root.tables("stages");
+  root.finish();
   read_test(test, programme);
   read_specimen(specimen, programme);
   read_rig(rig, programme);
-  if (stages == nullptr || stages->empty())
-    throw BadInput(file, 0, "no stage is given; write [[stages]]");
+  if (stages.empty()) throw BadInput(file, 0, "no stage is given; write [[stages]]");
   double cell_pa = programme.initial_back_pressure_pa + programme.initial_effective_stress_pa;
   double back_pa = programme.initial_back_pressure_pa;
-  for (std::size_t i = 0; i < stages->size(); ++i) {
-    const toml::table* stage = (*stages)[i].as_table();
-    if (stage == nullptr) throw BadInput(file, 0, "stages must be tables; write [[stages]]");
-    StrictTable table(*stage, file, fmt::format("[stages {}]", i + 1));
-    programme.stages.push_back(read_stage(table, programme, cell_pa, back_pa));
-  }
+  for (const TomlTable& stage : stages)
+    programme.stages.push_back(read_stage(stage, programme, cell_pa, back_pa));
   return programme;
 }
 
 Programme load_programme(const std::string& path) {
-  return read_programme(read_description(path), path);
+  return read_programme(read_text_file(path), path);
 }
 
 }  // namespace triax::lab

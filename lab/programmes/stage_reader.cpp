@@ -4,13 +4,12 @@
 
 #include <cmath>
 
-#include "lab/programmes/strict_table.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
+#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr Bounds kPositive{.above = 0};
 constexpr double kKpaPerMin = 1e3 / 60;
 
 constexpr std::pair<std::string_view, AxialAction> kActions[] = {
@@ -20,27 +19,27 @@ constexpr std::pair<std::string_view, AxialAction> kActions[] = {
     {"constant_q", AxialAction::constant_q}};
 
 template <class Pairs>
-[[noreturn]] void unknown_word(const StrictTable& table, std::string_view key,
+[[noreturn]] void unknown_word(const TomlTable& table, std::string_view key,
                                const std::string& found, const Pairs& pairs) {
   std::vector<std::string> known;
   for (const auto& pair : pairs) known.emplace_back(pair.first);
-  table.fail(key, fmt::format("is \"{}\", must be one of {}", found, fmt::join(known, ", ")));
+  table.fail(key, fmt::format("{} is none; {}", excerpt(found), suggestion(found, known)));
 }
 
-AxialAction read_action(StrictTable& table) {
-  const std::string word = table.text("axial");
+AxialAction read_action(const TomlTable& table) {
+  const std::string word = table.required_text("axial");
   for (const auto& [name, action] : kActions)
     if (name == word) return action;
   unknown_word(table, "axial", word, kActions);
 }
 
-double nonzero(StrictTable& table, std::string_view key) {
-  const double value = table.number(key, {});
+double nonzero(const TomlTable& table, std::string_view key) {
+  const double value = table.required_number(key);
   if (value == 0) table.fail(key, "is 0; leave the stage's axis free or give a rate");
   return value;
 }
 
-void read_axis(StrictTable& table, const LoadingFrame& frame, Stage& stage) {
+void read_axis(const TomlTable& table, const LoadingFrame& frame, Stage& stage) {
   stage.axial = read_action(table);
   if (stage.axial == AxialAction::displacement) {
     stage.axial_rate_m_per_s = nonzero(table, "axial_rate_mm_per_min") * 1e-3 / 60;
@@ -51,18 +50,18 @@ void read_axis(StrictTable& table, const LoadingFrame& frame, Stage& stage) {
   } else if (stage.axial == AxialAction::load) {
     stage.load_rate_n_per_s = nonzero(table, "load_rate_N_per_min") / 60;
   } else if (stage.axial == AxialAction::constant_q) {
-    if (const auto q = table.maybe_number("held_q_kPa", {})) stage.held_q_pa = 1e3 * *q;
+    if (const auto q = table.number("held_q_kPa")) stage.held_q_pa = 1e3 * *q;
   }
 }
 
 /// Reads one controller's demand; `pressure_pa` is where it starts, NaN if that is not known.
-PressureDemand read_demand(StrictTable& table, const std::string& name,
+PressureDemand read_demand(const TomlTable& table, const std::string& name,
                            const PressureController& controller, double pressure_pa) {
   const std::string rate_key = name + "_rate_kPa_per_min", target_key = name + "_target_kPa";
   PressureDemand demand;
-  const auto rate = table.maybe_number(rate_key, {});
+  const auto rate = table.number(rate_key);
   const auto target =
-      table.maybe_number(target_key, {.at_least = 0, .at_most = controller.range_pa / 1e3});
+      table.number(target_key, {.at_least = 0, .at_most = controller.range_pa / 1e3});
   if (!rate) {
     if (target) table.fail(target_key, fmt::format("needs {} beside it", rate_key));
     return demand;
@@ -103,27 +102,22 @@ bool reachable(const EndCondition& end, const PressureDemand& demand, double sta
   return end.above ? *end.above <= high : *end.below >= low;
 }
 
-EndCondition read_end(StrictTable table) {
-  const std::string word = table.text("quantity");
+EndCondition read_end(const TomlTable& table) {
+  const std::string word = table.required_text("quantity");
   const EndQuantityKey* key = nullptr;
   std::vector<std::string> known;
   for (const EndQuantityKey& candidate : end_quantity_keys()) {
     known.emplace_back(candidate.key);
     if (candidate.key == word) key = &candidate;
   }
-  if (key == nullptr) {
-    const std::string near = nearest_word(word, known);
-    table.fail("quantity",
-               fmt::format("is \"{}\", {}", word,
-                           near.empty() ? fmt::format("must be one of {}", fmt::join(known, ", "))
-                                        : fmt::format("did you mean {}?", near)));
-  }
+  if (key == nullptr)
+    table.fail("quantity", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
   EndCondition end;
   end.quantity = key->quantity;
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
-  if (const auto above = table.maybe_number("above", bounds)) end.above = *above * key->scale;
-  if (const auto below = table.maybe_number("below", bounds)) end.below = *below * key->scale;
-  table.done();
+  if (const auto above = table.number("above", bounds)) end.above = *above * key->scale;
+  if (const auto below = table.number("below", bounds)) end.below = *below * key->scale;
+  table.finish();
   if (end.above.has_value() == end.below.has_value())
     table.fail("", "an end condition needs exactly one of above and below");
   if (end.quantity == EndQuantity::time && (end.below || *end.above <= 0))
@@ -131,8 +125,8 @@ EndCondition read_end(StrictTable table) {
   return end;
 }
 
-void check_ends(StrictTable& table, const Stage& stage, const Programme& programme, double cell_pa,
-                double back_pa) {
+void check_ends(const TomlTable& table, const Stage& stage, const Programme& programme,
+                double cell_pa, double back_pa) {
   for (const EndCondition& end : stage.end) {
     const bool cell = end.quantity == EndQuantity::cell_pressure;
     const bool back = end.quantity == EndQuantity::back_pressure;
@@ -157,38 +151,34 @@ void check_ends(StrictTable& table, const Stage& stage, const Programme& program
 
 }  // namespace
 
-Stage read_stage(StrictTable& table, const Programme& programme, double& cell_pa, double& back_pa) {
+Stage read_stage(const TomlTable& table, const Programme& programme, double& cell_pa,
+                 double& back_pa) {
   Stage stage;
   stage.line = table.line();
-  stage.name = table.text("name");
-  const std::string role = table.text("role");
+  stage.name = table.required_text("name");
+  const std::string role = table.required_text("role");
   const auto known_role = stage_role_from(role);
   if (!known_role || *known_role == StageRole::unknown)
-    table.fail(
-        "role",
-        fmt::format("is \"{}\", must be one of saturation, b_check, consolidation, shear", role));
+    table.fail("role", fmt::format("{} is none; known: saturation, b_check, consolidation, shear",
+                                   excerpt(role)));
   stage.role = *known_role;
-  const std::string drainage = table.text("drainage");
+  const std::string drainage = table.required_text("drainage");
   if (drainage != "open" && drainage != "closed")
-    table.fail("drainage", fmt::format("is \"{}\", must be open or closed", drainage));
+    table.fail("drainage", fmt::format("{} is neither open nor closed", excerpt(drainage)));
   stage.valve_open = drainage == "open";
   read_axis(table, programme.frame, stage);
   stage.cell = read_demand(table, "cell", programme.cell_controller, cell_pa);
   stage.back = read_demand(table, "back", programme.back_controller, back_pa);
   stage.time_limit_s =
-      60 * table.maybe_number("time_limit_min", {.above = 0, .at_most = 1e5}).value_or(1440);
-  const toml::array* ends = table.maybe_array("end");
-  if (ends == nullptr || ends->empty())
+      60 * table.number("time_limit_min", {.above = 0, .at_most = 1e5}).value_or(1440);
+  const auto ends = table.tables("end");
+  if (ends.empty())
     table.fail("",
                fmt::format("the stage {} has no end; write end = [{{quantity = \"q_kPa\", above "
                            "= 30}}]",
                            stage.name));
-  for (const toml::node& node : *ends) {
-    const toml::table* end = node.as_table();
-    if (end == nullptr) table.fail("end", "must be a list of {quantity, above or below}");
-    stage.end.push_back(read_end(StrictTable(*end, programme.source, "[end]")));
-  }
-  table.done();
+  for (const TomlTable& end : ends) stage.end.push_back(read_end(end));
+  table.finish();
   check_ends(table, stage, programme, cell_pa, back_pa);
   cell_pa = pressure_after(stage, stage.cell, EndQuantity::cell_pressure, cell_pa);
   back_pa = pressure_after(stage, stage.back, EndQuantity::back_pressure, back_pa);

@@ -3,11 +3,12 @@
 
 namespace triax::lab {
 
-class StrictTable;
+class TomlTable;
 
 /// Reads one [[stages]] table. `cell_pa` and `back_pa` are the controllers' pressures at its start,
 /// as far as the programme tells, and are moved on to its end: from them follows whether an end
 /// that waits for a pressure can come at all. Throws BadInput.
-Stage read_stage(StrictTable& table, const Programme& programme, double& cell_pa, double& back_pa);
+Stage read_stage(const TomlTable& table, const Programme& programme, double& cell_pa,
+                 double& back_pa);
 
 }  // namespace triax::lab

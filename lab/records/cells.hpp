@@ -29,7 +29,7 @@ enum class DecimalMark : char { open = 0, point = '.', comma = ',' };
 
 /// A trimmed cell as a number, by the marks of `mark` (which is set at the first mark met). "",
 /// "-", "NaN", "NA", "n/a", "null" and a spreadsheet's error words ("#DIV/0!", "#N/A", ...) are
-/// missing. `value` is set for CellKind::number only.
+/// missing (a dialect may still refuse all but ""). `value` is set for CellKind::number only.
 CellKind parse_cell(std::string_view cell, DecimalMark& mark, double& value);
 
 /// Plain decimal number at `at` ("-12.345") as the nearest double, by the shortest way; moves `at`

@@ -34,12 +34,15 @@ std::optional<Fit> fit(const DialectColumn& column, std::string_view heading) {
   return std::nullopt;
 }
 
-// A heading in triax's own form: "cell_pressure_kPa", "axial_strain", "axial_strain_pct".
+// A heading in triax's own form: "cell_pressure_kPa", "axial_strain", "axial_strain (%)".
 std::optional<std::pair<Quantity, std::string>> own_heading(std::string_view heading) {
   const bool word = !heading.empty() && static_cast<unsigned char>(heading.front()) > '9';
   if (!word) return std::nullopt;
-  const auto name = folded(heading);
-  if (const auto quantity = find_quantity(name)) return std::pair(*quantity, std::string());
+  const auto parts = split_heading(heading);
+  const auto name = folded(parts.name);
+  if (const auto quantity = find_quantity(name))
+    return std::pair(*quantity, parts.unit.value_or(""));
+  if (parts.unit) return std::nullopt;
   for (auto at = name.rfind('_'); at != std::string::npos && at > 0; at = name.rfind('_', at - 1))
     if (const auto quantity = find_quantity(name.substr(0, at)))
       return std::pair(*quantity, std::string(trimmed(heading).substr(at + 1)));
@@ -106,8 +109,9 @@ class Planner {
       if (folded(other.heading) == folded(heading)) two_columns(other.cell, other.cell);
     std::vector<std::string> known{"time_s", "stage"};
     for (const QuantityInfo& row : quantities()) known.push_back(lab::heading(row.quantity));
-    unknown_.push_back(fmt::format("column {} is not known and left out; did you mean '{}'?",
-                                   excerpt(heading), nearest(heading, known)));
+    const auto near = nearest(heading, known);
+    unknown_.push_back(fmt::format("column {} is not known and left out{}", excerpt(heading),
+                                   near.empty() ? "" : "; did you mean '" + near + "'?"));
     findings_.note("unknown column " + std::string(heading), layout_.heading_line, unknown_.back());
   }
 

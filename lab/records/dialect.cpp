@@ -63,10 +63,9 @@ DialectColumn read_column(const TomlTable& columns, const std::string& key) {
   } else if (const auto quantity = find_quantity(key)) {
     column.quantity = *quantity;
   } else {
-    const auto known = column_names();
-    throw BadInput(columns.file(), columns.line(key),
-                   fmt::format("[columns] has no {}; did you mean '{}'? (known: {})", excerpt(key),
-                               nearest(key, known), joined(known)));
+    throw BadInput(
+        columns.file(), columns.line(key),
+        fmt::format("[columns] has no {}; {}", excerpt(key), suggestion(key, column_names())));
   }
   if (columns.is_table(key)) {
     const auto table = *columns.table(key);
@@ -93,9 +92,9 @@ void read_keys(Dialect& dialect, const TomlTable& document, const std::string& g
   for (const auto& name : table->keys()) {
     const auto key = fmt::format("{}.{}", group, name);
     if (std::ranges::find(known, key) == known.end())
-      throw BadInput(table->file(), table->line(name),
-                     fmt::format("unknown key {} in [{}]; did you mean '{}'?", excerpt(name), group,
-                                 nearest(key, known)));
+      throw BadInput(
+          table->file(), table->line(name),
+          fmt::format("unknown key {} in [{}]; {}", excerpt(name), group, suggestion(key, known)));
     dialect.keys.push_back({key, table->texts(name)});
   }
 }
@@ -145,6 +144,7 @@ Dialect parse_dialect(std::string_view toml, const std::string& file) {
     dialect.decimal = read_decimal(*table);
     dialect.comment = table->text("comment").value_or("");
     dialect.comment_is_toml = table->flag("comment_is_toml").value_or(false);
+    dialect.missing_words = table->flag("missing_words").value_or(true);
     table->finish();
   }
   if (const auto table = document.table("columns"))
@@ -180,9 +180,8 @@ Dialect find_dialect(const std::string& name_or_file) {
     names.push_back(dialect.name);
   }
   throw BadInput(
-      fmt::format("--dialect {}: there is no such dialect; did you mean '{}'? (known: "
-                  "{}; or the path of a .toml file)",
-                  name_or_file, nearest(name_or_file, names), joined(names)));
+      fmt::format("--dialect {}: there is no such dialect; {}; or give the path of a .toml file",
+                  name_or_file, suggestion(name_or_file, names)));
 }
 
 bool may_match(std::string_view heading, std::string_view name) {

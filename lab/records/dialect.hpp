@@ -41,6 +41,7 @@ struct Dialect {
   DecimalMark decimal = DecimalMark::open;
   std::string comment;           ///< lines that begin so are no rows
   bool comment_is_toml = false;  ///< and hold the metadata as TOML
+  bool missing_words = true;     ///< NaN, NA, - and the like mean a missing value, as "" does
   std::vector<DialectColumn> columns;
   std::vector<DialectKey> keys;
   std::string programme;

@@ -53,9 +53,8 @@ Value one_of(const std::string& where, std::string_view key, std::string_view te
 }
 
 [[noreturn]] void unknown_key(const std::string& where, std::string_view key) {
-  const auto known = metadata_keys();
-  throw BadInput(fmt::format("{}: unknown key {}; did you mean '{}'? (known: {})", where,
-                             excerpt(key), nearest(key, known), joined(known)));
+  throw BadInput(
+      fmt::format("{}: unknown key {}; {}", where, excerpt(key), suggestion(key, metadata_keys())));
 }
 
 void set_test(RecordHeader& header, const std::string& where, std::string_view key,
@@ -133,10 +132,8 @@ void read_truth(std::optional<Truth>& truth, const TomlTable& table) {
   Truth found;
   found.lost_sustainability = table.flag("lost_sustainability").value_or(false);
   for (const TruthKey& row : kTruthKeys)
-    if (const auto value = table.number(full_name(row.name, row.unit))) {
-      if (!std::isfinite(*value)) table.fail(full_name(row.name, row.unit), "must be finite");
+    if (const auto value = table.number(full_name(row.name, row.unit)))
       found.*row.member = sim::to_si(*value, *sim::find_unit(row.unit));
-    }
   table.finish();
   truth = found;
 }

@@ -155,6 +155,12 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
     findings_.note("decimal comma", lines_.line_number(),
                    "the decimal mark is a comma: " + excerpt(cell) + " is read so");
   const auto& heading = plan.column->heading;
+  const bool empty_only = !layout_.dialect.missing_words;
+  const char* remedy = empty_only ? "; leave the cell empty if the reading is missing" : "";
+  if (kind == CellKind::missing && empty_only && !cell.empty())
+    throw BadInput(layout_.file, lines_.line_number(),
+                   fmt::format("column {} holds {}, which is no number{}", excerpt(heading),
+                               excerpt(cell), remedy));
   if (kind == CellKind::missing) {
     values_[plan.slot] = kMissing;
     findings_.note(plan.missing, lines_.line_number(), [&] {
@@ -173,8 +179,8 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
   values_[plan.slot] = value * plan.scale;
   if (kind == CellKind::infinite || !std::isfinite(values_[plan.slot]))
     throw BadInput(layout_.file, lines_.line_number(),
-                   fmt::format("column {} holds {}: no instrument can have measured that",
-                               excerpt(heading), excerpt(cell)));
+                   fmt::format("column {} holds {}: no instrument can have measured that{}",
+                               excerpt(heading), excerpt(cell), remedy));
 }
 
 }  // namespace triax::lab

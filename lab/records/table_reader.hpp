@@ -25,7 +25,8 @@ class TableReader {
   TableReader(ByteSource& source, const TableLayout& layout, Findings& findings);
 
   /// The next row; false at the end. Throws BadInput "FILE:LINE: ..." on text in a number, a wrong
-  /// number of cells, an infinite value, a file that ends inside a row. Missing cells, lines
+  /// number of cells, an infinite value, a word for a missing value where the dialect has none, a
+  /// file that ends inside a row. Missing cells, lines
   /// without values and an unclear last line are noted as findings.
   bool next(Row& row);
 

@@ -135,18 +135,28 @@ std::string excerpt(std::string_view text) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  // Longer words are no misspelt keys, and would cost time to compare.
   constexpr std::size_t kLongest = 64;
-  const std::string wanted = folded(word.substr(0, kLongest));
+  constexpr std::size_t kShortestPart = 3;
+  if (word.size() > kLongest) return {};
+  const std::string wanted = folded(word);
   std::string best;
   auto fewest = std::numeric_limits<std::size_t>::max();
   for (const auto& candidate : candidates) {
-    const auto errors = typing_errors(wanted, folded(candidate));
-    if (errors < fewest) {
-      fewest = errors;
-      best = candidate;
-    }
+    const auto known = folded(candidate);
+    const auto errors = typing_errors(wanted, known);
+    const bool part = wanted.size() >= kShortestPart && known.find(wanted) != std::string::npos;
+    if (errors >= fewest || (errors > 1 + wanted.size() / 3 && !part)) continue;
+    fewest = errors;
+    best = candidate;
   }
   return best;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto near = nearest(word, candidates);
+  const auto known = candidates.empty() ? "nothing" : joined(candidates);
+  return near.empty() ? "known: " + known : "did you mean '" + near + "'? (known: " + known + ")";
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view between) {

@@ -18,8 +18,11 @@ std::string folded(std::string_view text);
 std::string excerpt(std::string_view text);
 
 /// The candidate with the fewest typing errors (insert, delete, replace, swap) from `word`; empty
-/// if there are no candidates.
+/// where none is near enough to be meant: one error and another for every three letters, or a part
+/// of the candidate.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// For the message about an unknown word: "did you mean 'NEAREST'? (known: A, B)" or "known: A, B".
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 /// Empty words are left out.
 std::string joined(const std::vector<std::string>& words, std::string_view between = ", ");
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -13,6 +14,10 @@
 #include "lab/records/text.hpp"
 
 namespace triax::lab {
+
+bool Bounds::hold(double value) const {
+  return std::isfinite(value) && value > above && value >= at_least && value <= at_most;
+}
 
 struct TomlTable::Impl {
   std::shared_ptr<const toml::table> document;
@@ -44,6 +49,16 @@ std::string shortest(double value) {
   std::array<char, 32> text{};
   auto* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
+}
+
+std::string wanted(const Bounds& bounds) {
+  const auto part = [](const char* word, double value) {
+    return std::isfinite(value) ? word + shortest(value) : std::string();
+  };
+  const auto text = joined({part("above ", bounds.above), part("at least ", bounds.at_least),
+                            part("at most ", bounds.at_most)},
+                           " and ");
+  return text.empty() ? "finite" : text;
 }
 
 // Each dot of a dotted key is a table inside a table, and tables are taken apart by recursion.
@@ -94,18 +109,25 @@ std::string read_text_file(const std::string& path) {
 
 TomlTable TomlTable::read(const std::string& path) { return parse(read_text_file(path), path); }
 
-std::optional<double> TomlTable::number(std::string_view key) const {
+std::optional<double> TomlTable::number(std::string_view key, const Bounds& bounds) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
-  if (!node->is_number()) fail(key, "a number is wanted");
-  return node->value<double>();
+  if (!node->is_number()) fail(key, "a number without quotes is wanted");
+  const double value = node->value<double>().value_or(NAN);
+  if (!bounds.hold(value)) fail(key, "is " + shortest(value) + ", must be " + wanted(bounds));
+  return value;
 }
 
-std::optional<std::int64_t> TomlTable::integer(std::string_view key) const {
+std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_t lowest,
+                                               std::int64_t highest) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
-  if (!node->is_integer()) fail(key, "a whole number is wanted");
-  return node->value<std::int64_t>();
+  const auto* whole = node->as_integer();
+  if (!whole) fail(key, "a whole number is wanted");
+  if (whole->get() < lowest || whole->get() > highest)
+    fail(key, "is " + std::to_string(whole->get()) + ", must be " + std::to_string(lowest) +
+                  " to " + std::to_string(highest));
+  return whole->get();
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) const {
@@ -164,9 +186,29 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   for (const auto& item : *array) {
     const auto* inner = item.as_table();
     if (!inner) fail(key, "a list of tables is wanted: [[" + std::string(key) + "]]");
-    out.push_back(TomlTable(impl_->child(*inner, key)));
+    const auto number = std::to_string(out.size() + 1);
+    out.push_back(TomlTable(impl_->child(*inner, std::string(key) + " " + number)));
   }
   return out;
+}
+
+double TomlTable::required_number(std::string_view key, const Bounds& bounds) const {
+  const auto value = number(key, bounds);
+  if (!value) missing(key);
+  return *value;
+}
+
+std::string TomlTable::required_text(std::string_view key) const {
+  auto value = text(key);
+  if (!value) missing(key);
+  if (trimmed(*value).empty()) fail(key, "must not be empty");
+  return *std::move(value);
+}
+
+TomlTable TomlTable::required_table(std::string_view key) const {
+  auto value = table(key);
+  if (!value) missing("[" + std::string(key) + "]");
+  return *std::move(value);
 }
 
 bool TomlTable::has(std::string_view key) const { return impl_->table->contains(key); }
@@ -201,14 +243,25 @@ void TomlTable::finish() const {
     if (std::ranges::find(impl_->asked, key) != impl_->asked.end()) continue;
     const auto where = name().empty() ? std::string() : " in [" + name() + "]";
     throw BadInput(file(), line(key),
-                   "unknown key " + excerpt(key) + where + "; did you mean '" +
-                       nearest(key, impl_->asked) + "'? (known: " + joined(impl_->asked) + ")");
+                   "unknown key " + excerpt(key) + where + "; " + suggestion(key, impl_->asked));
   }
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const {
-  const auto path = name().empty() ? std::string(key) : name() + "." + std::string(key);
-  throw BadInput(file(), line(key), path + ": " + message);
+  const std::string where = name().empty() ? "" : "[" + name() + "]";
+  const auto subject = joined({where, std::string(key)}, " ");
+  throw BadInput(file(), key.empty() ? line() : line(key),
+                 subject.empty() ? message : subject + ": " + message);
+}
+
+void TomlTable::missing(std::string_view key) const {
+  std::vector<std::string> strangers = keys();
+  std::erase_if(strangers, [&](const auto& one) {
+    return std::ranges::find(impl_->asked, one) != impl_->asked.end();
+  });
+  const auto near = nearest(key, strangers);
+  fail("",
+       std::string(key) + " is missing" + (near.empty() ? "" : "; is it meant by '" + near + "'?"));
 }
 
 std::string toml_quoted(std::string_view text) {

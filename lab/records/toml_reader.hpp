@@ -1,6 +1,7 @@
 #pragma once
 // TOML with strict keys: a key that nobody asked for is an error that names the nearest right one.
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,15 @@
 #include <vector>
 
 namespace triax::lab {
+
+/// Bounds of a number; `above` excludes its value, `at_least` and `at_most` include theirs.
+struct Bounds {
+  double above = -std::numeric_limits<double>::infinity();
+  double at_least = -std::numeric_limits<double>::infinity();
+  double at_most = std::numeric_limits<double>::infinity();
+  /// True for a finite value within the bounds.
+  bool hold(double value) const;
+};
 
 /// One table of a TOML document. Every error is a BadInput "FILE:LINE: ...". Copies share what has
 /// been asked for.
@@ -20,9 +30,11 @@ class TomlTable {
   static TomlTable read(const std::string& path);
 
   // Asking for a key makes it a known one. Empty where the key is absent; BadInput where its value
-  // is of another type. A whole number is a number too.
-  std::optional<double> number(std::string_view key) const;
-  std::optional<std::int64_t> integer(std::string_view key) const;
+  // is of another type or out of bounds. A whole number is a number too; inf and nan are none.
+  std::optional<double> number(std::string_view key, const Bounds& bounds = {}) const;
+  std::optional<std::int64_t> integer(
+      std::string_view key, std::int64_t lowest = std::numeric_limits<std::int64_t>::min(),
+      std::int64_t highest = std::numeric_limits<std::int64_t>::max()) const;
   std::optional<std::string> text(std::string_view key) const;
   std::optional<bool> flag(std::string_view key) const;
   /// A string, number or boolean as text; numbers with the shortest digits that mean the same
@@ -34,6 +46,11 @@ class TomlTable {
   /// [[key]]
   std::vector<TomlTable> tables(std::string_view key) const;
 
+  // The same for keys that must be there; a text that must not be blank.
+  double required_number(std::string_view key, const Bounds& bounds = {}) const;
+  std::string required_text(std::string_view key) const;
+  TomlTable required_table(std::string_view key) const;
+
   bool has(std::string_view key) const;
   bool is_table(std::string_view key) const;
   /// Keys in the order of the file.
@@ -42,15 +59,17 @@ class TomlTable {
   /// Line of the table itself.
   std::int64_t line() const;
   const std::string& file() const;
-  /// "specimen" for [specimen]; empty for the whole document.
+  /// "specimen" for [specimen], "stages 2" for the second of [[stages]]; empty for the document.
   const std::string& name() const;
 
   /// Throws for the first key that was never asked for: what was found and the nearest right key.
   void finish() const;
+  /// BadInput "FILE:LINE: [NAME] KEY: MESSAGE" at the key's line; at the table's for an empty key.
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;
 
  private:
   struct Impl;
+  [[noreturn]] void missing(std::string_view key) const;
   explicit TomlTable(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<Impl> impl_;
 };

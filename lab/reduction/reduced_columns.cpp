@@ -13,17 +13,29 @@ double first_known(std::initializer_list<double> values) {
   return kMissing;
 }
 
+/// a/b where that is a number.
+double ratio(double a, double b) { return b != 0 ? a / b : kMissing; }
+
 }  // namespace
 
 ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stages) {
+  using enum Quantity;
   void_ratio_start_ = header.specimen.consolidated_void_ratio
                           ? header.specimen.consolidated_void_ratio
                           : header.specimen.void_ratio;
-  if (!header.is_raw())
+  if (header.is_raw()) return;
+  warnings_.push_back({0,
+                       "the record holds reduced stresses and strains, no raw channels: its own "
+                       "reduction is taken as it is"});
+  const auto has = [&](Quantity q) {
+    return std::ranges::find(header.columns, q) != header.columns.end();
+  };
+  only_excess_ = has(excess_pore_pressure) && !has(pore_pressure) && !has(axial_stress) &&
+                 !has(radial_stress) && !has(cell_pressure);
+  if (only_excess_)
     warnings_.push_back({0,
-                         "the record holds reduced stresses and strains, no raw channels: its own "
-                         "reduction is taken "
-                         "as it is"});
+                         "the record holds the excess pore pressure only: pore pressures count "
+                         "from the start of shear"});
 }
 
 bool ReducedColumns::undrained(int stage) const {
@@ -31,32 +43,46 @@ bool ReducedColumns::undrained(int stage) const {
   return info != stages_.end() && info->drainage == Drainage::closed;
 }
 
-State ReducedColumns::reduce(const Reading& r) {
+void ReducedColumns::take_stresses(const Reading& r, State& s) const {
   using enum Quantity;
-  State s;
-  s.reading = r.number;
-  s.time_s = r.time_s;
-  s.stage = r.stage;
-  s.pore_pressure = first_known(
-      {r[pore_pressure], r[radial_stress] - r[effective_radial_stress], r[excess_pore_pressure]});
+  const double total_radial = first_known({r[radial_stress], r[cell_pressure]});
   const double axial = first_known({r[effective_axial_stress], r[axial_stress] - r[pore_pressure]});
-  const double radial =
-      first_known({r[effective_radial_stress], r[radial_stress] - r[pore_pressure],
-                   r[cell_pressure] - r[pore_pressure]});
-  s.q = first_known({axial - radial, r[deviator_stress], r[axial_stress] - r[radial_stress],
+  const double radial = first_known({r[effective_radial_stress], total_radial - r[pore_pressure]});
+  s.q = first_known({axial - radial, r[deviator_stress], r[axial_stress] - total_radial,
                      r[stress_ratio] * r[mean_effective_stress]});
-  s.p_eff = first_known({(axial + 2 * radial) / 3, r[mean_effective_stress], radial + s.q / 3});
+  s.p_eff = first_known({(axial + 2 * radial) / 3, r[mean_effective_stress], radial + s.q / 3,
+                         axial - 2 * s.q / 3, ratio(s.q, r[stress_ratio])});
   s.effective_stress = {s.p_eff + 2 * s.q / 3, s.p_eff - s.q / 3};
+  s.pore_pressure = first_known({r[pore_pressure], total_radial - s.effective_stress.radial,
+                                 r[axial_stress] - s.effective_stress.axial,
+                                 only_excess_ ? r[excess_pore_pressure] : kMissing});
+}
 
+void ReducedColumns::take_strains(const Reading& r, State& s) {
+  using enum Quantity;
+  if (r.has(void_ratio) && !first_void_ratio_) first_void_ratio_ = r[void_ratio];
+  if (!void_ratio_start_) void_ratio_start_ = first_void_ratio_;
+  const double lost_voids = first_void_ratio_
+                                ? (*first_void_ratio_ - r[void_ratio]) / (1 + *first_void_ratio_)
+                                : kMissing;
   s.strain.axial = first_known({r[axial_strain], r[shear_strain] + r[volumetric_strain] / 3});
   s.volumetric_strain = first_known({r[volumetric_strain], r[axial_strain] + 2 * r[radial_strain],
+                                     3 * (r[axial_strain] - r[shear_strain]), lost_voids,
                                      undrained(r.stage) ? 0.0 : kMissing});
   s.strain.radial = (s.volumetric_strain - s.strain.axial) / 2;
   s.void_ratio = r[void_ratio];
   if (std::isnan(s.void_ratio) && void_ratio_start_)
     s.void_ratio = *void_ratio_start_ - s.volumetric_strain * (1 + *void_ratio_start_);
-  if (r.has(void_ratio) && !void_ratio_start_) void_ratio_start_ = r[void_ratio];
   if (r.has(current_area)) s.area_m2 = r[current_area];
+}
+
+State ReducedColumns::reduce(const Reading& r) {
+  State s;
+  s.reading = r.number;
+  s.time_s = r.time_s;
+  s.stage = r.stage;
+  take_stresses(r, s);
+  take_strains(r, s);
   if (!p_eff_start_ && std::isfinite(s.p_eff)) p_eff_start_ = s.p_eff;
   return s;
 }

@@ -14,6 +14,24 @@ TEST_CASE("headings come apart from their units") {
   CHECK_FALSE(split_heading("(%)").unit);
 }
 
+TEST_CASE("our own headings hold their unit behind _ or in brackets") {
+  TableLayout layout;
+  layout.dialect = find_dialect("triax");
+  layout.heading_line = 1;
+  std::vector<Warning> warnings;
+  Findings findings(warnings);
+  plan_columns(layout, "time_min,cell_pressure_psi,axial_strain (%),Pore_Pressure [MPa],x (kPa)",
+               {}, findings);
+  REQUIRE(layout.columns.size() == 4);
+  CHECK(layout.columns[0].scale == 60);
+  CHECK(layout.columns[1].scale == Approx(6894.757));
+  CHECK(layout.columns[2].quantity == Quantity::axial_strain);
+  CHECK(layout.columns[2].scale == 0.01);
+  CHECK(layout.columns[3].quantity == Quantity::pore_pressure);
+  CHECK(layout.columns[3].scale == 1e6);
+  CHECK(warnings.size() == 1);
+}
+
 TEST_CASE("the first synonym of a dialect wins, wherever it stands") {
   TableLayout layout;
   layout.dialect = parse_dialect(

@@ -13,11 +13,11 @@ struct Table {
   std::vector<Warning> warnings;
   std::string trailer;
 };
-Table read(const std::string& text) {
+Table read(const std::string& text, const std::optional<Dialect>& dialect = {}) {
   const auto source = open_memory("m.csv", text);
   Table table;
   Findings findings(table.warnings);
-  const TableLayout layout = recognise_table(*source, {}, findings);
+  const TableLayout layout = recognise_table(*source, dialect, findings);
   TableReader reader(*source, layout, findings);
   Row row;
   while (reader.next(row)) table.rows.push_back(row);
@@ -44,7 +44,7 @@ TEST_CASE("rows come in SI with their line, the same by the fast and by the gene
 
 TEST_CASE("missing cells are missing, not zero, and are counted") {
   const auto table =
-      read(kHeadings + "0.0,0.1,0.2,800\n1,0.1,,800\n2,0.1,NaN,800\n3,0.1,0.5,800\n");
+      read(kHeadings + "0.0,0.1,0.2,800\n1,0.1,,800\n2,0.1,\"\",800\n3,0.1,0.5,800\n");
   REQUIRE(table.rows.size() == 4);
   CHECK(std::isnan(table.rows[1].si[index(axial_force)]));
   CHECK(std::isnan(table.rows[2].si[index(axial_force)]));
@@ -52,6 +52,32 @@ TEST_CASE("missing cells are missing, not zero, and are counted") {
   REQUIRE(table.warnings.size() == 1);
   CHECK(table.warnings[0].line == 3);
   CHECK_THAT(table.warnings[0].text, Catch::Contains("1 more, the last in line 4"));
+}
+
+TEST_CASE("our own format has no word for a missing value") {
+  for (const std::string word :
+       {"NaN", "nan", "-nan", "NA", "-", "null", "#DIV/0!", "inf", "-inf"}) {
+    INFO(word);
+    CHECK_THROWS_WITH(read(kHeadings + "0,0.1,0.2,800\n1,0.1," + word + ",800\n"),
+                      Catch::StartsWith("m.csv:3: column 'axial_force_kN' holds '" + word + "'") &&
+                          Catch::EndsWith("leave the cell empty if the reading is missing"));
+  }
+  CHECK_THROWS_AS(read(kHeadings + "NaN,0.1,0.2,800\n"), BadInput);
+}
+
+TEST_CASE("a foreign table's words for missing are missing, with a warning") {
+  const std::string headings = "q,delta_u,p_prime,epsilon_a\n";
+  const auto table = read(headings + "0,0,100,0\n10,NaN,95,0.1\n20,#N/A,90,0.2\n");
+  REQUIRE(table.rows.size() == 3);
+  CHECK(std::isnan(table.rows[1].si[index(excess_pore_pressure)]));
+  CHECK(table.rows[2].si[index(deviator_stress)] == 20e3);
+  REQUIRE(table.warnings.size() == 1);
+  CHECK(table.warnings[0].line == 3);
+  CHECK_THROWS_AS(read(headings + "0,0,100,0\n10,inf,95,0.1\n"), BadInput);
+  auto strict = find_dialect("cyclic");
+  strict.missing_words = false;
+  CHECK_THROWS_WITH(read(headings + "0,NaN,100,0\n", strict),
+                    Catch::Contains("leave the cell empty"));
 }
 
 TEST_CASE("lines without values are left out, those inside the table are reported") {

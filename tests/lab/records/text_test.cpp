@@ -42,6 +42,15 @@ TEST_CASE("an excerpt is short, printable UTF-8") {
 TEST_CASE("the nearest key is the one with the fewest typing errors") {
   CHECK(nearest("hieght_mm", {"diameter_mm", "height_mm", "void_ratio"}) == "height_mm");
   CHECK(nearest("DIAMETER", {"height_mm", "diameter_mm"}) == "diameter_mm");
+  CHECK(nearest("axial_strain", {"time_s", "axial_strain_pct"}) == "axial_strain_pct");
   CHECK(nearest("x", {}).empty());
+}
+
+TEST_CASE("what is far from every key is not taken for any of them") {
+  CHECK(nearest("xyz", {"cell_pressure", "back_pressure"}).empty());
+  CHECK(nearest("Bemerkung", {"time_s", "stage"}).empty());
+  CHECK(nearest(std::string(1000, 'c'), {"cell_pressure"}).empty());
+  CHECK(suggestion("xyz", {"a", "b"}) == "known: a, b");
+  CHECK(suggestion("stgae", {"time_s", "stage"}) == "did you mean 'stage'? (known: time_s, stage)");
   CHECK(joined({"a", "", "b"}) == "a, b");
 }

@@ -32,7 +32,7 @@ TEST_CASE("values are read by their type, a whole number is a number too") {
 TEST_CASE("errors name file and line, also for text that begins further down") {
   const auto document = TomlTable::parse("a = 1\nb = \"x\"\n", "a.toml", 10);
   CHECK(document.line("b") == 11);
-  CHECK_THROWS_WITH(document.number("b"), "a.toml:11: b: a number is wanted");
+  CHECK_THROWS_WITH(document.number("b"), "a.toml:11: b: a number without quotes is wanted");
   CHECK_THROWS_WITH(TomlTable::parse("a = 1\nb = = 2\n", "a.toml", 10),
                     Catch::StartsWith("a.toml:11: this is no valid TOML"));
   CHECK_THROWS_AS(TomlTable::read("samples/none.toml"), BadInput);
@@ -46,6 +46,38 @@ TEST_CASE("a key that nobody asked for is an error with the nearest right key") 
   CHECK_THROWS_WITH(table.finish(),
                     Catch::Contains("a.toml:2: unknown key 'hight' in [specimen]") &&
                         Catch::Contains("did you mean 'height'"));
+}
+
+TEST_CASE("what must be there is asked for, what was probably meant by another key too") {
+  const auto document =
+      TomlTable::parse("hieght = 2\nblank = \" \"\n[specimne]\n[t]\na = 1\n", "f.toml");
+  CHECK(document.required_number("hieght") == 2);
+  CHECK(document.required_table("t").required_number("a") == 1);
+  CHECK_THROWS_WITH(document.required_table("specimen"),
+                    "f.toml:1: [specimen] is missing; is it meant by 'specimne'?");
+  CHECK_THROWS_WITH(document.table("t")->required_text("name"), "f.toml:4: [t]: name is missing");
+  CHECK_THROWS_WITH(document.required_text("blank"), "f.toml:2: blank: must not be empty");
+  const auto other = TomlTable::parse("hieght = 2\n", "f.toml");
+  CHECK_THROWS_WITH(other.required_number("height"), Catch::Contains("meant by 'hieght'?"));
+}
+
+TEST_CASE("numbers keep to their bounds; infinite and not-a-number are none") {
+  const auto document =
+      TomlTable::parse("a = 2\nb = inf\nc = nan\nd = 1.5\n[[s]]\nk = 1\n", "f.toml");
+  CHECK(document.number("a", {.above = 1, .at_most = 2}) == 2);
+  CHECK(document.number("a", {.at_least = 2}) == 2);
+  CHECK(document.integer("a", 0, 2) == 2);
+  CHECK_THROWS_WITH(document.number("a", {.above = 2}), "f.toml:1: a: is 2, must be above 2");
+  CHECK_THROWS_WITH(document.number("d", {.at_least = 2, .at_most = 3}),
+                    "f.toml:4: d: is 1.5, must be at least 2 and at most 3");
+  CHECK_THROWS_WITH(document.integer("a", 3, 9), "f.toml:1: a: is 2, must be 3 to 9");
+  CHECK_THROWS_AS(document.integer("d"), BadInput);
+  CHECK_THROWS_AS(document.number("b"), BadInput);
+  CHECK_THROWS_AS(document.number("c"), BadInput);
+  CHECK_THROWS_WITH(document.tables("s")[0].number("k", {.above = 1}),
+                    "f.toml:6: [s 1] k: is 1, must be above 1");
+  CHECK_THROWS_AS(document.table("a"), BadInput);
+  CHECK_THROWS_AS(document.tables("a"), BadInput);
 }
 
 TEST_CASE("a document cannot exhaust the stack") {

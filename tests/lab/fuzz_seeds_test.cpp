@@ -1,0 +1,36 @@
+// The fuzzers start from tests/fuzz/seeds: each seed gets past the parser that it is for, so that
+// what lies behind the first check is reached too.
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/records/dialect.hpp"
+#include "lab/records/toml_reader.hpp"
+#include "lab/rig/recorded.hpp"
+
+using namespace triax::lab;
+
+namespace {
+std::vector<std::string> seeds(const std::string& fuzzer) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/seeds/" + fuzzer))
+    paths.push_back(entry.path().string());
+  return paths;
+}
+}  // namespace
+
+TEST_CASE("the fuzzers' seeds are accepted") {
+  for (const auto& path : seeds("programme_fuzz")) CHECK_NOTHROW(load_programme(path));
+  for (const auto& path : seeds("dialect_fuzz"))
+    CHECK_NOTHROW(parse_dialect(read_text_file(path), path));
+  std::vector<std::string> dialects;
+  for (const auto& path : seeds("record_fuzz")) {
+    INFO(path);
+    const auto rig = open_record(path, {});
+    dialects.push_back(rig->header().dialect);
+    Reading reading;
+    while (rig->next(reading)) CHECK(reading.number >= 0);
+  }
+  for (const Dialect& shipped : shipped_dialects())
+    CHECK(std::ranges::count(dialects, shipped.name) >= 1);
+}
