@@ -35,7 +35,11 @@ void ControlPeak::check_q(const PathPoint& smoothed, bool has_time) {
   const double level = held_q_ ? 0.98 * q_top_ : q_top_;
   if (!top_ || point.q > level) top_ = point;
   q_top_ = std::max(q_top_, point.q);
-  const double loss = (q_top_ - point.q) / q_top_;
+  // Around q = 0 noise alone would lose any share of q.
+  const double fall = q_top_ - point.q;
+  const double scatter = std::sqrt(point.stress_variance + top_->stress_variance);
+  if (fall < 5 * scatter || q_top_ < 0.02 * top_->p_eff) return;
+  const double loss = fall / q_top_;
   if (loss < Descent::kWorthALoss || loss <= largest_loss_) return;
   largest_loss_ = loss;
   finding_ = Finding{

@@ -10,6 +10,9 @@ using Signal = PathSample::Signal;
 
 /// Error of a second-order work of which nothing is known: the whole range [−1, 1].
 constexpr double kUnknown = 2;
+/// From here on a window of four times the length would not resolve the work either.
+constexpr double kHopeless = 0.5;
+constexpr std::int64_t kLongStage = 1024;  // readings
 
 /// Variances of the stress and the strain vector, from those of their components:
 /// S² = 3p² + ⅔q² and E² = ⅓ε_v² + 3/2 ε_q², ε_q = ε₁ − ε_v/3.
@@ -52,10 +55,15 @@ double normalised_second_order_work(const PathStep& step) {
 void PathRates::add(const PathSample& sample) {
   pyramid_.add(sample);
   for (int level = 0; level < pyramid_.closed_levels() && pyramid_.full(level); ++level) {
+    if (levels_[level].rest-- > 0) continue;
     const LocalFit fit = fit_window(pyramid_, level);
     learn(fit, levels_[level]);
     const PathPoint point = point_at(fit, level, 0);
     levels_[level].error = point.normalised_error;
+    // In a long stage windows too short for the noise are most of all: one in four tells when that
+    // changes.
+    const bool hopeless = point.normalised_error > kHopeless && pyramid_.samples() > kLongStage;
+    levels_[level].rest = hopeless ? 3 : 0;
     if (!resolves(point, level)) continue;
     last_fit_ = fit;
     last_level_ = level;

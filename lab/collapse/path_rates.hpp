@@ -71,6 +71,7 @@ class PathRates {
     LocalFit::Values noise{};  ///< running mean of the scatter about the parabolas
     int fits = 0;
     double error = 0;  ///< of the latest point at this level
+    int rest = 0;      ///< windows still to be passed over, after one that resolved nothing
   };
   PathPoint point_at(const LocalFit& fit, int level, double offset) const;
   static void learn(const LocalFit& fit, Level& level);

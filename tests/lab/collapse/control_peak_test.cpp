@@ -87,3 +87,16 @@ TEST_CASE("a held q that is lost, undrained, had its end where it last stood at 
   REQUIRE(peak.finding());
   CHECK(peak.finding()->instant.reading == 49);
 }
+
+TEST_CASE("noise around q = 0 is no peak") {
+  ControlPeak peak;
+  peak.start_stage(nullptr);
+  std::mt19937_64 rng(10);
+  std::normal_distribution<double> noise(0, 200);
+  for (int i = 0; i < 500; ++i) {
+    PathPoint p = point(i, 10.0 * i + noise(rng));
+    p.stress_variance = 200.0 * 200.0;
+    peak.add(p, true);
+    REQUIRE_FALSE(peak.finding());
+  }
+}
