@@ -1,0 +1,117 @@
+// Bad records: one clear line each, status 2, database untouched.
+#include <catch2/catch.hpp>
+#include <regex>
+
+#include "tests/cli/program.hpp"
+
+using namespace triax::cli_tests;
+
+namespace {
+
+const std::string kHeadings =
+    "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa,back_pressure_kPa,"
+    "pore_pressure_kPa,back_volume_mm3\n";
+
+std::string rows(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += std::to_string(i) + "," + std::to_string(0.01 * i) + ",0.02,800,500,500,0\n";
+  return text;
+}
+
+std::string replaced(const std::string& text, const std::string& what, const std::string& by) {
+  return std::regex_replace(text, std::regex(what), by);
+}
+
+const std::string kSpecimen = " --set specimen.height_mm=140 --set specimen.diameter_mm=70";
+
+}  // namespace
+
+TEST_CASE("each kind of bad record is one clear line, status 2, and leaves nothing behind") {
+  const std::string good = kHeadings + rows(40);
+  struct Bad {
+    std::string name, text, says;
+  };
+  const Bad all[] = {
+      {"empty", "", "empty"},
+      {"header only", kHeadings, "no row"},
+      {"semicolons", replaced(good, ",", ";"), "comma"},
+      {"bars", replaced(good, ",", "|"), "only one column"},
+      {"missing channel", replaced(good, "axial_force_kN", "something_else"), "axial_force_kN"},
+      {"two of one name", replaced(good, "back_volume_mm3", "axial_force_kN"), "axial_force_kN"},
+      {"text in a number", good + "40,abc,0.02,800,500,500,0\n",
+       ":42: column 'axial_displacement_mm'"},
+      {"NaN", good + "40,0.4,NaN,800,500,500,0\n", ":42"},
+      {"infinite", good + "40,0.4,inf,800,500,500,0\n", ":42"},
+      {"strain beyond 1", good + "40,150,0.02,800,500,500,0\n", ":42: axial strain"},
+      {"time all equal",
+       kHeadings + replaced(rows(1), "0,0.0", "5,0.0") +
+           "5,0.1,0.02,800,500,500,0\n"
+           "5,0.2,0.02,800,500,500,0\n",
+       "time is the same"},
+      {"truncated", good + "40,0.4,0.0", "truncated"},
+      {"a row too short", good + "40,0.4,0.02\n41,0.4,0.02,800,500,500,0\n", ":42"},
+      {"zeros", std::string(100000, '\0'), "NUL"},
+  };
+  for (const Bad& bad : all) {
+    const Workplace here;
+    write(here / "bad.csv", bad.text);
+    const Outcome outcome = here.triax("replay bad.csv" + kSpecimen);
+    INFO(bad.name << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(outcome.err.rfind("triax: bad.csv", 0) == 0);
+    CHECK(outcome.err.find(bad.says) != std::string::npos);
+    CHECK_FALSE(here.has("triax.db"));
+  }
+}
+
+TEST_CASE("a folder, a file that is not there, and 2 GB of zeros are told at once") {
+  const Workplace here;
+  std::filesystem::create_directory(here / "folder.csv");
+  write(here / "zeros.csv", "");
+  std::filesystem::resize_file(here / "zeros.csv", 2'000'000'000);  // sparse: takes no room
+  for (const char* name : {"folder.csv", "nothing.csv", "zeros.csv"}) {
+    const Outcome outcome = here.triax(std::string("replay ") + name);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_FALSE(here.has("triax.db"));
+  }
+}
+
+TEST_CASE("an existing database stays as it is, to the byte") {
+  const Workplace here;
+  write(here / "good.csv", kHeadings + rows(200));
+  REQUIRE(here.triax("replay good.csv" + kSpecimen).status == 0);
+  const std::string before = content(here / "triax.db");
+  write(here / "bad.csv", kHeadings + rows(200) + "200,abc,0.02,800,500,500,0\n");
+  CHECK(here.triax("replay bad.csv" + kSpecimen).status == 2);
+  CHECK(content(here / "triax.db") == before);
+}
+
+TEST_CASE("a record that turns bad after hundreds of thousands of rows leaves no test behind") {
+  const Workplace here;
+  write(here / "good.csv", kHeadings + rows(200));
+  REQUIRE(here.triax("replay good.csv" + kSpecimen).status == 0);
+  std::string late = kHeadings;
+  for (int k = 0; k < 300000; ++k) late += std::to_string(k) + ",0.01,0.02,800,500,500,0\n";
+  write(here / "late.csv", late + "300000,abc,0.02,800,500,500,0\n");
+  CHECK(here.triax("replay late.csv" + kSpecimen).status == 2);
+  CHECK(here.triax("query \"SELECT count(*) AS n FROM tests\" --format csv").out == "n\r\n1\r\n");
+  CHECK(here.triax("query \"SELECT count(*) AS n FROM scans\" --format csv").out == "n\r\n200\r\n");
+}
+
+TEST_CASE("wrong keys and programmes are named") {
+  const Workplace here;
+  write(here / "good.csv", kHeadings + rows(40));
+  const Outcome key = here.triax("replay good.csv --set specimen.hieght_mm=140");
+  CHECK(key.status == 2);
+  CHECK(key.err.find("specimen.height_mm") != std::string::npos);
+  write(here / "p.toml", "[test]\nname = \"x\"\nspeeed = 1\n");
+  const Outcome programme = here.triax("simulate p.toml");
+  CHECK(programme.status == 2);
+  CHECK(programme.err.find("p.toml:") != std::string::npos);
+  CHECK_FALSE(here.has("triax.db"));
+}

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Renews the golden texts from the built program; look at the difference before you commit it.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+triax=${1:-build/release/triax}
+golden=tests/cli/golden
+mkdir -p "$golden"
+"$triax" --help >"$golden/help.txt"
+for command in simulate replay report query; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
+"$triax" query --list >"$golden/query_list.txt"

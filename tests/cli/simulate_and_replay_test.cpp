@@ -1,0 +1,128 @@
+// The main job end to end: simulate, record, replay, report, query.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/program.hpp"
+
+using namespace triax::cli_tests;
+using nlohmann::json;
+
+namespace {
+
+const std::string kCsu26 = source("samples/programmes/csu_26.toml");
+
+json verdict(const json& test) {
+  json v = test.at("collapse");
+  v["consolidation"] = test.at("consolidation");
+  v["peak"] = test.at("peak");
+  v["checks"] = test.at("checks");
+  return v;
+}
+
+const std::string kStates = "query \"SELECT * FROM states\" --format csv --db ";
+const std::string kReadings = "query \"SELECT * FROM readings\" --format csv --db ";
+
+}  // namespace
+
+TEST_CASE("a simulated test and the replay of its record agree to the bit") {
+  const Workplace here;
+  const Outcome simulated = here.triax("simulate " + kCsu26 + " --record x.csv --db a.db --json");
+  REQUIRE(simulated.status == 0);
+  REQUIRE(simulated.err.empty());
+  const Outcome replayed = here.triax("replay x.csv --db b.db --json");
+  REQUIRE(replayed.status == 0);
+  const json a = json::parse(simulated.out), b = json::parse(replayed.out);
+  CHECK(a["collapse"]["kind"] == "flow");
+  CHECK(verdict(a) == verdict(b));
+  CHECK(b["test"]["origin"] == "simulated");
+  const std::string states = here.triax(kStates + "a.db").out;
+  REQUIRE(states.size() > 100000);
+  CHECK(states == here.triax(kStates + "b.db").out);
+  CHECK(here.triax(kReadings + "a.db").out == here.triax(kReadings + "b.db").out);
+
+  REQUIRE(here.triax("simulate " + kCsu26 + " --record again.csv --db c.db").status == 0);
+  CHECK(content(here / "x.csv") == content(here / "again.csv"));
+  REQUIRE(here.triax("simulate " + kCsu26 + " --seed 99 --record other.csv --db c.db").status == 0);
+  CHECK(content(here / "x.csv") != content(here / "other.csv"));
+  REQUIRE(here.triax("replay x.csv --db d.db --speed 20000").status == 0);
+  CHECK(states == here.triax(kStates + "d.db").out);
+}
+
+TEST_CASE("the document holds every key of the contract, null where nothing is known") {
+  const Workplace here;
+  write(here / "bare.csv",
+        "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n0.2,9,"
+        "103\n");
+  const Outcome outcome = here.triax("replay bare.csv --json");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const json d = json::parse(outcome.out);
+  for (const char* key :
+       {"test", "specimen", "consolidation", "peak", "collapse", "checks", "warnings"})
+    REQUIRE(d.contains(key));
+  for (const char* key : {"id", "name", "origin", "programme", "source"})
+    CHECK(d["test"].contains(key));
+  for (const char* key : {"detected", "kind", "inside_limit_surface", "reading", "time_s",
+                          "axial_strain", "q_kPa", "p_eff_kPa", "pore_pressure_kPa", "eta",
+                          "phi_mob_deg", "second_order_work_normalised", "criteria", "truth"})
+    CHECK(d["collapse"].contains(key));
+  CHECK(d["collapse"]["truth"].is_null());
+  CHECK(d["specimen"]["height_mm"].is_null());
+  CHECK(d["collapse"]["detected"] == false);
+  CHECK(d["peak"]["q_kPa"].get<double>() == Approx(9));
+}
+
+TEST_CASE("reports are written whole, and queries cannot write") {
+  const Workplace here;
+  REQUIRE(here.triax("simulate " + source("samples/programmes/icu_6.toml")).status == 0);
+  CHECK(here.triax("report --format html --output r.html").status == 0);
+  CHECK(content(here / "r.html").find("SIMULATED") != std::string::npos);
+  CHECK(here.triax("report --format pdf --output r.pdf").status == 0);
+  CHECK(content(here / "r.pdf").rfind("%PDF", 0) == 0);
+  CHECK(json::parse(here.triax("report --format json").out)["collapse"]["kind"] == "flow");
+  CHECK(here.triax("report --format html --output /nowhere/r.html").status == 1);
+  CHECK(here.triax("report 7").status == 2);
+  const std::string before = content(here / "triax.db");
+  for (const char* sql : {"DELETE FROM tests", "CREATE TABLE x (a)", "PRAGMA user_version = 9",
+                          "ATTACH 'other.db' AS other", "VACUUM INTO 'copy.db'"}) {
+    const Outcome outcome = here.triax(std::string("query \"") + sql + "\"");
+    INFO(sql << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+  }
+  CHECK(content(here / "triax.db") == before);
+  CHECK_FALSE(here.has("other.db"));
+  CHECK_FALSE(here.has("copy.db"));
+  const json points = json::parse(here.triax("query collapse_points --format json").out);
+  REQUIRE(points.size() == 1);
+  CHECK(points[0]["origin"] == "simulated");
+}
+
+TEST_CASE(
+    "a killed test keeps what was read, passes the integrity check and is marked as interrupted") {
+  const Workplace here;
+  const std::string command =
+      "cd '" + (here / "").string() + "' && exec " TRIAX_PROGRAM " simulate " +
+      source("samples/programmes/icu_6.toml") + " --speed 400 >/dev/null 2>&1";
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(3500));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  const json tests = json::parse(here.triax("query tests --format json").out);
+  REQUIRE(tests.size() == 1);
+  CHECK(tests[0]["status"] == "interrupted");
+  // 3.5 s at 400 s of test a second, less start-up and the last second.
+  const json count = json::parse(
+      here.triax("query \"SELECT count(*) AS n, max(reading) AS last FROM readings\" --format json")
+          .out);
+  CHECK(count[0]["n"].get<int>() > 500);
+  CHECK(count[0]["n"].get<int>() == count[0]["last"].get<int>() + 1);
+  CHECK(here.triax("query \"PRAGMA integrity_check\" --format csv").out.find("ok") !=
+        std::string::npos);
+  CHECK(here.triax("report").out.find("INTERRUPTED") != std::string::npos);
+}
