@@ -32,6 +32,7 @@ struct CollapseMonitor::Impl {
   bool held_q = false;  ///< in the stage under way
   double path = 0;      ///< along the axial strain, where there is no time
   double last_strain = kMissing;
+  bool has_volume = false, has_pore_pressure = false;
   std::optional<double> told_onset;
   std::optional<Descent> held_descent;  ///< the first that lasted
 };
@@ -40,6 +41,12 @@ namespace {
 
 bool complete(const State& s) {
   return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial);
+}
+
+/// True where a value is missing that the record had before: taken as 0 it would be a jump.
+bool gap(double value, bool& had) {
+  had = had || !std::isnan(value);
+  return had && std::isnan(value);
 }
 
 bool watched(const StageInfo* stage) {
@@ -77,7 +84,7 @@ void CollapseMonitor::Impl::watch(const State& s, const CollapseMonitor& /*outer
 
   if (!std::isnan(last_strain)) path += std::fabs(s.strain.axial - last_strain);
   last_strain = s.strain.axial;
-  const auto or_zero = [](double x) { return std::isnan(x) ? 0.0 : x; };
+  if (gap(s.volumetric_strain, has_volume) || gap(s.pore_pressure, has_pore_pressure)) return;
   PathSample sample;
   sample.signal = {static_cast<double>(s.reading),
                    header.has_time ? s.time_s : path,

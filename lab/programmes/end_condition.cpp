@@ -1,11 +1,13 @@
 #include "lab/programmes/end_condition.hpp"
 
+#include <array>
+
 namespace triax::lab {
 namespace {
 
 using enum EndQuantity;
 
-constexpr EndQuantityKey kKeys[] = {
+constexpr auto kKeys = std::to_array<EndQuantityKey>({
     {"time_s", time, 1, 0, 1e7},
     {"time_min", time, 60, 0, 2e5},
     {"cell_pressure_kPa", cell_pressure, 1e3, 0, 1e5},
@@ -21,7 +23,7 @@ constexpr EndQuantityKey kKeys[] = {
     {"volumetric_strain_pct", volumetric_strain, 1e-2, -50, 50},
     {"axial_displacement_mm", axial_displacement, 1e-3, -1e3, 1e3},
     {"axial_force_N", axial_force, 1, -1e6, 1e6},
-};
+});
 
 }  // namespace
 

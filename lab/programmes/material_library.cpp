@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "lab/records/bad_input.hpp"
@@ -18,7 +19,7 @@ struct ParameterKey {
   double scale = 1;
 };
 
-constexpr ParameterKey kKeys[] = {
+constexpr auto kKeys = std::to_array<ParameterKey>({
     {"shear_modulus_factor", &sim::SanisandParameters::shear_modulus_factor},
     {"poisson_ratio", &sim::SanisandParameters::poisson_ratio},
     {"critical_stress_ratio", &sim::SanisandParameters::critical_stress_ratio},
@@ -35,7 +36,7 @@ constexpr ParameterKey kKeys[] = {
     {"fabric_limit", &sim::SanisandParameters::fabric_limit},
     {"fabric_rate", &sim::SanisandParameters::fabric_rate},
     {"atmospheric_pressure_kPa", &sim::SanisandParameters::atmospheric_pressure_pa, 1e3},
-};
+});
 
 MaterialSet read_set(const TomlTable& table, const std::string& name) {
   MaterialSet set;
@@ -64,7 +65,7 @@ std::vector<MaterialSet> read_materials(std::string_view toml_text, const std::s
   root.finish();
   std::vector<MaterialSet> found;
   for (const std::string& key : sets.keys())
-    found.push_back(read_set(sets.required_table(key), law + "/" + key));
+    found.push_back(read_set(sets.required_table(key), fmt::format("{}/{}", law, key)));
   if (found.empty()) throw BadInput(file, 0, "holds no set; write [sets.NAME]");
   return found;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "lab/records/text.hpp"
@@ -12,11 +13,11 @@ namespace {
 
 constexpr double kKpaPerMin = 1e3 / 60;
 
-constexpr std::pair<std::string_view, AxialAction> kActions[] = {
-    {"free", AxialAction::free},
-    {"displacement", AxialAction::displacement},
-    {"load", AxialAction::load},
-    {"constant_q", AxialAction::constant_q}};
+constexpr auto kActions = std::to_array<std::pair<std::string_view, AxialAction>>(
+    {{"free", AxialAction::free},
+     {"displacement", AxialAction::displacement},
+     {"load", AxialAction::load},
+     {"constant_q", AxialAction::constant_q}});
 
 template <class Pairs>
 [[noreturn]] void unknown_word(const TomlTable& table, std::string_view key,

@@ -30,14 +30,21 @@ std::string full_name(std::string_view name, std::string_view unit) {
   return unit.empty() ? std::string(name) : fmt::format("{}_{}", name, unit);
 }
 
-double parse_number(const std::string& where, std::string_view key, std::string_view text) {
-  double value = 0;
+// The whole of the text as a number.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number value{};
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (stop != end || error != std::errc{} || !std::isfinite(value))
+  return stop == end && error == std::errc{} ? std::optional(value) : std::nullopt;
+}
+
+double parse_number(const std::string& where, std::string_view key, std::string_view text) {
+  const auto value = number_of<double>(text);
+  if (!value || !std::isfinite(*value))
     throw BadInput(
         fmt::format("{}: {} = {} is no number (write it like 12.5)", where, key, excerpt(text)));
-  return value;
+  return *value;
 }
 
 std::string names_of(std::initializer_list<std::string_view> names) {
@@ -70,10 +77,8 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
     if (value == "simulated") origin = Origin::simulated;
     header.origin = one_of(where, key, value, origin, {"recorded", "simulated"});
   } else if (name == "seed") {
-    std::uint64_t seed = 0;
-    const char* end = value.data() + value.size();
-    const auto [stop, error] = std::from_chars(value.data(), end, seed);
-    if (stop != end || error != std::errc{})
+    const auto seed = number_of<std::uint64_t>(value);
+    if (!seed)
       throw BadInput(
           fmt::format("{}: {} = {} is no whole number from 0 on", where, key, excerpt(value)));
     header.seed = seed;
@@ -128,11 +133,14 @@ void set_stage(StageInfo& stage, const std::string& where, std::string_view key,
     unknown_key(where, key);
 }
 
+// Finite in every unit.
+constexpr Bounds kMeasurable{.at_least = -1e100, .at_most = 1e100};
+
 void read_truth(std::optional<Truth>& truth, const TomlTable& table) {
   Truth found;
   found.lost_sustainability = table.flag("lost_sustainability").value_or(false);
   for (const TruthKey& row : kTruthKeys)
-    if (const auto value = table.number(full_name(row.name, row.unit)))
+    if (const auto value = table.number(full_name(row.name, row.unit), kMeasurable))
       found.*row.member = sim::to_si(*value, *sim::find_unit(row.unit));
   table.finish();
   truth = found;
@@ -195,17 +203,12 @@ void set_metadata(RecordHeader& header, const std::string& where, std::string_vi
     set_specimen(header.specimen, where, key, rest, value);
   } else if (group == "stages") {
     const auto second = rest.find('.');
-    int number = 0;
-    const auto digits = rest.substr(0, second);
-    const auto [stop, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (second == std::string_view::npos || digits.empty() || number < 0 || error != std::errc{} ||
-        stop != digits.data() + digits.size())
-      unknown_key(where, key);
+    const auto number = number_of<int>(rest.substr(0, second));
+    if (second == std::string_view::npos || !number || *number < 0) unknown_key(where, key);
     // A copy first: a bad value leaves no stage behind.
     StageInfo probe;
     set_stage(probe, where, key, rest.substr(second + 1), value);
-    set_stage(stage_of(header, number), where, key, rest.substr(second + 1), value);
+    set_stage(stage_of(header, *number), where, key, rest.substr(second + 1), value);
   } else {
     unknown_key(where, key);
   }

@@ -9,6 +9,8 @@
 namespace triax::lab {
 
 inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+/// For a channel that a record need not have, where nothing known means that nothing moved.
+inline double or_zero(double value) { return std::isnan(value) ? 0.0 : value; }
 
 /// One scan of all channels at one time, as the instruments (or the file) gave it, in SI.
 /// Never altered once made; always stored. A cell that is missing is NaN here and null outside.

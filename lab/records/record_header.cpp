@@ -25,19 +25,19 @@ std::optional<Enum> value_of(std::string_view text, Names<Enum> names) {
   return std::nullopt;
 }
 
-constexpr std::pair<StageRole, std::string_view> kRoles[] = {
-    {StageRole::unknown, "unknown"},
-    {StageRole::saturation, "saturation"},
-    {StageRole::b_check, "b_check"},
-    {StageRole::consolidation, "consolidation"},
-    {StageRole::shear, "shear"}};
-constexpr std::pair<Drainage, std::string_view> kDrainages[] = {
-    {Drainage::unknown, "unknown"}, {Drainage::open, "open"}, {Drainage::closed, "closed"}};
-constexpr std::pair<AxialControl, std::string_view> kControls[] = {
-    {AxialControl::unknown, "unknown"},
-    {AxialControl::displacement, "displacement"},
-    {AxialControl::load, "load"},
-    {AxialControl::constant_q, "constant_q"}};
+constexpr auto kRoles = std::to_array<std::pair<StageRole, std::string_view>>(
+    {{StageRole::unknown, "unknown"},
+     {StageRole::saturation, "saturation"},
+     {StageRole::b_check, "b_check"},
+     {StageRole::consolidation, "consolidation"},
+     {StageRole::shear, "shear"}});
+constexpr auto kDrainages = std::to_array<std::pair<Drainage, std::string_view>>(
+    {{Drainage::unknown, "unknown"}, {Drainage::open, "open"}, {Drainage::closed, "closed"}});
+constexpr auto kControls = std::to_array<std::pair<AxialControl, std::string_view>>(
+    {{AxialControl::unknown, "unknown"},
+     {AxialControl::displacement, "displacement"},
+     {AxialControl::load, "load"},
+     {AxialControl::constant_q, "constant_q"}});
 
 }  // namespace
 
@@ -59,8 +59,11 @@ std::optional<AxialControl> axial_control_from(std::string_view text) {
   return value_of<AxialControl>(text, kControls);
 }
 
+bool RecordHeader::has(Quantity column) const {
+  return std::ranges::find(columns, column) != columns.end();
+}
+
 bool RecordHeader::is_raw() const {
-  const auto has = [&](Quantity q) { return std::ranges::find(columns, q) != columns.end(); };
   return has(Quantity::axial_displacement) && has(Quantity::axial_force) &&
          has(Quantity::cell_pressure);
 }

@@ -75,6 +75,7 @@ struct RecordHeader {
   bool has_time = true;
   std::vector<Warning> warnings;
 
+  bool has(Quantity column) const;
   /// True where the raw channels suffice for our own reduction; else the record enters at State.
   bool is_raw() const;
   const StageInfo* stage(int number) const;

@@ -10,9 +10,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "lab/records/bad_input.hpp"
 #include "lab/records/metadata.hpp"
@@ -30,6 +33,14 @@ std::string as_comment(std::string_view toml) {
     toml.remove_prefix(end == std::string_view::npos ? toml.size() : end + 1);
   }
   return out;
+}
+
+// How a simulation is repeated; empty for what came from a record.
+std::string origin_remark(const RecordHeader& header) {
+  if (header.origin != Origin::simulated || !header.dialect.empty() || !header.seed) return {};
+  const auto programme = std::filesystem::path(header.source).filename().string();
+  return fmt::format("## a simulation, no laboratory test: triax simulate {} --seed {}\n",
+                     toml_quoted(programme), *header.seed);
 }
 
 }  // namespace
@@ -96,7 +107,7 @@ RecordWriter::RecordWriter(const std::string& path, const RecordHeader& header)
   for (const Quantity q : header.columns)
     impl_->columns.emplace_back(q, *sim::find_unit(info(q).unit));
   impl_->create();
-  impl_->text = as_comment(metadata_toml(header));
+  impl_->text = origin_remark(header) + as_comment(metadata_toml(header));
   impl_->append_headings();
 }
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "lab/records/bad_input.hpp"
 #include "lab/records/byte_source.hpp"
@@ -45,15 +46,9 @@ struct TomlTable::Impl {
 
 namespace {
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  auto* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 std::string wanted(const Bounds& bounds) {
   const auto part = [](const char* word, double value) {
-    return std::isfinite(value) ? word + shortest(value) : std::string();
+    return std::isfinite(value) ? word + fmt::to_string(value) : std::string();
   };
   const auto text = joined({part("above ", bounds.above), part("at least ", bounds.at_least),
                             part("at most ", bounds.at_most)},
@@ -114,7 +109,7 @@ std::optional<double> TomlTable::number(std::string_view key, const Bounds& boun
   if (!node) return std::nullopt;
   if (!node->is_number()) fail(key, "a number without quotes is wanted");
   const double value = node->value<double>().value_or(NAN);
-  if (!bounds.hold(value)) fail(key, "is " + shortest(value) + ", must be " + wanted(bounds));
+  if (!bounds.hold(value)) fail(key, "is " + fmt::to_string(value) + ", must be " + wanted(bounds));
   return value;
 }
 
@@ -149,7 +144,7 @@ std::optional<std::string> TomlTable::scalar(std::string_view key) const {
   if (!node) return std::nullopt;
   if (const auto* text = node->as_string()) return text->get();
   if (const auto* whole = node->as_integer()) return std::to_string(whole->get());
-  if (const auto* number = node->as_floating_point()) return shortest(number->get());
+  if (const auto* number = node->as_floating_point()) return fmt::to_string(number->get());
   if (const auto* truth = node->as_boolean()) return truth->get() ? "true" : "false";
   fail(key, "one value is wanted");
 }

@@ -25,8 +25,6 @@ double required(const std::optional<double>& value, const RecordHeader& header, 
   return *value;
 }
 
-double or_zero(double value) { return std::isnan(value) ? 0.0 : value; }
-
 }  // namespace
 
 RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& options)
@@ -39,18 +37,16 @@ RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& o
   as_built_.height_m = height;
   as_built_.volume_m3 = std::numbers::pi / 4 * diameter * diameter * height;
   now_ = stage_start_ = as_built_;
+  if (!header.has(Quantity::pore_pressure)) pore_channel_ = Quantity::back_pressure;
   if (options_.membrane != MembraneCorrection::none) {
     required(specimen_.membrane_thickness_m, header, "membrane's thickness",
              "specimen.membrane_thickness_mm");
     required(specimen_.membrane_modulus_pa, header, "membrane's modulus",
              "specimen.membrane_modulus_kPa");
   }
-  const auto has = [&](Quantity q) {
-    return std::ranges::find(header.columns, q) != header.columns.end();
-  };
-  if (!has(Quantity::back_volume))
+  if (!header.has(Quantity::back_volume))
     warnings_.push_back({0, "no back-volume channel: the specimen's volume is taken as constant"});
-  if (!has(Quantity::pore_pressure) && has(Quantity::back_pressure))
+  if (!header.has(Quantity::pore_pressure) && header.has(Quantity::back_pressure))
     warnings_.push_back({0, "no pore-pressure channel: the back pressure stands in for it"});
 }
 
@@ -62,8 +58,8 @@ void RawReduction::start_stage(const Reading& reading) {
   if (shear && !sheared_) start_shear(reading);
   if (!sheared_) {
     stage_start_ = now_;
-    stage_start_.displacement = or_zero(reading[Quantity::axial_displacement]);
-    stage_start_.back_volume = or_zero(reading[Quantity::back_volume]);
+    stage_start_.displacement = or_zero(last_displacement_);
+    stage_start_.back_volume = or_zero(last_back_volume_);
   }
 }
 
@@ -91,8 +87,8 @@ void RawReduction::start_shear(const Reading& reading) {
   }
   now_ = {.height_m = height,
           .volume_m3 = volume,
-          .displacement = or_zero(reading[Quantity::axial_displacement]),
-          .back_volume = or_zero(reading[Quantity::back_volume])};
+          .displacement = or_zero(last_displacement_),
+          .back_volume = or_zero(last_back_volume_)};
   void_ratio_start_ =
       specimen_.consolidated_void_ratio ? specimen_.consolidated_void_ratio : void_ratio_at(volume);
 }
@@ -106,24 +102,20 @@ std::optional<double> RawReduction::void_ratio_at(double volume_m3) const {
 }
 
 State RawReduction::reduce(const Reading& reading) {
+  if (reading.has(Quantity::axial_displacement))
+    last_displacement_ = reading[Quantity::axial_displacement];
+  if (reading.has(Quantity::back_volume)) last_back_volume_ = reading[Quantity::back_volume];
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
-  const double displacement = reading.has(Quantity::axial_displacement)
-                                  ? reading[Quantity::axial_displacement]
-                                  : last_displacement_;
-  const double back_volume =
-      reading.has(Quantity::back_volume) ? reading[Quantity::back_volume] : last_back_volume_;
-  last_displacement_ = displacement;
-  last_back_volume_ = back_volume;
 
   State s;
   s.reading = reading.number;
   s.time_s = reading.time_s;
   s.stage = reading.stage;
   const Reference& from = sheared_ ? now_ : stage_start_;
-  const double shortening = displacement - from.displacement;
+  const double shortening = last_displacement_ - from.displacement;
   // Water that enters while the specimen is being saturated fills its pores: no change of volume.
   const bool drains = sheared_ || role_ == StageRole::consolidation;
-  const double outflow = drains ? from.back_volume - or_zero(back_volume) : 0.0;
+  const double outflow = drains ? from.back_volume - or_zero(last_back_volume_) : 0.0;
   if (!sheared_ && role_ == StageRole::consolidation) {
     consolidation_shortening_ = as_built_.height_m - from.height_m + or_zero(shortening);
     consolidation_outflow_ = as_built_.volume_m3 - from.volume_m3 + outflow;
@@ -137,8 +129,7 @@ State RawReduction::reduce(const Reading& reading) {
 
   const double cell = reading[Quantity::cell_pressure];
   s.q = reading[Quantity::axial_force] / s.area_m2;
-  s.pore_pressure = reading.has(Quantity::pore_pressure) ? reading[Quantity::pore_pressure]
-                                                         : reading[Quantity::back_pressure];
+  s.pore_pressure = reading[pore_channel_];
   s.effective_stress = {cell + s.q - s.pore_pressure, cell - s.pore_pressure};
   correct_for_membrane(s);
   s.p_eff = sim::mean_stress(s.effective_stress);

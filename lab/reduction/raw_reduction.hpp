@@ -27,7 +27,6 @@ class RawReduction {
   };
   void start_stage(const Reading& reading);
   void start_shear(const Reading& reading);
-  double height_change(const Reading& reading) const;
   void correct_for_membrane(State& state) const;
   std::optional<double> void_ratio_at(double volume_m3) const;
 
@@ -38,6 +37,8 @@ class RawReduction {
   std::optional<int> stage_;
   StageRole role_ = StageRole::unknown;
   bool sheared_ = false;
+  /// Where u is read: at the specimen; at the controller in a record without that transducer.
+  Quantity pore_channel_ = Quantity::pore_pressure;
   double last_displacement_ = kMissing, last_back_volume_ = kMissing;
   double consolidation_shortening_ = 0;  ///< m, measured by the displacement transducer
   double consolidation_outflow_ = 0;     ///< m³, water out of the specimen while it consolidated

@@ -27,11 +27,9 @@ ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stag
   warnings_.push_back({0,
                        "the record holds reduced stresses and strains, no raw channels: its own "
                        "reduction is taken as it is"});
-  const auto has = [&](Quantity q) {
-    return std::ranges::find(header.columns, q) != header.columns.end();
-  };
-  only_excess_ = has(excess_pore_pressure) && !has(pore_pressure) && !has(axial_stress) &&
-                 !has(radial_stress) && !has(cell_pressure);
+  only_excess_ = header.has(excess_pore_pressure) && !header.has(pore_pressure) &&
+                 !header.has(axial_stress) && !header.has(radial_stress) &&
+                 !header.has(cell_pressure);
   if (only_excess_)
     warnings_.push_back({0,
                          "the record holds the excess pore pressure only: pore pressures count "

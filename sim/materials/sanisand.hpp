@@ -99,7 +99,7 @@ class Sanisand {
   double error_measure(const Rate& error, const State& at) const;
 
  private:
-  double side(const State& state) const { return state.q / state.p >= state.alpha ? 1 : -1; }
+  static double side(const State& state) { return state.q / state.p >= state.alpha ? 1 : -1; }
   double contraction_fade(double p) const;
 
   SanisandParameters parameters_;

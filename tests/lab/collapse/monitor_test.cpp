@@ -98,6 +98,30 @@ TEST_CASE("nothing but consolidation is not judged") {
   CHECK_FALSE(c.onset);
 }
 
+TEST_CASE("a gap in volume or pore pressure is passed over, a record without them is judged") {
+  const auto judged = [](auto change) {
+    CollapseMonitor monitor(undrained_header());
+    SyntheticPath path;
+    for (int i = 0; i < 5000; ++i) {
+      State s = path.state(i);
+      s.volumetric_strain = 0.01;
+      change(i, s);
+      monitor.watch(s);
+    }
+    return monitor.finish();
+  };
+  const Collapse gaps = judged([](int i, State& s) {
+    if (i % 10 == 3) s.volumetric_strain = kMissing;
+    if (i % 10 == 6) s.pore_pressure = kMissing;
+  });
+  CHECK(gaps.kind == CollapseKind::flow);
+  CHECK(std::abs(gaps.onset->reading - 600) <= 4);
+  const Collapse without =
+      judged([](int, State& s) { s.volumetric_strain = s.pore_pressure = kMissing; });
+  CHECK(without.kind == CollapseKind::flow);
+  CHECK(std::abs(without.onset->reading - 600) <= 3);
+}
+
 TEST_CASE("missing values are passed over") {
   CollapseMonitor monitor(undrained_header());
   SyntheticPath path;

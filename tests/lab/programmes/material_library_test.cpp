@@ -42,8 +42,9 @@ TEST_CASE("an unknown material is refused with the nearest known one") {
 }
 
 TEST_CASE("a user's file is held to the same rules, with its line") {
-  CHECK_THROWS_WITH(read_materials("law = \"sanisand\"\n[sets.mine]\nfabric_rat = 3\n", "my.toml"),
-                    Contains("my.toml:2") && Contains("[sets.mine]: shear_modulus_factor is missing"));
+  CHECK_THROWS_WITH(
+      read_materials("law = \"sanisand\"\n[sets.mine]\nfabric_rat = 3\n", "my.toml"),
+      Contains("my.toml:2") && Contains("[sets.mine]: shear_modulus_factor is missing"));
   CHECK_THROWS_WITH(read_materials("law = \"camclay\"\n", "my.toml"), Contains("my.toml:1"));
   CHECK_THROWS_AS(read_materials("law = ", "my.toml"), BadInput);
   CHECK_THROWS_AS(read_materials("law = \"sanisand\"\n[sets]\n", "my.toml"), BadInput);

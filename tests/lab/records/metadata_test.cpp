@@ -42,6 +42,16 @@ TEST_CASE("wrong keys and values are refused with what would be right") {
     CHECK_THROWS_AS(set_metadata(header, "--set", key, "1"), BadInput);
 }
 
+TEST_CASE("a truth that is finite in no unit is refused") {
+  RecordHeader header;
+  std::optional<Truth> truth;
+  for (const std::string value : {"1e308", "inf", "nan"})
+    CHECK_THROWS_WITH(
+        read_metadata(header, truth, TomlTable::parse("[truth]\nq_kPa = " + value, "a")),
+        Catch::StartsWith("a:2: [truth] q_kPa"));
+  CHECK_FALSE(truth);
+}
+
 TEST_CASE("metadata written as TOML read back as the same values") {
   RecordHeader header;
   header.name = "a \"quoted\" name, mm³";

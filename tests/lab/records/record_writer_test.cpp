@@ -8,6 +8,7 @@
 #include <random>
 
 #include "lab/records/bad_input.hpp"
+#include "lab/records/toml_reader.hpp"
 #include "lab/rig/recorded.hpp"
 
 using namespace triax::lab;
@@ -55,6 +56,25 @@ std::vector<Reading> random_readings(std::size_t count) {
   return readings;
 }
 }  // namespace
+
+TEST_CASE("a simulation says in its first line that it is one and how it is repeated") {
+  const Folder folder;
+  const auto path = folder / "s.csv";
+  auto header = header_with_all_columns();
+  header.source = "some/folder/csu_26.toml";
+  const auto first_line = [&] {
+    RecordWriter(path, header).finish({});
+    const auto text = read_text_file(path);
+    return text.substr(0, text.find('\n'));
+  };
+  CHECK(first_line() ==
+        "## a simulation, no laboratory test: triax simulate \"csu_26.toml\" --seed 42");
+  header.dialect = "triax";  // replayed from a record: the source is no programme
+  CHECK(first_line() == "# [test]");
+  header.dialect.clear();
+  header.origin = Origin::recorded;
+  CHECK(first_line() == "# [test]");
+}
 
 TEST_CASE("what is written reads back to the bit, missing stays missing") {
   const Folder folder;

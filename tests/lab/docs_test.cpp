@@ -1,0 +1,115 @@
+// The pages of docs/ that print descriptions: what they print is what the readers take.
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/records/dialect.hpp"
+#include "lab/records/metadata.hpp"
+#include "lab/records/text.hpp"
+#include "lab/records/toml_reader.hpp"
+#include "lab/rig/recorded.hpp"
+
+using namespace triax::lab;
+using Catch::Contains;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Lines lines_of(const std::string& path) {
+  std::istringstream text(read_text_file(path));
+  Lines lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The indented lines of a page, without their indent, from the one that begins with `first` to
+/// the next prose or to the one that begins with `last`; blank lines left out.
+Lines printed(const std::string& page, const std::string& first, const std::string& last = "#") {
+  Lines block;
+  bool inside = false;
+  for (const auto& line : lines_of(page)) {
+    inside = inside || line.starts_with("    " + first);
+    if (!inside || line.empty()) continue;
+    if (!line.starts_with("    ") || line.starts_with("    " + last)) break;
+    block.emplace_back(line, 4);
+  }
+  return block;
+}
+
+/// The lines of a file that are neither blank nor remarks.
+Lines content(const std::string& path) {
+  Lines lines = lines_of(path);
+  std::erase_if(lines, [](const auto& line) { return line.empty() || line.starts_with('#'); });
+  return lines;
+}
+
+/// What stands between backticks in a line.
+Lines codes(const std::string& line) {
+  Lines found;
+  std::istringstream text(line);
+  std::string piece;
+  for (bool code = false; std::getline(text, piece, '`'); code = !code)
+    if (code) found.push_back(piece);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("the dialect that the pages print is the sample, and reads its record") {
+  const auto sample = content("samples/dialects/my_lab.toml");
+  CHECK(sample.size() == 8);
+  for (const std::string page : {"docs/tutorial-dialect.md", "docs/formats.md"})
+    CHECK(printed(page, "name = \"my_lab\"", "triax replay") == sample);
+  const std::string record = "samples/dialects/my_lab_record.txt";
+  auto rows = lines_of(record);
+  rows.resize(6);
+  CHECK(printed("docs/tutorial-dialect.md", "Probe;") == rows);
+  CHECK_THROWS_WITH(open_record(record, {}),
+                    Contains(":3: no dialect fits this file; headings found: 'Zeit', 'Deform', "
+                             "'Sigma_d (kPa)', 'Sigma_3' (kPa)', 'Bemerkung'"));
+}
+
+TEST_CASE("what the tutorial says of stranger files is dialect") {
+  int found = 0;
+  for (const auto& line : lines_of("docs/tutorial-dialect.md")) {
+    if (!line.starts_with("| ") || codes(line).empty()) continue;
+    auto code = codes(line);
+    if (line.starts_with("| means")) code = {"[table]", code.back()};
+    std::string toml = "name = \"d\"\n[columns]\n";
+    if (code[0].starts_with('[')) toml += "axial_strain = \"e\"\n";
+    for (const auto& one : code) toml += one + "\n";
+    INFO(toml);
+    CHECK_NOTHROW(parse_dialect(toml, "d.toml"));
+    ++found;
+  }
+  CHECK(found == 8);
+}
+
+TEST_CASE("the programme that is printed is a programme") {
+  const auto toml = joined(printed("docs/programmes.md", "[test]"), "\n");
+  const Programme programme = read_programme(toml, "docs/programmes.md");
+  CHECK(programme.stages.size() == 2);
+  CHECK(programme.seed == 1);
+  CHECK(programme.frame.travel_m == Approx(0.05));
+  CHECK(programme.frame.servo_gain_m_per_s_per_n == Approx(6e-3 / 60));
+  CHECK(programme.cell_controller.range_pa == 3e6);
+  CHECK(programme.cell_controller.rate_limit_pa_per_s == Approx(600e3 / 60));
+}
+
+TEST_CASE("every key is on its page") {
+  const auto programmes = read_text_file("docs/programmes.md");
+  for (const EndQuantityKey& row : end_quantity_keys())
+    CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.key)));
+  for (const QuantityInfo& row : quantities().first(kRawQuantityCount))
+    CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.name)));
+  const auto formats = read_text_file("docs/formats.md");
+  for (const QuantityInfo& row : quantities())
+    CHECK_THAT(formats, Contains(fmt::format("`{}", row.name)));
+  for (const auto& key : metadata_keys())
+    CHECK_THAT(formats, Contains(fmt::format("`{}`", key.substr(key.rfind('.') + 1))));
+  for (const Dialect& dialect : shipped_dialects())
+    CHECK_THAT(formats, Contains(fmt::format("| `{}` |", dialect.name)));
+}
