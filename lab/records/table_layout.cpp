@@ -104,6 +104,22 @@ std::optional<Candidate> find_heading_line(const Dialect& dialect, const Head& h
   return best;
 }
 
+// Our own headings behind another separator: told by name, because no heading is wrong then.
+void refuse_other_separator(const ByteSource& source, const Head& head) {
+  for (Dialect dialect : shipped_dialects()) {
+    if (!dialect.own_headings) continue;
+    dialect.separator = Separator::automatic;
+    const auto found = find_heading_line(dialect, head);
+    if (!found) continue;
+    throw BadInput(
+        source.name(), static_cast<std::int64_t>(found->line) + 1,
+        fmt::format("the headings are triax's own, but the columns are separated by '{}'; "
+                    "triax's own CSV has commas, and points in its numbers. Change that, or "
+                    "describe the file as a dialect (docs/formats.md, table.separator)",
+                    character(found->separator)));
+  }
+}
+
 [[noreturn]] void nothing_fits(const ByteSource& source, const Head& head,
                                const std::optional<Dialect>& forced) {
   // The line with the most cells that are words is the likeliest line of headings.
@@ -207,6 +223,7 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
       if (found && (!best || found->known > best->known)) best = found;
     }
   }
+  if (!best && !forced) refuse_other_separator(source, head);
   if (!best) nothing_fits(source, head, forced);
 
   TableLayout layout;

@@ -18,18 +18,17 @@ const std::string kHeadings =
     "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa,back_volume_mm3";
 }  // namespace
 
-TEST_CASE("our own table is known by its headings, with each separator") {
-  for (const auto& [mark, separator] :
-       {std::pair(',', Separator::comma), std::pair(';', Separator::semicolon),
-        std::pair('\t', Separator::tab), std::pair(' ', Separator::blanks)}) {
+TEST_CASE("our own table is known by its headings, and has commas") {
+  const auto layout = layout_of(kHeadings + "\n0,1\n");
+  CHECK(layout.dialect.name == "triax");
+  CHECK(layout.separator == Separator::comma);
+  CHECK(layout.cell_count == 5);
+  CHECK(layout.has(ColumnRole::time));
+  CHECK(layout.quantities().size() == 4);
+  for (const char mark : {';', '\t'}) {
     std::string headings = kHeadings;
     std::ranges::replace(headings, ',', mark);
-    const auto layout = layout_of(headings + "\n0" + mark + "1\n");
-    CHECK(layout.dialect.name == "triax");
-    CHECK(layout.separator == separator);
-    CHECK(layout.cell_count == 5);
-    CHECK(layout.has(ColumnRole::time));
-    CHECK(layout.quantities().size() == 4);
+    CHECK_THROWS_WITH(layout_of(headings + "\n0" + mark + "1\n"), Catch::Contains("has commas"));
   }
 }
 
