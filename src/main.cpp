@@ -16,7 +16,8 @@ namespace {
 constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
 
 int complain(const std::string& message, int status) {
-  fmt::print(stderr, "triax: {}\n", message);
+  // A closed standard error must not turn a clear status into an abort, as an exception here would.
+  std::fprintf(stderr, "triax: %s\n", message.c_str());
   return status;
 }
 
@@ -36,7 +37,7 @@ int run(int argc, char** argv) {
     return complain(fmt::format("{} (see triax --help)", error.what()), kBadInput);
   }
   if (!*application.run) {
-    fmt::print(stderr, "{}", application.app->help());
+    std::fputs(application.app->help().c_str(), stderr);
     return complain("a command is wanted", kBadInput);
   }
   (*application.run)();

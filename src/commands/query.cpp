@@ -5,9 +5,7 @@
 #include <memory>
 
 #include "src/commands/shared_options.hpp"
-#include "src/output/output.hpp"
 #include "src/output/result_writer.hpp"
-#include "src/output/table.hpp"
 
 namespace triax::src {
 namespace {
@@ -19,16 +17,16 @@ struct Options {
   bool list = false;
 };
 
-void list_queries() {
-  Table table{{{"query"}, {"answers"}}, {}};
+void list_queries(ResultWriter& writer) {
+  writer.columns({"query", "answers"});
   for (const auto& query : db::named_queries())
-    table.rows.push_back({std::string(query.name), std::string(query.purpose)});
-  print(to_text(table));
+    writer.row({std::string(query.name), std::string(query.purpose)});
+  writer.finish();
 }
 
 void run(const Options& o) {
-  if (o.list || o.text.empty()) return list_queries();
   const auto writer = make_result_writer(o.format);
+  if (o.list || o.text.empty()) return list_queries(*writer);
   db::query(
       o.db, o.text, [&](const std::vector<std::string>& columns) { writer->columns(columns); },
       [&](const std::vector<db::Value>& row) { writer->row(row); });
@@ -56,7 +54,7 @@ Command query_command() {
                 "one test's readings for a spreadsheet"}},
           .set_up = [](CLI::App& app) -> std::function<void()> {
             const auto o = std::make_shared<Options>();
-            app.add_option("query", o->text, "name of a query, or SQL")->type_name("NAME|SQL");
+            app.add_option("NAME|SQL", o->text, "name of a query, or SQL")->type_name("");
             add_db(app, o->db);
             app.add_option("--format", o->format, "table, csv or json [table]")
                 ->check(CLI::IsMember({"table", "csv", "json"}).description(""))

@@ -76,7 +76,7 @@ Command replay_command() {
            {"triax replay lab.txt --dialect my_lab.toml", "a logger of one's own"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
-        app.add_option("records", o->records, "record files")->required()->type_name("RECORD");
+        app.add_option("RECORD", o->records, "record files")->required()->type_name("");
         app.add_option("--dialect", o->dialect, "name of a dialect, or file that describes one")
             ->type_name("NAME|FILE.toml");
         app.add_option("--set", o->sets,

@@ -39,7 +39,8 @@ void run(const Options& o) {
   else
     write_file(output, o.format == "json" ? json_report(tests) : text_report(tests));
   if (output != "-")
-    print(fmt::format("{} of {} tests written to {}\n", o.format, tests.size(), output));
+    print(fmt::format("{} of {} test{} written to {}\n", o.format, tests.size(),
+                      tests.size() == 1 ? "" : "s", output));
 }
 
 }  // namespace
@@ -66,8 +67,8 @@ Command report_command() {
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
-        app.add_option("tests", o->tests, "numbers or names of tests; none means all")
-            ->type_name("TEST");
+        app.add_option("TEST", o->tests, "numbers or names of tests; none means all")
+            ->type_name("");
         add_db(app, o->db);
         app.add_option("--format", o->format, "text, json, html or pdf [text]")
             ->check(CLI::IsMember({"text", "json", "html", "pdf"}).description(""))

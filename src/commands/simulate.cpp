@@ -1,5 +1,9 @@
 #include "src/commands/simulate.hpp"
 
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -36,6 +40,16 @@ void run(const Options& o) {
   print_tests(o.db, {id}, o.json);
 }
 
+// The conversion to a number alone would take -1 for the largest seed there is.
+std::string refusal_of_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
+  if (error == std::errc() && stopped == end) return {};
+  return fmt::format("'{}' is no whole number from 0 to {}", text,
+                     std::numeric_limits<std::uint64_t>::max());
+}
+
 }  // namespace
 
 Command simulate_command() {
@@ -60,10 +74,9 @@ Command simulate_command() {
                    {"triax simulate csu_26.toml --speed 60", "an hour of test in a minute"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
-        app.add_option("programme", o->programme, "programme file")
-            ->required()
-            ->type_name("PROGRAMME.toml");
+        app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
         app.add_option("--seed", o->seed, "seed of the noise, instead of the programme's own")
+            ->check(CLI::Validator(refusal_of_seed, ""))
             ->type_name("N");
         app.add_option("--record", o->record, "also write the readings as a record")
             ->type_name("OUT.csv");

@@ -54,7 +54,11 @@ void need_drawing() {
   static int argument_count = 1;
   static char name[] = "triax";
   static char* arguments[] = {name, nullptr};
+  // Qt warns of a missing XDG_RUNTIME_DIR, which a program without windows does not need.
+  const auto usual = qInstallMessageHandler(
+      [](QtMsgType, const QMessageLogContext&, const QString&) { /* nobody to tell */ });
   new QApplication(argument_count, arguments);
+  qInstallMessageHandler(usual);
 }
 
 std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px) {

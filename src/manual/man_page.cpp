@@ -23,13 +23,16 @@ std::string roff(const std::string& text) {
 }
 
 std::string title(const std::string& page) {
-  return fmt::format(".TH {} 1 \"\" \"triax {}\" \"User Commands\"\n", page, TRIAX_VERSION);
+  std::string capitals = page;
+  for (char& c : capitals)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return fmt::format(".TH {} 1 \"\" \"triax {}\" \"User Commands\"\n", capitals, TRIAX_VERSION);
 }
 
 std::string option_item(const CLI::Option& option) {
   std::string names;
   if (option.get_positional() && option.nonpositional() == false) {
-    names = "\\fI" + roff(option.get_type_name()) + "\\fR";
+    names = "\\fI" + roff(option.get_name(true)) + "\\fR";
   } else {
     names = "\\fB" + roff(option.get_name(false, true)) + "\\fR";
     if (option.get_items_expected_max() > 0)
@@ -48,7 +51,7 @@ std::string synopsis(const CLI::App& sub) {
   std::string text = "\\fBtriax " + roff(sub.get_name()) + "\\fR";
   for (const auto* option : sub.get_options()) {
     if (!option->get_positional() || option->nonpositional()) continue;
-    std::string name = "\\fI" + roff(option->get_type_name()) + "\\fR";
+    std::string name = "\\fI" + roff(option->get_name(true)) + "\\fR";
     if (option->get_items_expected_max() > 1) name += "...";
     text += option->get_required() ? " " + name : " [" + name + "]";
   }

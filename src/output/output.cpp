@@ -11,11 +11,22 @@
 
 namespace triax::src {
 
-void print(std::string_view text) {
-  errno = 0;
-  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
-  if (written != text.size() || std::fflush(stdout) != 0)
+namespace {
+
+void require(bool written) {
+  if (!written)
     throw lab::WorkFailed(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  put(text);
+  require(std::fflush(stdout) == 0);
+}
+
+void put(std::string_view text) {
+  require(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -9,6 +9,10 @@ namespace triax::src {
 /// (closed pipe, full disk); what was printed before stays printed.
 void print(std::string_view text);
 
+/// The same in passing: the text may wait in a buffer until the next print(), which says whether
+/// all of it arrived. For output of many small pieces.
+void put(std::string_view text);
+
 /// Writes a file under a temporary name beside it and renames it once complete, so that a failure
 /// leaves what was there before. "-" stands for standard output. Throws lab::WorkFailed.
 void write_file(const std::string& path, std::string_view bytes);

@@ -13,7 +13,7 @@ ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
-  if (shown_percent_ >= 0) fmt::print(stderr, "\r\x1b[K");
+  if (shown_percent_ >= 0) std::fputs("\r\x1b[K", stderr);
 }
 
 void ProgressBar::show(double fraction) {

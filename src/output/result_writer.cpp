@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -18,15 +19,22 @@ bool is_number(const db::Value& value) {
 /// NULL is empty; numbers have the digits that mean the same value.
 std::string exact_text(const db::Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
-  return {};
+  const auto* number = std::get_if<double>(&value);
+  return number && std::isfinite(*number) ? fmt::format("{}", *number) : std::string();
 }
 
 /// For people: six digits are more than any transducer resolves.
 std::string short_text(const db::Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
-  return exact_text(value);
+  const auto* number = std::get_if<double>(&value);
+  return number && std::isfinite(*number) ? fmt::format("{:.6g}", *number) : exact_text(value);
+}
+
+/// A line break inside a cell would break the table.
+std::string on_one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return text;
 }
 
 class TableWriter : public ResultWriter {
@@ -37,14 +45,31 @@ class TableWriter : public ResultWriter {
   void row(const std::vector<db::Value>& values) override {
     auto& cells = table_.rows.emplace_back();
     for (std::size_t i = 0; i < values.size(); ++i) {
-      cells.push_back(short_text(values[i]));
-      if (is_number(values[i])) table_.columns[i].align = Align::right;
+      cells.push_back(on_one_line(short_text(values[i])));
+      if (widths_.empty() && is_number(values[i])) table_.columns[i].align = Align::right;
     }
+    if (!widths_.empty() || table_.rows.size() == kHeldBack) release();
   }
-  void finish() override { print(to_text(table_)); }
+  void finish() override {
+    if (widths_.empty()) release();
+    print({});
+  }
 
  private:
+  static constexpr std::size_t kHeldBack = 1000;
+
+  void release() {
+    if (widths_.empty()) {
+      widths_ = column_widths(table_);
+      put(to_text(table_));
+    } else {
+      for (const auto& cells : table_.rows) put(table_line(cells, table_.columns, widths_) + '\n');
+    }
+    table_.rows.clear();
+  }
+
   Table table_;
+  std::vector<std::size_t> widths_;  ///< empty until the first rows are out
 };
 
 class CsvWriter : public ResultWriter {
@@ -67,25 +92,33 @@ class CsvWriter : public ResultWriter {
   static void line(const std::vector<std::string>& cells) {
     std::string text;
     for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + quoted(cells[i]);
-    print(text + "\r\n");
+    put(text + "\r\n");
   }
 };
 
 class JsonWriter : public ResultWriter {
  public:
   void columns(const std::vector<std::string>& names) override {
-    names_ = names;
-    print("[");
+    for (const auto& name : names) names_.push_back(unused(name));
+    put("[");
   }
   void row(const std::vector<db::Value>& values) override {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < values.size(); ++i) object[names_[i]] = json(values[i]);
     constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    print((rows_++ > 0 ? ",\n " : "\n ") + object.dump(-1, ' ', false, replace));
+    put((rows_++ > 0 ? ",\n " : "\n ") + object.dump(-1, ' ', false, replace));
   }
   void finish() override { print(rows_ > 0 ? "\n]\n" : "]\n"); }
 
  private:
+  std::string unused(const std::string& name) const {
+    const auto taken = [&](const std::string& candidate) {
+      return std::find(names_.begin(), names_.end(), candidate) != names_.end();
+    };
+    std::string candidate = name;
+    for (int i = 2; taken(candidate); ++i) candidate = fmt::format("{}_{}", name, i);
+    return candidate;
+  }
   static nlohmann::ordered_json json(const db::Value& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;

@@ -20,8 +20,10 @@ class ResultWriter {
   virtual void finish() = 0;  ///< writes what was held back
 };
 
-/// `format`: "table", "csv" or "json". CSV and JSON are printed as rows come, in constant memory; a
-/// table is held until its column widths are known.
+/// `format`: "table", "csv" or "json". All are printed as rows come, in constant
+/// memory; a table holds its first thousand rows back to find the widths of its columns.
+/// NULL, and a number that is infinite or none, is an empty cell or null. Of columns with one name
+/// the second is called NAME_2 in JSON, so that none is lost.
 std::unique_ptr<ResultWriter> make_result_writer(const std::string& format);
 
 }  // namespace triax::src
