@@ -119,7 +119,9 @@ double draw_on_page(const QCustomPlot& plot, QPainter& page, const QRectF& recta
   painter.end();
   page.save();
   page.translate(rectangle.x() + (rectangle.width() - plot.width() * scale) / 2, rectangle.y());
-  page.scale(scale, scale);
+  // A picture plays back at its size in inches; here one of its units is to be one of the page's.
+  const double dpi = static_cast<double>(picture.logicalDpiX()) / page.device()->logicalDpiX();
+  page.scale(scale * dpi, scale * dpi);
   picture.play(&page);
   page.restore();
   return plot.height() * scale;

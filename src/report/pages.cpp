@@ -16,7 +16,8 @@ namespace {
 constexpr int kPointsPerInch = 72;
 constexpr double kPointsPerPixel = 0.75;  // of a figure: 96 CSS pixels an inch
 constexpr double kMargin = 48;
-constexpr double kHeadHeight = 22;  // of the running head and of the line with the page number
+constexpr double kHeadHeight = 22;     // of the running head and of the line with the page number
+constexpr double kBroadFigure = 0.42;  // of a page's height
 const QSizeF kPage{595, 842};
 
 QRectF text_area() {
@@ -47,21 +48,29 @@ class FigureObject : public QObject, public QTextObjectInterface {
 
   QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
     const auto size = QSizeF(plot(format).size()) * kPointsPerPixel;
-    const auto room = text_area().size() - QSizeF(0, 40);  // a caption stays on the page
+    auto room = text_area().size() - QSizeF(0, 40);  // a caption stays on the page
+    // A broad figure leaves room for the text above it; a tall one needs its page.
+    if (size.width() > size.height()) room.setHeight(kBroadFigure * room.height());
     const double scale =
         std::min({1.0, room.width() / size.width(), room.height() / size.height()});
     return size * scale;
   }
   void drawObject(QPainter* painter, const QRectF& rect, QTextDocument*, int,
                   const QTextFormat& format) override {
+    // Qt offers a figure to each page that its line might touch, and a plot clips to its own axes,
+    // which would undo the clipping to the page.
+    if (!page_.contains(rect.center())) return;
     draw_on_page(plot(format), *painter, rect);
   }
+  /// The part of the document that is drawn next.
+  void set_page(const QRectF& page) { page_ = page; }
 
  private:
   const QCustomPlot& plot(const QTextFormat& format) const {
     return *figures_.at(format.toImageFormat().name().toUInt()).plot;
   }
   const std::vector<Drawing>& figures_;
+  QRectF page_;
 };
 
 }  // namespace
@@ -106,6 +115,7 @@ void Pages::add(const PageSection& section) {
   for (int page = 0; page < pages; ++page) {
     begin_page(section.running_head);
     const QRectF view(0, page * area.height(), area.width(), area.height());
+    figures.set_page(view);
     painter_.save();
     painter_.translate(area.topLeft() - view.topLeft());
     painter_.setClipRect(view);
