@@ -50,8 +50,8 @@ void read_specimen(const TomlTable& table, Programme& programme) {
   programme.specific_gravity = table.number("specific_gravity", {.above = 1, .at_most = 10});
   table.finish();
   const sim::Sanisand law(programme.material.parameters);
-  if (const auto objection =
-          law.objection(law.isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
+  if (const auto objection = law.objection(
+          sim::Sanisand::isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
     table.fail("void_ratio", *objection);
 }
 

@@ -19,19 +19,14 @@ constexpr auto kActions = std::to_array<std::pair<std::string_view, AxialAction>
      {"load", AxialAction::load},
      {"constant_q", AxialAction::constant_q}});
 
-template <class Pairs>
-[[noreturn]] void unknown_word(const TomlTable& table, std::string_view key,
-                               const std::string& found, const Pairs& pairs) {
-  std::vector<std::string> known;
-  for (const auto& pair : pairs) known.emplace_back(pair.first);
-  table.fail(key, fmt::format("{} is none; {}", excerpt(found), suggestion(found, known)));
-}
-
 AxialAction read_action(const TomlTable& table) {
   const std::string word = table.required_text("axial");
-  for (const auto& [name, action] : kActions)
-    if (name == word) return action;
-  unknown_word(table, "axial", word, kActions);
+  std::vector<std::string> known(kActions.size());
+  for (std::size_t i = 0; i < kActions.size(); ++i) {
+    if (kActions[i].first == word) return kActions[i].second;
+    known[i] = kActions[i].first;
+  }
+  table.fail("axial", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
 }
 
 double nonzero(const TomlTable& table, std::string_view key) {

@@ -46,7 +46,7 @@ Sanisand::Sanisand(const SanisandParameters& p) : parameters_(p) {
           "above 0");
 }
 
-SanisandState Sanisand::isotropic(double p_pa, double void_ratio) const {
+SanisandState Sanisand::isotropic(double p_pa, double void_ratio) {
   State state;
   state.p = p_pa;
   state.void_ratio = void_ratio;

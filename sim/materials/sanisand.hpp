@@ -67,7 +67,7 @@ class Sanisand {
   const SanisandParameters& parameters() const { return parameters_; }
 
   /// State after isotropic consolidation, without memory of shear. Pre-condition: admissible.
-  State isotropic(double p_pa, double void_ratio) const;
+  static State isotropic(double p_pa, double void_ratio);
 
   /// Why the law has no meaning at this state; empty where it has one.
   std::optional<std::string> objection(const State& state) const;

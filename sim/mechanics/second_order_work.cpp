@@ -4,8 +4,11 @@
 
 namespace triax::sim {
 
-SecondOrderWork second_order_work(const StretchedState& at, const AxisymmetricStress& ds,
-                                  const AxisymmetricStrain& de) {
+SecondOrderWork second_order_work(const StretchedState& at,
+                                  const AxisymmetricStress& stress_increment,
+                                  const AxisymmetricStrain& strain_increment) {
+  const AxisymmetricStress& ds = stress_increment;
+  const AxisymmetricStrain& de = strain_increment;
   SecondOrderWork w;
   w.small_strain = ds.axial * de.axial + 2 * ds.radial * de.radial;
 

@@ -190,9 +190,9 @@ PointStep<Law> advance_point(const Law& law, const typename Law::State& state,
   Eigen::Vector2d strain = Eigen::Vector2d::Zero();
   double fraction = 1;
   int taken = 0;
-  const auto finish = [&](StepOutcome outcome, std::string message) {
+  const auto finish = [&](StepOutcome outcome, const std::string& message) {
     step.outcome = outcome;
-    step.message = std::move(message);
+    step.message = message;
   };
   while (step.done < 1) {
     if (++taken > tolerance.step_limit) {

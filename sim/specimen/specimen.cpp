@@ -33,7 +33,7 @@ Specimen::Specimen(const Sanisand& law, const SpecimenProperties& properties, do
   if (!(properties.water_compressibility >= 0) || !(properties.system_compliance >= 0) ||
       !(properties.drainage_resistance >= 0))
     throw std::invalid_argument("compliances and the drainage resistance must be 0 or more");
-  start_.material = law.isotropic(effective_stress_pa, void_ratio);
+  start_.material = Sanisand::isotropic(effective_stress_pa, void_ratio);
   if (const auto objection = law.objection(start_.material))
     throw std::invalid_argument(*objection);
   start_.pore_pressure = pore_pressure_pa;
@@ -112,7 +112,7 @@ SpecimenStep Specimen::implicit_step(const SpecimenState& state, const SpecimenB
                                      double elapsed_s, double dt_s) const {
   if (boundary.axial != SpecimenBoundary::Axial::servo)
     return mixed_step(state, boundary, elapsed_s, dt_s);
-  const SpecimenStep followed = mixed_step(state, boundary, elapsed_s, dt_s);
+  SpecimenStep followed = mixed_step(state, boundary, elapsed_s, dt_s);
   const double farthest = boundary.servo.fastest_m_per_s * dt_s;
   const double moved = state.height_m - followed.state.height_m;
   if (went_on(followed) && std::abs(moved) <= farthest) return followed;
