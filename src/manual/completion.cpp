@@ -70,20 +70,33 @@ complete -o filenames -F _triax triax
                      joined(names), joined(option_names(app)), cases, option_values);
 }
 
-/// Text inside single quotes of zsh and fish.
+/// Text inside single quotes of fish.
 std::string escaped(std::string text, const std::string& special) {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (special.find(text[i]) != std::string::npos) text.insert(i++, 1, '\\');
   return text;
 }
 
+/// The same for zsh, whose single quotes hold everything but their own end.
+std::string zsh_escaped(const std::string& text, const std::string& special) {
+  std::string out;
+  for (const char c : escaped(text, special)) {
+    if (c == '\'')
+      out += "'\\''";
+    else
+      out += c;
+  }
+  return out;
+}
+
 std::string zsh(const CLI::App& app) {
   std::string names, cases;
   for (const auto* sub : app.get_subcommands({})) {
-    names += fmt::format("    '{}:{}'\n", sub->get_name(), escaped(sub->get_description(), ":"));
+    names +=
+        fmt::format("    '{}:{}'\n", sub->get_name(), zsh_escaped(sub->get_description(), ":"));
     cases += fmt::format("    {}) _arguments", sub->get_name());
     for (const auto* option : sub->get_options()) {
-      const std::string text = escaped(option->get_description(), "[]:");
+      const std::string text = zsh_escaped(option->get_description(), "[]:");
       const bool takes_value = option->get_items_expected_max() > 0;
       const auto choices = values(*option);
       const std::string action = choices.empty() ? "_files" : "(" + joined(choices) + ")";

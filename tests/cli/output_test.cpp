@@ -1,0 +1,123 @@
+// Where results go when the way is blocked, and results that are awkward to print.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace triax::cli_tests;
+using nlohmann::json;
+
+namespace {
+
+const std::string kRecord =
+    "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n"
+    "0.2,9,103\n";
+
+/// A workplace whose database holds one tiny test.
+struct Replayed : Workplace {
+  Replayed() {
+    write(*this / "tiny.csv", kRecord);
+    REQUIRE(triax("replay tiny.csv").status == 0);
+  }
+  /// The status of a shell line in which $triax is the program and pipes tell of failures.
+  int shell(const std::string& line) const {
+    const std::string script =
+        "cd '" + (*this / "").string() + "' && triax=" TRIAX_PROGRAM "; set -o pipefail; " + line;
+    write(*this / "script.sh", script);
+    const int status = std::system(("bash '" + (*this / "script.sh").string() + "'").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("output that cannot be written is status 1 and one line, never a signal") {
+  const Replayed here;
+  for (const std::string command :
+       {"report", "report --format json", "report --format pdf --output -", "query tests",
+        "query tests --format csv", "query tests --format json", "query --list"}) {
+    INFO(command);
+    CHECK(here.shell("$triax " + command + " >/dev/full 2>err") == 1);
+    CHECK(content(here / "err").rfind("triax: cannot write to standard output: ", 0) == 0);
+    CHECK(here.shell("$triax " + command + " >/dev/full 2>/dev/full") == 1);
+    CHECK(here.shell("$triax " + command + " >&- 2>&-") == 1);
+  }
+  CHECK(here.shell("$triax report 99 2>&-") == 2);
+}
+
+TEST_CASE("a reader that stops reading ends a long query with status 1") {
+  const Replayed here;
+  const std::string many =
+      "$triax query 'WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT "
+      "200000) SELECT * FROM n' --format ";
+  for (const std::string format : {"table", "csv", "json"}) {
+    CHECK(here.shell(many + format + " 2>err | head -n 1 >/dev/null") == 1);
+    CHECK(content(here / "err").find("Broken pipe") != std::string::npos);
+  }
+}
+
+TEST_CASE("reports without --output go to standard output or say where they went") {
+  const Replayed here;
+  const Outcome html = here.triax("report --format html");
+  CHECK(html.out == "html of 1 test written to triax_report.html\n");
+  CHECK(html.err.empty());
+  CHECK(content(here / "triax_report.html").rfind("<!DOCTYPE html>", 0) == 0);
+  CHECK(here.triax("report --format json --output -").out ==
+        here.triax("report --format json").out);
+}
+
+TEST_CASE("query results keep every column, quote what needs it, and hold no NaN") {
+  const Replayed here;
+  const std::string awkward =
+      "query \"SELECT 1 AS a, 2 AS a, 'x,\\\"y' AS 'c,d', NULL AS n, 9e999 AS big, 0.1 AS t\"";
+  CHECK(here.triax(awkward + " --format csv").out ==
+        "a,a,\"c,d\",n,big,t\r\n1,2,\"x,\"\"y\",,,0.1\r\n");
+  const json rows = json::parse(here.triax(awkward + " --format json").out);
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0] ==
+        json{{"a", 1}, {"a_2", 2}, {"c,d", "x,\"y"}, {"n", nullptr}, {"big", nullptr}, {"t", 0.1}});
+  CHECK(here.triax("query \"SELECT 1 AS a WHERE 0\" --format json").out == "[]\n");
+  CHECK(here.triax("query \"SELECT 'φ' AS s, 1 AS n UNION ALL SELECT 'abc', 10\"").out ==
+        "s     n\n---  --\nφ     1\nabc  10\n");
+  CHECK(json::parse(here.triax("query --list --format json").out).size() > 5);
+}
+
+TEST_CASE("a table longer than what is held back for its widths goes on in the same columns") {
+  const Replayed here;
+  const std::string out =
+      here.triax(
+              "query \"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT "
+              "2500) SELECT i, 'x' AS x FROM n\"")
+          .out;
+  CHECK(std::count(out.begin(), out.end(), '\n') == 2502);
+  CHECK(out.find("\n1000  x\n1001  x\n") != std::string::npos);
+  CHECK(out.find("\n   1  x\n") != std::string::npos);
+}
+
+TEST_CASE("a seed is a whole number that a seed can be") {
+  const Workplace here;
+  const std::string simulate = "simulate " + source("samples/programmes/icu_6.toml") + " --seed ";
+  for (const std::string seed : {"-1", "1.5", "7x", "18446744073709551616", "''"}) {
+    const Outcome outcome = here.triax(simulate + seed);
+    INFO(seed << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("--seed") != std::string::npos);
+  }
+  CHECK_FALSE(here.has("triax.db"));
+  const json test = json::parse(here.triax(simulate + "18446744073709551615 --json").out)["test"];
+  CHECK(test["seed"].get<std::uint64_t>() == 18446744073709551615ULL);
+}
+
+TEST_CASE("several records give an array in their order, one gives an object") {
+  const Workplace here;
+  write(here / "one.csv", kRecord);
+  write(here / "two.csv", kRecord);
+  const json both = json::parse(here.triax("replay two.csv one.csv --json").out);
+  REQUIRE(both.size() == 2);
+  CHECK(both[0]["test"]["name"] == "two");
+  CHECK(both[1]["test"]["name"] == "one");
+  CHECK(json::parse(here.triax("report one --format json").out)["test"]["name"] == "one");
+  const Outcome missing = here.triax("replay one.csv gone.csv --db other.db");
+  CHECK(missing.status == 2);
+  CHECK_FALSE(here.has("other.db"));
+}
