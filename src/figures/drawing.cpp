@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QSvgGenerator>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lab/records/bad_input.hpp"
@@ -52,12 +53,13 @@ void need_drawing() {
   // The application object keeps references to these as long as the program runs, and Qt wants it
   // gone before static objects are: it is left to the end of the process.
   static int argument_count = 1;
-  static char name[] = "triax";
-  static char* arguments[] = {name, nullptr};
+  static std::string name = "triax";
+  static std::array<char*, 2> arguments = {name.data(), nullptr};
   // Qt warns of a missing XDG_RUNTIME_DIR, which a program without windows does not need.
   const auto usual = qInstallMessageHandler(
       [](QtMsgType, const QMessageLogContext&, const QString&) { /* nobody to tell */ });
-  new QApplication(argument_count, arguments);
+  static const auto* application = new QApplication(argument_count, arguments.data());
+  static_cast<void>(application);
   qInstallMessageHandler(usual);
 }
 

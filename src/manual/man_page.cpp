@@ -31,7 +31,7 @@ std::string title(const std::string& page) {
 
 std::string option_item(const CLI::Option& option) {
   std::string names;
-  if (option.get_positional() && option.nonpositional() == false) {
+  if (option.get_positional() && !option.nonpositional()) {
     names = "\\fI" + roff(option.get_name(true)) + "\\fR";
   } else {
     names = "\\fB" + roff(option.get_name(false, true)) + "\\fR";

@@ -77,6 +77,7 @@ class CsvWriter : public ResultWriter {
   void columns(const std::vector<std::string>& names) override { line(names); }
   void row(const std::vector<db::Value>& values) override {
     std::vector<std::string> cells;
+    cells.reserve(values.size());
     for (const auto& value : values) cells.push_back(exact_text(value));
     line(cells);
   }
@@ -99,6 +100,7 @@ class CsvWriter : public ResultWriter {
 class JsonWriter : public ResultWriter {
  public:
   void columns(const std::vector<std::string>& names) override {
+    names_.reserve(names.size());
     for (const auto& name : names) names_.push_back(unused(name));
     put("[");
   }

@@ -46,7 +46,8 @@ class FigureObject : public QObject, public QTextObjectInterface {
  public:
   explicit FigureObject(const std::vector<Drawing>& figures) : figures_(figures) {}
 
-  QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
+  QSizeF intrinsicSize(QTextDocument* /*document*/, int /*position*/,
+                       const QTextFormat& format) override {
     const auto size = QSizeF(plot(format).size()) * kPointsPerPixel;
     auto room = text_area().size() - QSizeF(0, 40);  // a caption stays on the page
     // A broad figure leaves room for the text above it; a tall one needs its page.
@@ -55,8 +56,8 @@ class FigureObject : public QObject, public QTextObjectInterface {
         std::min({1.0, room.width() / size.width(), room.height() / size.height()});
     return size * scale;
   }
-  void drawObject(QPainter* painter, const QRectF& rect, QTextDocument*, int,
-                  const QTextFormat& format) override {
+  void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* /*document*/,
+                  int /*position*/, const QTextFormat& format) override {
     // Qt offers a figure to each page that its line might touch, and a plot clips to its own axes,
     // which would undo the clipping to the page.
     if (!page_.contains(rect.center())) return;
