@@ -128,10 +128,12 @@ std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_
 
 void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
   for_rows(database, id,
-           "SELECT kind, inside_limit_surface, second_order_work_normalised, "
-           "second_order_work_error, limit_stress_ratio, limit_source "
-           "FROM verdicts WHERE test_id = ?",
+           "SELECT EXISTS (SELECT 1 FROM work_points w WHERE w.id BETWEEN v.test_id << 32 AND "
+           "(v.test_id << 32) | 4294967295), kind, inside_limit_surface, "
+           "second_order_work_normalised, second_order_work_error, limit_stress_ratio, "
+           "limit_source FROM verdicts v WHERE test_id = ?",
            [&](Columns& c) {
+             collapse.judged = c.truth().value_or(false);
              collapse.kind = lab::collapse_kind_from(c.text()).value_or(collapse.kind);
              collapse.inside_limit_surface = c.truth();
              collapse.second_order_work_normalised = c.number();
@@ -151,6 +153,7 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
              criterion.time_s = c.number();
              criterion.eta = c.number();
              criterion.evidence = c.text();
+             collapse.judged = collapse.judged || criterion.detected;
            });
 }
 

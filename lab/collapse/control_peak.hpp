@@ -1,6 +1,8 @@
 #pragma once
-// The control variable passes a peak: q under prescribed displacement; at constant q, drained, the
-// volume turns to contraction while p' falls (the peak of ε_v against −p').
+// The control variable passes a peak: q under prescribed displacement; at constant q the volume
+// turns to contraction while p' falls. Drained the volume is measured; with the valve closed the
+// pore pressure is its gauge, C du = V dε_v with the compliance C of water and system, so that u
+// passes a minimum.
 #include <optional>
 
 #include "lab/collapse/change_point.hpp"
@@ -19,7 +21,7 @@ class ControlPeak {
   void check_q(const PathPoint& smoothed, bool has_time);
   void check_contraction(const PathPoint& point, bool has_time);
 
-  bool drained_constant_q_ = false;
+  bool drained_ = false;
   bool load_controlled_ = false;
   bool held_q_ = false;
   double q_top_ = 0;

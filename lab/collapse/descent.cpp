@@ -11,7 +11,7 @@ namespace {
 PathPoint zero_crossing(const PathPoint& a, const PathPoint& b) {
   if (a.shortest_window() && b.shortest_window() && b.reading - a.reading < 1.5) {
     const PathPoint first = unsmoothed(a), second = unsmoothed(b);
-    return first.q >= second.q ? first : second;
+    return first.strength() >= second.strength() ? first : second;
   }
   const double fall = a.work.normalised - b.work.normalised;
   const double share = fall > 0 ? std::clamp(a.work.normalised / fall, 0.0, 1.0) : 0.0;
@@ -31,7 +31,7 @@ PathPoint zero_crossing(const PathPoint& a, const PathPoint& b) {
 /// give negative second-order work beyond three standard errors. A few readings may be too few for
 /// sure slopes, while what was lost is plain.
 bool falls_between(const PathPoint& a, const PathPoint& b) {
-  if (a.q - b.q < Descent::kWorthALoss * a.q) return false;
+  if (a.strength() - b.strength() < Descent::kWorthALoss * a.strength()) return false;
   const PathStep step{b.q - a.q, b.p_eff - a.p_eff, b.axial_strain - a.axial_strain,
                       b.volumetric_strain - a.volumetric_strain};
   const double error = direction_error(step, a.stress_variance + b.stress_variance,
@@ -42,11 +42,11 @@ bool falls_between(const PathPoint& a, const PathPoint& b) {
 }  // namespace
 
 double Descent::strength_loss() const {
-  return onset.q > 0 ? std::clamp(q_lost / onset.q, 0.0, 1.0) : 0.0;
+  return onset.strength() > 0 ? std::clamp(q_lost / onset.strength(), 0.0, 1.0) : 0.0;
 }
 
 double Descent::strength_regained() const {
-  const double lost = onset.q - q_least;
+  const double lost = onset.strength() - q_least;
   return lost > 0 ? (q_regained - q_least) / lost : 0.0;
 }
 
@@ -55,7 +55,7 @@ void DescentTracker::start_stage() {
   turn_positive_.clear();
   before_.reset();
   after_.reset();
-  significant_.reset();
+  evidence_.reset();
   previous_.reset();
   q_lost_ = 0;
   if (latest_) latest_->ended = true;
@@ -65,12 +65,12 @@ void DescentTracker::add(const PathPoint& point) {
   const double advance = previous_ ? point.reading - previous_->reading : 1.0;
   const double weight = std::min(1.0, advance / static_cast<double>(point.window_readings));
   const bool resolved = point.normalised_error <= ChangePoint::kUseless;
-  const double q_before = previous_ ? previous_->q : point.q;
+  const double strength_before = (previous_ ? *previous_ : point).strength();
   previous_ = point;
-  if (resolved && point.work.normalised < 0) q_lost_ += q_before - point.q;
+  if (resolved && point.work.normalised < 0) q_lost_ += strength_before - point.strength();
 
   for (auto* descent : {&latest_, &worst_})
-    if (*descent) (*descent)->q_regained = std::max((*descent)->q_regained, point.q);
+    if (*descent) (*descent)->q_regained = std::max((*descent)->q_regained, point.strength());
 
   if (latest_ && !latest_->ended) {
     turn_positive_.add(-point.work.normalised, point.normalised_error, weight);
@@ -84,13 +84,14 @@ void DescentTracker::add(const PathPoint& point) {
   }
   if (!resolved) return;
   // Where strength grew by as much as would count as a loss, nothing was descending before.
-  if (after_ && point.q > (1 + Descent::kWorthALoss) * after_->q) turn_negative_.clear();
+  if (after_ && point.strength() > (1 + Descent::kWorthALoss) * after_->strength())
+    turn_negative_.clear();
   if (turn_negative_.add(point.work.normalised, point.normalised_error, weight)) {
     start_over(point);
     return;
   }
   if (!after_) after_ = point;
-  if (!significant_ && point.significantly_negative()) significant_ = point;
+  keep_evidence(point);
   if (turn_negative_.found() || (turn_negative_.lasted() && falls_between(*after_, point)))
     open(point);
 }
@@ -99,23 +100,31 @@ void DescentTracker::start_over(const PathPoint& point) {
   turn_negative_.clear();
   before_ = point;
   after_.reset();
-  significant_.reset();
+  evidence_.reset();
   q_lost_ = 0;
+}
+
+void DescentTracker::keep_evidence(const PathPoint& point) {
+  const auto significance = [](const PathPoint& p) {
+    return -p.work.normalised / p.normalised_error;
+  };
+  if (evidence_ && evidence_->significantly_negative()) return;
+  if (!evidence_ || significance(point) > significance(*evidence_)) evidence_ = point;
 }
 
 void DescentTracker::open(const PathPoint& point) {
   turn_positive_.clear();
   const PathPoint onset = before_ ? zero_crossing(*before_, *after_) : *after_;
   const bool continues =
-      latest_ && onset.q < latest_->onset.q && latest_->strength_regained() < 0.5;
+      latest_ && onset.strength() < latest_->onset.strength() && latest_->strength_regained() < 0.5;
   if (continues) {
     latest_->ended = latest_->came_back = false;
   } else {
     latest_ = Descent{.onset = onset,
-                      .first_significant = significant_.value_or(point),
+                      .evidence = evidence_.value_or(point),
                       .q_lost = 0,
-                      .q_least = onset.q,
-                      .q_regained = onset.q,
+                      .q_least = onset.strength(),
+                      .q_regained = onset.strength(),
                       .axial_strain_last = onset.axial_strain};
   }
   follow(point);
@@ -124,10 +133,8 @@ void DescentTracker::open(const PathPoint& point) {
 void DescentTracker::follow(const PathPoint& point) {
   latest_->q_lost += q_lost_;
   q_lost_ = 0;
-  if (point.q < latest_->q_least) {
-    latest_->q_least = point.q;
-    latest_->q_regained = point.q;
-  }
+  if (point.strength() < latest_->q_least)
+    latest_->q_least = latest_->q_regained = point.strength();
   latest_->axial_strain_last = point.axial_strain;
   keep_worst();
 }

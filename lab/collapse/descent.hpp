@@ -13,11 +13,11 @@ struct Descent {
   /// few percent at a phase transformation are common and stop by themselves (docs/decisions).
   static constexpr double kWorthALoss = 0.10;
 
-  PathPoint onset;              ///< where second-order work vanishes
-  PathPoint first_significant;  ///< the first point negative beyond its scatter
-  double q_lost = 0;      ///< fall of q while second-order work was negative, Pa: not unloading
-  double q_least = 0;     ///< smallest q since the onset, Pa
-  double q_regained = 0;  ///< largest q since that smallest one, Pa
+  PathPoint onset;        ///< where second-order work vanishes
+  PathPoint evidence;     ///< the first significantly negative point; if none, the nearest to it
+  double q_lost = 0;      ///< fall of |q| while second-order work was negative, Pa: not unloading
+  double q_least = 0;     ///< smallest |q| since the onset, Pa
+  double q_regained = 0;  ///< largest |q| since that smallest one, Pa
   double axial_strain_last = 0;
   bool ended = false;      ///< with its stage, or because
   bool came_back = false;  ///< second-order work turned positive again
@@ -41,6 +41,7 @@ class DescentTracker {
 
  private:
   void start_over(const PathPoint& point);
+  void keep_evidence(const PathPoint& point);
   void open(const PathPoint& point);
   void follow(const PathPoint& point);
   void keep_worst();
@@ -48,7 +49,7 @@ class DescentTracker {
   ChangePoint turn_negative_, turn_positive_;
   std::optional<PathPoint> before_;  ///< last point before the possible change
   std::optional<PathPoint> after_;   ///< first one past it
-  std::optional<PathPoint> significant_;
+  std::optional<PathPoint> evidence_;
   std::optional<Descent> latest_, worst_;
   std::optional<PathPoint> previous_;
   double q_lost_ = 0;  ///< since after_

@@ -3,33 +3,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {
 
 LimitSurface::LimitSurface(const SpecimenInfo& specimen) {
-  if (specimen.limit_friction_angle_rad)
-    given_ = sim::stress_ratio_at_friction_angle(*specimen.limit_friction_angle_rad);
+  given_angle_ = specimen.limit_friction_angle_rad;
 }
 
 void LimitSurface::add(const PathPoint& point) {
-  // Near p' = 0 the ratio of two small numbers says nothing; 3 is the ratio at σ₃' = 0.
+  // Near p' = 0 the ratio of two small numbers says nothing; 3 and −1.5 are the ratios at σ₃' = 0
+  // and σ₁' = 0.
   p_largest_ = std::max(p_largest_, point.p_eff);
-  if (point.p_eff < 0.03 * p_largest_ || point.eta() > 3) return;
-  largest_ = std::max(largest_.value_or(0), point.eta());
+  if (point.p_eff < 0.03 * p_largest_ || point.eta() > 3 || point.eta() < -1.5) return;
+  const double angle = sim::mobilised_friction_angle(point.eta());
+  largest_angle_ = std::max(largest_angle_.value_or(0), angle);
 }
 
-std::optional<double> LimitSurface::stress_ratio() const { return given_ ? given_ : largest_; }
+std::optional<double> LimitSurface::stress_ratio() const {
+  const auto& angle = given_angle_ ? given_angle_ : largest_angle_;
+  return angle ? std::optional(sim::stress_ratio_at_friction_angle(*angle)) : std::nullopt;
+}
 
 std::string LimitSurface::source() const {
-  if (given_) return "friction angle given for the specimen";
-  return largest_ ? "largest stress ratio mobilised in this test" : "unknown";
+  if (given_angle_) return "friction angle given for the specimen";
+  return largest_angle_ ? "largest stress ratio mobilised in this test" : "unknown";
 }
 
 bool LimitSurface::inside(double eta) const {
-  const auto limit = stress_ratio();
-  return limit && eta < 0.95 * *limit;
+  const auto& angle = given_angle_ ? given_angle_ : largest_angle_;
+  if (!angle) return false;
+  const double in_extension = 6 * std::sin(*angle) / (3 + std::sin(*angle));
+  const double limit = eta >= 0 ? sim::stress_ratio_at_friction_angle(*angle) : in_extension;
+  return std::fabs(eta) < 0.95 * limit;
 }
 
 }  // namespace triax::lab

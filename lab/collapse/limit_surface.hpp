@@ -14,16 +14,16 @@ class LimitSurface {
   explicit LimitSurface(const SpecimenInfo& specimen);
 
   void add(const PathPoint& point);
-  /// M, unless nothing is known yet.
+  /// M in compression, unless nothing is known yet.
   std::optional<double> stress_ratio() const;
   /// Where M comes from, in words.
   std::string source() const;
-  /// True if η lies strictly inside: more than 5 % below M, which is about one degree of φ.
+  /// True if η lies strictly inside: more than 5 % below the limit, M in compression and
+  /// 6 sin φ/(3 + sin φ) in extension (η < 0); that is about one degree of φ.
   bool inside(double eta) const;
 
  private:
-  std::optional<double> given_;
-  std::optional<double> largest_;
+  std::optional<double> given_angle_, largest_angle_;  ///< friction angles, rad
   double p_largest_ = 0;
 };
 

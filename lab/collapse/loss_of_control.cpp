@@ -25,14 +25,15 @@ void LossOfControl::add(const State& state, bool has_time) {
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
+  const double q = std::fabs(state.q);  // in extension as in compression
   if (count_ <= kReference) {
-    const double change = state.q - q_mean_;
+    const double change = q - q_mean_;
     q_mean_ += change / static_cast<double>(count_);
-    q_square_ += change * (state.q - q_mean_);
+    q_square_ += change * (q - q_mean_);
     return;
   }
   const double deviation = std::sqrt(q_square_ / (kReference - 1));
-  if (state.q > q_mean_ - std::max(0.05 * std::fabs(q_mean_), 6 * deviation)) {
+  if (q > q_mean_ - std::max(0.05 * q_mean_, 6 * deviation)) {
     below_ = 0;
     return;
   }
@@ -40,34 +41,41 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
   if (below_ < 3) return;
   finding_ = Finding{instant_of(first_below_, has_time),
                      fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa",
-                                 q_mean_ / 1e3, deviation / 1e3, state.q / 1e3)};
+                                 q_mean_ / 1e3, deviation / 1e3, q / 1e3)};
 }
 
 void LossOfControl::check_burst(const State& state, bool has_time) {
+  // Per second where there is time, so that a logger that slows down makes no burst; else per
+  // reading.
+  const auto rate = [has_time](const State& a, const State& b) {
+    const double lapse =
+        has_time ? b.time_s - a.time_s : static_cast<double>(b.reading - a.reading);
+    return std::fabs(b.strain.axial - a.strain.axial) / lapse;
+  };
   // recent_ holds the last few states, oldest first; what leaves it becomes the rate so far.
   if (count_ > kRecent) {
-    const double step = std::fabs(recent_[1].strain.axial - recent_[0].strain.axial);
     const double weight = 1.0 / static_cast<double>(std::min<std::int64_t>(++steps_, 64));
-    mean_step_ += weight * (step - mean_step_);
+    mean_rate_ += weight * (rate(recent_[0], recent_[1]) - mean_rate_);
   }
   std::shift_left(recent_.begin(), recent_.end(), 1);
   recent_.back() = state;
   if (steps_ < kReference) return;
 
-  const double rise = state.strain.axial - recent_.front().strain.axial;
   constexpr double kLeastRise = 1e-3;
-  if (rise < kLeastRise || rise < 10 * (kRecent - 1) * mean_step_) return;
+  const double rise = std::fabs(state.strain.axial - recent_.front().strain.axial);
+  const double burst = rate(recent_.front(), state);
+  if (rise < kLeastRise || burst < 10 * mean_rate_) return;
   // The burst began where the steps first left what they had been.
   std::size_t start = 0;
-  while (recent_[start + 1].strain.axial - recent_[start].strain.axial < 5 * mean_step_) ++start;
-  finding_ = Finding{
-      instant_of(recent_[start], has_time),
-      fmt::format(
-          "axial strain ran from {:.3f} % to {:.3f} % within {} readings, {:.0f} times faster "
-          "than before",
-          recent_[start].strain.axial * 100, state.strain.axial * 100,
-          static_cast<std::int64_t>(kRecent - 1 - start),
-          mean_step_ > 0 ? rise / ((kRecent - 1) * mean_step_) : 0.0)};
+  while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < 5 * mean_rate_)
+    ++start;
+  finding_ = Finding{instant_of(recent_[start], has_time),
+                     fmt::format("axial strain ran from {:.3f} % to {:.3f} % within {} readings{}",
+                                 recent_[start].strain.axial * 100, state.strain.axial * 100,
+                                 static_cast<std::int64_t>(kRecent - 1 - start),
+                                 mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before",
+                                                              burst / mean_rate_)
+                                                : ", where nothing had moved before")};
 }
 
 }  // namespace triax::lab

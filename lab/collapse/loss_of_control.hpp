@@ -34,7 +34,7 @@ class LossOfControl {
   int below_ = 0;  ///< successive readings at which the held q is missing
   State first_below_;
   std::array<State, kRecent> recent_{};
-  double mean_step_ = 0;  ///< of the axial strain between readings, before the recent ones
+  double mean_rate_ = 0;  ///< of the axial strain before the recent readings, per s or per reading
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
 };

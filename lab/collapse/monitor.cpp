@@ -17,7 +17,7 @@ struct CollapseMonitor::Impl {
   explicit Impl(const RecordHeader& h) : header(h), limit(h.specimen) {}
 
   void start_stage(const State& state);
-  void watch(const State& state, const CollapseMonitor& outer);
+  void watch(const State& state);
   void take(const PathPoint& point, const CollapseMonitor& outer);
   void tell_of_descent(const CollapseMonitor& outer);
 
@@ -29,10 +29,12 @@ struct CollapseMonitor::Impl {
   LimitSurface limit;
   std::optional<State> peak;
   std::optional<int> stage;
-  bool held_q = false;  ///< in the stage under way
-  double path = 0;      ///< along the axial strain, where there is no time
+  bool held_q = false;          ///< in the stage under way
+  bool held_undrained = false;  ///< in any stage so far
+  double path = 0;              ///< along the axial strain, where there is no time
   double last_strain = kMissing;
-  bool has_volume = false, has_pore_pressure = false;
+  bool has_pore_pressure = false;
+  std::int64_t watched_states = 0, points = 0;
   std::optional<double> told_onset;
   std::optional<Descent> held_descent;  ///< the first that lasted
 };
@@ -40,13 +42,8 @@ struct CollapseMonitor::Impl {
 namespace {
 
 bool complete(const State& s) {
-  return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial);
-}
-
-/// True where a value is missing that the record had before: taken as 0 it would be a jump.
-bool gap(double value, bool& had) {
-  had = had || !std::isnan(value);
-  return had && std::isnan(value);
+  return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial) &&
+         std::isfinite(s.volumetric_strain);
 }
 
 bool watched(const StageInfo* stage) {
@@ -63,7 +60,7 @@ CollapseMonitor::CollapseMonitor(const RecordHeader& header)
 CollapseMonitor::~CollapseMonitor() = default;
 
 void CollapseMonitor::watch(const State& state) {
-  if (complete(state)) impl_->watch(state, *this);
+  if (complete(state)) impl_->watch(state);
 }
 
 void CollapseMonitor::Impl::start_stage(const State& state) {
@@ -74,29 +71,34 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   control.start_stage(info);
   control_peak.start_stage(info);
   held_q = info && info->control == AxialControl::constant_q;
+  held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
 
-void CollapseMonitor::Impl::watch(const State& s, const CollapseMonitor& /*outer*/) {
+void CollapseMonitor::Impl::watch(const State& s) {
   if (!stage || *stage != s.stage) start_stage(s);
   if (!watched(header.stage(s.stage))) return;
-  if (!peak || s.q > peak->q) peak = s;
+  if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
+  ++watched_states;
   control.add(s, header.has_time);
 
   if (!std::isnan(last_strain)) path += std::fabs(s.strain.axial - last_strain);
   last_strain = s.strain.axial;
-  if (gap(s.volumetric_strain, has_volume) || gap(s.pore_pressure, has_pore_pressure)) return;
+  // A gap in u would be a jump to nothing; a record without any u goes on without it.
+  has_pore_pressure = has_pore_pressure || std::isfinite(s.pore_pressure);
+  if (has_pore_pressure && std::isnan(s.pore_pressure)) return;
   PathSample sample;
   sample.signal = {static_cast<double>(s.reading),
                    header.has_time ? s.time_s : path,
                    s.q,
                    s.p_eff,
                    s.strain.axial,
-                   or_zero(s.volumetric_strain),
-                   or_zero(s.pore_pressure)};
+                   s.volumetric_strain,
+                   s.pore_pressure};
   rates.add(sample);
 }
 
 void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
+  ++points;
   limit.add(point);
   descents.add(point);
   control_peak.add(point, header.has_time);
@@ -137,6 +139,9 @@ Collapse CollapseMonitor::finish() {
                   .at_held_q = impl_->held_descent,
                   .loss_of_control = impl_->control.finding(),
                   .control_peak = impl_->control_peak.finding(),
+                  .volume_by_pore_pressure = impl_->held_undrained,
+                  .states = impl_->watched_states,
+                  .points = impl_->points,
                   .limit = impl_->limit,
                   .has_time = impl_->header.has_time});
 }

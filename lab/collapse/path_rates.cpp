@@ -139,6 +139,7 @@ PathPoint PathRates::point_at(const LocalFit& fit, int level, double offset) con
   p.p_rate_error = std::sqrt(variance[Signal::p_eff]);
   p.axial_rate_error = std::sqrt(variance[Signal::axial_strain]);
   p.volumetric_rate_error = std::sqrt(variance[Signal::volumetric_strain]);
+  p.pore_rate_error = std::sqrt(variance[Signal::pore_pressure]);
   return p;
 }
 

@@ -6,6 +6,7 @@
 // standard error, from the scatter about the local parabolas, is below kTolerance, or no longer
 // window does better. Windows therefore follow the noise: a few readings in a collapse, thousands
 // in a slow drained stage.
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -20,7 +21,8 @@ struct PathPoint {
   double progress = 0;
   double q = 0, p_eff = 0, axial_strain = 0, volumetric_strain = 0, pore_pressure = 0;
   double q_rate = 0, p_rate = 0, axial_rate = 0, volumetric_rate = 0, pore_rate = 0;
-  double q_rate_error = 0, p_rate_error = 0, axial_rate_error = 0, volumetric_rate_error = 0;
+  double q_rate_error = 0, p_rate_error = 0, axial_rate_error = 0, volumetric_rate_error = 0,
+         pore_rate_error = 0;
   sim::SecondOrderWork work;
   double normalised_error = 0;
   double stress_variance = 0;  ///< of the smoothed (p', q) as a vector, Pa²
@@ -32,6 +34,8 @@ struct PathPoint {
   bool shortest_window() const { return window_readings == BlockPyramid::kBlocks; }
 
   double eta() const { return q / p_eff; }
+  /// |q|: what is lost in a collapse, in compression as in extension (q < 0).
+  double strength() const { return std::fabs(q); }
   /// Negative beyond what scatter explains (three standard errors).
   bool significantly_negative() const { return work.normalised < -3 * normalised_error; }
   bool significantly_positive() const { return work.normalised > 3 * normalised_error; }

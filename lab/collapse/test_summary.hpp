@@ -57,7 +57,7 @@ struct Consolidation {
 
 /// A measured value held against what is acceptable.
 struct Check {
-  std::string name;  ///< "b_value", "rate", "closure_deviator_stress"
+  std::string name;  ///< "b_value", "closure_deviator_stress"
   std::optional<double> measured;
   std::optional<double> limit;
   bool ok = false;
@@ -65,10 +65,12 @@ struct Check {
 };
 
 struct Collapse {
+  bool judged = true;  ///< false: too few states in shear to say anything; kind is then none
   CollapseKind kind = CollapseKind::none;
   std::optional<bool> inside_limit_surface;
   std::optional<Instant> onset;
-  std::optional<double> second_order_work_normalised;  ///< at the first significant window
+  std::optional<double>
+      second_order_work_normalised;  ///< at the first significant window, or the nearest to it
   std::optional<double> second_order_work_error;
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
   std::string limit_source;                  ///< where M comes from, in words

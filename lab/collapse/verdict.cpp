@@ -23,7 +23,7 @@ CollapseKind kind_at_held_q(const Evidence& e) {
 }
 
 std::string describe(const Descent& d) {
-  const auto& w = d.first_significant;
+  const auto& w = d.evidence;
   return fmt::format(
       "normalised second-order work {:.3f} ± {:.3f} over {} readings; {:.0f} % of q lost while it "
       "was negative{}",
@@ -62,6 +62,20 @@ Criterion by_finding(std::string name, const std::optional<Finding>& finding,
   return c;
 }
 
+/// Too little was seen of shear: nothing is known, which is not the same as no collapse.
+Collapse not_judged(const Evidence& e) {
+  Collapse c;
+  c.judged = false;
+  c.limit_stress_ratio = e.limit.stress_ratio();
+  c.limit_source = e.limit.source();
+  for (const char* name : {"second_order_work", "loss_of_control", "control_peak"})
+    c.criteria.push_back(
+        by_finding(name, std::nullopt,
+                   fmt::format("not judged: {} complete states in shear, {} are needed", e.states,
+                               static_cast<int>(BlockPyramid::kBlocks))));
+  return c;
+}
+
 }  // namespace
 
 bool lasts_at_held_q(const Descent& descent) {
@@ -71,6 +85,7 @@ bool lasts_at_held_q(const Descent& descent) {
 
 Collapse verdict(const Evidence& e) {
   Collapse c;
+  if (e.points == 0 && !e.loss_of_control) return not_judged(e);
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
 
@@ -79,9 +94,10 @@ Collapse verdict(const Evidence& e) {
   if (descent) c.kind = e.at_held_q ? kind_at_held_q(e) : kind_of(*descent);
   if (descent && c.kind != CollapseKind::none) {
     c.onset = instant_of(descent->onset, e.has_time);
-    c.second_order_work_normalised = descent->first_significant.work.normalised;
-    c.second_order_work_error = descent->first_significant.normalised_error;
+    c.second_order_work_normalised = descent->evidence.work.normalised;
+    c.second_order_work_error = descent->evidence.normalised_error;
   }
+  if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   c.criteria.push_back(by_second_order_work(descent, c.kind, e.has_time));
   c.criteria.push_back(by_finding("loss_of_control", e.loss_of_control,
                                   "the programme could be maintained, as far as it is known"));

@@ -14,6 +14,11 @@ struct Evidence {
   std::optional<Descent> at_held_q;  ///< descent that lasted while q was held
   std::optional<Finding> loss_of_control;
   std::optional<Finding> control_peak;
+  /// At held q with the valve closed the measured volume stands still and second-order work is zero
+  /// within its error until q is lost; the pore pressure, gauge of the volume, gives the onset.
+  bool volume_by_pore_pressure = false;
+  std::int64_t states = 0;  ///< that the monitor watched in shear
+  std::int64_t points = 0;  ///< of second-order work that came of them
   const LimitSurface& limit;
   bool has_time = true;
 };

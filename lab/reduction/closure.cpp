@@ -6,12 +6,38 @@
 #include <cmath>
 
 namespace triax::lab {
+namespace {
+
+/// What a computed column of that quantity says, by our own reduction.
+struct Pair {
+  Quantity quantity;
+  double (*ours)(const State&);
+};
+
+constexpr Pair kPairs[] = {
+    {Quantity::deviator_stress, [](const State& s) { return s.q; }},
+    {Quantity::mean_effective_stress, [](const State& s) { return s.p_eff; }},
+    {Quantity::effective_axial_stress, [](const State& s) { return s.effective_stress.axial; }},
+    {Quantity::effective_radial_stress, [](const State& s) { return s.effective_stress.radial; }},
+    {Quantity::axial_strain, [](const State& s) { return s.strain.axial; }},
+    {Quantity::volumetric_strain, [](const State& s) { return s.volumetric_strain; }},
+    {Quantity::void_ratio, [](const State& s) { return s.void_ratio; }},
+    {Quantity::current_area, [](const State& s) { return s.area_m2; }},
+};
+
+}  // namespace
 
 void Closure::add(const Reading& reading, const State& state, bool in_shear) {
-  const double theirs = reading[Quantity::deviator_stress];
-  if (!in_shear || std::isnan(theirs) || std::isnan(state.q)) return;
-  ours_theirs_ += state.q * theirs;
-  ours_ours_ += state.q * state.q;
+  if (!in_shear) return;
+  for (const Pair& pair : kPairs) {
+    const double theirs = reading[pair.quantity];
+    const double ours = pair.ours(state);
+    if (std::isnan(theirs) || std::isnan(ours)) continue;
+    Sums& sums = sums_[index(pair.quantity)];
+    sums.ours_theirs += ours * theirs;
+    sums.ours_ours += ours * ours;
+    ++sums.count;
+  }
   const double their_area = reading[Quantity::current_area];
   if (!(their_area > 0)) return;
   if (!their_start_area_) their_start_area_ = their_area;
@@ -19,31 +45,42 @@ void Closure::add(const Reading& reading, const State& state, bool in_shear) {
   ++area_count_;
 }
 
-std::optional<Check> Closure::check(std::optional<double> start_area,
-                                    const std::vector<Warning>& record_warnings) const {
-  if (!(ours_ours_ > 0)) return std::nullopt;
-  const double difference = 1 - ours_theirs_ / ours_ours_;
-  Check c{.name = "closure_deviator_stress",
-          .measured = difference,
-          .limit = kLimit,
-          .ok = std::fabs(difference) <= kLimit};
-  c.note = fmt::format("the file's own q is {:.2f} % {} than ours", std::fabs(difference) * 100,
-                       difference < 0 ? "higher" : "lower");
-  if (area_count_ == 0 || !start_area || c.ok) return c;
+std::vector<Check> Closure::checks(std::optional<double> start_area,
+                                   const std::vector<Warning>& record_warnings) const {
+  std::vector<Check> all;
+  for (const Pair& pair : kPairs) {
+    const Sums& sums = sums_[index(pair.quantity)];
+    if (sums.count == 0 || !(sums.ours_ours > 0)) continue;
+    const double difference = 1 - sums.ours_theirs / sums.ours_ours;
+    Check check{.name = "closure_" + std::string(info(pair.quantity).name),
+                .measured = difference,
+                .limit = kLimit,
+                .ok = std::fabs(difference) <= kLimit};
+    check.note =
+        fmt::format("the file's own {} is {:.2f} % {} than ours", info(pair.quantity).symbol,
+                    std::fabs(difference) * 100, difference < 0 ? "higher" : "lower");
+    if (pair.quantity == Quantity::deviator_stress && !check.ok && area_count_ > 0 && start_area)
+      check.note += area_as_cause(difference, *start_area, record_warnings);
+    all.push_back(std::move(check));
+  }
+  return all;
+}
 
+std::string Closure::area_as_cause(double difference, double start_area,
+                                   const std::vector<Warning>& record_warnings) const {
   const double area_ratio = area_ratio_sum_ / static_cast<double>(area_count_);
-  if (std::fabs(1 / area_ratio - 1 + difference) > 0.01) return c;
-  c.note += fmt::format(
+  if (std::fabs(1 / area_ratio - 1 + difference) > 0.01) return {};
+  std::string cause = fmt::format(
       ", because of the area: at the start of shear the file takes {:.1f} mm2, ours is {:.1f} mm2",
-      *their_start_area_ * 1e6, *start_area * 1e6);
+      *their_start_area_ * 1e6, start_area * 1e6);
   const bool joined = std::ranges::any_of(record_warnings, [](const Warning& w) {
     return w.text.find("back_volume") != std::string::npos;
   });
   if (joined)
-    c.note +=
+    cause +=
         "; its volume counter was set back between stages while the reference for the volume "
         "change was kept";
-  return c;
+  return cause;
 }
 
 }  // namespace triax::lab

@@ -1,7 +1,9 @@
 #pragma once
 // Columns that a file holds ready computed, held against our own reduction of the same readings.
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "lab/collapse/test_summary.hpp"
 #include "lab/records/reading.hpp"
@@ -11,18 +13,25 @@ namespace triax::lab {
 
 class Closure {
  public:
-  static constexpr double kLimit = 0.02;  ///< relative difference of q that passes
+  static constexpr double kLimit = 0.02;  ///< relative difference that passes
 
   void add(const Reading& reading, const State& state, bool in_shear);
-  /// The deviator stress's closure, if the file has one of its own: measured is (ours −
-  /// theirs)/ours, by least squares over the shear stage. `start_area` is our area at the start of
-  /// shear.
-  std::optional<Check> check(std::optional<double> start_area,
-                             const std::vector<Warning>& record_warnings) const;
+  /// One check "closure_QUANTITY" for each computed column of the file: measured is
+  /// (ours − theirs)/ours, by least squares over the shear stage. `start_area` is our area at the
+  /// start of shear; what the record's reader had to join may explain a difference.
+  std::vector<Check> checks(std::optional<double> start_area,
+                            const std::vector<Warning>& record_warnings) const;
 
  private:
-  double ours_theirs_ = 0, ours_ours_ = 0;  ///< sums of products of q, Pa²
-  double area_ratio_sum_ = 0;               ///< theirs/ours
+  struct Sums {
+    double ours_theirs = 0, ours_ours = 0;
+    std::int64_t count = 0;
+  };
+  std::string area_as_cause(double difference, double start_area,
+                            const std::vector<Warning>& record_warnings) const;
+
+  std::array<Sums, kQuantityCount> sums_{};
+  double area_ratio_sum_ = 0;  ///< theirs/ours
   std::int64_t area_count_ = 0;
   std::optional<double> their_start_area_;
 };

@@ -30,6 +30,10 @@ double required(const std::optional<double>& value, const RecordHeader& header, 
 RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& options)
     : specimen_(header.specimen), stages_(header.stages), options_(options) {
   if (!header.is_raw()) return;
+  if (!header.has(Quantity::pore_pressure) && !header.has(Quantity::back_pressure))
+    throw BadInput(header.source, 0,
+                   fmt::format("a channel is missing: effective stresses need {} (or {})",
+                               heading(Quantity::pore_pressure), heading(Quantity::back_pressure)));
   const double height =
       required(specimen_.height_m, header, "height of the specimen", "specimen.height_mm");
   const double diameter =

@@ -27,6 +27,14 @@ ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stag
   warnings_.push_back({0,
                        "the record holds reduced stresses and strains, no raw channels: its own "
                        "reduction is taken as it is"});
+  const bool has_volume = header.has(volumetric_strain) || header.has(radial_strain) ||
+                          header.has(shear_strain) || header.has(void_ratio);
+  const bool closed = std::ranges::all_of(
+      stages_, [](const StageInfo& s) { return s.drainage == Drainage::closed; });
+  if (!has_volume && (stages_.empty() || !closed))
+    warnings_.push_back({0,
+                         "the record holds no change of volume: stages that are not drained are "
+                         "taken as undrained (ε_v = 0), drained ones cannot be judged"});
   only_excess_ = header.has(excess_pore_pressure) && !header.has(pore_pressure) &&
                  !header.has(axial_stress) && !header.has(radial_stress) &&
                  !header.has(cell_pressure);
@@ -38,7 +46,7 @@ ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stag
 
 bool ReducedColumns::undrained(int stage) const {
   const auto info = std::ranges::find(stages_, stage, &StageInfo::number);
-  return info != stages_.end() && info->drainage == Drainage::closed;
+  return info == stages_.end() || info->drainage != Drainage::open;
 }
 
 void ReducedColumns::take_stresses(const Reading& r, State& s) const {

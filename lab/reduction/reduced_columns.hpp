@@ -25,6 +25,7 @@ class ReducedColumns {
   std::vector<Warning> warnings() const { return warnings_; }
 
  private:
+  /// Not said to be drained: a volume that is not measured is then taken as constant.
   bool undrained(int stage) const;
   void take_stresses(const Reading& r, State& s) const;
   void take_strains(const Reading& r, State& s);

@@ -32,12 +32,12 @@ Reduction::~Reduction() = default;
 State Reduction::reduce(const Reading& reading) {
   Impl& r = *impl_;
   State state = r.raw ? r.from_raw.reduce(reading) : r.from_columns.reduce(reading);
-  if (state.strain.axial >= 1 || state.volumetric_strain >= 1)
+  if (std::fabs(state.strain.axial) >= 1 || std::fabs(state.volumetric_strain) >= 1)
     throw BadInput(
         r.header.source, reading.line,
-        fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: a specimen cannot be "
-                    "compressed by its whole height or volume; check the units, and the "
-                    "specimen's height",
+        fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: no specimen is "
+                    "compressed or stretched by its whole height or volume; check the units, and "
+                    "the specimen's height",
                     state.strain.axial, state.volumetric_strain));
   if (r.raw) {
     const StageInfo* stage = r.header.stage(reading.stage);
@@ -57,9 +57,8 @@ Consolidation Reduction::consolidation() const {
 std::vector<Check> Reduction::checks(const std::vector<Warning>& record_warnings) const {
   std::vector<Check> checks;
   if (impl_->b_value.value()) checks.push_back(impl_->b_value.check());
-  if (auto closed = impl_->closure.check(impl_->from_raw.start_area(), record_warnings)) {
-    checks.push_back(*closed);
-  }
+  for (auto& check : impl_->closure.checks(impl_->from_raw.start_area(), record_warnings))
+    checks.push_back(std::move(check));
   return checks;
 }
 

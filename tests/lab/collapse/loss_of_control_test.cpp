@@ -60,3 +60,18 @@ TEST_CASE("a prescribed displacement is never lost") {
   control.add(at(300, 5e3, 0.15), true);
   CHECK_FALSE(control.finding());
 }
+
+TEST_CASE("a logger that slows down makes no burst of a steady creep") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  LossOfControl control;
+  control.start_stage(&load);
+  State s = at(0, 50e3, 0);
+  for (int i = 0; i < 600; ++i) {
+    s.reading = i;
+    s.time_s += i < 300 ? 1 : 120;
+    s.strain.axial = 1e-5 * s.time_s;
+    control.add(s, true);
+  }
+  CHECK_FALSE(control.finding());
+}

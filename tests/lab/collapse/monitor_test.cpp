@@ -94,11 +94,43 @@ TEST_CASE("nothing but consolidation is not judged") {
   RecordHeader header = undrained_header();
   header.stages[0].role = StageRole::consolidation;
   const Collapse c = judge({}, 5000, header);
-  CHECK(c.kind == CollapseKind::none);
+  CHECK_FALSE(c.judged);
   CHECK_FALSE(c.onset);
 }
 
-TEST_CASE("a gap in volume or pore pressure is passed over, a record without them is judged") {
+TEST_CASE("extension collapses like compression, mirrored") {
+  CollapseMonitor monitor(undrained_header());
+  SyntheticPath path;
+  for (int i = 0; i < 5000; ++i) {
+    State s = path.state(i);
+    s.strain = {-s.strain.axial, -s.strain.radial};
+    s.q = -s.q * 0.5;
+    monitor.watch(s);
+  }
+  const Collapse c = monitor.finish();
+  REQUIRE(c.kind == CollapseKind::flow);
+  CHECK(std::abs(c.onset->reading - 600) <= 3);
+  CHECK(*c.onset->q_pa == Approx(-70e3).epsilon(1e-3));
+  CHECK(*monitor.peak()->q_pa == Approx(-70e3).epsilon(1e-3));
+}
+
+TEST_CASE("a drained path whose volume is unknown is not judged; an unknown u stays unknown") {
+  CollapseMonitor blind(undrained_header()), dry(undrained_header());
+  SyntheticPath path;
+  for (int i = 0; i < 5000; ++i) {
+    State s = path.state(i);
+    s.pore_pressure = kMissing;
+    dry.watch(s);
+    s.volumetric_strain = kMissing;
+    blind.watch(s);
+  }
+  CHECK_FALSE(blind.finish().judged);
+  const Collapse c = dry.finish();
+  CHECK(c.kind == CollapseKind::flow);
+  CHECK_FALSE(c.onset->pore_pressure_pa);
+}
+
+TEST_CASE("a gap in volume or pore pressure is passed over, a record without u is judged") {
   const auto judged = [](auto change) {
     CollapseMonitor monitor(undrained_header());
     SyntheticPath path;
@@ -117,7 +149,7 @@ TEST_CASE("a gap in volume or pore pressure is passed over, a record without the
   CHECK(gaps.kind == CollapseKind::flow);
   CHECK(std::abs(gaps.onset->reading - 600) <= 4);
   const Collapse without =
-      judged([](int, State& s) { s.volumetric_strain = s.pore_pressure = kMissing; });
+      judged([](int, State& s) { s.pore_pressure = kMissing; });
   CHECK(without.kind == CollapseKind::flow);
   CHECK(std::abs(without.onset->reading - 600) <= 3);
 }

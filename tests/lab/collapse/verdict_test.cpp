@@ -13,7 +13,7 @@ Descent descent(double q_onset, double p_eff, double q_lost, double q_regained) 
   d.onset.reading = 10;
   d.onset.q = q_onset;
   d.onset.p_eff = p_eff;
-  d.first_significant.work.normalised = -0.2;
+  d.evidence.work.normalised = -0.2;
   d.q_lost = q_lost;
   d.q_least = q_onset - q_lost;
   d.q_regained = q_regained;
@@ -28,7 +28,7 @@ LimitSurface sand() {
 
 CollapseKind kind(const Descent& d) {
   const LimitSurface limit = sand();
-  return verdict({.worst = d, .limit = limit}).kind;
+  return verdict({.worst = d, .points = 50, .limit = limit}).kind;
 }
 
 }  // namespace
@@ -43,7 +43,8 @@ TEST_CASE("kinds follow what was lost and what came back") {
 
 TEST_CASE("on the limit surface nothing is a diffuse collapse") {
   const LimitSurface limit = sand();
-  const Collapse c = verdict({.worst = descent(126e3, 100e3, 60e3, 66e3), .limit = limit});
+  const Collapse c =
+      verdict({.worst = descent(126e3, 100e3, 60e3, 66e3), .points = 50, .limit = limit});
   CHECK(c.kind == CollapseKind::none);
   CHECK(c.inside_limit_surface == false);
   CHECK_FALSE(c.criteria[0].detected);
@@ -54,12 +55,12 @@ TEST_CASE("yielding at held q is a flow unless the specimen catches itself with 
   Descent held = descent(60e3, 105e3, 0, 60e3);
   held.axial_strain_last = held.onset.axial_strain + 0.02;
   CHECK(lasts_at_held_q(held));
-  CHECK(verdict({.at_held_q = held, .limit = limit}).kind == CollapseKind::flow);
+  CHECK(verdict({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::flow);
   held.came_back = true;
   CHECK_FALSE(lasts_at_held_q(held));
-  CHECK(verdict({.at_held_q = held, .limit = limit}).kind == CollapseKind::limited);
+  CHECK(verdict({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::limited);
   const Finding lost{.instant = {.reading = 20}, .evidence = "q fell"};
-  CHECK(verdict({.at_held_q = held, .loss_of_control = lost, .limit = limit}).kind ==
+  CHECK(verdict({.at_held_q = held, .loss_of_control = lost, .points = 50, .limit = limit}).kind ==
         CollapseKind::flow);
 }
 
@@ -67,9 +68,35 @@ TEST_CASE("a burst alone is a collapse where no window could be filled") {
   const LimitSurface limit = sand();
   const Finding burst{.instant = {.reading = 20, .q_pa = 60e3, .p_eff_pa = 100e3},
                       .evidence = "ran"};
-  const Collapse c = verdict({.loss_of_control = burst, .limit = limit});
+  const Collapse c = verdict({.loss_of_control = burst, .points = 50, .limit = limit});
   CHECK(c.kind == CollapseKind::flow);
   CHECK(c.onset->reading == 20);
   CHECK(c.inside_limit_surface == true);
-  CHECK(verdict({.limit = limit}).kind == CollapseKind::none);
+  CHECK(verdict({.points = 50, .limit = limit}).kind == CollapseKind::none);
+}
+
+TEST_CASE("too little seen of shear is not judged, which is not the same as no collapse") {
+  const LimitSurface limit = sand();
+  const Collapse c = verdict({.states = 5, .limit = limit});
+  CHECK_FALSE(c.judged);
+  REQUIRE(c.criteria.size() == 3);
+  CHECK(c.criteria[0].evidence.find("5 complete states in shear, 7 are needed") !=
+        std::string::npos);
+  CHECK(verdict({.points = 1, .limit = limit}).judged);
+}
+
+TEST_CASE("at held q with the valve closed the pore pressure places the onset") {
+  const LimitSurface limit = sand();
+  const Finding turn{.instant = {.reading = 4, .q_pa = 60e3, .p_eff_pa = 105e3}, .evidence = "u"};
+  const Descent fall = descent(60e3, 100e3, 58e3, 2e3);
+  CHECK(
+      verdict({.worst = fall, .control_peak = turn, .points = 50, .limit = limit}).onset->reading ==
+      10);
+  const Collapse c = verdict({.worst = fall,
+                              .control_peak = turn,
+                              .volume_by_pore_pressure = true,
+                              .points = 50,
+                              .limit = limit});
+  CHECK(c.onset->reading == 4);
+  CHECK(c.kind == CollapseKind::flow);
 }

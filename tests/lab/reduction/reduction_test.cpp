@@ -132,7 +132,7 @@ TEST_CASE("the file's own q is compared with ours, and the area named as the cau
     r[Quantity::deviator_stress] = 10.0 * i / (0.95 * area);
     reduction.reduce(r);
   }
-  REQUIRE(reduction.checks(joined).size() == 1);
+  REQUIRE(reduction.checks(joined).size() == 2);
   const Check check = reduction.checks(joined)[0];
   CHECK(*check.measured == Approx(1 - 1 / 0.95));
   CHECK_FALSE(check.ok);
@@ -158,11 +158,19 @@ TEST_CASE("reduced columns enter at State; effective stresses come before comput
   CHECK(s.strain.radial == Approx(-0.004));
   CHECK(s.void_ratio == Approx(0.97 - 0.002 * 1.97));
   CHECK(*reduction.consolidation().p_eff_pa == Approx(110e3));
-  CHECK(reduction.warnings().size() == 1);
+  CHECK(reduction.warnings().size() == 2);  // reduced; no volume in the heading
 
   Reading pq;  // p' and q alone
   pq[Quantity::axial_strain] = 0.02;
   pq[Quantity::deviator_stress] = 45e3;
   pq[Quantity::mean_effective_stress] = 100e3;
   CHECK(reduction.reduce(pq).effective_stress.radial == Approx(85e3));
+}
+
+TEST_CASE("a raw record without pore and back pressure has no effective stress") {
+  RecordHeader header = raw_header();
+  std::erase(header.columns, Quantity::back_pressure);
+  CHECK_NOTHROW(Reduction(header, {}));
+  std::erase(header.columns, Quantity::pore_pressure);
+  CHECK_THROWS_WITH(Reduction(header, {}), Catch::Contains("pore_pressure_kPa"));
 }
