@@ -30,10 +30,10 @@ function(triax_library name)
 endfunction()
 
 # triax_embed(TARGET SYMBOL FILES...): the files' text as a C++ table that needs no install path.
-# Declares in namespace triax: extern const std::span<const EmbeddedFile> SYMBOL (cmake/embedded.hpp.in).
+# Declares in namespace triax: extern const std::span<const EmbeddedFile> SYMBOL (lab/records/embedded.hpp).
 function(triax_embed target symbol)
   set(out ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.cpp)
-  list(TRANSFORM ARGN PREPEND "" OUTPUT_VARIABLE files)
+  set(files ${ARGN})
   add_custom_command(OUTPUT ${out}
     COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=${symbol} "-DFILES=${files}"
             -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # bench/replay/run.sh [ROWS [PAIRS]]: replay of a record against the yardstick, `sqlite3 .import` of the same
 # file into an empty database, in turn, PAIRS times each. Then memory at a tenth of the length and
-# whole, and what naive second-order work finds on that record.
+# whole, and what naive second-order work finds on that record. Fails if the collapse is not found or the
+# ratio is above 1.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 rows=${1:-1000000}
@@ -27,17 +28,22 @@ replay() {
 replay warm record.csv
 import
 rm "$work/import"
-for ((i = 0; i < pairs; ++i)); do import; replay replay record.csv; done
 replay tenth tenth.csv
+for ((i = 0; i < pairs; ++i)); do import; replay replay record.csv; done
 
 median() { sort -n | awk '{v[NR]=$1} END {print (NR % 2) ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2}'; }
 column() { awk -v c="$2" '{print $c}' "$work/$1"; }
 printf '%d readings, %s bytes; %d pairs, medians of wall time\n\n' "$rows" "$(stat -c %s "$work/record.csv")" "$pairs"
 printf '%-58s %7.2f s  (%s)\n' 'sqlite3 .import' "$(column import 1 | median)" "$(column import 1 | sort -n | sed -n '1p;$p' | paste -sd-)"
 printf '%-58s %7.2f s  (%s)\n' 'triax replay (parse, reduce, W2, collapse, store)' "$(column replay 1 | median)" "$(column replay 1 | sort -n | sed -n '1p;$p' | paste -sd-)"
-printf '%-58s %7.2f    (pair by pair, median)\n' 'ratio triax/sqlite3' \
-  "$(paste -d' ' <(column replay 1) <(column import 1) | awk '{print $1/$2}' | median)"
+ratio=$(paste -d' ' <(column replay 1) <(column import 1) | awk '{print $1/$2}' | median)
+printf '%-58s %7.2f    (pair by pair, median)\n' 'ratio triax/sqlite3' "$ratio"
 printf '%-58s %7.1f MB, at a tenth of the record %.1f MB\n' 'peak memory of triax' \
   "$(column replay 2 | median | awk '{print $1/1024}')" "$(column tenth 2 | median | awk '{print $1/1024}')"
 printf '%-58s %7.1f MB\n\n' 'database' "$(stat -c %s "$work/replay.db" | awk '{print $1/1048576}')"
 build/release/bench/bench_naive_work "$rows"
+
+# What the replay itself found, from the record's text: a flow near the true peak; and nothing slower.
+build/release/triax report --db "$work/replay.db" --format json |
+  sed -n '/"collapse"/,/"criteria"/p' | grep -q '"kind": "flow"' || { echo "the replay found no flow collapse" >&2; exit 1; }
+awk -v r="$ratio" 'BEGIN { if (r > 1) { print "slower than the yardstick: ratio " r; exit 1 } }'

@@ -1,0 +1,46 @@
+// The monitor, which sees noisy readings only, against the virtual specimen's own loss of
+// sustainability.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/session.hpp"
+#include "lab/rig/virtual_rig.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+TestSummary run(const std::string& programme, std::uint64_t seed) {
+  VirtualRig rig(load_programme("samples/programmes/" + programme + ".toml"), seed);
+  Session session;
+  return session.run(rig, {});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "ICU, CSD and CSU: the stress ratio at onset is the specimen's own within 0.02, any noise") {
+  for (const char* programme :
+       {"icu_6", "icu_42", "csd_51", "csd_58", "csd_60", "csu_26", "csu_31"}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const TestSummary s = run(programme, seed);
+      INFO(programme << ", seed " << seed);
+      REQUIRE(s.truth);
+      REQUIRE(s.truth->lost_sustainability);
+      REQUIRE(s.collapse.kind == CollapseKind::flow);
+      CHECK(s.collapse.inside_limit_surface == true);
+      const double truth = *s.truth->q_pa / *s.truth->p_eff_pa;
+      CHECK(std::fabs(*s.collapse.onset->eta() - truth) < 0.02);
+    }
+  }
+}
+
+TEST_CASE("dense sand is a control: it must not collapse, whatever the noise") {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const TestSummary s = run("icu_dense", seed);
+    CHECK_FALSE(s.truth->lost_sustainability);
+    CHECK(s.collapse.kind == CollapseKind::none);
+    CHECK(s.collapse.judged);
+  }
+}
