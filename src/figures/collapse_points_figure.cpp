@@ -25,7 +25,7 @@ struct CollapsePoint {
 std::vector<CollapsePoint> collapse_points(const std::vector<ReportedTest>& tests) {
   std::vector<CollapsePoint> points;
   for (const auto& [test, curves] : tests) {
-    const auto& onset = test.summary.collapse.onset;
+    const auto onset = collapse_onset(test);
     if (!onset || !onset->eta()) continue;
     points.push_back({*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3, test.header.name,
                       test.header.programme.empty() ? "other" : test.header.programme,
@@ -43,11 +43,12 @@ std::optional<double> slope(const std::vector<CollapsePoint>& points) {
   return pp > 0 ? std::optional(qp / pp) : std::nullopt;
 }
 
-// Limits that print alike are one line.
+// Of the tests whose points are drawn; limits that print alike are one line.
 std::vector<double> limits(const std::vector<ReportedTest>& tests) {
   std::map<std::int64_t, double> by_rounded;
   for (const auto& test : tests)
-    if (const auto& m = test.stored.summary.collapse.limit_stress_ratio; m && std::isfinite(*m))
+    if (const auto& m = test.stored.summary.collapse.limit_stress_ratio;
+        m && std::isfinite(*m) && collapse_onset(test.stored))
       by_rounded.emplace(std::llround(*m * 100), *m);
   std::vector<double> values;
   for (const auto& [rounded, m] : by_rounded) values.push_back(m);
@@ -119,7 +120,7 @@ Drawing collapse_points_figure(const std::vector<ReportedTest>& tests) {
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(p_range.with_margin(0.12, true));
   plot->yAxis->setRange(q_range.with_margin(0.35, true));
-  for (const double m : limits(tests)) draw_mohr_coulomb_line(*plot, m);
+  draw_mohr_coulomb_lines(*plot, limits(tests));
   draw_instability_line(*plot, *eta);
   draw_points(*plot, points);
   return {

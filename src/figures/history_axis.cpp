@@ -21,8 +21,8 @@ bool in_shear(const lab::RecordHeader& header, const lab::State& state, bool she
 }
 
 void choose_time_unit(HistoryAxis& axis, const std::string& since) {
-  const double length = axis.end - axis.begin;
-  axis.unit = length <= 3600 ? 1 : length <= 6 * 3600 ? 60 : 3600;
+  const double longest = axis.end - axis.origin;  // a close view keeps the unit of the whole
+  axis.unit = longest <= 3600 ? 1 : longest <= 6 * 3600 ? 60 : 3600;
   axis.title = "time " + since + (axis.unit == 1 ? " (s)" : axis.unit == 60 ? " (min)" : " (h)");
 }
 
@@ -53,7 +53,7 @@ std::optional<HistoryAxis> history_axis(const ReportedTest& test, Span span) {
   if (axis.along_time) axis.origin = axis.begin;
 
   if (span == Span::onset) {
-    const auto& onset = test.stored.summary.collapse.onset;
+    const auto onset = collapse_onset(test.stored);
     const auto at = !onset ? std::nullopt : axis.along_time ? onset->time_s : onset->axial_strain;
     if (!at) return std::nullopt;
     const double length = axis.end - axis.begin;

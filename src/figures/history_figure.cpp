@@ -14,6 +14,11 @@ namespace {
 constexpr int kWidth = 620;
 constexpr int kPanelHeight = 150;
 constexpr int kAxisHeight = 50;
+constexpr int kMarkNameHeight = 16;
+
+// A panel shows at least this part of what its quantity did in the whole test: a close view of a
+// quantity that is held shall not be filled with the noise of its transducer.
+constexpr double kLeastPart = 0.02;
 
 struct Panel {
   std::string title;
@@ -60,14 +65,16 @@ QCPGraph* add_graph(QCPAxisRect& rect, const QPen& pen) {
 void fill_panel(QCPAxisRect& rect, const Panel& panel, const ReportedTest& test,
                 const HistoryAxis& axis) {
   auto* graph = add_graph(rect, line(panel.colour, 1.6));
-  RangeOf range;
+  RangeOf range, whole;
   for (const auto& state : test.curves.states) {
     const double value = panel.value(state);
+    whole.add(value);
     const auto at = axis.position(state.time_s, state.strain.axial);
     if (!at || !std::isfinite(value)) continue;
     graph->addData(*at, value);
     range.add(value);
   }
+  range.widen_to(kLeastPart * whole.width());
   rect.axis(QCPAxis::atLeft)->setRange(range.with_margin(0.08, false));
 }
 
@@ -85,10 +92,13 @@ double strain_at(const Curves& curves, std::int64_t reading) {
   return before->strain.axial + part * (next->strain.axial - before->strain.axial);
 }
 
-void fill_work_panel(QCPAxisRect& rect, const ReportedTest& test, const HistoryAxis& axis) {
+void fill_work_panel(QCPAxisRect& rect, const ReportedTest& test, const HistoryAxis& axis,
+                     Span span) {
   auto* low = add_graph(rect, Qt::NoPen);
   auto* high = add_graph(rect, Qt::NoPen);
   auto* value = add_graph(rect, line(kPurple, 1.6));
+  RangeOf near;
+  near.add(0);
   for (const auto& point : test.curves.work) {
     const auto at = axis.position(point.time_s, strain_at(test.curves, point.reading));
     if (!at || !std::isfinite(point.work.normalised)) continue;
@@ -96,43 +106,82 @@ void fill_work_panel(QCPAxisRect& rect, const ReportedTest& test, const HistoryA
     value->addData(*at, point.work.normalised);
     low->addData(*at, std::max(-1.0, point.work.normalised - error));
     high->addData(*at, std::min(1.0, point.work.normalised + error));
+    near.add(point.work.normalised - error);
+    near.add(point.work.normalised + error);
   }
   auto band = kPurple;
   band.setAlpha(50);
   high->setBrush(band);
   high->setChannelFillGraph(low);
-  rect.axis(QCPAxis::atLeft)->setRange(-1.1, 1.1);
+  const QCPRange all(-1.1, 1.1);
+  rect.axis(QCPAxis::atLeft)
+      ->setRange(span == Span::onset ? near.with_margin(0.1, false).bounded(-1.1, 1.1) : all);
   rect.axis(QCPAxis::atLeft)->grid()->setZeroLinePen(line(kInk, 1.2));
 }
 
-void mark_onset(QCustomPlot& plot, double position) {
-  for (auto* rect : plot.axisRects()) {
-    auto* mark = new QCPItemLine(&plot);
-    mark->setClipAxisRect(rect);
-    mark->setPen(line(kVermilion, 1.3, Qt::DashLine));
-    for (auto* end : {mark->start, mark->end}) {
-      end->setAxisRect(rect);
-      end->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-      end->setTypeX(QCPItemPosition::ptPlotCoords);
-      end->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    }
-    mark->start->setCoords(position, 0);
-    mark->end->setCoords(position, 1);
+struct Mark {
+  double position;  // on the common axis
+  std::string name;
+  QPen pen;
+};
+
+// What deserves a line through all panels, where it lies in the span.
+std::vector<Mark> marks_of(const ReportedTest& test, const HistoryAxis& axis) {
+  std::vector<Mark> marks;
+  const auto add = [&](const std::optional<double>& time_s, const std::optional<double>& strain,
+                       const char* name, const QPen& pen) {
+    const auto at = axis.position(time_s.value_or(lab::kMissing), strain.value_or(lab::kMissing));
+    if (at) marks.push_back({*at, name, pen});
+  };
+  if (const auto onset = collapse_onset(test.stored))
+    add(onset->time_s, onset->axial_strain, "onset of collapse",
+        line(kVermilion, 1.3, Qt::DashLine));
+  if (const auto failure = failure_onset(test.stored))
+    add(failure->time_s, failure->axial_strain, "failure on the limit surface",
+        line(kGrey, 1.3, Qt::DashLine));
+  if (const auto& truth = test.stored.summary.truth; truth && truth->lost_sustainability)
+    add(truth->time_s, truth->axial_strain, "truth: the specimen itself",
+        line(kInk, 1.3, Qt::DotLine));
+  return marks;
+}
+
+void draw_line(QCPAxisRect& rect, const Mark& mark) {
+  auto* item = new QCPItemLine(rect.parentPlot());
+  item->setClipAxisRect(&rect);
+  item->setPen(mark.pen);
+  for (auto* end : {item->start, item->end}) {
+    end->setAxisRect(&rect);
+    end->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    end->setTypeX(QCPItemPosition::ptPlotCoords);
+    end->setTypeY(QCPItemPosition::ptAxisRectRatio);
   }
-  auto* rect = plot.axisRects().front();
-  const auto range = rect->axis(QCPAxis::atBottom)->range();
-  const bool right_half = position > range.center();
-  auto* text = new QCPItemText(&plot);
+  item->start->setCoords(mark.position, 0);
+  item->end->setCoords(mark.position, 1);
+}
+
+// Names stand above the top panel, each mark's in a row of its own: marks may be close together.
+void write_name(QCPAxisRect& top, const Mark& mark, int row) {
+  const bool right_half = mark.position > top.axis(QCPAxis::atBottom)->range().center();
+  auto* text = new QCPItemText(top.parentPlot());
   text->setClipToAxisRect(false);
   text->setFont(label_font());
-  text->setColor(kVermilion);
-  text->setText("onset of collapse");
-  text->position->setAxisRect(rect);
-  text->position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-  text->position->setTypeX(QCPItemPosition::ptPlotCoords);
-  text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  text->setColor(mark.pen.color());
+  text->setText(QString::fromStdString(mark.name));
+  auto& at = *text->position;
+  at.setAxisRect(&top);
+  at.setAxes(top.axis(QCPAxis::atBottom), top.axis(QCPAxis::atLeft));
+  at.setTypeX(QCPItemPosition::ptPlotCoords);
+  at.setTypeY(QCPItemPosition::ptAxisRectRatio);
+  at.setCoords(mark.position, 0);
+  text->setPadding(QMargins(0, 0, 0, row * kMarkNameHeight + 1));
   text->setPositionAlignment((right_half ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
-  text->position->setCoords(position, -0.01);
+}
+
+void draw_marks(QCustomPlot& plot, const std::vector<Mark>& marks) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    for (auto* rect : plot.axisRects()) draw_line(*rect, marks[i]);
+    write_name(*plot.axisRects().front(), marks[i], static_cast<int>(i));
+  }
 }
 
 std::string caption(const ReportedTest& test, Span span, bool along_time) {
@@ -144,6 +193,23 @@ std::string caption(const ReportedTest& test, Span span, bool along_time) {
   return text;
 }
 
+// One common axis below; rows are as high as what stands above or below their axes, so that all
+// panels come out alike.
+void finish_rows(QCustomPlot& plot, const HistoryAxis& axis, int names_height) {
+  const auto rects = plot.axisRects();
+  for (auto* rect : rects)
+    rect->axis(QCPAxis::atBottom)
+        ->setRange((axis.begin - axis.origin) / axis.unit, (axis.end - axis.origin) / axis.unit);
+  auto* bottom = rects.back()->axis(QCPAxis::atBottom);
+  bottom->setTickLabels(true);
+  bottom->setLabel(QString::fromStdString(axis.title));
+  rects.front()->setMinimumMargins(QMargins(10, 6 + names_height, 16, 6));
+  const auto last = static_cast<int>(rects.size()) - 1;
+  for (int row = 0; row <= last; ++row)
+    plot.plotLayout()->setRowStretchFactor(
+        row, kPanelHeight + (row == 0 ? names_height : 0) + (row == last ? kAxisHeight : 0));
+}
+
 }  // namespace
 
 Drawing history_figure(const ReportedTest& test, Span span) {
@@ -153,30 +219,18 @@ Drawing history_figure(const ReportedTest& test, Span span) {
   const bool has_work = !test.curves.work.empty();
   const int count = static_cast<int>(panels.size()) + (has_work ? 1 : 0);
   if (count == 0) return {};
+  const auto marks = marks_of(test, *axis);
+  const int names_height = kMarkNameHeight * static_cast<int>(marks.size());
 
-  auto plot = make_plot(kWidth, count * kPanelHeight + kAxisHeight);
+  auto plot = make_plot(kWidth, count * kPanelHeight + kAxisHeight + names_height);
   plot->plotLayout()->clear();
   plot->plotLayout()->setRowSpacing(4);
   auto* margins = new QCPMarginGroup(plot.get());
   for (const auto& panel : panels)
     fill_panel(*add_panel(*plot, margins, panel.title), panel, test, *axis);
-  if (has_work) fill_work_panel(*add_panel(*plot, margins, "W₂ normalised (–)"), test, *axis);
-
-  for (auto* rect : plot->axisRects())
-    rect->axis(QCPAxis::atBottom)
-        ->setRange((axis->begin - axis->origin) / axis->unit,
-                   (axis->end - axis->origin) / axis->unit);
-  auto* top = plot->axisRects().front();
-  top->setMinimumMargins(QMargins(10, 22, 16, 6));
-  auto* bottom = plot->axisRects().back()->axis(QCPAxis::atBottom);
-  bottom->setTickLabels(true);
-  bottom->setLabel(QString::fromStdString(axis->title));
-
-  if (const auto& onset = test.stored.summary.collapse.onset) {
-    const auto at = axis->position(onset->time_s.value_or(lab::kMissing),
-                                   onset->axial_strain.value_or(lab::kMissing));
-    if (at) mark_onset(*plot, *at);
-  }
+  if (has_work) fill_work_panel(*add_panel(*plot, margins, "W₂ normalised (–)"), test, *axis, span);
+  finish_rows(*plot, *axis, names_height);
+  draw_marks(*plot, marks);
   return {std::move(plot), caption(test, span, axis->along_time)};
 }
 

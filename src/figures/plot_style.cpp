@@ -43,6 +43,8 @@ void style_axes(QCPAxisRect& rect, const std::string& x_title, const std::string
     axis->grid()->setZeroLinePen(line(kGrey, 1));
   }
   // Ticks point outwards on the two labelled axes only: nothing crosses the data.
+  rect.axis(QCPAxis::atTop)->setTicks(false);
+  rect.axis(QCPAxis::atRight)->setTicks(false);
   for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
     rect.axis(side)->setTickLengthOut(5);
     rect.axis(side)->setSubTickLengthOut(2);
@@ -71,8 +73,8 @@ void legend_below(QCustomPlot& plot, int columns) {
   row->addElement(0, 0, plot.legend);
   row->setMargins(QMargins(50, 0, 10, 4));
   plot.plotLayout()->setRowStretchFactor(rows, 0.001);
-  plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
   plot.legend->setWrap(columns);
+  plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 void RangeOf::add(double value) {
@@ -80,6 +82,13 @@ void RangeOf::add(double value) {
   low_ = empty_ ? value : std::min(low_, value);
   high_ = empty_ ? value : std::max(high_, value);
   empty_ = false;
+}
+
+void RangeOf::widen_to(double width) {
+  const double lack = width - this->width();
+  if (empty_ || !(lack > 0)) return;
+  low_ -= lack / 2;
+  high_ += lack / 2;
 }
 
 QCPRange RangeOf::with_margin(double margin, bool keep_zero) const {

@@ -33,6 +33,9 @@ class RangeOf {
  public:
   void add(double value);
   bool empty() const { return empty_; }
+  double width() const { return high_ - low_; }
+  /// Widens the range about its middle where it is narrower than this.
+  void widen_to(double width);
   /// `margin` of the width is added at both ends; an end that is 0 stays 0 if `keep_zero`.
   QCPRange with_margin(double margin, bool keep_zero) const;
 

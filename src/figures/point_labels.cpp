@@ -1,25 +1,70 @@
 #include "src/figures/point_labels.hpp"
 
 #include <QFontMetricsF>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "src/figures/plot_style.hpp"
 
 namespace triax::src {
 namespace {
 
-constexpr double kMarker = 12;  // px a marker takes
+constexpr double kMarker = 12;   // px a marker takes
+constexpr double kLineStep = 4;  // px between the points that stand for a line
 
 struct Side {
   double x, y;  // of the label's centre, in half label sizes from the point
 };
-constexpr std::array<Side, 8> kSides = {
-    {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}}};
+constexpr std::array<Side, 16> kSides = {{{1, 0},
+                                          {-1, 0},
+                                          {0, -1},
+                                          {0, 1},
+                                          {1, -1},
+                                          {1, 1},
+                                          {-1, -1},
+                                          {-1, 1},
+                                          {1, -0.6},
+                                          {1, 0.6},
+                                          {-1, -0.6},
+                                          {-1, 0.6},
+                                          {0.5, -1},
+                                          {0.5, 1},
+                                          {-0.5, -1},
+                                          {-0.5, 1}}};
 
 bool free_of(const QRectF& candidate, const std::vector<QRectF>& taken) {
-  for (const auto& rect : taken)
-    if (candidate.intersects(rect)) return false;
-  return true;
+  return std::none_of(taken.begin(), taken.end(),
+                      [&](const QRectF& rect) { return candidate.intersects(rect); });
+}
+
+// Points along the segment between two ends, so that a long straight line is not overlooked.
+void add_segment(std::vector<QPointF>& points, const QPointF& from, const QPointF& to,
+                 const QRectF& inside) {
+  if (!inside.intersects(QRectF(from, to).normalized().adjusted(-1, -1, 1, 1))) return;
+  const QPointF way = to - from;
+  const int steps = static_cast<int>(std::hypot(way.x(), way.y()) / kLineStep) + 1;
+  for (int i = 1; i <= steps; ++i) points.push_back(from + way * i / steps);
+}
+
+// Where the plot's graphs and curves run, in pixels; plottables without a line do not count.
+std::vector<QPointF> lines_of(QCustomPlot& plot, const QRectF& inside) {
+  std::vector<QPointF> points;
+  for (int i = 0; i < plot.plottableCount(); ++i) {
+    auto* plottable = plot.plottable(i);
+    const auto* curve = qobject_cast<QCPCurve*>(plottable);
+    if (curve != nullptr && curve->lineStyle() == QCPCurve::lsNone) continue;
+    auto* data = plottable->interface1D();
+    if (data == nullptr) continue;
+    std::optional<QPointF> before;
+    for (int k = 0; k < data->dataCount(); ++k) {
+      const auto at = plottable->coordsToPixels(data->dataMainKey(k), data->dataMainValue(k));
+      if (before) add_segment(points, *before, at, inside);
+      before = at;
+    }
+  }
+  return points;
 }
 
 void write(QCustomPlot& plot, const PointLabel& label, const QPointF& centre) {
@@ -38,6 +83,8 @@ void write(QCustomPlot& plot, const PointLabel& label, const QPointF& centre) {
 void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels) {
   plot.replot();  // the layout gives pixels their meaning
   const QFontMetricsF metrics(label_font());
+  const QRectF inside = plot.axisRect()->rect();
+  const auto lines = lines_of(plot, inside);
   std::vector<QRectF> taken;
   std::vector<QPointF> points;
   for (const auto& label : labels) {
@@ -45,19 +92,25 @@ void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels) {
     taken.emplace_back(points.back().x() - kMarker / 2, points.back().y() - kMarker / 2, kMarker,
                        kMarker);
   }
-  const QRectF inside = plot.axisRect()->rect();
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double width = metrics.horizontalAdvance(QString::fromStdString(labels[i].text)) + 4;
     const double height = metrics.height();
+    std::optional<QRectF> best;
+    std::ptrdiff_t least = 0;
     for (const auto& side : kSides) {
       const QPointF centre = points[i] + QPointF(side.x * (width + kMarker + 2) / 2,
                                                  side.y * (height + kMarker + 2) / 2);
       const QRectF rect(centre.x() - width / 2, centre.y() - height / 2, width, height);
       if (!inside.contains(rect) || !free_of(rect, taken)) continue;
-      write(plot, labels[i], centre);
-      taken.push_back(rect);
-      break;
+      const auto covered = std::count_if(lines.begin(), lines.end(),
+                                         [&](const QPointF& p) { return rect.contains(p); });
+      if (best && covered >= least) continue;
+      best = rect;
+      least = covered;
     }
+    if (!best) continue;
+    write(plot, labels[i], best->center());
+    taken.push_back(*best);
   }
 }
 

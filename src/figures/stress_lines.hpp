@@ -2,6 +2,8 @@
 // Straight lines through the origin of the q-p′ plane.
 #include <qcustomplot.h>
 
+#include <vector>
+
 namespace triax::src {
 
 /// q = η p′ from the origin to the border of the axes, whose ranges must be final. p′, q in any one
@@ -9,5 +11,7 @@ namespace triax::src {
 void draw_instability_line(QCustomPlot& plot, double eta);
 /// q = M p′, the Mohr-Coulomb limit surface in compression.
 void draw_mohr_coulomb_line(QCustomPlot& plot, double limit_stress_ratio);
+/// One line each for limits in rising order; beyond two they are thin and share one legend entry.
+void draw_mohr_coulomb_lines(QCustomPlot& plot, const std::vector<double>& limit_stress_ratios);
 
 }  // namespace triax::src

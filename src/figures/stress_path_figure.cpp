@@ -39,10 +39,10 @@ bool is_shear(const lab::RecordHeader& header, int stage) {
          info->role == lab::StageRole::unknown;
 }
 
-void mark(QCustomPlot& plot, const lab::Instant& at, QCPScatterStyle::ScatterShape shape,
+void mark(QCustomPlot& plot, double p_pa, double q_pa, QCPScatterStyle::ScatterShape shape,
           const QColor& colour, const std::string& name) {
   auto* point = new QCPCurve(plot.xAxis, plot.yAxis);
-  point->addData(*at.p_eff_pa * 1e-3, *at.q_pa * 1e-3);
+  point->addData(p_pa * 1e-3, q_pa * 1e-3);
   point->setLineStyle(QCPCurve::lsNone);
   point->setScatterStyle(QCPScatterStyle(shape, line(colour, 1.8), QBrush(Qt::white), 10));
   point->setName(QString::fromStdString(name));
@@ -67,22 +67,30 @@ Drawing stress_path_figure(const ReportedTest& test) {
   plot->xAxis->setRange(p_range.with_margin(0.06, true));
   plot->yAxis->setRange(q_range.with_margin(0.10, true));
 
-  const auto& collapse = test.stored.summary.collapse;
-  const auto& onset = collapse.onset;
+  const auto& summary = test.stored.summary;
+  const auto onset = collapse_onset(test.stored);
   const auto eta = onset ? onset->eta() : std::nullopt;
-  if (collapse.limit_stress_ratio) draw_mohr_coulomb_line(*plot, *collapse.limit_stress_ratio);
+  if (summary.collapse.limit_stress_ratio)
+    draw_mohr_coulomb_line(*plot, *summary.collapse.limit_stress_ratio);
   if (eta) draw_instability_line(*plot, *eta);
   draw_path(*plot, before, "before shear", line(kGrey, 1.2));
   draw_path(*plot, shear, before.order.isEmpty() ? "stress path" : "stress path in shear",
             line(kBlue, 1.8));
+  std::vector<PointLabel> labels;
   if (eta) {
-    mark(*plot, *onset, QCPScatterStyle::ssCircle, kVermilion, "onset of collapse");
-    legend_below(*plot, 3);
-    place_labels(*plot, {{*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3,
-                          fmt::format("η = {:.2f}", *eta), kVermilion}});
-  } else {
-    legend_below(*plot, 3);
+    mark(*plot, *onset->p_eff_pa, *onset->q_pa, QCPScatterStyle::ssCircle, kVermilion,
+         "onset of collapse");
+    labels.push_back({*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3, fmt::format("η = {:.2f}", *eta),
+                      kVermilion});
   }
+  if (const auto failure = failure_onset(test.stored); failure && failure->eta())
+    mark(*plot, *failure->p_eff_pa, *failure->q_pa, QCPScatterStyle::ssSquare, kGrey,
+         "failure on the limit surface");
+  if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)
+    mark(*plot, *truth->p_eff_pa, *truth->q_pa, QCPScatterStyle::ssCross, kInk,
+         "truth: the specimen itself");
+  legend_below(*plot, 2);
+  place_labels(*plot, labels);
   auto caption =
       eta ? fmt::format("Effective stress path of test {}; collapse sets in at η = {:.2f}.",
                         test.stored.header.name, *eta)

@@ -18,7 +18,9 @@ std::string origin_word(const db::StoredTest& test) {
 }
 
 std::string kind_word(const db::StoredTest& test) {
-  if (!has_verdict(test)) return std::string(db::to_string(test.status));
+  if (!has_verdict(test))
+    return test.status == db::TestStatus::complete ? "not judged"
+                                                   : std::string(db::to_string(test.status));
   return std::string(lab::to_string(test.summary.collapse.kind));
 }
 
@@ -71,8 +73,11 @@ std::string shear_start_line(const db::StoredTest& test) {
 }
 
 std::string verdict_line(const db::StoredTest& test) {
-  if (!has_verdict(test)) return "no verdict: the test is not complete";
+  if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
+  if (!has_verdict(test)) return "not judged: too little was seen of shear";
   const auto& collapse = test.summary.collapse;
+  if (failure_onset(test))
+    return "none: strength was lost on the limit surface, which is failure and no collapse";
   if (!collapse.detected()) return "none found: the specimen stayed controllable";
   std::string line = collapse.kind == lab::CollapseKind::flow
                          ? "flow: strength is lost for good"
@@ -122,7 +127,8 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   facts.push_back({"Collapse", {verdict_line(test)}});
   if (!has_verdict(test)) return;
-  if (collapse.onset) facts.push_back({"Onset", {instant(*collapse.onset)}});
+  if (const auto onset = collapse_onset(test)) facts.push_back({"Onset", {instant(*onset)}});
+  if (const auto failure = failure_onset(test)) facts.push_back({"Failure", {instant(*failure)}});
   facts.push_back(
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
@@ -173,7 +179,7 @@ Table summary_table(const std::vector<ReportedTest>& tests) {
                {"Criteria"}},
               {}};
   for (const auto& [test, curves] : tests) {
-    const auto& onset = test.summary.collapse.onset;
+    const auto onset = collapse_onset(test);
     table.rows.push_back({or_unknown(test.header.programme), test.header.name, origin_word(test),
                           in_kPa(test.summary.consolidation.p_eff_pa, 0),
                           number(void_ratio(test), 3),

@@ -20,7 +20,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 <title>Triaxial tests: collapse report</title>
 <style>
 body { font: 15px/1.45 "DejaVu Sans", Verdana, sans-serif; color: #222; background: #fff;
-       max-width: 62rem; margin: 0 auto; padding: 1rem; }
+       max-width: 80rem; margin: 0 auto; padding: 1rem; }
 h1 { font-size: 1.5rem; }
 h2 { font-size: 1.2rem; margin: 2.5rem 0 0.5rem; border-top: 2px solid #222; padding-top: 0.7rem; }
 h3 { font-size: 1rem; margin: 1.2rem 0 0.3rem; }
@@ -34,15 +34,18 @@ th, td { padding: 0.25rem 0.6rem; vertical-align: top; border-bottom: 1px solid 
 .banner { background: #fbe3d3; border-left: 6px solid #d55e00; color: #222; font-weight: 700;
           padding: 0.5rem 0.8rem; margin: 0.6rem 0; }
 .notes { font-size: 0.82rem; color: #444; padding-left: 1.2rem; }
-figure { margin: 1rem 0; }
-figure svg { display: block; max-width: 100%; height: auto; }
+.figures { display: grid; gap: 1rem 2rem; align-items: start;
+           grid-template-columns: repeat(auto-fit, minmax(min(100%, 36rem), 1fr)); }
+figure { margin: 1rem 0; overflow-x: auto; }
+figure svg { display: block; width: 100%; max-width: 620px; min-width: 27rem; height: auto; }
 figcaption { font-size: 0.87rem; color: #444; }
 @media (max-width: 40rem) { .facts th, .facts td { display: block; border: 0; padding: 0.1rem 0; }
   .facts tr { display: block; border-bottom: 1px solid #ddd; padding: 0.3rem 0; } }
 @media print { @page { size: A4; margin: 15mm; } body { font-size: 10pt; padding: 0; }
   h2 { break-before: page; border-top: 0; } h2, h3 { break-after: avoid; }
   figure, tr, .banner { break-inside: avoid; } .scroll { overflow: visible; }
-  figure svg { max-height: 235mm; } .banner { print-color-adjust: exact; } }
+  .figures { display: block; } figure { overflow: visible; }
+  figure svg { max-height: 235mm; min-width: 0; } .banner { print-color-adjust: exact; } }
 </style>
 </head>
 <body>
@@ -71,8 +74,9 @@ std::string test_markup(const ReportedTest& test) {
   if (!content.banner.empty())
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(content.banner));
   html += facts_markup(content.facts);
-  html += section("Criteria of collapse", content.criteria);
+  html += "<div class=\"figures\">\n";
   for (const auto& figure : test_figures(test)) html += figure_markup(figure);
+  html += "</div>\n" + section("Criteria of collapse", content.criteria);
   html += section("Checks", content.checks);
   return html + "</section>\n";
 }

@@ -17,7 +17,19 @@ ReportedTest load_reported_test(const db::Store& store, std::int64_t id, WithCur
   return test;
 }
 
-bool has_verdict(const db::StoredTest& test) { return test.status == db::TestStatus::complete; }
+bool has_verdict(const db::StoredTest& test) {
+  return test.status == db::TestStatus::complete && test.summary.collapse.judged;
+}
+
+std::optional<lab::Instant> collapse_onset(const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  return has_verdict(test) && collapse.detected() ? collapse.onset : std::nullopt;
+}
+
+std::optional<lab::Instant> failure_onset(const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  return has_verdict(test) && !collapse.detected() ? collapse.onset : std::nullopt;
+}
 
 std::optional<double> void_ratio(const db::StoredTest& test) {
   if (test.summary.consolidation.void_ratio) return test.summary.consolidation.void_ratio;
