@@ -38,8 +38,9 @@ struct Stage {
 
 struct Programme {
   std::string name;
-  std::string type;    ///< "ICU", "CSD", "CSU"...
-  std::string source;  ///< file it was read from
+  std::string type;                ///< "ICU", "CSD", "CSU"...
+  std::string source;              ///< file it was read from
+  std::vector<std::string> files;  ///< that one, and the user's own file of materials
   std::uint64_t seed = 0;
   double scan_interval_s = 1;
 

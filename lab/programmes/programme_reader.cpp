@@ -24,9 +24,9 @@ void read_test(const TomlTable& table, Programme& programme) {
   table.finish();
 }
 
-std::vector<MaterialSet> user_materials(const std::string& name,
-                                        const std::string& programme_file) {
-  const auto path = std::filesystem::path(programme_file).parent_path() / name;
+std::vector<MaterialSet> user_materials(const std::string& name, Programme& programme) {
+  const auto path = std::filesystem::path(programme.source).parent_path() / name;
+  programme.files.push_back(path.string());
   return read_materials(read_text_file(path.string()), path.string());
 }
 
@@ -34,8 +34,8 @@ void read_specimen(const TomlTable& table, Programme& programme) {
   const std::string material = table.required_text("material");
   const auto file = table.text("material_file");
   try {
-    programme.material = file ? find_material(material, user_materials(*file, programme.source))
-                              : find_material(material);
+    programme.material =
+        file ? find_material(material, user_materials(*file, programme)) : find_material(material);
   } catch (const BadInput& error) {
     if (file) throw;
     table.fail("material", error.what());
@@ -147,6 +147,7 @@ Programme read_programme(std::string_view toml_text, const std::string& file) {
   const TomlTable root = TomlTable::parse(toml_text, file);
   Programme programme;
   programme.source = file;
+  programme.files = {file};
   const TomlTable test = root.required_table("test");
   const TomlTable specimen = root.required_table("specimen");
   const TomlTable rig = root.required_table("rig");

@@ -1,15 +1,8 @@
 #include "lab/records/record_writer.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -17,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
 #include "lab/records/metadata.hpp"
+#include "lab/records/whole_file.hpp"
 
 namespace triax::lab {
 namespace {
@@ -46,42 +39,15 @@ std::string origin_remark(const RecordHeader& header) {
 }  // namespace
 
 struct RecordWriter::Impl {
-  std::string path;
-  std::string part;
-  int descriptor = -1;
+  explicit Impl(const std::string& path) : file(path) {}
+
+  WholeFile file;
   bool has_time = true;
   std::vector<std::pair<Quantity, sim::Unit>> columns;
   std::string text;
 
-  ~Impl() {
-    if (descriptor >= 0) ::close(descriptor);
-    if (!part.empty()) ::unlink(part.c_str());
-  }
-
-  [[noreturn]] void fail() const {
-    throw WorkFailed(path + ": cannot be written: " + std::strerror(errno));
-  }
-
-  void create() {
-    part = path + ".part-XXXXXX";
-    descriptor = ::mkstemp(part.data());
-    if (descriptor < 0) {
-      part.clear();
-      fail();
-    }
-    const auto mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(descriptor, 0666 & ~mask);
-  }
-
   void flush() {
-    std::string_view rest = text;
-    while (!rest.empty()) {
-      const auto count = ::write(descriptor, rest.data(), rest.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail();
-      rest.remove_prefix(static_cast<std::size_t>(count));
-    }
+    file.write(text);
     text.clear();
   }
 
@@ -101,12 +67,10 @@ struct RecordWriter::Impl {
 };
 
 RecordWriter::RecordWriter(const std::string& path, const RecordHeader& header)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->path = path;
+    : impl_(std::make_unique<Impl>(path)) {
   impl_->has_time = header.has_time;
   for (const Quantity q : header.columns)
     impl_->columns.emplace_back(q, *sim::find_unit(info(q).unit));
-  impl_->create();
   impl_->text = origin_remark(header) + as_comment(metadata_toml(header));
   impl_->append_headings();
 }
@@ -130,10 +94,7 @@ void RecordWriter::write(const Reading& reading) {
 void RecordWriter::finish(const std::optional<Truth>& truth) {
   if (truth) impl_->text += as_comment(truth_toml(*truth));
   impl_->flush();
-  if (::fsync(impl_->descriptor) != 0) impl_->fail();
-  if (::close(std::exchange(impl_->descriptor, -1)) != 0) impl_->fail();
-  if (std::rename(impl_->part.c_str(), impl_->path.c_str()) != 0) impl_->fail();
-  impl_->part.clear();
+  impl_->file.finish();
 }
 
 }  // namespace triax::lab

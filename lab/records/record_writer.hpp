@@ -11,14 +11,14 @@ namespace triax::lab {
 /// Writes a record in triax's own CSV (docs/formats.md): the metadata as TOML behind #, one row a
 /// reading, the truth of a simulation below the rows.
 ///
-/// The file appears under its name only when it is complete; until then it stands in the same
-/// folder under another name, which the destructor removes. Values are written in units of the
-/// field with the fewest digits that give the reading's bits back: exactly for values that came
-/// from such a file or instrument (sim::to_si), within one unit in the last place for others.
+/// The file appears under its name only when it is complete (WholeFile). Values are written in
+/// units of the field with the fewest digits that give the reading's bits back: exactly for values
+/// that came from such a file or instrument (sim::to_si), within one unit in the last place for
+/// others.
 class RecordWriter {
  public:
-  /// Columns are header.columns, with time_s in front where header.has_time. Throws WorkFailed
-  /// where the folder does not let itself be written.
+  /// Columns are header.columns, with time_s in front where header.has_time. Throws BadInput where
+  /// `path` is no regular file, WorkFailed where the folder does not let itself be written.
   RecordWriter(const std::string& path, const RecordHeader& header);
   ~RecordWriter();
   RecordWriter(const RecordWriter&) = delete;

@@ -8,6 +8,7 @@
 
 #include "lab/records/bad_input.hpp"
 #include "lab/rig/recorded.hpp"
+#include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
 #include "src/commands/test_run.hpp"
 
@@ -41,6 +42,7 @@ void run(const Options& o) {
   // A name that is wrong is told before the first record has run for minutes.
   for (const auto& path : o.records)
     if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
+  refuse_overwriting("--db", o.db, o.records, "a record that is read");
   std::vector<std::int64_t> ids;
   for (const auto& path : o.records) {
     const auto rig = lab::open_record(path, record);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "db/store.hpp"
+#include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
 #include "src/output/output.hpp"
 #include "src/report/html_report.hpp"
@@ -23,15 +24,16 @@ struct Options {
 };
 
 void run(const Options& o) {
-  const db::Store store(o.db);
   const bool drawn = o.format == "html" || o.format == "pdf";
+  const std::string output = !o.output.empty() ? o.output
+                             : drawn           ? "triax_report." + o.format
+                                               : "-";
+  refuse_overwriting("--output", output, database_files(o.db), "the database");
+  const db::Store store(o.db);
   std::vector<ReportedTest> tests;
   for (const auto id : store.find(o.tests))
     tests.push_back(load_reported_test(store, id, drawn ? WithCurves::yes : WithCurves::no));
 
-  const std::string output = !o.output.empty() ? o.output
-                             : drawn           ? "triax_report." + o.format
-                                               : "-";
   if (o.format == "pdf")
     pdf_report(tests, output);
   else if (o.format == "html")

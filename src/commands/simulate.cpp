@@ -10,6 +10,7 @@
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/record_writer.hpp"
 #include "lab/rig/virtual_rig.hpp"
+#include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
 #include "src/commands/test_run.hpp"
 
@@ -26,7 +27,11 @@ struct Options {
 };
 
 void run(const Options& o) {
-  lab::VirtualRig rig(lab::load_programme(o.programme), o.seed);
+  const lab::Programme programme = lab::load_programme(o.programme);
+  refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
+  refuse_overwriting("--record", o.record, database_files(o.db), "the database");
+  refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
+  lab::VirtualRig rig(programme, o.seed);
   std::optional<lab::RecordWriter> writer;
   if (!o.record.empty()) writer.emplace(o.record, rig.header());
   const auto id = run_test(

@@ -1,13 +1,16 @@
 #include "src/output/output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <QSaveFile>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
 #include "lab/records/bad_input.hpp"
+#include "lab/records/whole_file.hpp"
 
 namespace triax::src {
 
@@ -16,6 +19,22 @@ namespace {
 void require(bool written) {
   if (!written)
     throw lab::WorkFailed(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+}
+
+/// What passes bytes on and keeps none: nothing there to be replaced, nothing to appear whole.
+bool passes_on(const std::string& path) {
+  struct stat present {};
+  return ::stat(path.c_str(), &present) == 0 &&
+         (S_ISCHR(present.st_mode) || S_ISFIFO(present.st_mode));
+}
+
+void write_straight(const std::string& path, std::string_view bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  const bool written = descriptor >= 0 && lab::write_all(descriptor, bytes);
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!written)
+    throw lab::WorkFailed(fmt::format("{}: cannot be written: {}", path, std::strerror(error)));
 }
 
 }  // namespace
@@ -31,11 +50,10 @@ void put(std::string_view text) {
 
 void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return print(bytes);
-  QSaveFile file(QString::fromStdString(path));
-  const auto size = static_cast<qint64>(bytes.size());
-  if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), size) != size || !file.commit())
-    throw lab::WorkFailed(
-        fmt::format("{}: cannot be written: {}", path, file.errorString().toStdString()));
+  if (passes_on(path)) return write_straight(path, bytes);
+  lab::WholeFile file(path);
+  file.write(bytes);
+  file.finish();
 }
 
 }  // namespace triax::src

@@ -13,8 +13,9 @@ void print(std::string_view text);
 /// all of it arrived. For output of many small pieces.
 void put(std::string_view text);
 
-/// Writes a file under a temporary name beside it and renames it once complete, so that a failure
-/// leaves what was there before. "-" stands for standard output. Throws lab::WorkFailed.
+/// Writes a file whole or not at all (lab::WholeFile), so that a failure leaves what was there
+/// before; a pipe or a character device is written straight. "-" stands for standard output.
+/// Throws lab::BadInput for a folder or another thing that is no file, lab::WorkFailed.
 void write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace triax::src

@@ -121,3 +121,53 @@ TEST_CASE("several records give an array in their order, one gives an object") {
   CHECK(missing.status == 2);
   CHECK_FALSE(here.has("other.db"));
 }
+
+TEST_CASE("no output goes over what the command reads or keeps") {
+  const Replayed here;
+  write(here / "p.toml", content(source("samples/programmes/icu_6.toml")));
+  const std::string programme = content(here / "p.toml"), database = content(here / "triax.db");
+  std::filesystem::create_symlink("triax.db", here / "link.db");
+  for (const char* command :
+       {"simulate p.toml --record p.toml", "simulate p.toml --record ./triax.db",
+        "simulate p.toml --record new.db --db new.db", "simulate p.toml --db p.toml",
+        "report --output triax.db", "report --output link.db", "report --output triax.db-wal",
+        "report --db link.db --output triax.db-shm", "replay tiny.csv --db tiny.csv",
+        "simulate p.toml --record ."}) {
+    const Outcome outcome = here.triax(command);
+    INFO(command << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+  CHECK(content(here / "p.toml") == programme);
+  CHECK(content(here / "triax.db") == database);
+  CHECK(content(here / "tiny.csv") == kRecord);
+  CHECK_FALSE(here.has("new.db"));
+}
+
+TEST_CASE("reports go through pipes, devices and links, which stay what they are") {
+  const Replayed here;
+  const std::string report = here.triax("report").out;
+  CHECK(here.shell("mkfifo pipe; cat pipe >got & $triax report --output pipe >told && wait") == 0);
+  CHECK(content(here / "got") == report);
+  CHECK(std::filesystem::is_fifo(here / "pipe"));
+  CHECK(here.shell("$triax report --output /dev/null >told") == 0);
+  CHECK(here.shell("$triax report --output /dev/stdout | cat >got") == 0);
+  CHECK(content(here / "got").rfind(report, 0) == 0);
+  CHECK(here.shell("ln -s real.txt link.txt; $triax report --output link.txt >told") == 0);
+  CHECK(content(here / "real.txt") == report);
+  CHECK(std::filesystem::is_symlink(here / "link.txt"));
+}
+
+TEST_CASE("a simulation that is ended from outside leaves no half of its record") {
+  const Workplace here;
+  for (const char* name : {"TERM", "INT", "KILL"}) {
+    const std::string line = "cd '" + (here / "").string() + "' && timeout -s " + name +
+                             " 1 " TRIAX_PROGRAM " simulate " +
+                             source("samples/programmes/icu_6.toml") +
+                             " --speed 400 --record x.csv >/dev/null 2>&1";
+    CHECK(std::system(line.c_str()) != 0);
+    for (const auto& entry : std::filesystem::directory_iterator(here / ""))
+      CHECK(entry.path().filename().string().rfind("x.csv", 0) != 0);
+  }
+}
