@@ -145,7 +145,7 @@ Table criteria_table(const db::StoredTest& test) {
                {"Evidence"}},
               {}};
   for (const auto& criterion : test.summary.collapse.criteria)
-    table.rows.push_back({criterion.name, criterion.detected ? "yes" : "no",
+    table.rows.push_back({spaced(criterion.name), criterion.detected ? "yes" : "no",
                           criterion.reading ? fmt::format("{}", *criterion.reading) : kUnknown,
                           duration(criterion.time_s), number(criterion.eta, 2),
                           criterion.evidence});
@@ -159,7 +159,7 @@ Table checks_table(const db::StoredTest& test) {
     return value ? fmt::format("{:.4g}", *value) : std::string(kUnknown);
   };
   for (const auto& check : test.summary.checks)
-    table.rows.push_back({check.name, plain(check.measured), plain(check.limit),
+    table.rows.push_back({spaced(check.name), plain(check.measured), plain(check.limit),
                           check.ok ? "ok" : "NOT OK", check.note});
   return table;
 }

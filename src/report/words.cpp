@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -66,6 +67,11 @@ std::string instant(const lab::Instant& at) {
   if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
   if (at.phi_mob_rad()) parts.push_back(fmt::format("φ_mob {}°", in_degrees(at.phi_mob_rad())));
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 }  // namespace triax::src

@@ -21,6 +21,9 @@ std::string with_unit(const std::string& number, const std::string& unit);
 /// "41.0 s", "12.3 min" or "1.70 h", whichever is short.
 std::string duration(std::optional<double> seconds);
 
+/// A name of the JSON document as people read it: "second_order_work" is "second order work".
+std::string spaced(std::string name);
+
 /// "inside", "on the limit surface" or unknown.
 std::string inside_limit_surface(const lab::Collapse& collapse);
 /// "reading 812, 41.0 s, ε₁ 0.51 %, q 56.5 kPa, p′ 96.1 kPa, η 0.59, φ_mob 15.4°"; unknown parts
