@@ -18,8 +18,8 @@ enum class WithCurves { no, yes };
 /// Reads one test back from the store. With curves, every scan is visited once in constant memory.
 ReportedTest load_reported_test(const db::Store& store, std::int64_t id, WithCurves with_curves);
 
-/// True once the verdict stands: a test that is running or was interrupted has none, and one of which
-/// too little was seen.
+/// True once the verdict stands: a test that is running or was interrupted has none, and one of
+/// which too little was seen.
 bool has_verdict(const db::StoredTest& test);
 
 /// Where collapse set in; nothing without a verdict and where strength was lost on the limit
