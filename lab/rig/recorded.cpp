@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@
 #include "lab/records/metadata.hpp"
 #include "lab/records/record_head.hpp"
 #include "lab/records/stage_inference.hpp"
+#include "lab/records/stage_number.hpp"
 #include "lab/records/table_reader.hpp"
 #include "lab/records/time_line.hpp"
 
@@ -24,17 +27,15 @@ std::optional<Dialect> named_dialect(const RecordOptions& options) {
   return find_dialect(options.dialect);
 }
 
-// A stage number as the file has it; "4.1" of an advanced module becomes 41.
-int stage_number(double value, const TableLayout& layout, std::int64_t line, Findings& findings) {
-  constexpr double kLargest = 1e6;
-  const bool fits = value >= 0 && value <= kLargest;
-  if (fits && value == std::floor(value)) return static_cast<int>(value);
-  const double tenfold = std::round(10 * value);
-  if (!fits || std::abs(10 * value - tenfold) > 1e-6)
-    throw BadInput(layout.file, line, fmt::format("{} is no number of a stage", value));
-  findings.note("stage number", line,
-                fmt::format("stage {} is called stage {}", value, static_cast<int>(tenfold)));
-  return static_cast<int>(tenfold);
+// The N of "stages.N.role"; nothing for other keys and for what set_metadata will refuse.
+std::optional<int> stage_in(std::string_view key) {
+  constexpr std::string_view kGroup = "stages.";
+  if (!key.starts_with(kGroup)) return std::nullopt;
+  key.remove_prefix(kGroup.size());
+  int number = 0;
+  const auto [stop, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+  if (error != std::errc{} || number < 0) return std::nullopt;
+  return number;
 }
 
 }  // namespace
@@ -45,11 +46,13 @@ struct RecordedRig::Impl {
       : source(std::move(bytes)),
         findings(header.warnings),
         layout(recognise_table(*source, named_dialect(options), findings)),
+        stage_numbers(layout.file),
         time_line(layout.has(ColumnRole::time), layout.has(ColumnRole::stage_time)) {
     describe_record(header, layout, findings);
     read_document(metadata_file, metadata);
     apply_sets(options, false);
     settle_stages();
+    check_stages_to_set(options);
     apply_sets(options, true);
     table.emplace(*source, layout, findings);
     waiting = draw(first);
@@ -60,6 +63,8 @@ struct RecordedRig::Impl {
   void read_document(const std::string& metadata_file, const std::string& metadata);
   void apply_sets(const RecordOptions& options, bool stages);
   void settle_stages();
+  void check_stages_to_set(const RecordOptions& options);
+  std::set<int> stages_in_rows();
   void look_for_typed_height(const std::vector<StageSummary>& summaries);
   bool draw(Reading& reading);
   int stage_of(const Row& drawn);
@@ -69,6 +74,7 @@ struct RecordedRig::Impl {
   RecordHeader header;
   Findings findings;
   TableLayout layout;
+  StageNumbers stage_numbers;
   TimeLine time_line;
   CounterJoin counters;
   std::optional<TableReader> table;
@@ -100,9 +106,15 @@ void RecordedRig::Impl::read_document(const std::string& metadata_file,
 }
 
 void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
-  for (const auto& [key, value] : options.sets)
-    if (key.starts_with("stages.") == stages)
-      set_metadata(header, fmt::format("--set {}={}", key, value), key, value);
+  for (const auto& [key, value] : options.sets) {
+    const auto where = fmt::format("--set {}={}", key, value);
+    // Whether soil or a program gave the readings is for the record to say, not for its reader.
+    if (key == "test.origin" || key == "test.seed")
+      throw BadInput(where + ": " + key +
+                     " is what the record itself says of where it came from; " +
+                     "it cannot be set");
+    if (key.starts_with("stages.") == stages) set_metadata(header, where, key, value);
+  }
 }
 
 void RecordedRig::Impl::settle_stages() {
@@ -115,11 +127,40 @@ void RecordedRig::Impl::settle_stages() {
   std::vector<Warning> repeated;
   Findings scratch(repeated);
   TableReader reader(*source, layout, scratch);
-  const auto summaries = summarise_stages(reader, [&](double value, std::int64_t line) {
-    return stage_number(value, layout, line, scratch);
-  });
+  StageNumbers numbers(layout.file);
+  const auto summaries = summarise_stages(
+      reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); });
   header.stages = infer_stages(summaries, header.specimen);
   look_for_typed_height(summaries);
+}
+
+std::set<int> RecordedRig::Impl::stages_in_rows() {
+  std::vector<Warning> repeated;
+  Findings scratch(repeated);
+  TableReader reader(*source, layout, scratch);
+  StageNumbers numbers(layout.file);
+  std::set<int> found;
+  Row drawn;
+  while (reader.next(drawn))
+    if (!std::isnan(drawn.stage)) found.insert(numbers.of(drawn.stage, drawn.line, scratch));
+  return found;
+}
+
+// A stage that the metadata do not name may still stand in the rows: only then are they looked
+// through.
+void RecordedRig::Impl::check_stages_to_set(const RecordOptions& options) {
+  std::optional<std::set<int>> known;
+  for (const auto& [key, value] : options.sets) {
+    const auto number = stage_in(key);
+    if (!number || header.stage(*number)) continue;
+    if (!known) {
+      known = layout.has(ColumnRole::stage) ? stages_in_rows() : std::set<int>();
+      for (const StageInfo& info : header.stages) known->insert(info.number);
+    }
+    if (!known->contains(*number))
+      throw BadInput(fmt::format("--set {}={}: {} has no stage {}; it has {}", key, value,
+                                 layout.file, *number, fmt::join(*known, ", ")));
+  }
 }
 
 void RecordedRig::Impl::look_for_typed_height(const std::vector<StageSummary>& summaries) {
@@ -148,7 +189,7 @@ void RecordedRig::Impl::look_for_typed_height(const std::vector<StageSummary>& s
 }
 
 int RecordedRig::Impl::stage_of(const Row& drawn) {
-  if (!std::isnan(drawn.stage)) return stage_number(drawn.stage, layout, drawn.line, findings);
+  if (!std::isnan(drawn.stage)) return stage_numbers.of(drawn.stage, drawn.line, findings);
   if (count > 0) return stage;
   return header.stages.empty() ? 1 : header.stages.front().number;
 }

@@ -231,3 +231,48 @@ TEST_CASE("stress path: stages with clocks of their own become one time") {
   CHECK(rig->header().stage(7)->drainage == Drainage::open);
   CHECK(warns(rig->header(), 84, "78 more, the last in line 162"));
 }
+
+TEST_CASE("--set does not say where a record came from") {
+  for (const char* key : {"test.origin", "test.seed"}) {
+    RecordOptions options;
+    options.sets = {{key, key == std::string("test.seed") ? "1" : "recorded"}};
+    const std::string text =
+        "# [test]\n# origin = \"simulated\"\naxial_strain,deviator_stress_kPa,"
+        "mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n";
+    CHECK_THROWS_WITH(open_record(open_memory("s.csv", text), options),
+                      Catch::Matchers::Contains(key) && Catch::Matchers::Contains("cannot be set"));
+  }
+}
+
+TEST_CASE("--set for a stage that the record does not have is refused, with those it has") {
+  const std::string headings = "stage,axial_strain,deviator_stress_kPa,mean_effective_stress_kPa\n";
+  const std::string rows = "1,0,0,100\n2,0.1,5,101\n2,0.2,6,101\n";
+  const auto role_of = [&](const std::string& text, const char* key, int stage) {
+    RecordOptions options;
+    options.sets = {{key, "shear"}};
+    const auto rig = open_record(open_memory("s.csv", text), options);
+    return rig->header().stage(stage)->role;
+  };
+  const std::string described = "# [[stages]]\n# number = 1\n";
+  CHECK_THROWS_WITH(role_of(headings + rows, "stages.9.role", 9),
+                    Catch::Matchers::Contains("s.csv has no stage 9; it has 1, 2"));
+  CHECK_THROWS_WITH(role_of(described + headings + rows, "stages.9.role", 9),
+                    Catch::Matchers::Contains("it has 1, 2"));
+  // Not described, but there.
+  CHECK(role_of(described + headings + rows, "stages.2.role", 2) == StageRole::shear);
+  const std::string single =
+      "axial_strain,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n";
+  CHECK(role_of(single, "stages.1.role", 1) == StageRole::shear);
+  CHECK_THROWS_WITH(role_of(single, "stages.2.role", 2), Catch::Matchers::Contains("it has 1"));
+}
+
+TEST_CASE("stage 4.1 beside stage 41 is refused where the second of them begins") {
+  const std::string text =
+      "# [[stages]]\n# number = 41\nstage,axial_strain,deviator_stress_kPa,"
+      "mean_effective_stress_kPa\n4.1,0,0,100\n41,0.1,5,101\n";
+  const auto rig = open_record(open_memory("s.csv", text), {});
+  Reading reading;
+  REQUIRE(rig->next(reading));
+  CHECK(reading.stage == 41);
+  CHECK_THROWS_WITH(rig->next(reading), Catch::Matchers::Contains("s.csv:5: "));
+}
