@@ -53,8 +53,9 @@ noise_N = 0.3
 }
 
 TEST_CASE("absurd values are refused with file and line") {
-  CHECK_THAT(complaint("height_mm = 140.0", "height_mm = -140.0"),
-             Contains("p.toml:8: [specimen] height_mm: is -140, must be at least 5 and at most 3000"));
+  CHECK_THAT(
+      complaint("height_mm = 140.0", "height_mm = -140.0"),
+      Contains("p.toml:8: [specimen] height_mm: is -140, must be at least 5 and at most 3000"));
   CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 0"), Contains("p.toml:10"));
   CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 2.98"), Contains("2.97"));
   CHECK_THAT(complaint("S28-general", "S28-genral"),
