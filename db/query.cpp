@@ -71,6 +71,24 @@ void check_single(sqlite3* database, const std::string& sql) {
   if (statements == 0) throw lab::BadInput("the SQL holds no statement; write a SELECT");
 }
 
+/// The database, not the question, is at fault: disk, lock, memory, damage.
+bool is_failure_of_work(const SQLite::Exception& error) {
+  switch (error.getErrorCode() & 0xff) {
+    case SQLITE_ERROR:
+    case SQLITE_AUTH:
+    case SQLITE_READONLY:
+    case SQLITE_NOTADB:
+    case SQLITE_MISUSE:
+    case SQLITE_RANGE:
+    case SQLITE_MISMATCH:
+    case SQLITE_TOOBIG:
+    case SQLITE_CONSTRAINT:
+      return false;
+    default:
+      return true;
+  }
+}
+
 Value value_of(const SQLite::Column& column) {
   switch (column.getType()) {
     case SQLITE_INTEGER:
@@ -106,6 +124,7 @@ void query(const std::string& path, const std::string& name_or_sql,
       row(values);
     }
   } catch (const SQLite::Exception& error) {
+    if (is_failure_of_work(error)) throw lab::WorkFailed(path + ": " + error.what());
     throw lab::BadInput("SQLite refuses the query: " + std::string(error.what()));
   }
 }

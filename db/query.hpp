@@ -21,8 +21,8 @@ const std::vector<NamedQuery>& named_queries();
 /// Runs a named query or one statement of SQL against the database, strictly read only: SQLite
 /// itself refuses to write (read-only handle, query_only, and an authorizer that lets only reading
 /// through). `columns` is called once, before the rows. Throws lab::BadInput for a database that
-/// cannot be read and, with SQLite's own words, for SQL that cannot be run; rows given before a
-/// failure stand.
+/// cannot be read and, with SQLite's own words, for SQL that cannot be run; lab::WorkFailed where
+/// the disk fails, the file is damaged or stays locked. Rows given before a failure stand.
 void query(const std::string& path, const std::string& name_or_sql,
            const std::function<void(const std::vector<std::string>&)>& columns,
            const std::function<void(const std::vector<Value>&)>& row);

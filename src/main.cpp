@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <sstream>
 
 #include "lab/records/bad_input.hpp"
 #include "src/commands/application.hpp"
 #include "src/manual/manual.hpp"
 #include "src/output/output.hpp"
+#include "src/output/table.hpp"
 
 namespace {
 
@@ -17,7 +19,7 @@ constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
 
 int complain(const std::string& message, int status) {
   // A closed standard error must not turn a clear status into an abort, as an exception here would.
-  std::fprintf(stderr, "triax: %s\n", message.c_str());
+  std::fprintf(stderr, "triax: %s\n", triax::src::on_one_line(message).c_str());
   return status;
 }
 
@@ -32,7 +34,10 @@ int run(int argc, char** argv) {
   try {
     application.app->parse(argc, argv);
   } catch (const CLI::Success& success) {
-    return application.app->exit(success);
+    std::ostringstream text;
+    const int status = application.app->exit(success, text, text);
+    src::print(text.str());
+    return status;
   } catch (const CLI::ParseError& error) {
     return complain(fmt::format("{} (see triax --help)", error.what()), kBadInput);
   }

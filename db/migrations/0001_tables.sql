@@ -9,7 +9,7 @@ CREATE TABLE tests (
   programme TEXT,
   source TEXT,
   dialect TEXT,
-  seed INTEGER,              -- the 64 bits of an unsigned number
+  seed INTEGER,              -- from 0 on
   status TEXT NOT NULL CHECK (status IN ('running', 'complete', 'interrupted')),
   recorded_at TEXT NOT NULL, -- ISO 8601, UTC
   has_time INTEGER NOT NULL CHECK (has_time IN (0, 1)),

@@ -18,6 +18,9 @@
 
 namespace triax::lab {
 
+/// No pressure of a programme is above 100 MPa.
+inline constexpr double kLargestPressure_kPa = 1e5;
+
 /// What the axis does in a stage. `free`: no piston, q = 0 exactly, the cap follows the specimen.
 enum class AxialAction { free, displacement, load, constant_q };
 

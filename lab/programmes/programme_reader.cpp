@@ -13,6 +13,7 @@ namespace triax::lab {
 namespace {
 
 constexpr Bounds kPositive{.above = 0};
+constexpr Bounds kPressure_kPa{.above = 0, .at_most = kLargestPressure_kPa};
 constexpr Bounds kNotNegative{.at_least = 0};
 
 void read_test(const TomlTable& table, Programme& programme) {
@@ -41,13 +42,13 @@ void read_specimen(const TomlTable& table, Programme& programme) {
     table.fail("material", error.what());
   }
   programme.specimen.height_m =
-      1e-3 * table.required_number("height_mm", {.above = 0, .at_most = 2000});
+      1e-3 * table.required_number("height_mm", {.at_least = 5, .at_most = 3000});
   programme.specimen.diameter_m =
-      1e-3 * table.required_number("diameter_mm", {.above = 0, .at_most = 1000});
-  programme.void_ratio = table.required_number("void_ratio", {.above = 0});
+      1e-3 * table.required_number("diameter_mm", {.at_least = 5, .at_most = 3000});
+  programme.void_ratio = table.required_number("void_ratio", {.at_least = 0.05, .at_most = 20});
   programme.initial_effective_stress_pa =
       1e3 * table.required_number("initial_effective_stress_kPa", {.at_least = 1, .at_most = 1e4});
-  programme.specific_gravity = table.number("specific_gravity", {.above = 1, .at_most = 10});
+  programme.specific_gravity = table.number("specific_gravity", {.at_least = 1, .at_most = 10});
   table.finish();
   const sim::Sanisand law(programme.material.parameters);
   if (const auto objection = law.objection(
@@ -63,7 +64,9 @@ Transducer read_transducer(const TomlTable& table, Quantity quantity) {
   const std::string spoken = force ? "N" : unit;
   const double scale = force ? 1e-3 : 1;
   t.unit = *sim::find_unit(unit);
-  t.range = scale * table.number("range_" + spoken, kPositive).value_or(0);
+  const bool pressure = t.unit.dimension == sim::find_unit("kPa")->dimension;
+  const Bounds& range = pressure ? kPressure_kPa : kPositive;
+  t.range = scale * table.number("range_" + spoken, range).value_or(0);
   t.step = scale * table.number("resolution_" + spoken, kNotNegative).value_or(0);
   t.noise_rms = scale * table.number("noise_" + spoken, kNotNegative).value_or(0);
   t.offset = scale * table.number("offset_" + spoken).value_or(0);
@@ -93,7 +96,7 @@ void read_transducers(const std::optional<TomlTable>& table, Programme& programm
 PressureController read_controller(const std::optional<TomlTable>& table) {
   PressureController c{.range_pa = 3e6, .rate_limit_pa_per_s = 10e3};
   if (!table) return c;
-  c.range_pa = 1e3 * table->number("range_kPa", kPositive).value_or(c.range_pa / 1e3);
+  c.range_pa = 1e3 * table->number("range_kPa", kPressure_kPa).value_or(c.range_pa / 1e3);
   c.rate_limit_pa_per_s =
       1e3 / 60 *
       table->number("rate_limit_kPa_per_min", kPositive).value_or(c.rate_limit_pa_per_s * 60 / 1e3);

@@ -46,7 +46,9 @@ void read_axis(const TomlTable& table, const LoadingFrame& frame, Stage& stage) 
   } else if (stage.axial == AxialAction::load) {
     stage.load_rate_n_per_s = nonzero(table, "load_rate_N_per_min") / 60;
   } else if (stage.axial == AxialAction::constant_q) {
-    if (const auto q = table.number("held_q_kPa")) stage.held_q_pa = 1e3 * *q;
+    if (const auto q = table.number(
+            "held_q_kPa", {.at_least = -kLargestPressure_kPa, .at_most = kLargestPressure_kPa}))
+      stage.held_q_pa = 1e3 * *q;
   }
 }
 

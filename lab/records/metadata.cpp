@@ -78,9 +78,9 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
     header.origin = one_of(where, key, value, origin, {"recorded", "simulated"});
   } else if (name == "seed") {
     const auto seed = number_of<std::uint64_t>(value);
-    if (!seed)
-      throw BadInput(
-          fmt::format("{}: {} = {} is no whole number from 0 on", where, key, excerpt(value)));
+    if (!seed || *seed > kLargestSeed)
+      throw BadInput(fmt::format("{}: {} = {} is no whole number from 0 to {}", where, key,
+                                 excerpt(value), kLargestSeed));
     header.seed = seed;
   } else {
     unknown_key(where, key);
@@ -101,9 +101,16 @@ void set_specimen(SpecimenInfo& specimen, const std::string& where, std::string_
       unit = other->unit;
     }
     const double number = parse_number(where, key, value);
-    if (!(number > 0) || !std::isfinite(sim::to_si(number, unit)))
-      throw BadInput(fmt::format("{}: {} = {} must be above zero", where, key, number));
-    specimen.*row.member = sim::to_si(number, unit);
+    const double si = sim::to_si(number, unit);
+    // Compared in the unit that was given, so that a bound itself always counts as inside.
+    const auto bound = [&](double field) {
+      return sim::to_field(sim::to_si(field, *sim::find_unit(row.unit)), unit);
+    };
+    if (!(number >= bound(row.lowest) && number <= bound(row.highest)))
+      throw BadInput(fmt::format("{}: {} = {} cannot be; {:g} to {:g}{}{} would be right", where,
+                                 key, number, bound(row.lowest), bound(row.highest),
+                                 unit.name.empty() ? "" : " ", unit.name));
+    specimen.*row.member = si;
     return;
   }
   unknown_key(where, key);
@@ -169,16 +176,16 @@ std::optional<NamedUnit> split_unit(std::string_view name) {
 
 const std::vector<SpecimenKey>& specimen_keys() {
   static const std::vector<SpecimenKey> keys{
-      {"height", "mm", &SpecimenInfo::height_m},
-      {"diameter", "mm", &SpecimenInfo::diameter_m},
-      {"void_ratio", "", &SpecimenInfo::void_ratio},
-      {"consolidated_void_ratio", "", &SpecimenInfo::consolidated_void_ratio},
-      {"consolidated_height", "mm", &SpecimenInfo::consolidated_height_m},
-      {"dry_mass", "g", &SpecimenInfo::dry_mass_kg},
-      {"specific_gravity", "", &SpecimenInfo::specific_gravity},
-      {"membrane_thickness", "mm", &SpecimenInfo::membrane_thickness_m},
-      {"membrane_modulus", "kPa", &SpecimenInfo::membrane_modulus_pa},
-      {"limit_friction_angle", "deg", &SpecimenInfo::limit_friction_angle_rad}};
+      {"height", "mm", &SpecimenInfo::height_m, 5, 3000},
+      {"diameter", "mm", &SpecimenInfo::diameter_m, 5, 3000},
+      {"void_ratio", "", &SpecimenInfo::void_ratio, 0.05, 20},
+      {"consolidated_void_ratio", "", &SpecimenInfo::consolidated_void_ratio, 0.05, 20},
+      {"consolidated_height", "mm", &SpecimenInfo::consolidated_height_m, 5, 3000},
+      {"dry_mass", "g", &SpecimenInfo::dry_mass_kg, 0.1, 1e8},
+      {"specific_gravity", "", &SpecimenInfo::specific_gravity, 1, 10},
+      {"membrane_thickness", "mm", &SpecimenInfo::membrane_thickness_m, 1e-3, 10},
+      {"membrane_modulus", "kPa", &SpecimenInfo::membrane_modulus_pa, 1, 1e7},
+      {"limit_friction_angle", "deg", &SpecimenInfo::limit_friction_angle_rad, 1, 89}};
   return keys;
 }
 
@@ -223,10 +230,14 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
   };
   if (const auto table = document.table("test")) take(*table, "test.");
   if (const auto table = document.table("specimen")) take(*table, "specimen.");
+  std::vector<std::int64_t> described;
   for (const TomlTable& table : document.tables("stages")) {
     const auto number = table.integer("number");
     if (!number || *number < 0 || *number > 1'000'000)
       throw BadInput(table.file(), table.line(), "[[stages]] needs number = 1, 2, ...");
+    if (std::ranges::find(described, *number) != described.end())
+      table.fail("number", fmt::format("stage {} is described twice; keep one", *number));
+    described.push_back(*number);
     const auto prefix = fmt::format("stages.{}.", *number);
     stage_of(header, static_cast<int>(*number));
     for (const auto& key : table.keys()) {
@@ -244,10 +255,7 @@ std::string metadata_toml(const RecordHeader& header) {
   append_text(out, "name", header.name);
   append_text(out, "origin", to_string(header.origin));
   append_text(out, "programme", header.programme);
-  // TOML's whole numbers are signed: a larger seed is written as text.
-  if (header.seed)
-    out += *header.seed >> 63 ? fmt::format("seed = \"{}\"\n", *header.seed)
-                              : fmt::format("seed = {}\n", *header.seed);
+  if (header.seed) out += fmt::format("seed = {}\n", *header.seed);
   out += "[specimen]\n";
   append_text(out, "material", header.specimen.material);
   for (const SpecimenKey& row : specimen_keys())

@@ -15,6 +15,8 @@ struct SpecimenKey {
   std::string_view name;  ///< "height"
   std::string_view unit;  ///< "mm"; "" for a plain number
   std::optional<double> SpecimenInfo::*member;
+  double lowest;   ///< that a specimen can have, in `unit`; inclusive
+  double highest;  ///< the same
 };
 const std::vector<SpecimenKey>& specimen_keys();
 

@@ -62,6 +62,9 @@ struct Warning {
   std::string text;
 };
 
+/// A seed passes through TOML and SQL, whose whole numbers are signed.
+inline constexpr std::uint64_t kLargestSeed = 9223372036854775807U;
+
 struct RecordHeader {
   std::string name;  ///< of the test; the file's stem if the record does not say
   Origin origin = Origin::recorded;

@@ -27,6 +27,27 @@ std::size_t slot_of(const PlannedColumn& column, std::size_t time, std::size_t s
   return index(column.quantity);
 }
 
+// What no triaxial apparatus measures, in the unit of the channel.
+double absurd_field_value(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::axial_displacement:
+      return 1e4;
+    case Quantity::axial_force:
+    case Quantity::cell_pressure:
+    case Quantity::back_pressure:
+    case Quantity::pore_pressure:
+      return 1e6;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
+
+double limit_of(const PlannedColumn& column) {
+  if (column.role != ColumnRole::quantity) return std::numeric_limits<double>::infinity();
+  return sim::to_si(absurd_field_value(column.quantity),
+                    *sim::find_unit(info(column.quantity).unit));
+}
+
 }  // namespace
 
 TableReader::TableReader(ByteSource& source, const TableLayout& layout, Findings& findings)
@@ -39,7 +60,7 @@ TableReader::TableReader(ByteSource& source, const TableLayout& layout, Findings
   values_.fill(kMissing);
   for (const PlannedColumn& column : layout.columns)
     plan_[column.cell] = {slot_of(column, kTime, kStageTime, kStage), column.scale, &column,
-                          "missing " + column.heading};
+                          "missing " + column.heading, limit_of(column)};
   std::string_view line;
   while (lines_.line_number() + 1 < layout.first_row_line)
     if (!lines_.next(line)) break;
@@ -86,6 +107,7 @@ bool TableReader::parse_fast(std::string_view line) {
     double value = 0;
     if (!parse_plain(at, end, value)) return false;
     values_[plan.slot] = value * plan.scale;
+    if (std::abs(values_[plan.slot]) > plan.limit) return false;  // said by parse_general
   }
   return at == end;
 }
@@ -181,6 +203,17 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
     throw BadInput(layout_.file, lines_.line_number(),
                    fmt::format("column {} holds {}: no instrument can have measured that{}",
                                excerpt(heading), excerpt(cell), remedy));
+  check_limit(cell, plan);
+}
+
+void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
+  if (!(std::abs(values_[plan.slot]) > plan.limit)) return;
+  const Quantity quantity = plan.column->quantity;
+  throw BadInput(layout_.file, lines_.line_number(),
+                 fmt::format("column {} holds {}, beyond {:g} {}: no apparatus measures that; "
+                             "check the unit of the column",
+                             excerpt(plan.column->heading), excerpt(cell),
+                             absurd_field_value(quantity), info(quantity).unit));
 }
 
 }  // namespace triax::lab

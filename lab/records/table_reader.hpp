@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,9 @@ class TableReader {
   TableReader(ByteSource& source, const TableLayout& layout, Findings& findings);
 
   /// The next row; false at the end. Throws BadInput "FILE:LINE: ..." on text in a number, a wrong
-  /// number of cells, an infinite value, a word for a missing value where the dialect has none, a
-  /// file that ends inside a row. Missing cells, lines
-  /// without values and an unclear last line are noted as findings.
+  /// number of cells, an infinite value, a raw channel beyond what any instrument measures, a word
+  /// for a missing value where the dialect has none, a file that ends inside a row. Missing cells,
+  /// lines without values and an unclear last line are noted as findings.
   bool next(Row& row);
 
   std::uint64_t position() const { return lines_.position(); }
@@ -42,11 +43,13 @@ class TableReader {
     std::size_t slot = kUnwanted;
     double scale = 1;
     const PlannedColumn* column = nullptr;
-    std::string missing;  // kind of finding
+    std::string missing;                                     // kind of finding
+    double limit = std::numeric_limits<double>::infinity();  // of the absolute value, in SI
   };
 
   bool parse_fast(std::string_view line);
   bool parse_general(std::string_view line);
+  void check_limit(std::string_view cell, const Plan& plan) const;
   void parse_number(std::string_view cell, const Plan& plan);
   void check_cell_count(std::string_view line);
   bool skipped(std::string_view line);

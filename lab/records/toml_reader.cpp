@@ -56,13 +56,42 @@ std::string wanted(const Bounds& bounds) {
   return text.empty() ? "finite" : text;
 }
 
+// One past the end of the string that starts at `i`; where it is not closed, at the end of its line
+// or of the text: the parser goes no further than that.
+std::size_t string_end(std::string_view text, std::size_t i) {
+  const char quote = text[i];
+  const bool many_lines = text.substr(i).starts_with(std::string(3, quote));
+  for (i += many_lines ? 3 : 1; i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (text[i] == '\n' && !many_lines) {
+      return i;
+    } else if (text[i] == quote) {
+      if (!many_lines) return i + 1;
+      // Up to two quotes may stand in front of the three that close.
+      const auto run = std::min(text.find_first_not_of(quote, i), text.size()) - i;
+      if (run >= 3) return i + std::min<std::size_t>(run, 5);
+      i += run - 1;
+    }
+  }
+  return text.size();
+}
+
 // Each dot of a dotted key is a table inside a table, and tables are taken apart by recursion.
 bool too_deep(std::string_view text) {
   constexpr int kMostDots = 200;
   int dots = 0;
-  for (const char c : text) {
-    if (c == '\n') dots = 0;
-    if (c == '.' && ++dots > kMostDots) return true;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      i = string_end(text, i);
+    } else if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else {
+      if (c == '\n') dots = 0;
+      if (c == '.' && ++dots > kMostDots) return true;
+      ++i;
+    }
   }
   return false;
 }
@@ -72,7 +101,8 @@ bool too_deep(std::string_view text) {
 TomlTable TomlTable::parse(std::string_view text, const std::string& file,
                            std::int64_t first_line) {
   if (too_deep(text))
-    throw BadInput(file, first_line, "this is no description: a line has more than 200 dots");
+    throw BadInput(file, first_line,
+                   "this is no description: a line has more than 200 dots outside texts");
   auto impl = std::make_shared<Impl>();
   impl->file = file;
   impl->line_offset = first_line - 1;

@@ -42,8 +42,8 @@ Command query_command() {
                           "Anything that is not the "
                           "name of one is taken as SQL. The database is opened so that SQLite "
                           "itself refuses to write.",
-                          "The views tests, readings, states, second_order_work, events and "
-                          "collapse_points carry units "
+                          "The table tests and the views readings, states, second_order_work, "
+                          "collapses and collapse_points all have the column test_id, and units "
                           "in the names of their columns."},
           .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
                            "there is no database yet, or --db names another file"},

@@ -39,7 +39,7 @@ void run(const Options& o) {
   else if (o.format == "html")
     write_file(output, html_report(tests));
   else
-    write_file(output, o.format == "json" ? json_report(tests) : text_report(tests));
+    write_file(output, o.format == "json" ? json_report(tests) : text_for_people(std::move(tests)));
   if (output != "-")
     print(fmt::format("{} of {} test{} written to {}\n", o.format, tests.size(),
                       tests.size() == 1 ? "" : "s", output));

@@ -4,9 +4,11 @@
 
 #include <CLI/Config.hpp>
 #include <cmath>
+#include <utility>
 
 #include "db/store.hpp"
 #include "src/output/output.hpp"
+#include "src/output/table.hpp"
 #include "src/report/json_report.hpp"
 #include "src/report/text_report.hpp"
 
@@ -38,12 +40,20 @@ void add_speed(CLI::App& app, double& speed) {
       ->type_name("max|N");
 }
 
+std::string text_for_people(std::vector<ReportedTest> tests) {
+  for (ReportedTest& test : tests) {
+    std::string& name = test.stored.header.name;
+    name = on_one_line(std::move(name));
+  }
+  return without_controls(text_report(tests));
+}
+
 void print_tests(const std::string& db, const std::vector<std::int64_t>& ids, bool json) {
   const db::Store store(db);
   std::vector<ReportedTest> tests;
   tests.reserve(ids.size());
   for (const auto id : ids) tests.push_back(load_reported_test(store, id, WithCurves::no));
-  print(json ? json_report(tests) : text_report(tests));
+  print(json ? json_report(tests) : text_for_people(std::move(tests)));
 }
 
 }  // namespace triax::src

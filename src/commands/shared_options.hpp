@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "src/report/reported_test.hpp"
+
 namespace triax::src {
 
 /// --db FILE, triax.db in the current folder by default.
@@ -15,6 +17,10 @@ void add_json(CLI::App& app, bool& json);
 
 /// --speed max|N: 0 in `speed` stands for max.
 void add_speed(CLI::App& app, double& speed);
+
+/// The text report without what would command a terminal or break a line: names come from files of
+/// others.
+std::string text_for_people(std::vector<ReportedTest> tests);
 
 /// Reads the named tests back from the database and prints them as text or JSON: the one way in
 /// which simulate, replay and report say what a test came to.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -50,9 +49,8 @@ std::string refusal_of_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const char* const end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, seed);
-  if (error == std::errc() && stopped == end) return {};
-  return fmt::format("'{}' is no whole number from 0 to {}", text,
-                     std::numeric_limits<std::uint64_t>::max());
+  if (error == std::errc() && stopped == end && seed <= lab::kLargestSeed) return {};
+  return fmt::format("'{}' is no whole number from 0 to {}", text, lab::kLargestSeed);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ void print(std::string_view text) {
 }
 
 void put(std::string_view text) {
+  if (text.empty()) return;  // fwrite must not be given the null of an empty view
   require(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 

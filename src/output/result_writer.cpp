@@ -30,13 +30,6 @@ std::string short_text(const db::Value& value) {
   return number && std::isfinite(*number) ? fmt::format("{:.6g}", *number) : exact_text(value);
 }
 
-/// A line break inside a cell would break the table.
-std::string on_one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return text;
-}
-
 class TableWriter : public ResultWriter {
  public:
   void columns(const std::vector<std::string>& names) override {
@@ -45,7 +38,7 @@ class TableWriter : public ResultWriter {
   void row(const std::vector<db::Value>& values) override {
     auto& cells = table_.rows.emplace_back();
     for (std::size_t i = 0; i < values.size(); ++i) {
-      cells.push_back(on_one_line(short_text(values[i])));
+      cells.push_back(short_text(values[i]));
       if (widths_.empty() && is_number(values[i])) table_.columns[i].align = Align::right;
     }
     if (!widths_.empty() || table_.rows.size() == kHeldBack) release();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace triax::src {
 namespace {
@@ -25,7 +26,23 @@ class Utf8Locale {
   locale_t locale_;
 };
 
+std::string blanked(std::string text, bool keep_line_breaks) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c == '\n' && keep_line_breaks) continue;
+    if (c < ' ' || c == 0x7f) text[i] = ' ';
+    // U+0080 to U+009F, among them a CSI that some terminals obey.
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : ' ');
+    if (c == 0xc2 && next >= 0x80 && next < 0xa0) text.replace(i, 2, " ");
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string on_one_line(std::string utf8) { return blanked(std::move(utf8), false); }
+
+std::string without_controls(std::string utf8) { return blanked(std::move(utf8), true); }
 
 std::size_t display_width(const std::string& utf8) {
   static const Utf8Locale kUtf8;
@@ -55,10 +72,11 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
                        const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t width = display_width(cells[i]);
+    const std::string cell = on_one_line(cells[i]);
+    const std::size_t width = display_width(cell);
     const std::string padding(width < widths[i] ? widths[i] - width : 0, ' ');
     if (i > 0) line += "  ";
-    line += columns[i].align == Align::right ? padding + cells[i] : cells[i] + padding;
+    line += columns[i].align == Align::right ? padding + cell : cell + padding;
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
@@ -66,10 +84,11 @@ std::string table_line(const std::vector<std::string>& cells, const std::vector<
 
 std::vector<std::size_t> column_widths(const Table& table) {
   std::vector<std::size_t> widths;
-  for (const auto& column : table.columns) widths.push_back(display_width(column.heading));
+  for (const auto& column : table.columns)
+    widths.push_back(display_width(on_one_line(column.heading)));
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], display_width(row[i]));
+      widths[i] = std::max(widths[i], display_width(on_one_line(row[i])));
   return widths;
 }
 

@@ -21,11 +21,18 @@ struct Table {
 /// Columns a terminal needs for UTF-8 text (combining marks none, wide characters two).
 std::size_t display_width(const std::string& utf8);
 
-/// One line of a table: cells padded to `widths`, two blanks between, no blanks at the end.
+/// Blanks in place of control characters (a line break would break a table, ESC command a
+/// terminal), also of those above ASCII.
+std::string on_one_line(std::string utf8);
+/// The same for a text of several lines, whose line breaks stay.
+std::string without_controls(std::string utf8);
+
+/// One line of a table: cells on_one_line(), padded to `widths`, two blanks between, no blanks at
+/// the end.
 std::string table_line(const std::vector<std::string>& cells, const std::vector<Column>& columns,
                        const std::vector<std::size_t>& widths);
 
-/// The width each column needs for its heading and rows.
+/// The width each column needs for its heading and rows, each on one line.
 std::vector<std::size_t> column_widths(const Table& table);
 
 /// Headings, a rule and the rows, each line ended.

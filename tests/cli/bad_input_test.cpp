@@ -115,3 +115,60 @@ TEST_CASE("wrong keys and programmes are named") {
   CHECK(programme.err.find("p.toml:") != std::string::npos);
   CHECK_FALSE(here.has("triax.db"));
 }
+
+TEST_CASE("of several records a bad head is told before the first has run") {
+  const Workplace here;
+  write(here / "good.csv", kHeadings + rows(40));
+  write(here / "bad.csv", "time_s,axial_strain\n0,abc\n");
+  write(here / "no_height.csv", kHeadings + rows(40));
+  const Outcome head = here.triax("replay good.csv bad.csv" + kSpecimen);
+  CHECK(head.status == 2);
+  CHECK(head.out.empty());
+  CHECK(here.triax("replay good.csv no_height.csv").status == 2);
+  CHECK_FALSE(here.has("triax.db"));
+}
+
+TEST_CASE("a record that turns bad on the way costs the finished ones neither place nor report") {
+  const Workplace here;
+  write(here / "good.csv", kHeadings + rows(40));
+  write(here / "late.csv", kHeadings + rows(40) + "40,abc,0.02,800,500,500,0\n");
+  const Outcome outcome = here.triax("replay good.csv late.csv good.csv" + kSpecimen);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err.rfind("triax: late.csv:42: ", 0) == 0);
+  CHECK(outcome.out.find("Test 1: good") != std::string::npos);
+  CHECK(here.triax("query \"SELECT test FROM tests\" --format csv").out == "test\r\ngood\r\n");
+}
+
+TEST_CASE("a wrong unit shows in the first cell that nothing can have measured") {
+  const Workplace here;
+  const std::string good = kHeadings + rows(40);
+  struct Absurd {
+    std::string row, says;
+  };
+  for (const Absurd& absurd : {Absurd{"40,20000,0.02,800,500,500,0\n", "axial_displacement_mm"},
+                               Absurd{"40,0.4,-2e6,800,500,500,0\n", "axial_force_kN"},
+                               Absurd{"40,0.4,0.02,8000000,500,500,0\n", "cell_pressure_kPa"}}) {
+    write(here / "bad.csv", good + absurd.row);
+    const Outcome outcome = here.triax("replay bad.csv" + kSpecimen);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.rfind("triax: bad.csv:42: column '" + absurd.says + "'", 0) == 0);
+    CHECK(outcome.err.find("check the unit") != std::string::npos);
+  }
+}
+
+TEST_CASE("specimens that cannot be are refused at the key") {
+  const Workplace here;
+  write(here / "good.csv", kHeadings + rows(40));
+  for (const char* set :
+       {"specimen.height_mm=1e300", "specimen.diameter_mm=4", "specimen.void_ratio=-1",
+        "specimen.void_ratio=21", "specimen.limit_friction_angle_deg=500",
+        "specimen.membrane_thickness_mm=11", "specimen.specific_gravity=0.5",
+        "specimen.dry_mass_g=1e30", "specimen.height_m=4"}) {
+    const Outcome outcome = here.triax(std::string("replay good.csv --set ") + set);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(set) != std::string::npos);
+    CHECK(outcome.err.find(" would be right") != std::string::npos);
+  }
+}

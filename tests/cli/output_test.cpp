@@ -35,7 +35,8 @@ TEST_CASE("output that cannot be written is status 1 and one line, never a signa
   const Replayed here;
   for (const std::string command :
        {"report", "report --format json", "report --format pdf --output -", "query tests",
-        "query tests --format csv", "query tests --format json", "query --list"}) {
+        "query tests --format csv", "query tests --format json", "query --list", "--help",
+        "--version", "replay --help"}) {
     INFO(command);
     CHECK(here.shell("$triax " + command + " >/dev/full 2>err") == 1);
     CHECK(content(here / "err").rfind("triax: cannot write to standard output: ", 0) == 0);
@@ -97,15 +98,18 @@ TEST_CASE("a table longer than what is held back for its widths goes on in the s
 TEST_CASE("a seed is a whole number that a seed can be") {
   const Workplace here;
   const std::string simulate = "simulate " + source("samples/programmes/icu_6.toml") + " --seed ";
-  for (const std::string seed : {"-1", "1.5", "7x", "18446744073709551616", "''"}) {
+  for (const std::string seed :
+       {"-1", "1.5", "7x", "9223372036854775808", "18446744073709551616", "''"}) {
     const Outcome outcome = here.triax(simulate + seed);
     INFO(seed << ": " << outcome.err);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("--seed") != std::string::npos);
   }
   CHECK_FALSE(here.has("triax.db"));
-  const json test = json::parse(here.triax(simulate + "18446744073709551615 --json").out)["test"];
-  CHECK(test["seed"].get<std::uint64_t>() == 18446744073709551615ULL);
+  const json test = json::parse(here.triax(simulate + "9223372036854775807 --json").out)["test"];
+  CHECK(test["seed"].get<std::uint64_t>() == 9223372036854775807ULL);
+  CHECK(here.triax("query \"SELECT seed FROM tests\" --format csv").out ==
+        "seed\r\n9223372036854775807\r\n");
 }
 
 TEST_CASE("several records give an array in their order, one gives an object") {
@@ -170,4 +174,34 @@ TEST_CASE("a simulation that is ended from outside leaves no half of its record"
     for (const auto& entry : std::filesystem::directory_iterator(here / ""))
       CHECK(entry.path().filename().string().rfind("x.csv", 0) != 0);
   }
+}
+
+TEST_CASE("names cannot command the terminal") {
+  const Workplace here;
+  write(here / "esc.csv", "# [test]\n# name = \"a\\u001B[31mb\\nc\\u009Bd\\u007Fe\"\n" + kRecord);
+  const Outcome replayed = here.triax("replay esc.csv");
+  REQUIRE(replayed.status == 0);
+  for (const std::string& text :
+       {replayed.out, here.triax("report").out, here.triax("query tests").out}) {
+    CHECK(text.find("a [31mb c d e") != std::string::npos);
+    for (const char c : text)
+      REQUIRE((c == '\n' || (static_cast<unsigned char>(c) >= ' ' && c != 127)));
+    CHECK(text.find("\xc2\x9b") == std::string::npos);
+  }
+  CHECK(json::parse(here.triax("report --format json").out)["test"]["name"] ==
+        "a\x1b[31mb\nc\xc2\x9b"
+        "d\x7f"
+        "e");
+  CHECK(here.triax("report $'x\\e[31m'").err.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("every table and view that the help names has the column test_id") {
+  const Replayed here;
+  for (const std::string view :
+       {"tests", "readings", "states", "second_order_work", "collapses", "collapse_points"}) {
+    INFO(view);
+    CHECK(here.triax("query \"SELECT test_id, test FROM " + view + "\"").status == 0);
+  }
+  CHECK(here.triax("query \"SELECT test_id, test FROM tests\" --format csv").out ==
+        "test_id,test\r\n1,tiny\r\n");
 }

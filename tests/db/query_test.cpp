@@ -146,7 +146,7 @@ TEST_CASE("SQLite itself refuses to write") {
   }
   CHECK_FALSE(std::filesystem::exists(folder.file("other.db")));
   CHECK(std::get<std::int64_t>(answer(path, "SELECT count(*) FROM scans")) == 100);
-  CHECK(std::get<std::int64_t>(answer(path, "PRAGMA user_version")) == 2);
+  CHECK(std::get<std::int64_t>(answer(path, "PRAGMA user_version")) == 3);
   CHECK(std::get<std::string>(answer(path, "PRAGMA integrity_check")) == "ok");
   CHECK(ask(path, "PRAGMA table_info(tests)").rows.size() == 15);
 }
@@ -169,4 +169,19 @@ TEST_CASE("a database that is missing says how one comes about, and is not made"
   CHECK_THROWS_WITH(ask(folder.file("none.db"), "tests"),
                     Contains("none.db") && Contains("triax replay"));
   CHECK(folder.is_empty());
+}
+
+TEST_CASE("a damaged database is failed work, not a bad question") {
+  TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  const auto page = std::get<std::int64_t>(
+      answer(path, "SELECT rootpage FROM sqlite_schema WHERE name = 'scans'"));
+  const auto size = std::get<std::int64_t>(answer(path, "PRAGMA page_size"));
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp((page - 1) * size);
+    file << std::string(static_cast<std::size_t>(size), '\xff');
+  }
+  CHECK_THROWS_AS(ask(path, "SELECT * FROM scans"), lab::WorkFailed);
+  CHECK_THROWS_AS(ask(path, "SELECT nothing FROM scans"), lab::BadInput);
 }

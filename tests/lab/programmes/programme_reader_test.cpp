@@ -53,8 +53,9 @@ noise_N = 0.3
 }
 
 TEST_CASE("absurd values are refused with file and line") {
-  CHECK_THAT(complaint("height_mm = 140.0", "height_mm = -140.0"),
-             Contains("p.toml:8: [specimen] height_mm: is -140, must be above 0 and at most 2000"));
+  CHECK_THAT(
+      complaint("height_mm = 140.0", "height_mm = -140.0"),
+      Contains("p.toml:8: [specimen] height_mm: is -140, must be at least 5 and at most 3000"));
   CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 0"), Contains("p.toml:10"));
   CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 2.98"), Contains("2.97"));
   CHECK_THAT(complaint("S28-general", "S28-genral"),
@@ -68,6 +69,20 @@ TEST_CASE("absurd values are refused with file and line") {
   CHECK_THAT(complaint("[rig]", "[rigg]"), Contains("[rig] is missing"));
   CHECK_THAT(complaint("back_pressure_kPa = 300.0", "back_pressure_kPa = 9e9"),
              Contains("p.toml:13"));
+}
+
+TEST_CASE("specimens and pressures that cannot be are refused at the key") {
+  for (const char* height : {"1e300", "4.9", "3001", "-140"})
+    CHECK_THAT(complaint("height_mm = 140.0", std::string("height_mm = ") + height),
+               Contains("p.toml:8") && Contains("height_mm"));
+  CHECK_THAT(complaint("diameter_mm = 70.0", "diameter_mm = 1e9"), Contains("p.toml:9"));
+  CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 21"),
+             Contains("p.toml:10") && Contains("at most 20"));
+  for (const char* table : {"cell_controller", "back_controller", "transducers.cell_pressure"})
+    CHECK_THAT(
+        complaint("back_pressure_kPa = 300.0", std::string("back_pressure_kPa = 300.0\n[rig.") +
+                                                   table + "]\nrange_kPa = 100001"),
+        Contains("p.toml:15") && Contains("at most 100000"));
 }
 
 TEST_CASE("a transducer's noise is not negative and its converter has a range") {
@@ -97,4 +112,7 @@ TEST_CASE("a user's own material stands beside the programme") {
                "material_file = \"../../lab/programmes/materials/sanisand.toml\"\nmaterial = "),
       "samples/programmes/p.toml");
   CHECK(p.material.parameters.hardening_factor == 1.224);
+  REQUIRE(p.files.size() == 2);
+  CHECK(p.files[0] == "samples/programmes/p.toml");
+  CHECK(p.files[1] == "samples/programmes/../../lab/programmes/materials/sanisand.toml");
 }

@@ -57,12 +57,12 @@ TEST_CASE("metadata written as TOML read back as the same values") {
   header.name = "a \"quoted\" name, mm³";
   header.origin = Origin::simulated;
   header.programme = "CSU";
-  header.seed = 0xFFFF'FFFF'FFFF'FFFFU;
+  header.seed = kLargestSeed;
   header.specimen.material = "Hostun S28";
-  double value = 0.1234567;
+  double factor = 1.1234567;
   for (const SpecimenKey& row : specimen_keys())
     header.specimen.*row.member =
-        triax::sim::to_si(value += 1.37, *triax::sim::find_unit(row.unit));
+        triax::sim::to_si(row.lowest * (factor += 0.137), *triax::sim::find_unit(row.unit));
   header.stages = {{1, "isotropic", StageRole::consolidation, Drainage::open, AxialControl::load},
                    {2, "", StageRole::shear, Drainage::closed, AxialControl::constant_q}};
   RecordHeader found;
@@ -103,4 +103,27 @@ TEST_CASE("names with units come apart") {
   CHECK_FALSE(split_unit("void_ratio"));
   CHECK_FALSE(split_unit("_kPa"));
   CHECK_FALSE(split_unit("x_"));
+}
+
+TEST_CASE("a stage that is described twice is refused at the second description") {
+  RecordHeader header;
+  std::optional<Truth> truth;
+  const auto text =
+      "[[stages]]\nnumber = 2\n[[stages]]\nnumber = 1\n[[stages]]\nname = \"b\"\nnumber = 2\n";
+  CHECK_THROWS_WITH(read_metadata(header, truth, TomlTable::parse(text, "m")),
+                    Catch::Matchers::Contains("m:7: ") && Catch::Matchers::Contains("twice"));
+}
+
+TEST_CASE("a specimen's bounds themselves are inside, in every unit; a large seed is refused") {
+  RecordHeader header;
+  for (const char* key : {"specimen.height_mm", "specimen.diameter_mm"})
+    for (const char* value : {"5", "3000"}) CHECK_NOTHROW(set_metadata(header, "m", key, value));
+  CHECK_NOTHROW(set_metadata(header, "m", "specimen.height_cm", "300"));
+  CHECK_THROWS_WITH(set_metadata(header, "m", "specimen.height_cm", "301"),
+                    Catch::Matchers::Contains("0.5 to 300 cm"));
+  CHECK_NOTHROW(set_metadata(header, "m", "specimen.limit_friction_angle_deg", "89"));
+  CHECK_NOTHROW(set_metadata(header, "m", "specimen.void_ratio", "0.05"));
+  CHECK_NOTHROW(set_metadata(header, "m", "test.seed", "9223372036854775807"));
+  CHECK_THROWS_WITH(set_metadata(header, "m", "test.seed", "9223372036854775808"),
+                    Catch::Matchers::Contains("9223372036854775807"));
 }

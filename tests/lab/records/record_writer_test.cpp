@@ -49,7 +49,7 @@ std::vector<Reading> random_readings(std::size_t count) {
     readings[i].stage = i < count / 2 ? 1 : 2;
     for (const QuantityInfo& row : quantities()) {
       if (random() % 10 == 0 && i > 0) continue;
-      const double value = std::ldexp(uniform(random), static_cast<int>(random() % 60) - 30);
+      const double value = std::ldexp(uniform(random), static_cast<int>(random() % 43) - 30);
       readings[i][row.quantity] = triax::sim::to_si(value, *triax::sim::find_unit(row.unit));
     }
   }

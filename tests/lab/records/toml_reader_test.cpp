@@ -92,3 +92,19 @@ TEST_CASE("quoted text reads back as it was") {
     CHECK(TomlTable::parse("k = " + toml_quoted(text), "a").text("k") == text);
   CHECK(TomlTable::parse("k = " + toml_quoted("mm\xB3"), "a").text("k") == "mm³");
 }
+
+TEST_CASE("dots in remarks and texts make nothing deep; those behind them count") {
+  const std::string dots(300, '.');
+  for (const std::string& text :
+       {"# " + dots, "a = \"" + dots + "\"", "a = '" + dots + "'", "a = \"\\\"" + dots + "\"",
+        "a = \"\"\"x\"\"" + dots + "\"\"\"\"\"", "a = \'\'\'" + dots + "\n#'" + dots + "\'\'\'"}) {
+    INFO(text);
+    CHECK_NOTHROW(TomlTable::parse(text, "a.toml"));
+  }
+  std::string deep = "b";
+  for (int i = 0; i < 300; ++i) deep += ".b";
+  for (const std::string before :
+       {"\"x\".", "'x'.", "x = '' # '\n", "x = \"\"\"\"\"\"\n", "x = \"\\\\\"\n"})
+    CHECK_THROWS_WITH(TomlTable::parse(before + deep + " = 1", "a.toml"),
+                      Catch::Matchers::Contains("dots"));
+}

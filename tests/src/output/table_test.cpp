@@ -18,3 +18,14 @@ TEST_CASE("columns line up, numbers at the right") {
         "a             1.5\n"
         "long one   100.25\n");
 }
+
+TEST_CASE("control characters become blanks, letters above ASCII stay") {
+  CHECK(on_one_line("a\n\x1b[31m\x7f\xc2\x9bz φ\xc2\xa0") == "a  [31m  z φ\xc2\xa0");
+  CHECK(without_controls("a\nb\tc\x1b") == "a\nb c ");
+  CHECK(on_one_line("\xc2") == "\xc2");
+}
+
+TEST_CASE("a table keeps its lines whatever its cells hold") {
+  const Table table{{{"a", Align::left}, {"b\n", Align::right}}, {{"x\ny", "1"}, {"\x1b", "10"}}};
+  CHECK(to_text(table) == "a    b\n---  --\nx y   1\n     10\n");
+}
