@@ -24,10 +24,8 @@ class ControlPeak {
   bool drained_ = false;
   bool load_controlled_ = false;
   bool held_q_ = false;
-  double q_top_ = 0;
-  std::optional<PathPoint>
-      top_;                  ///< where q was largest; held q: where it was last as good as that
-  double largest_loss_ = 0;  ///< share of q lost after a peak: the peak that cost most is kept
+  std::optional<PathPoint> top_;  ///< where |q| was largest
+  double largest_loss_ = 0;       ///< share of q lost after a peak: the peak that cost most is kept
   ChangePoint contraction_;
   std::optional<PathPoint> before_;
   double last_reading_ = -1;
