@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace triax::lab {
@@ -14,7 +15,7 @@ struct Pair {
   double (*ours)(const State&);
 };
 
-constexpr Pair kPairs[] = {
+constexpr auto kPairs = std::to_array<Pair>({
     {Quantity::deviator_stress, [](const State& s) { return s.q; }},
     {Quantity::mean_effective_stress, [](const State& s) { return s.p_eff; }},
     {Quantity::effective_axial_stress, [](const State& s) { return s.effective_stress.axial; }},
@@ -23,7 +24,7 @@ constexpr Pair kPairs[] = {
     {Quantity::volumetric_strain, [](const State& s) { return s.volumetric_strain; }},
     {Quantity::void_ratio, [](const State& s) { return s.void_ratio; }},
     {Quantity::current_area, [](const State& s) { return s.area_m2; }},
-};
+});
 
 }  // namespace
 

@@ -37,6 +37,6 @@ std::string summary_banner(const std::vector<ReportedTest>& tests);
 /// What the columns of the summary mean, one sentence each.
 std::vector<std::string> summary_notes();
 
-TestContent test_content(const ReportedTest& test);
+TestContent test_content(const ReportedTest& reported);
 
 }  // namespace triax::src
