@@ -148,8 +148,7 @@ TEST_CASE("a gap in volume or pore pressure is passed over, a record without u i
   });
   CHECK(gaps.kind == CollapseKind::flow);
   CHECK(std::abs(gaps.onset->reading - 600) <= 4);
-  const Collapse without =
-      judged([](int, State& s) { s.pore_pressure = kMissing; });
+  const Collapse without = judged([](int, State& s) { s.pore_pressure = kMissing; });
   CHECK(without.kind == CollapseKind::flow);
   CHECK(std::abs(without.onset->reading - 600) <= 3);
 }
