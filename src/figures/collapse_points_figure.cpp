@@ -51,6 +51,7 @@ std::vector<double> limits(const std::vector<ReportedTest>& tests) {
         m && std::isfinite(*m) && collapse_onset(test.stored))
       by_rounded.emplace(std::llround(*m * 100), *m);
   std::vector<double> values;
+  values.reserve(by_rounded.size());
   for (const auto& [rounded, m] : by_rounded) values.push_back(m);
   return values;
 }
@@ -125,9 +126,9 @@ Drawing collapse_points_figure(const std::vector<ReportedTest>& tests) {
   draw_points(*plot, points);
   return {
       std::move(plot),
-      fmt::format("Collapse points of {} tests and the one instability line that fits them best "
+      fmt::format("Collapse points of {} test{} and the one instability line that fits them best "
                   "(η = {:.2f}).",
-                  points.size(), *eta)};
+                  points.size(), points.size() == 1 ? "" : "s", *eta)};
 }
 
 }  // namespace triax::src

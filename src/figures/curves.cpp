@@ -21,8 +21,12 @@ constexpr std::size_t kLast = 1;
 constexpr std::size_t smallest(std::size_t quantity) { return 2 + 2 * quantity; }
 constexpr std::size_t largest(std::size_t quantity) { return 3 + 2 * quantity; }
 
-// Each bucket may keep ten points; below that many scans per bucket nothing is gained.
-constexpr std::int64_t kSmallestSpan = 10;
+// Beside its extremes each bucket keeps states at even steps: a collapse is steep but smooth, and
+// may fit into a bucket or two.
+constexpr std::int64_t kEvenSteps = 8;
+
+// With ten extremes and eight or nine steps, fewer scans per bucket than this gain nothing.
+constexpr std::int64_t kSmallestSpan = 20;
 
 }  // namespace
 
@@ -41,6 +45,7 @@ void CurveThinner::add(const lab::State& state) {
     if (value < kWatched[i](low) || std::isnan(kWatched[i](low))) low = state;
     if (value > kWatched[i](high) || std::isnan(kWatched[i](high))) high = state;
   }
+  if (span_ > 1 && in_bucket_ % (span_ / kEvenSteps) == 0) extremes_.push_back(state);
   if (++in_bucket_ == span_) close_bucket();
 }
 

@@ -13,12 +13,13 @@ struct Curves {
   std::vector<lab::SecondOrderWorkPoint> work;  ///< in order
 };
 
-/// Of each of this many equal spans of a test, the first and last state and the extremes of q, u
-/// and the axial strain are drawn.
+/// Of each of this many equal spans of a test, the first and last state, the extremes of q, p′, u
+/// and the axial strain and some states at even steps are kept for drawing.
 inline constexpr std::int64_t kCurveBuckets = 500;
 
-/// Keeps of each span of the test its first and last state and those with the smallest and largest
-/// q, pore pressure and axial strain; in constant memory but for what is kept.
+/// Keeps of each span of the test its first and last state, those with the smallest and largest q,
+/// p′, pore pressure and axial strain, and some at even steps, so that a collapse of few seconds is
+/// still a curve; in constant memory but for what is kept.
 class CurveThinner {
  public:
   /// `scans`: how many states will come; if there are few, all are kept.
@@ -32,7 +33,7 @@ class CurveThinner {
 
   std::int64_t span_;
   std::int64_t in_bucket_ = 0;
-  std::vector<lab::State> extremes_;  ///< first, last, then a smallest and a largest per quantity
+  std::vector<lab::State> extremes_;  ///< first, last, smallest and largest per quantity, steps
   std::vector<lab::State> kept_;
 };
 

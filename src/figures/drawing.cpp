@@ -88,7 +88,9 @@ std::string to_svg(const QCustomPlot& plot) {
   painter.setMode(QCPPainter::pmNoCaching);
   drawable(plot).toPainter(&painter, plot.width(), plot.height());
   painter.end();
-  const auto text = QString::fromUtf8(buffer.data());
+  auto text = QString::fromUtf8(buffer.data());
+  // Qt's own title would pop up over every figure.
+  text.remove(QRegularExpression("<(title|desc)>[^<]*</(title|desc)>\n"));
   return with_text_lengths(text.mid(text.indexOf("<svg"))).toStdString();
 }
 

@@ -7,6 +7,7 @@
 
 #include "src/figures/history_axis.hpp"
 #include "src/figures/plot_style.hpp"
+#include "src/figures/polyline.hpp"
 
 namespace triax::src {
 namespace {
@@ -66,16 +67,24 @@ void fill_panel(QCPAxisRect& rect, const Panel& panel, const ReportedTest& test,
                 const HistoryAxis& axis) {
   auto* graph = add_graph(rect, line(panel.colour, 1.6));
   RangeOf range, whole;
+  std::vector<QPointF> points;
   for (const auto& state : test.curves.states) {
     const double value = panel.value(state);
     whole.add(value);
     const auto at = axis.position(state.time_s, state.strain.axial);
     if (!at || !std::isfinite(value)) continue;
-    graph->addData(*at, value);
+    points.emplace_back(*at, value);
     range.add(value);
   }
   range.widen_to(kLeastPart * whole.width());
   rect.axis(QCPAxis::atLeft)->setRange(range.with_margin(0.08, false));
+
+  const QPointF scale(kWidth * axis.unit / (axis.end - axis.begin),
+                      kPanelHeight / rect.axis(QCPAxis::atLeft)->range().size());
+  auto pixels = points;
+  for (auto& point : pixels) point = {point.x() * scale.x(), point.y() * scale.y()};
+  for (const auto i : points_to_draw(pixels, kInvisible))
+    graph->addData(points[i].x(), points[i].y());
 }
 
 // Points of second-order work know their reading and time only; along the strain the strain of that

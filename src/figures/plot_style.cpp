@@ -59,7 +59,7 @@ void style_legend(QCPLegend& legend) {
   legend.setTextColor(kInk);
   legend.setBorderPen(Qt::NoPen);
   legend.setBrush(Qt::NoBrush);
-  legend.setIconSize(28, 12);
+  legend.setIconSize(28, 16);  // as high as a line of text, or descenders are cut
   legend.setRowSpacing(1);
   legend.setColumnSpacing(16);
 }

@@ -6,6 +6,7 @@
 
 #include "src/figures/plot_style.hpp"
 #include "src/figures/point_labels.hpp"
+#include "src/figures/polyline.hpp"
 #include "src/figures/stress_lines.hpp"
 
 namespace triax::src {
@@ -14,20 +15,22 @@ namespace {
 constexpr int kWidth = 620;
 constexpr int kHeight = 460;
 
-struct Path {
-  QVector<double> order, p_kPa, q_kPa;
-  void add(const lab::State& state) {
-    if (!std::isfinite(state.p_eff) || !std::isfinite(state.q)) return;
-    order.push_back(static_cast<double>(state.reading));
-    p_kPa.push_back(state.p_eff * 1e-3);
-    q_kPa.push_back(state.q * 1e-3);
-  }
-};
+using Path = std::vector<QPointF>;  // p′ and q in kPa
 
+void add(Path& path, const lab::State& state) {
+  if (std::isfinite(state.p_eff) && std::isfinite(state.q))
+    path.emplace_back(state.p_eff * 1e-3, state.q * 1e-3);
+}
+
+// The axes' ranges must be final.
 void draw_path(QCustomPlot& plot, const Path& path, const std::string& name, const QPen& pen) {
-  if (path.order.isEmpty()) return;
+  if (path.empty()) return;
+  auto pixels = path;
+  for (auto& point : pixels)
+    point = {point.x() * kWidth / plot.xAxis->range().size(),
+             point.y() * kHeight / plot.yAxis->range().size()};
   auto* curve = new QCPCurve(plot.xAxis, plot.yAxis);
-  curve->setData(path.order, path.p_kPa, path.q_kPa, true);
+  for (const auto i : points_to_draw(pixels, kInvisible)) curve->addData(path[i].x(), path[i].y());
   curve->setPen(pen);
   curve->setName(QString::fromStdString(name));
 }
@@ -56,11 +59,11 @@ Drawing stress_path_figure(const ReportedTest& test) {
   p_range.add(0);
   q_range.add(0);
   for (const auto& state : test.curves.states) {
-    (is_shear(test.stored.header, state.stage) ? shear : before).add(state);
+    add(is_shear(test.stored.header, state.stage) ? shear : before, state);
     p_range.add(state.p_eff * 1e-3);
     q_range.add(state.q * 1e-3);
   }
-  if (before.order.isEmpty() && shear.order.isEmpty()) return {};
+  if (before.empty() && shear.empty()) return {};
 
   auto plot = make_plot(kWidth, kHeight);
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
@@ -74,7 +77,7 @@ Drawing stress_path_figure(const ReportedTest& test) {
     draw_mohr_coulomb_line(*plot, *summary.collapse.limit_stress_ratio);
   if (eta) draw_instability_line(*plot, *eta);
   draw_path(*plot, before, "before shear", line(kGrey, 1.2));
-  draw_path(*plot, shear, before.order.isEmpty() ? "stress path" : "stress path in shear",
+  draw_path(*plot, shear, before.empty() ? "stress path" : "stress path in shear",
             line(kBlue, 1.8));
   std::vector<PointLabel> labels;
   if (eta) {
