@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 #include "lab/records/bad_input.hpp"
@@ -13,68 +16,82 @@
 namespace triax::lab {
 namespace {
 
-struct ParameterKey {
-  std::string_view key;
-  double sim::SanisandParameters::*member;
-  double scale = 1;
-};
+/// A law that is built on another material finds it among these.
+sim::MaterialFinder finder_in(const std::vector<MaterialSet>& sets) {
+  return [&sets](const std::string& name) { return find_material(name, sets).material; };
+}
 
-constexpr auto kKeys = std::to_array<ParameterKey>({
-    {"shear_modulus_factor", &sim::SanisandParameters::shear_modulus_factor},
-    {"poisson_ratio", &sim::SanisandParameters::poisson_ratio},
-    {"critical_stress_ratio", &sim::SanisandParameters::critical_stress_ratio},
-    {"extension_ratio", &sim::SanisandParameters::extension_ratio},
-    {"critical_void_ratio", &sim::SanisandParameters::critical_void_ratio},
-    {"critical_slope", &sim::SanisandParameters::critical_slope},
-    {"critical_exponent", &sim::SanisandParameters::critical_exponent},
-    {"yield_radius", &sim::SanisandParameters::yield_radius},
-    {"hardening_factor", &sim::SanisandParameters::hardening_factor},
-    {"hardening_void_ratio_factor", &sim::SanisandParameters::hardening_void_ratio_factor},
-    {"bounding_exponent", &sim::SanisandParameters::bounding_exponent},
-    {"dilatancy_factor", &sim::SanisandParameters::dilatancy_factor},
-    {"dilatancy_exponent", &sim::SanisandParameters::dilatancy_exponent},
-    {"fabric_limit", &sim::SanisandParameters::fabric_limit},
-    {"fabric_rate", &sim::SanisandParameters::fabric_rate},
-    {"atmospheric_pressure_kPa", &sim::SanisandParameters::atmospheric_pressure_pa, 1e3},
-});
-
-MaterialSet read_set(const TomlTable& table, const std::string& name) {
+MaterialSet read_set(const TomlTable& table, const sim::LawDescription& law,
+                     const std::string& name, const std::string& folder,
+                     const std::vector<MaterialSet>& others) {
   MaterialSet set;
-  set.name = name;
+  set.name = fmt::format("{}/{}", law.name, name);
+  set.law = &law;
   set.description = table.text("description").value_or("");
   set.source = table.text("source").value_or("");
   set.range = table.text("range").value_or("");
-  for (const ParameterKey& key : kKeys)
-    set.parameters.*key.member = key.scale * table.required_number(key.key);
+  set.parameters.folder = folder;
+  for (const auto& parameter : law.parameters) {
+    const std::string& key = parameter.key;
+    if (parameter.kind == sim::ParameterKind::number) {
+      if (const auto value = table.number(key)) set.parameters.numbers[key] = *value;
+    } else if (parameter.kind == sim::ParameterKind::text) {
+      if (const auto value = table.text(key)) set.parameters.texts[key] = *value;
+    } else if (const auto values = table.numbers(key); !values.empty()) {
+      set.parameters.lists[key] = values;
+    }
+  }
   table.finish();
   try {
-    const sim::Sanisand law(set.parameters);
+    set.material = set.law->make(set.parameters, finder_in(others));
   } catch (const std::invalid_argument& error) {
-    table.fail("", fmt::format("the set {}: {}", name, error.what()));
+    table.fail("", fmt::format("the set {}: {}", set.name, error.what()));
   }
   return set;
+}
+
+const sim::LawDescription& read_law(const TomlTable& root) {
+  const std::string name = root.required_text("law");
+  if (const auto* law = sim::find_law(name)) return *law;
+  std::vector<std::string> known;
+  for (const auto& law : sim::laws()) known.push_back(law.name);
+  root.fail("law", fmt::format("{} is no law; {}", excerpt(name), suggestion(name, known)));
+}
+
+std::vector<MaterialSet> read_file(std::string_view toml_text, const std::string& file,
+                                   const std::vector<MaterialSet>& others) {
+  const TomlTable root = TomlTable::parse(toml_text, file);
+  const sim::LawDescription& law = read_law(root);
+  const TomlTable sets = root.required_table("sets");
+  root.finish();
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  std::vector<MaterialSet> found;
+  for (const std::string& key : sets.keys())
+    found.push_back(read_set(sets.required_table(key), law, key, folder, others));
+  if (found.empty()) throw BadInput(file, 0, "holds no set; write [sets.NAME]");
+  return found;
+}
+
+/// In the order of the laws: one that stands on another comes after it.
+std::vector<MaterialSet> read_shipped() {
+  std::vector<MaterialSet> all;
+  for (const auto& law : sim::laws())
+    for (const EmbeddedFile& file : kShippedMaterials) {
+      if (file.name != law.name) continue;
+      auto sets = read_file(file.text, std::string(file.name) + ".toml", all);
+      std::ranges::move(sets, std::back_inserter(all));
+    }
+  return all;
 }
 
 }  // namespace
 
 std::vector<MaterialSet> read_materials(std::string_view toml_text, const std::string& file) {
-  const TomlTable root = TomlTable::parse(toml_text, file);
-  const std::string law = root.required_text("law");
-  if (law != "sanisand") root.fail("law", excerpt(law) + " is no law; known: sanisand");
-  const TomlTable sets = root.required_table("sets");
-  root.finish();
-  std::vector<MaterialSet> found;
-  for (const std::string& key : sets.keys())
-    found.push_back(read_set(sets.required_table(key), fmt::format("{}/{}", law, key)));
-  if (found.empty()) throw BadInput(file, 0, "holds no set; write [sets.NAME]");
-  return found;
+  return read_file(toml_text, file, shipped_materials());
 }
 
-std::vector<MaterialSet> shipped_materials() {
-  std::vector<MaterialSet> all;
-  for (const EmbeddedFile& file : kShippedMaterials)
-    for (MaterialSet& set : read_materials(file.text, std::string(file.name) + ".toml"))
-      all.push_back(std::move(set));
+const std::vector<MaterialSet>& shipped_materials() {
+  static const std::vector<MaterialSet> all = read_shipped();
   return all;
 }
 
@@ -89,6 +106,37 @@ MaterialSet find_material(std::string_view name, const std::vector<MaterialSet>&
 
 MaterialSet find_material(std::string_view name) {
   return find_material(name, shipped_materials());
+}
+
+MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
+                           const std::string& value) {
+  std::vector<std::string> known;
+  const sim::ParameterDescription* found = nullptr;
+  for (const auto& parameter : set.law->parameters) {
+    known.push_back(parameter.key);
+    if (parameter.key == key) found = &parameter;
+  }
+  if (found == nullptr)
+    throw BadInput(
+        fmt::format("{} has no parameter {}; {}", set.name, excerpt(key), suggestion(key, known)));
+  MaterialSet changed = set;
+  if (found->kind == sim::ParameterKind::text) {
+    changed.parameters.texts[key] = value;
+  } else {
+    double number = 0;
+    const char* const end = value.data() + value.size();
+    const auto [stopped, error] = std::from_chars(value.data(), end, number);
+    if (error != std::errc() || stopped != end || found->kind != sim::ParameterKind::number)
+      throw BadInput(fmt::format("{}={}: must be one number", key, excerpt(value)));
+    changed.parameters.numbers[key] = number;
+  }
+  changed.name += fmt::format(" ({} = {})", key, value);
+  try {
+    changed.material = changed.law->make(changed.parameters, finder_in(shipped_materials()));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(fmt::format("{}: {}", set.name, error.what()));
+  }
+  return changed;
 }
 
 }  // namespace triax::lab

@@ -50,9 +50,9 @@ void read_specimen(const TomlTable& table, Programme& programme) {
       1e3 * table.required_number("initial_effective_stress_kPa", {.at_least = 1, .at_most = 1e4});
   programme.specific_gravity = table.number("specific_gravity", {.at_least = 1, .at_most = 10});
   table.finish();
-  const sim::Sanisand law(programme.material.parameters);
-  if (const auto objection = law.objection(
-          sim::Sanisand::isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
+  const auto& law = *programme.material.material.axisymmetric;
+  if (const auto objection =
+          law.objection(law.isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
     table.fail("void_ratio", *objection);
 }
 

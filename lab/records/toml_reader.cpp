@@ -194,6 +194,21 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
   return out;
 }
 
+std::vector<double> TomlTable::numbers(std::string_view key) const {
+  const auto* node = impl_->ask(key);
+  if (!node) return {};
+  const auto* array = node->as_array();
+  if (!array) fail(key, "a list of numbers is wanted");
+  std::vector<double> out;
+  for (const auto& item : *array) {
+    const auto number = item.value<double>();
+    if (!item.is_number() || !number || !std::isfinite(*number))
+      fail(key, "a list of finite numbers is wanted");
+    out.push_back(*number);
+  }
+  return out;
+}
+
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;

@@ -42,6 +42,8 @@ class TomlTable {
   std::optional<std::string> scalar(std::string_view key) const;
   /// A string or an array of strings.
   std::vector<std::string> texts(std::string_view key) const;
+  /// An array of finite numbers.
+  std::vector<double> numbers(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   /// [[key]]
   std::vector<TomlTable> tables(std::string_view key) const;

@@ -19,8 +19,8 @@ void TruthWatch::open(const Middle& now, double height_at_shear_m) {
   truth_.lost_sustainability = true;
   truth_.time_s = time_s;
   truth_.axial_strain = 1 - at(in.before.height_m, in.after.height_m) / height_at_shear_m;
-  truth_.q_pa = at(in.before.material.q, in.after.material.q);
-  truth_.p_eff_pa = at(in.before.material.p, in.after.material.p);
+  truth_.q_pa = at(in.before.material.q(), in.after.material.q());
+  truth_.p_eff_pa = at(in.before.material.p(), in.after.material.p());
   truth_.pore_pressure_pa = at(in.before.pore_pressure, in.after.pore_pressure);
 }
 

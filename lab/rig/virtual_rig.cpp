@@ -42,8 +42,8 @@ RecordHeader make_header(const Programme& programme, std::uint64_t seed) {
   h.specimen.void_ratio = programme.void_ratio;
   h.specimen.specific_gravity = programme.specific_gravity;
   h.specimen.material = programme.material.name;
-  h.specimen.limit_friction_angle_rad =
-      sim::mobilised_friction_angle(programme.material.parameters.critical_stress_ratio);
+  if (const auto limit = programme.material.material.axisymmetric->limit_stress_ratio())
+    h.specimen.limit_friction_angle_rad = sim::mobilised_friction_angle(*limit);
   int number = 1;
   for (const Stage& stage : programme.stages)
     h.stages.push_back({number++, stage.name, stage.role,
@@ -55,7 +55,7 @@ RecordHeader make_header(const Programme& programme, std::uint64_t seed) {
 
 sim::Specimen make_specimen(const Programme& programme) {
   try {
-    return {sim::Sanisand(programme.material.parameters), programme.specimen, programme.void_ratio,
+    return {programme.material.material.axisymmetric, programme.specimen, programme.void_ratio,
             programme.initial_effective_stress_pa, programme.initial_back_pressure_pa};
   } catch (const std::invalid_argument& error) {
     throw BadInput(programme.source, 0, error.what());
@@ -115,7 +115,7 @@ struct VirtualRig::Impl {
 void VirtualRig::Impl::begin_stage() {
   stage_start = std::max<std::int64_t>(number, 0);
   force_at_stage_start = specimen.axial_force(state);
-  held_q = stage().held_q_pa.value_or(state.material.q);
+  held_q = stage().held_q_pa.value_or(state.material.q());
   if (stage().role == StageRole::shear && !shear_height) {
     shear_height = state.height_m;
     shear_volume = specimen.volume_m3(state);
@@ -138,11 +138,11 @@ double VirtualRig::Impl::value_of(EndQuantity quantity) const {
     case EndQuantity::pore_pressure_lag:
       return std::abs(state.pore_pressure - back_pressure);
     case EndQuantity::deviator_stress:
-      return state.material.q;
+      return state.material.q();
     case EndQuantity::mean_effective_stress:
-      return state.material.p;
+      return state.material.p();
     case EndQuantity::stress_ratio:
-      return state.material.q / state.material.p;
+      return state.material.q() / state.material.p();
     case EndQuantity::axial_strain:
       return 1 - state.height_m / height_0;
     case EndQuantity::volumetric_strain:
@@ -187,7 +187,7 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
   if (stage().axial == AxialAction::free) {
     boundary.axial = sim::SpecimenBoundary::Axial::deviator_stress;
     // What an earlier stage left on the piston comes off within this tick.
-    boundary.axial_rate = -state.material.q / dt_s;
+    boundary.axial_rate = -state.material.q() / dt_s;
   } else if (stage().axial == AxialAction::displacement) {
     boundary.axial_rate = stage().axial_rate_m_per_s;
   } else {
@@ -210,8 +210,8 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
     warn(
         fmt::format("stage \"{}\" ended at {:.6g} s: the specimen does not allow what was asked "
                     "(q = {:.4g} kPa, p' = {:.4g} kPa)",
-                    stage().name, time_s + step.done_s, step.state.material.q / 1e3,
-                    step.state.material.p / 1e3));
+                    stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
+                    step.state.material.p() / 1e3));
     return false;
   }
   state = step.state;

@@ -1,12 +1,12 @@
 #include "sim/materials/sanisand.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace triax::sim {
 namespace {
+
+const double kRoot = std::sqrt(2.0 / 3);
 
 std::string number(double value) {
   std::array<char, 32> text{};
@@ -14,51 +14,91 @@ std::string number(double value) {
   return text.data();
 }
 
-void require(bool ok, const char* name, double found, const char* wanted) {
-  if (!ok || !std::isfinite(found))
-    throw std::invalid_argument(std::string(name) + " is " + number(found) + ", must be " + wanted);
-}
-
 }  // namespace
 
-Sanisand::Sanisand(const SanisandParameters& p) : parameters_(p) {
-  require(p.shear_modulus_factor > 0, "shear_modulus_factor", p.shear_modulus_factor, "above 0");
-  require(p.poisson_ratio > -1 && p.poisson_ratio < 0.5, "poisson_ratio", p.poisson_ratio,
-          "between -1 and 0.5");
-  require(p.critical_stress_ratio > 0 && p.critical_stress_ratio < 3, "critical_stress_ratio",
-          p.critical_stress_ratio, "between 0 and 3");
-  require(p.extension_ratio > 0 && p.extension_ratio <= 1, "extension_ratio", p.extension_ratio,
-          "above 0 and at most 1");
-  require(p.critical_void_ratio > 0, "critical_void_ratio", p.critical_void_ratio, "above 0");
-  require(p.critical_slope >= 0, "critical_slope", p.critical_slope, "0 or more");
-  require(p.critical_exponent > 0, "critical_exponent", p.critical_exponent, "above 0");
-  require(p.yield_radius > 0 && p.yield_radius < 0.2, "yield_radius", p.yield_radius,
-          "between 0 and 0.2");
-  require(p.hardening_factor > 0, "hardening_factor", p.hardening_factor, "above 0");
-  require(p.hardening_void_ratio_factor >= 0, "hardening_void_ratio_factor",
-          p.hardening_void_ratio_factor, "0 or more");
-  require(p.bounding_exponent >= 0, "bounding_exponent", p.bounding_exponent, "0 or more");
-  require(p.dilatancy_factor >= 0, "dilatancy_factor", p.dilatancy_factor, "0 or more");
-  require(p.dilatancy_exponent >= 0, "dilatancy_exponent", p.dilatancy_exponent, "0 or more");
-  require(p.fabric_limit >= 0, "fabric_limit", p.fabric_limit, "0 or more");
-  require(p.fabric_rate >= 0, "fabric_rate", p.fabric_rate, "0 or more");
-  require(p.atmospheric_pressure_pa > 0, "atmospheric_pressure", p.atmospheric_pressure_pa,
-          "above 0");
+const ParameterTable<SanisandParameters>& sanisand_table() {
+  using P = SanisandParameters;
+  static const ParameterTable<P> table = {
+      {{"shear_modulus_factor", "G0", "", "shear modulus", {.above = 0}}, &P::shear_modulus_factor},
+      {{"poisson_ratio", "ν", "", "Poisson's ratio", {.above = -1, .below = 0.5}},
+       &P::poisson_ratio},
+      {{"critical_stress_ratio",
+        "M",
+        "",
+        "q/p' at critical state, compression",
+        {.above = 0, .below = 3}},
+       &P::critical_stress_ratio},
+      {{"extension_ratio", "c", "", "M in extension over M", {.above = 0, .at_most = 1}},
+       &P::extension_ratio},
+      {{"critical_void_ratio", "e0", "", "critical void ratio at p' = 0", {.above = 0}},
+       &P::critical_void_ratio},
+      {{"critical_slope", "λ", "", "slope of the critical state line", {.at_least = 0}},
+       &P::critical_slope},
+      {{"critical_exponent", "ξ", "", "its exponent", {.above = 0}}, &P::critical_exponent},
+      {{"yield_radius", "m", "", "radius of the yield surface", {.above = 0, .below = 0.2}},
+       &P::yield_radius},
+      {{"hardening_factor", "h0", "", "plastic modulus", {.above = 0}}, &P::hardening_factor},
+      {{"hardening_void_ratio_factor", "c_h", "", "its fall with the void ratio", {.at_least = 0}},
+       &P::hardening_void_ratio_factor},
+      {{"bounding_exponent", "n_b", "", "bounding line with the state parameter", {.at_least = 0}},
+       &P::bounding_exponent},
+      {{"dilatancy_factor", "A0", "", "dilatancy", {.at_least = 0}}, &P::dilatancy_factor},
+      {{"dilatancy_exponent",
+        "n_d",
+        "",
+        "dilatancy line with the state parameter",
+        {.at_least = 0}},
+       &P::dilatancy_exponent},
+      {{"fabric_limit", "z_max", "", "limit of the fabric tensor", {.at_least = 0}},
+       &P::fabric_limit},
+      {{"fabric_rate", "c_z", "", "its growth with dilation", {.at_least = 0}}, &P::fabric_rate},
+      {{"atmospheric_pressure_kPa", "p_at", "kPa", "reference pressure", {.above = 0}},
+       &P::atmospheric_pressure_pa}};
+  return table;
 }
 
-SanisandState Sanisand::isotropic(double p_pa, double void_ratio) {
-  State state;
-  state.p = p_pa;
-  state.void_ratio = void_ratio;
+LawDescription sanisand_law() {
+  return describe<Sanisand>("sanisand", "SANISAND 2004, bounding surface plasticity with fabric",
+                            "Dafalias and Manzari (2004), J. Eng. Mech. 130:622", sanisand_table());
+}
+
+template <class Space>
+Sanisand<Space>::Sanisand(const SanisandParameters& p) : parameters_(p) {
+  check_parameters(p, sanisand_table());
+}
+
+template <class Space>
+PointState<Space> Sanisand<Space>::start(const Vector<Space>& stress, double void_ratio) const {
+  State state{stress, void_ratio, Memory::Zero(3 * kSize)};
+  // Consolidated under this stress: the yield surface stands around it.
+  const Vector<Space> ratio = deviator<Space>(stress) / mean_stress<Space>(stress);
+  if (ratio.norm() > kRoot * parameters_.yield_radius)
+    state.memory.template segment<kSize>(0) =
+        ratio * (1 - kRoot * parameters_.yield_radius / ratio.norm());
   return state;
 }
 
-std::optional<std::string> Sanisand::objection(const State& state) const {
-  if (!std::isfinite(state.p + state.q + state.void_ratio + state.alpha + state.fabric))
-    return "the state is not finite";
-  if (state.p <= 0) return "p' is " + number(state.p / 1e3) + " kPa, must be above 0";
-  if (state.void_ratio <= 0)
-    return "the void ratio is " + number(state.void_ratio) + ", must be above 0";
+template <class Space>
+std::vector<std::string> Sanisand<Space>::memory_names() const {
+  std::vector<std::string> names;
+  for (const char* part : {"alpha", "alpha_in", "fabric"})
+    for (int i = 0; i < kSize; ++i) {
+      static constexpr std::array<const char*, 6> kTensor{"11", "22", "33", "12", "13", "23"};
+      static constexpr std::array<const char*, 2> kTriaxial{"axial", "radial"};
+      const auto u = static_cast<std::size_t>(i);
+      names.push_back(std::string(part) + "_" + (kSize == 2 ? kTriaxial[u % 2] : kTensor[u]));
+    }
+  return names;
+}
+
+template <class Space>
+double Sanisand<Space>::memory_scale(int entry) const {
+  return entry < 2 * kSize ? 1 : 1 + parameters_.fabric_limit;
+}
+
+template <class Space>
+std::optional<std::string> Sanisand<Space>::objection(const State& state) const {
+  if (auto general = Law<Space>::objection(state)) return general;
   if (state.void_ratio >= 2.97)
     return "the void ratio is " + number(state.void_ratio) + ", must be below 2.97";
   const double c_h = parameters_.hardening_void_ratio_factor;
@@ -69,94 +109,100 @@ std::optional<std::string> Sanisand::objection(const State& state) const {
   return std::nullopt;
 }
 
-double Sanisand::shear_modulus(const State& state) const {
+template <class Space>
+double Sanisand<Space>::shear_modulus(const State& state) const {
   const double gap = 2.97 - state.void_ratio;
   return parameters_.shear_modulus_factor * gap * gap / (1 + state.void_ratio) *
-         std::sqrt(state.p * parameters_.atmospheric_pressure_pa);
+         std::sqrt(state.p() * parameters_.atmospheric_pressure_pa);
 }
 
-double Sanisand::bulk_modulus(const State& state) const {
+template <class Space>
+double Sanisand<Space>::bulk_modulus(const State& state) const {
   const double nu = parameters_.poisson_ratio;
   return 2 * (1 + nu) / (3 * (1 - 2 * nu)) * shear_modulus(state);
 }
 
-double Sanisand::state_parameter(const State& state) const {
-  const double ratio = state.p / parameters_.atmospheric_pressure_pa;
+template <class Space>
+double Sanisand<Space>::state_parameter(const State& state) const {
+  const double ratio = state.p() / parameters_.atmospheric_pressure_pa;
   return state.void_ratio - parameters_.critical_void_ratio +
          parameters_.critical_slope * std::pow(ratio, parameters_.critical_exponent);
 }
 
-double Sanisand::yield_distance(const State& state) const {
-  return std::abs(state.q / state.p - state.alpha) - parameters_.yield_radius;
+template <class Space>
+double Sanisand<Space>::yield_distance(const State& state, int) const {
+  const Vector<Space> from_axis = deviator<Space>(state.stress) / state.p() - alpha(state);
+  return from_axis.norm() - kRoot * parameters_.yield_radius;
 }
 
-bool Sanisand::on_yield(const State& state) const {
-  return yield_distance(state) >= -1e-9 * parameters_.yield_radius;
+template <class Space>
+void Sanisand<Space>::settle(State& state, unsigned on_yield) const {
+  if (on_yield == 0) return;
+  const Vector<Space> ratio = deviator<Space>(state.stress) / state.p();
+  const Vector<Space> n = (ratio - alpha(state)).normalized();
+  state.memory.template segment<kSize>(0) = ratio - kRoot * parameters_.yield_radius * n;
+  if ((alpha(state) - alpha_in(state)).dot(n) < 0)
+    state.memory.template segment<kSize>(kSize) = alpha(state);
 }
 
-SanisandState Sanisand::at_yield(State state) const {
-  const double s = side(state);
-  state.alpha = state.q / state.p - s * parameters_.yield_radius;
-  if (s * (state.alpha - state.alpha_in) < 0) state.alpha_in = state.alpha;
-  return state;
-}
-
-double Sanisand::contraction_fade(double p) const {
+template <class Space>
+double Sanisand<Space>::contraction_fade(double p) const {
   const double x = p / (0.02 * parameters_.atmospheric_pressure_pa);
   return x < 1 ? x * x * (3 - 2 * x) : 1;
 }
 
-ElastoplasticTangent Sanisand::tangent(const State& state) const {
+template <class Space>
+typename Sanisand<Space>::Loading Sanisand<Space>::loading(const State& state) const {
   const auto& par = parameters_;
-  const double s = side(state);
-  const double eta = state.q / state.p;
+  const double p = state.p();
+  Loading l;
+  const Vector<Space> ratio = deviator<Space>(state.stress) / p;
+  const Vector<Space> a = alpha(state);
+  l.n = ratio - a;
+  const double size = l.n.norm();
+  if (size > 0) l.n /= size;
+  const Vector<Space> n2 = square<Space>(l.n);
+  const double cosine = std::clamp(std::sqrt(6.0) * n2.dot(l.n), -1.0, 1.0);
+  const double c = par.extension_ratio;
+  const double g = 2 * c / ((1 + c) - (1 - c) * cosine);
   const double psi = state_parameter(state);
-  const double limit = par.critical_stress_ratio * (s > 0 ? 1 : par.extension_ratio);
-  const double bounding = limit * std::exp(-par.bounding_exponent * psi);
-  const double dilatancy_line = limit * std::exp(par.dilatancy_exponent * psi);
-  double dilatancy =
-      par.dilatancy_factor * (1 + std::max(0.0, s * state.fabric)) * (dilatancy_line - s * eta);
-  if (dilatancy > 0) dilatancy *= contraction_fade(state.p);
-
-  const double shear = shear_modulus(state);
-  const double nu = par.poisson_ratio;
-  ElastoplasticTangent t;
-  t.elastic << 2 * (1 + nu) / (3 * (1 - 2 * nu)) * shear, 0, 0, 3 * shear;
-  // H is multiplied by the distance since the last reversal, and r with it: both stay finite.
-  const double distance = std::abs(state.alpha - state.alpha_in);
-  t.flow << distance * dilatancy, distance * s;
-  t.normal << -s * eta, s;
-  t.hardening = state.p * par.shear_modulus_factor * par.hardening_factor *
+  const double along = a.dot(l.n);
+  const double limit = g * par.critical_stress_ratio;
+  l.bounding = kRoot * (limit * std::exp(-par.bounding_exponent * psi) - par.yield_radius);
+  const double dilatancy_line =
+      kRoot * (limit * std::exp(par.dilatancy_exponent * psi) - par.yield_radius);
+  l.dilatancy =
+      par.dilatancy_factor * (1 + std::max(0.0, fabric(state).dot(l.n))) * (dilatancy_line - along);
+  if (l.dilatancy > 0) l.dilatancy *= contraction_fade(p);
+  const double b = 1 + 1.5 * (1 - c) / c * g * cosine;
+  const double cc = 3 * std::sqrt(1.5) * (1 - c) / c * g;
+  l.direction = b * l.n - cc * n2 + ((cc + l.dilatancy) / 3) * identity<Space>();
+  l.normal = l.n - (l.n.dot(ratio) / 3) * identity<Space>();
+  l.stiffness = par.shear_modulus_factor * par.hardening_factor *
                 (1 - par.hardening_void_ratio_factor * state.void_ratio) /
-                std::sqrt(state.p / par.atmospheric_pressure_pa) * (bounding - s * eta);
-  return t;
+                std::sqrt(p / par.atmospheric_pressure_pa);
+  l.distance = std::max(0.0, along - alpha_in(state).dot(l.n));
+  return l;
 }
 
-SanisandRate Sanisand::rate(const State& state, const Eigen::Vector2d& stress,
-                            const Eigen::Vector2d& strain,
-                            const Eigen::Vector2d& plastic_strain) const {
-  Rate r;
-  r.stress = stress;
-  r.void_ratio = -(1 + state.void_ratio) * strain(0);
-  r.fabric = -parameters_.fabric_rate * std::max(0.0, -plastic_strain(0)) *
-             (side(state) * parameters_.fabric_limit + state.fabric);
-  return r;
+template <class Space>
+void Sanisand<Space>::response(const State& state, Response<Space>& out) const {
+  StiffnessForm<Space>& form = stiffness_form(out);
+  form.stiffness = isotropic_stiffness<Space>(bulk_modulus(state), shear_modulus(state));
+  const Loading l = loading(state);
+  // K_p is multiplied by the distance since the last reversal, and the flow with it: both stay
+  // finite, λ = L/distance.
+  form.add_plastic(l.distance * l.direction, l.normal,
+                   2.0 / 3 * state.p() * l.stiffness * (l.bounding - alpha(state).dot(l.n)));
+  Memory& slope = form.memory_slope[0];
+  slope.setZero(3 * kSize);
+  slope.template segment<kSize>(0) = 2.0 / 3 * l.stiffness * (l.bounding * l.n - alpha(state));
+  if (l.dilatancy < 0)
+    slope.template segment<kSize>(2 * kSize) = parameters_.fabric_rate * l.distance * l.dilatancy *
+                                               (parameters_.fabric_limit * l.n + fabric(state));
 }
 
-SanisandState Sanisand::moved(State from, const Rate& rate, bool plastic) const {
-  const double s = side(from);
-  from.p += rate.stress(0);
-  from.q += rate.stress(1);
-  from.void_ratio += rate.void_ratio;
-  from.fabric += rate.fabric;
-  if (plastic) from.alpha = from.q / from.p - s * parameters_.yield_radius;
-  return from;
-}
-
-double Sanisand::error_measure(const Rate& error, const State& at) const {
-  const double scale = at.p + 1e-6 * parameters_.atmospheric_pressure_pa;
-  return std::max({error.stress.cwiseAbs().maxCoeff() / scale, std::abs(error.void_ratio),
-                   std::abs(error.fabric) / (1 + parameters_.fabric_limit)});
-}
+template class Sanisand<Axisymmetric>;
+template class Sanisand<Tensor>;
 
 }  // namespace triax::sim

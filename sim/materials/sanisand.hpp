@@ -1,23 +1,26 @@
 #pragma once
-// SANISAND 2004 (Dafalias and Manzari 2004) in its triaxial form, compression and extension.
+// SANISAND 2004 (Dafalias and Manzari 2004), multiaxial with fabric; in axisymmetry the same
+// equations reduce to the triaxial form, compression and extension.
 //
 //   G = G₀ p_at (2.97 − e)²/(1 + e) √(p/p_at)      K = 2(1 + ν)/(3(1 − 2ν)) G
 //   ψ = e − e_c,  e_c = e₀ − λ (p/p_at)^ξ
-//   yield |η − α| = m;  s = +1 on the compression side, −1 on the extension side
-//   M_b = M_s exp(−n_b ψ),  M_d = M_s exp(n_d ψ),  M_s = M or cM
-//   dε_q^p = s L,  s dη = H L,  H = h (M_b − sη),  h = G₀ h₀ (1 − c_h e)/(√(p/p_at) |α − α_in|)
-//   dε_v^p = D L,  D = A₀ (1 + ⟨s z⟩)(M_d − sη)
-//   dz = −c_z ⟨−dε_v^p⟩ (s z_max + z);  α_in = α where s (α − α_in) < 0
+//   yield |s − pα| = √(2/3) m p;  r = s/p,  n = (r − α)/(√(2/3) m)
+//   cos 3θ = √6 tr n³,  g = 2c/((1 + c) − (1 − c) cos 3θ)
+//   α^b:n = √(2/3)(g M e^(−n_b ψ) − m),  α^d:n = √(2/3)(g M e^(n_d ψ) − m)
+//   dε^p = L (R′ + D δ/3),  R′ = B n − C (n² − δ/3),
+//     B = 1 + 3(1 − c)/(2c) g cos 3θ,  C = 3√(3/2) (1 − c)/c g,
+//     D = A₀ (1 + ⟨z:n⟩)(α^d − α):n
+//   dα = L ⅔ h (α^b − α),  K_p = ⅔ p h (α^b − α):n,
+//     h = G₀ h₀ (1 − c_h e)/(√(p/p_at) (α − α_in):n)
+//   dz = −c_z ⟨−L D⟩ (z_max n + z);  α_in = α where (α − α_in):n < 0
 //
 // p is p′ (Pa), compression positive; no other stress enters. Two bounds of the law are handled
 // openly: it has no meaning where 1 − c_h e ≤ 0 (such states are refused), and its contraction
 // fades below p′ = 0.02 p_at as x²(3 − 2x), x = p′/(0.02 p_at), since K ~ √p′ would otherwise carry
 // a liquefying specimen to p′ = 0 at a finite strain.
-#include <Eigen/Core>
-#include <optional>
-#include <string>
-
-#include "sim/materials/elastoplastic_tangent.hpp"
+//
+// Memory: α, α_in, z, each with the components of the space.
+#include "sim/materials/parameters.hpp"
 
 namespace triax::sim {
 
@@ -40,82 +43,62 @@ struct SanisandParameters {
   double atmospheric_pressure_pa = 0;      ///< p_at
 };
 
-struct SanisandState {
-  double p = 0;  ///< p′, Pa, > 0
-  double q = 0;  ///< Pa
-  double void_ratio = 0;
-  double alpha = 0;     ///< axis of the elastic wedge in stress ratio
-  double alpha_in = 0;  ///< α at the last reversal of loading
-  double fabric = 0;    ///< z
-};
+/// Key, symbol, unit and range of each parameter.
+const ParameterTable<SanisandParameters>& sanisand_table();
+LawDescription sanisand_law();
 
-/// What changes per unit of progress; integrated by the point driver.
-struct SanisandRate {
-  Eigen::Vector2d stress = Eigen::Vector2d::Zero();  ///< (dp′, dq)
-  double void_ratio = 0;
-  double fabric = 0;
-};
-
-class Sanisand {
+template <class Space>
+class Sanisand : public Law<Space> {
  public:
-  using State = SanisandState;
-  using Rate = SanisandRate;
+  using State = PointState<Space>;
 
   /// Throws std::invalid_argument (parameter, value found, what would be right).
   explicit Sanisand(const SanisandParameters& parameters);
 
   const SanisandParameters& parameters() const { return parameters_; }
 
-  /// State after isotropic consolidation, without memory of shear. Pre-condition: admissible.
-  static State isotropic(double p_pa, double void_ratio);
-
-  /// Why the law has no meaning at this state; empty where it has one.
-  std::optional<std::string> objection(const State& state) const;
+  State start(const Vector<Space>& stress, double void_ratio) const override;
+  std::vector<std::string> memory_names() const override;
+  double memory_scale(int entry) const override;
+  std::optional<std::string> objection(const State& state) const override;
+  using Law<Space>::response;
+  void response(const State& state, Response<Space>& out) const override;
+  double yield_distance(const State& state, int mechanism) const override;
+  void settle(State& state, unsigned on_yield) const override;
+  std::optional<double> limit_stress_ratio() const override {
+    return parameters_.critical_stress_ratio;
+  }
 
   double shear_modulus(const State& state) const;
   double bulk_modulus(const State& state) const;
   double state_parameter(const State& state) const;
 
-  /// Distance from the yield surface in stress ratio, |η − α| − m: negative inside.
-  double yield_distance(const State& state) const;
-  /// Whether a plastic increment is possible here, to a hair's breadth of round-off.
-  bool on_yield(const State& state) const;
+  // Parts of the memory.
+  static auto alpha(const State& s) { return s.memory.template segment<Space::kSize>(0); }
+  static auto alpha_in(const State& s) { return s.memory.template segment<Space::kSize>(kSize); }
+  static auto fabric(const State& s) { return s.memory.template segment<Space::kSize>(2 * kSize); }
 
-  /// The state put onto the yield surface on the side where it is, memory of the reversal set.
-  /// Pre-condition: on_yield to the accuracy that matters to the caller.
-  State at_yield(State state) const;
-
-  /// Pre-condition: p > 0. Where the state is inside the yield surface only `elastic` has meaning.
-  ElastoplasticTangent tangent(const State& state) const;
-
-  /// Rate of all that changes with the stress rate, strain rate (ε_v, ε_q) and plastic strain rate.
-  Rate rate(const State& state, const Eigen::Vector2d& stress, const Eigen::Vector2d& strain,
-            const Eigen::Vector2d& plastic_strain) const;
-
-  /// from + rate, where a plastic move keeps the state on the yield surface.
-  State moved(State from, const Rate& rate, bool plastic) const;
-
-  /// Largest error of a move in units of its natural scale (p′, 1, z_max).
-  double error_measure(const Rate& error, const State& at) const;
+  /// Loading at a state, as if it stood on the yield surface with its axis at alpha = r − n √(2/3)
+  /// m.
+  struct Loading {
+    Vector<Space> n;          ///< unit deviator
+    Vector<Space> direction;  ///< R′ + D δ/3
+    Vector<Space> normal;     ///< ∂f/∂σ
+    double dilatancy = 0;     ///< D
+    double bounding = 0;      ///< α^b:n
+    double stiffness = 0;     ///< b₀ = h (α − α_in):n
+    double distance = 0;      ///< (α − α_in):n ≥ 0
+  };
+  Loading loading(const State& state) const;
 
  private:
-  static double side(const State& state) { return state.q / state.p >= state.alpha ? 1 : -1; }
+  static constexpr int kSize = Space::kSize;
   double contraction_fade(double p) const;
 
   SanisandParameters parameters_;
 };
 
-inline SanisandRate operator*(double factor, SanisandRate r) {
-  r.stress *= factor;
-  r.void_ratio *= factor;
-  r.fabric *= factor;
-  return r;
-}
-inline SanisandRate operator+(SanisandRate a, const SanisandRate& b) {
-  a.stress += b.stress;
-  a.void_ratio += b.void_ratio;
-  a.fabric += b.fabric;
-  return a;
-}
+extern template class Sanisand<Axisymmetric>;
+extern template class Sanisand<Tensor>;
 
 }  // namespace triax::sim

@@ -1,20 +1,29 @@
 #pragma once
-#include <Eigen/Core>
+#include "sim/mechanics/space.hpp"
 
 namespace triax::sim {
 
-/// Two linear conditions on an axisymmetric increment:
+/// As many linear conditions on the increments of effective stress and strain as the space has
+/// components (two in axisymmetry, six for a tensor), on the orthonormal components of
+/// sim/mechanics/space.hpp:
 ///
-///   S (dσ₁′, dσ₃′)ᵗ + E (dε₁, dε₃)ᵗ = dy
+///   S dσ′ + E dε = dy
 ///
 /// The units of a row are free as long as its entries agree; rows are scaled before they are
-/// solved. Examples: undrained compression E = [[1, 0], [1, 2]], S = 0, dy = (dε₁, 0); constant q
-/// with falling p′: S = [[1, −1], [1/3, 2/3]], E = 0, dy = (0, dp′).
+/// solved. Examples in axisymmetry: undrained compression, E = [[1, 0], δᵗ], S = 0, dy = (dε₁, 0);
+/// constant q with falling p′, S = [[1, −1/√2], δᵗ/3], E = 0, dy = (0, dp′).
+template <class Space>
 struct MixedControl {
-  Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();     ///< S
-  Eigen::Matrix2d strain = Eigen::Matrix2d::Zero();     ///< E
-  Eigen::Vector2d increment = Eigen::Vector2d::Zero();  ///< dy
+  Matrix<Space> stress = Matrix<Space>::Zero();     ///< S
+  Matrix<Space> strain = Matrix<Space>::Zero();     ///< E
+  Vector<Space> increment = Vector<Space>::Zero();  ///< dy
 
+  /// All strains given.
+  static MixedControl strains(const Vector<Space>& increment);
+  /// All stresses given.
+  static MixedControl stresses(const Vector<Space>& increment);
+
+  // Triaxial paths; of a tensor, axes 2 and 3 are kept equal and shear strains zero.
   /// dε₁ given and dε₁ + 2R dε₃ = 0 (R = 1: undrained).
   static MixedControl strain_path(double axial_strain, double R = 1);
   /// dq and dp′ given.
@@ -22,5 +31,8 @@ struct MixedControl {
   /// dε₁ given at constant σ₃′: drained compression by displacement.
   static MixedControl drained_compression(double axial_strain);
 };
+
+extern template struct MixedControl<Axisymmetric>;
+extern template struct MixedControl<Tensor>;
 
 }  // namespace triax::sim

@@ -25,16 +25,16 @@ bool went_on(const SpecimenStep& step) {
 
 }  // namespace
 
-Specimen::Specimen(const Sanisand& law, const SpecimenProperties& properties, double void_ratio,
-                   double effective_stress_pa, double pore_pressure_pa)
-    : law_(law), properties_(properties) {
+Specimen::Specimen(std::shared_ptr<const MaterialLaw> law, const SpecimenProperties& properties,
+                   double void_ratio, double effective_stress_pa, double pore_pressure_pa)
+    : law_(std::move(law)), properties_(properties) {
   if (!(properties.height_m > 0) || !(properties.diameter_m > 0))
     throw std::invalid_argument("the specimen's height and diameter must be above 0");
   if (!(properties.water_compressibility >= 0) || !(properties.system_compliance >= 0) ||
       !(properties.drainage_resistance >= 0))
     throw std::invalid_argument("compliances and the drainage resistance must be 0 or more");
-  start_.material = Sanisand::isotropic(effective_stress_pa, void_ratio);
-  if (const auto objection = law.objection(start_.material))
+  start_.material = law_->isotropic(effective_stress_pa, void_ratio);
+  if (const auto objection = law_->objection(start_.material))
     throw std::invalid_argument(*objection);
   start_.pore_pressure = pore_pressure_pa;
   start_.cell_pressure = pore_pressure_pa + effective_stress_pa;
@@ -56,7 +56,8 @@ SpecimenStep Specimen::mixed_step(const SpecimenState& state, const SpecimenBoun
   const double back_pressure =
       boundary.back_pressure + boundary.back_pressure_rate * (elapsed_s + dt_s);
 
-  MixedControl control;
+  const double r = 1 / std::numbers::sqrt2;  // a₃ from its orthonormal component
+  MixedControl<Axisymmetric> control;
   if (boundary.axial == SpecimenBoundary::Axial::displacement) {
     const double shortening = boundary.axial_rate * dt_s / state.height_m;
     if (!(shortening < 1)) {
@@ -66,41 +67,41 @@ SpecimenStep Specimen::mixed_step(const SpecimenState& state, const SpecimenBoun
     control.strain.row(0) << 1, 0;
     control.increment(0) = -std::log1p(-shortening);
   } else if (boundary.axial == SpecimenBoundary::Axial::deviator_stress) {
-    control.stress.row(0) << 1, -1;
+    control.stress.row(0) << 1, -r;
     control.increment(0) = boundary.axial_rate * dt_s;
   } else {
     // H dε₁ = g (F_wanted − F − A dq) dt
     const double reach = boundary.servo.gain_m_per_s_per_n * dt_s;
     const double force = reach * area_m2(state);
     control.strain.row(0) << state.height_m, 0;
-    control.stress.row(0) << force, -force;
+    control.stress.row(0) << force, -force * r;
     control.increment(0) = reach * (boundary.servo.wanted_force_n - axial_force(state));
   }
   // Water with du = dσ_c − dσ₃′ put in; nothing is divided by a compliance that may be zero.
   const double resistance = properties_.drainage_resistance;
   if (boundary.valve_open && resistance == 0) {
-    control.stress.row(1) << 0, 1;
+    control.stress.row(1) << 0, r;
     control.increment(1) = cell_increment - (back_pressure - state.pore_pressure);
   } else {
     const double volume = volume_m3(state);
     const double conductance = boundary.valve_open ? dt_s / resistance : 0;
     const double storage = (water_compliance(state) + conductance) / volume;
-    control.strain.row(1) << 1, 2;
-    control.stress.row(1) << 0, storage;
+    control.strain.row(1) << 1, 2 * r;
+    control.stress.row(1) << 0, storage * r;
     control.increment(1) =
         storage * cell_increment + conductance / volume * (state.pore_pressure - back_pressure);
   }
 
-  const auto point = advance_point(law_, state.material, control);
+  const auto point = advance_point(*law_, state.material, control);
   step.outcome = point.outcome;
   step.message = point.message;
   step.done_s = point.done * dt_s;
-  step.stress_increment = point.stress_increment;
-  step.strain_increment = point.strain_increment;
+  step.stress_increment = axisymmetric_stress(point.stress_increment);
+  step.strain_increment = axisymmetric_strain(point.strain_increment);
   step.state.material = point.state;
-  step.state.height_m = state.height_m * std::exp(-point.strain_increment.axial);
+  step.state.height_m = state.height_m * std::exp(-step.strain_increment.axial);
   step.state.cell_pressure += point.done * cell_increment;
-  const double du = point.done * cell_increment - point.stress_increment.radial;
+  const double du = point.done * cell_increment - step.stress_increment.radial;
   step.state.pore_pressure += du;
   if (boundary.valve_open)
     step.state.drained_volume_m3 +=

@@ -10,6 +10,8 @@
 // Strain increments are natural (per current height and volume), so that V = V_s (1 + e) and
 // A = V/H hold exactly: reading A = A_c (1 − ε_v)/(1 − ε₁) back from engineering strains gives the
 // same area. C = 0 (rigid water and lines) and R = 0 (u = u_b) are allowed.
+#include <memory>
+
 #include "sim/point/point_driver.hpp"
 
 namespace triax::sim {
@@ -23,7 +25,7 @@ struct SpecimenProperties {
 };
 
 struct SpecimenState {
-  SanisandState material;
+  PointState<Axisymmetric> material;
   double pore_pressure = 0;  ///< u, Pa
   double cell_pressure = 0;  ///< total radial stress, Pa
   double height_m = 0;
@@ -64,12 +66,14 @@ struct SpecimenStep {
 
 class Specimen {
  public:
+  using MaterialLaw = Law<Axisymmetric>;
+
   /// Throws std::invalid_argument if a dimension is not positive, a compliance or resistance
   /// negative or the law refuses the start.
-  Specimen(const Sanisand& law, const SpecimenProperties& properties, double void_ratio,
-           double effective_stress_pa, double pore_pressure_pa);
+  Specimen(std::shared_ptr<const MaterialLaw> law, const SpecimenProperties& properties,
+           double void_ratio, double effective_stress_pa, double pore_pressure_pa);
 
-  const Sanisand& law() const { return law_; }
+  const MaterialLaw& law() const { return *law_; }
   const SpecimenState& start() const { return start_; }
 
   double volume_m3(const SpecimenState& s) const {
@@ -77,7 +81,7 @@ class Specimen {
   }
   double area_m2(const SpecimenState& s) const { return volume_m3(s) / s.height_m; }
   /// Above the cell pressure, as an internal load cell sees it: F = q A.
-  double axial_force(const SpecimenState& s) const { return s.material.q * area_m2(s); }
+  double axial_force(const SpecimenState& s) const { return s.material.q() * area_m2(s); }
   /// C, m³/Pa
   double water_compliance(const SpecimenState& s) const;
 
@@ -93,7 +97,7 @@ class Specimen {
   SpecimenStep mixed_step(const SpecimenState& state, const SpecimenBoundary& boundary,
                           double elapsed_s, double dt_s) const;
 
-  Sanisand law_;
+  std::shared_ptr<const MaterialLaw> law_;
   SpecimenProperties properties_;
   double solid_volume_m3_ = 0;
   SpecimenState start_;

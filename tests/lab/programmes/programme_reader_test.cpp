@@ -111,7 +111,7 @@ TEST_CASE("a user's own material stands beside the programme") {
       replaced(programme_text(), "material = ",
                "material_file = \"../../lab/programmes/materials/sanisand.toml\"\nmaterial = "),
       "samples/programmes/p.toml");
-  CHECK(p.material.parameters.hardening_factor == 1.224);
+  CHECK(p.material.parameters.numbers.at("hardening_factor") == 1.224);
   REQUIRE(p.files.size() == 2);
   CHECK(p.files[0] == "samples/programmes/p.toml");
   CHECK(p.files[1] == "samples/programmes/../../lab/programmes/materials/sanisand.toml");

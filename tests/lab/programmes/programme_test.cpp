@@ -44,7 +44,7 @@ TEST_CASE("the sample programmes run to their end and lose sustainability where 
         b_value = (state.pore_pressure - pore_0) / (state.cell_pressure - cell_0);
       const bool shear = rig.header().stage(reading.stage)->role == lab::StageRole::shear;
       if (!shear) {
-        p0 = state.material.p;
+        p0 = state.material.p();
         e0 = state.material.void_ratio;
       } else if (state.pore_pressure < lowest_u) {
         lowest_u = state.pore_pressure;

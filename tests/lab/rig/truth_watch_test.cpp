@@ -7,6 +7,11 @@ using namespace triax;
 namespace {
 
 /// An axial increment at constant radial stress, of one second.
+void set(sim::SpecimenState& state, double p_pa, double q_pa) {
+  state.material.stress =
+      sim::components(sim::AxisymmetricStress{p_pa + 2 * q_pa / 3, p_pa - q_pa / 3});
+}
+
 struct Path {
   lab::TruthWatch watch;
   sim::SpecimenState state;
@@ -14,15 +19,13 @@ struct Path {
 
   Path() {
     state.height_m = 0.14;
-    state.material.q = 50e3;
-    state.material.p = 100e3;
+    set(state, 100e3, 50e3);
   }
   void step(double dq_pa, double strain, bool shear = true) {
     sim::SpecimenStep step;
     step.state = state;
     step.state.height_m *= 1 - strain;
-    step.state.material.q += dq_pa;
-    step.state.material.p += dq_pa / 3;
+    set(step.state, state.material.p() + dq_pa / 3, state.material.q() + dq_pa);
     step.stress_increment.axial = dq_pa;
     step.strain_increment.axial = strain;
     watch.watch(time_s, 1, state, step, shear, 0.14);

@@ -2,19 +2,26 @@
 
 #include <catch2/catch.hpp>
 
-using triax::sim::MixedControl;
+using namespace triax::sim;
 
-TEST_CASE("named paths say what their names promise") {
-  const Eigen::Vector2d isochoric(0.02, -0.01);
-  const auto undrained = MixedControl::strain_path(0.02);
-  CHECK((undrained.strain * isochoric - undrained.increment).norm() == Approx(0).margin(1e-15));
-  CHECK(undrained.stress.isZero());
-
-  const Eigen::Vector2d stress(5 + 2.0 / 3 * 9, 5 - 9.0 / 3);  // of p = 5, q = 9
-  const auto path = MixedControl::stress_path(5, 9);
-  CHECK((path.stress * stress - path.increment).norm() == Approx(0).margin(1e-14));
-
-  const auto drained = MixedControl::drained_compression(0.02);
-  CHECK(drained.increment == Eigen::Vector2d(0.02, 0));
-  CHECK(drained.stress.row(1) == Eigen::RowVector2d(0, 1));
+TEMPLATE_TEST_CASE("named paths say what their names promise", "", Axisymmetric, Tensor) {
+  using Control = MixedControl<TestType>;
+  const auto in_space = [](double axial, double radial) {
+    if constexpr (TestType::kSize == 2)
+      return components(AxisymmetricStress{axial, radial});
+    else
+      return as_tensor(components(AxisymmetricStress{axial, radial}));
+  };
+  const auto met = [](const Control& c, const auto& stress, const auto& strain) {
+    return (c.stress * stress + c.strain * strain - c.increment).norm() < 1e-13;
+  };
+  const auto none = in_space(0, 0);
+  CHECK(met(Control::strain_path(0.02), none, in_space(0.02, -0.01)));
+  CHECK(met(Control::strain_path(0.02, 0.8), none, in_space(0.02, -0.0125)));
+  CHECK_FALSE(met(Control::strain_path(0.02, 0.8), none, in_space(0.02, -0.01)));
+  CHECK(met(Control::stress_path(5, 9), in_space(11, 2), none));
+  CHECK_FALSE(met(Control::stress_path(5, 9), in_space(11, 3), none));
+  CHECK(met(Control::drained_compression(0.02), in_space(7, 0), in_space(0.02, 5)));
+  CHECK(met(Control::strains(in_space(1, 2)), in_space(3, 4), in_space(1, 2)));
+  CHECK(met(Control::stresses(in_space(1, 2)), in_space(1, 2), in_space(3, 4)));
 }
