@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/materials/interpolated.hpp"
 #include "sim/materials/sanisand.hpp"
 
 namespace triax::sim {
@@ -9,6 +10,8 @@ namespace triax::sim {
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
       sanisand_law(),
+      inl2_law(),
+      octolinear_law(),
   };
   return all;
 }

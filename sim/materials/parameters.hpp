@@ -53,6 +53,7 @@ struct Material {
   std::shared_ptr<const Law<Axisymmetric>> axisymmetric;
   std::shared_ptr<const Law<Tensor>> tensor;
   std::string no_tensor;  ///< why there is no tensor form; empty where there is one
+  std::string based_on;   ///< of a law built on others: on what
   template <class Space>
   const Law<Space>* law() const {
     if constexpr (Space::kSize == 2)
@@ -132,6 +133,7 @@ LawDescription describe(std::string name, std::string title, std::string source,
             const Parameters p = parameters_from(set, table);
             return Material{std::make_shared<SomeLaw<Axisymmetric>>(p),
                             std::make_shared<SomeLaw<Tensor>>(p),
+                            {},
                             {}};
           }};
 }
