@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/materials/hypoplastic.hpp"
 #include "sim/materials/sanisand.hpp"
 
 namespace triax::sim {
@@ -9,6 +10,7 @@ namespace triax::sim {
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
       sanisand_law(),
+      hypoplastic_law(),
   };
   return all;
 }
