@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/materials/hypoplastic.hpp"
 #include "sim/materials/interpolated.hpp"
 #include "sim/materials/sanisand.hpp"
 
@@ -9,6 +10,7 @@ namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
+      hypoplastic_law(),
       sanisand_law(),
       inl2_law(),
       octolinear_law(),

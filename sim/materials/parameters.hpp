@@ -86,6 +86,9 @@ struct ParameterRow {
 template <class Parameters>
 using ParameterTable = std::vector<ParameterRow<Parameters>>;
 
+/// A number as messages write it, six digits at most.
+std::string short_number(double value);
+
 /// SI per unit of a parameter; throws std::logic_error for a unit that nobody knows.
 double unit_scale(std::string_view unit);
 
