@@ -1,6 +1,7 @@
 #include "sim/point/control_solver.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -74,7 +75,11 @@ int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment) {
   const Matrix<Space> transposed = singular.transpose();
   Eigen::FullPivLU<Matrix<Space>> lu(transposed);
   lu.setThreshold(1e-6);
-  Vector<Space> weight = lu.kernel().col(0);
+  // Several null vectors where several mechanisms yield: the part of dy within their span.
+  const Eigen::Matrix<double, Space::kSize, Eigen::Dynamic, 0, Space::kSize, Space::kSize> kernel =
+      lu.kernel();
+  Vector<Space> weight = kernel * kernel.colPivHouseholderQr().solve(increment);
+  if (weight.norm() < 1e-9 * increment.norm()) weight = kernel.col(0);
   Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
   if (share.maxCoeff() < 1e-9 * weight.cwiseAbs().maxCoeff() * increment.cwiseAbs().maxCoeff())
     share = weight.cwiseAbs();

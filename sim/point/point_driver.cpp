@@ -50,6 +50,7 @@ class Driver {
   PointRate<Space> begin(PointState<Space>& state) {
     standing_ = on_yield(state);
     law_.settle(state, standing_);
+    standing_ = on_yield(state);  // settling may name the mechanisms anew
     PointRate<Space> rate = respond(state, {standing_, std::nullopt});
     if (rate.controllable && law_.turn(state, rate)) rate = respond(state, {standing_, {}});
     if (rate.controllable) guess_ = rate.stress;
@@ -277,6 +278,7 @@ PointStep<Space> advance_point(const Law<Space>& law, const PointState<Space>& s
         // The branch changes within this smallest step: take it without loading.
         if (!driver.take_idle(from, fraction, trial)) {
           finish(StepOutcome::failed, "no admissible state within reach of the increment");
+          if (const auto objection = law.objection(trial.state)) step.message = *objection;
           break;
         }
       }
