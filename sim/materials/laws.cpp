@@ -2,12 +2,20 @@
 
 #include <algorithm>
 
+#include "sim/materials/cam_clay.hpp"
+#include "sim/materials/drucker_prager.hpp"
+#include "sim/materials/elastic.hpp"
+#include "sim/materials/mohr_coulomb.hpp"
 #include "sim/materials/sanisand.hpp"
 
 namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
+      elastic_law(),
+      mohr_coulomb_law(),
+      drucker_prager_law(),
+      cam_clay_law(),
       sanisand_law(),
   };
   return all;
