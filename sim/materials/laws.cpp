@@ -2,14 +2,22 @@
 
 #include <algorithm>
 
+#include "sim/materials/cam_clay.hpp"
+#include "sim/materials/drucker_prager.hpp"
+#include "sim/materials/elastic.hpp"
 #include "sim/materials/hypoplastic.hpp"
 #include "sim/materials/interpolated.hpp"
+#include "sim/materials/mohr_coulomb.hpp"
 #include "sim/materials/sanisand.hpp"
 
 namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
+      elastic_law(),
+      mohr_coulomb_law(),
+      drucker_prager_law(),
+      cam_clay_law(),
       hypoplastic_law(),
       sanisand_law(),
       inl2_law(),

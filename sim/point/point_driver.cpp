@@ -227,7 +227,8 @@ bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<
   // The branch changes within this smallest step: take it without loading.
   if (take_idle(from, fraction, trial_)) return true;
   step.outcome = StepOutcome::failed;
-  step.message = "no admissible state within reach of the increment";
+  const auto objection = law_.objection(trial_.state);
+  step.message = objection ? *objection : "no admissible state within reach of the increment";
   return false;
 }
 
