@@ -89,6 +89,16 @@ struct EffectiveControl {
                               const Vector<Space>& strain) const;
 };
 
+/// The conditions of a triaxial segment asked of a tensor with axis 1 as the axial one: axes 2 and
+/// 3 are kept equal (in stress where no condition is on strain, else in strain), shear strains as
+/// they are.
+Segment<Tensor> as_tensor_segment(const Segment<Axisymmetric>& segment);
+
+/// The segments in the order in which they are run, repetitions written out. Throws
+/// std::invalid_argument where that is more than a million.
+template <class Space>
+std::vector<std::size_t> segment_order(const Path<Space>& path);
+
 /// Throws std::invalid_argument in words: no condition fixes a total stress, or the conditions
 /// depend on each other.
 template <class Space>
