@@ -244,7 +244,7 @@ void PointDriver<Space>::take(const PointRate<Space>& start, double& fraction,
   }
   step.error = std::max(step.error, trial_.error);
   step.state = trial_.state;
-  if (reached != 0) law_.settle(step.state, reached);
+  law_.settle(step.state, reached);
   step.strain_increment += trial_.strain;
   step.done = covered >= 1 - step.done ? 1 : step.done + covered;
   if (step.done == 1) return;
