@@ -69,17 +69,22 @@ class ControlMatrix {
   bool regular_ = false;
 };
 
-/// Row of a (nearly) singular control that cannot be held.
+/// Row of a control that cannot be held, `singular` its matrix with the tangent. `push` is what
+/// counts where the determinant has jumped below zero, so that the matrix has no null vector.
 template <class Space>
-int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment) {
+int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment,
+                const Vector<Space>& push = Vector<Space>::Ones()) {
   const Matrix<Space> transposed = singular.transpose();
   Eigen::FullPivLU<Matrix<Space>> lu(transposed);
   lu.setThreshold(1e-6);
-  // Several null vectors where several mechanisms yield: the part of dy within their span.
-  const Eigen::Matrix<double, Space::kSize, Eigen::Dynamic, 0, Space::kSize, Space::kSize> kernel =
-      lu.kernel();
-  Vector<Space> weight = kernel * kernel.colPivHouseholderQr().solve(increment);
-  if (weight.norm() < 1e-9 * increment.norm()) weight = kernel.col(0);
+  Vector<Space> weight = push;
+  if (!lu.isInvertible()) {
+    // Several null vectors where several mechanisms yield: the part of dy within their span.
+    const Eigen::Matrix<double, Space::kSize, Eigen::Dynamic, 0, Space::kSize, Space::kSize>
+        kernel = lu.kernel();
+    weight = kernel * kernel.colPivHouseholderQr().solve(increment);
+    if (weight.norm() < 1e-9 * increment.norm()) weight = kernel.col(0);
+  }
   Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
   if (share.maxCoeff() < 1e-9 * weight.cwiseAbs().maxCoeff() * increment.cwiseAbs().maxCoeff())
     share = weight.cwiseAbs();
@@ -131,9 +136,9 @@ class StiffnessSolver {
     rate_.controllable = std::isfinite(rate_.stress.sum() + rate_.strain.sum());
   }
 
-  void lose(const Matrix<Space>& tangent) {
+  void lose(const Matrix<Space>& tangent, const Vector<Space>& push = Vector<Space>::Ones()) {
     const Matrix<Space> singular = control_.stress * tangent + control_.strain;
-    rate_.culprit = culprit_row<Space>(singular, control_.increment);
+    rate_.culprit = culprit_row<Space>(singular, control_.increment, push);
   }
 
   void solve_norm() {
@@ -236,7 +241,13 @@ class StiffnessSolver {
                    form_.trigger[index[static_cast<std::size_t>(j)]].transpose();
     rate_.multiplier.fill(0);
     rate_.determinant = 0;
-    lose(tangent);
+    // What each row adds to the trial m·x of the mechanisms.
+    Vector<Space> push = Vector<Space>::Zero();
+    for (int i = 0; i < n; ++i) {
+      const Vector<Space>& m = form_.trigger[index[static_cast<std::size_t>(i)]];
+      push += a_.transpose().partialPivLu().solve(m) / m.norm();
+    }
+    lose(tangent, push);
   }
 
   void solve_mechanisms(const Branch& branch) {
