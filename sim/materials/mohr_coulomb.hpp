@@ -5,18 +5,22 @@
 //   f_ij = (σ_i − σ_j) − (σ_i + σ_j) sin φ − 2c cos φ
 //   dε^p = λ_ij ((1 − sin ψ) v_i v_i − (1 + sin ψ) v_j v_j)
 //
-// Mechanisms: of a tensor with σ₁ ≥ σ₂ ≥ σ₃ the planes (1,3), (1,2), (2,3), the last two of which
-// come to yield only at the corners of the hexagon (triaxial compression and extension), where they
-// flow together with the first. In axisymmetry compression and extension, each with both its
-// planes: dε_v^p = −M_g dε_q^p, M_g = 6 sin ψ/(3 − sin ψ) in compression, 6 sin ψ/(3 + sin ψ) in
-// extension.
+// Mechanisms. In axisymmetry compression and extension, each with both its planes:
+// dε_v^p = −M_g dε_q^p, M_g = 6 sin ψ/(3 − sin ψ) in compression, 6 sin ψ/(3 + sin ψ) in extension.
+// Of a tensor with σ₁ ≥ σ₂ ≥ σ₃ the planes (1,3), (1,2), (2,3). On an edge of the hexagon two of
+// them would be at yield, σ₂ = σ₃ (triaxial compression) or σ₁ = σ₂ (extension), and so is every
+// plane between: dε^p = Λ (1 − sin ψ) v₁v₁ᵗ − (1 + sin ψ) X with X ≥ 0 in the plane of the equal
+// stresses, tr X = Λ. There the mechanisms are the planes (1,w), w at 0 and ±60° to the axis along
+// which the increment extends most (of extension: (w,3), compresses most), which span the X that
+// keep the edge; off the edge leads (1,w₀) alone, the (1,3) to be.
 //
 // p is p′ (Pa), compression positive. At the apex, p sin φ + c cos φ = 0, the direction of flow is
 // not defined: states there and beyond are refused.
 //
-// Memory: none in axisymmetry. Of a tensor the frame v₁v₁ᵗ − v₃v₃ᵗ of a state on yield (zero within
-// the surface): it names the planes from one instant to the next, and where two principal stresses
-// are equal it holds the axes of the increment in their plane, along which they will part.
+// Memory: none in axisymmetry. Of a tensor where it stands: 0 within the surface, 1 on a plane, 2
+// on an edge of compression, 3 on one of extension; and on the surface the frame v₁v₁ᵗ − v₃v₃ᵗ,
+// which names the planes from one instant to the next and, on an edge, holds the axes of the
+// increment.
 #include "sim/materials/elastic.hpp"
 
 namespace triax::sim {
@@ -57,8 +61,10 @@ class MohrCoulomb : public Law<Space> {
   std::optional<double> limit_stress_ratio() const override;
 
  private:
-  struct Frame;
-  Frame frame(const State& state) const;
+  struct Planes;
+  Planes planes(const State& state) const requires(Space::kSize == 6);
+  void remember(State& state, const Eigen::Matrix3d& axes, double place) const
+      requires(Space::kSize == 6);
   double strength(double p) const { return 2 * (p * sine_ + cohesion_); }
   double excess(double high, double low) const {
     return high - low - (high + low) * sine_ - 2 * cohesion_;

@@ -1,8 +1,6 @@
 #include "sim/point/control_solver.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "sim/point/interpolated_solver.hpp"
 #include "sim/point/stiffness_solver.hpp"
@@ -27,24 +25,10 @@ PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double mod
   if (determined) strain_increment = lu.solve(increment);
 }
 
-// The step may have gone past the singular state, so that the null vectors are those of the smallest
-// singular values, whatever their size; several where several mechanisms yield.
 template <class Space>
-int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment) {
-  Vector<Space> scale;
-  for (int row = 0; row < Space::kSize; ++row)
-    scale(row) = 1 / std::max(singular.row(row).norm(), 1e-300);
-  const Matrix<Space> scaled = scale.asDiagonal() * singular;
-  const Vector<Space> wanted = scale.cwiseProduct(increment);
-  const Eigen::SelfAdjointEigenSolver<Matrix<Space>> eigen(scaled * scaled.transpose());
-  const Vector<Space>& values = eigen.eigenvalues();
-  Vector<Space> weight = Vector<Space>::Zero();
-  for (int i = 0; i < Space::kSize; ++i)
-    if (values(i) <= std::max(4 * values(0), 1e-12 * values(Space::kSize - 1)))
-      weight += eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).dot(wanted);
-  if (weight.norm() < 1e-9 * wanted.norm()) weight = eigen.eigenvectors().col(0);
-  Vector<Space> share = weight.cwiseProduct(wanted).cwiseAbs();
-  if (share.maxCoeff() < 1e-9 * weight.cwiseAbs().maxCoeff() * wanted.cwiseAbs().maxCoeff())
+int culprit_row(const Vector<Space>& weight, const Vector<Space>& increment) {
+  Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
+  if (share.maxCoeff() < 1e-9 * weight.cwiseAbs().maxCoeff() * increment.cwiseAbs().maxCoeff())
     share = weight.cwiseAbs();
   Eigen::Index row = 0;
   share.maxCoeff(&row);
@@ -62,8 +46,8 @@ PointRate<Space> solve_control(const Response<Space>& response,
 
 template struct PreparedControl<Axisymmetric>;
 template struct PreparedControl<Tensor>;
-template int culprit_row<Axisymmetric>(const Matrix<Axisymmetric>&, const Vector<Axisymmetric>&);
-template int culprit_row<Tensor>(const Matrix<Tensor>&, const Vector<Tensor>&);
+template int culprit_row<Axisymmetric>(const Vector<Axisymmetric>&, const Vector<Axisymmetric>&);
+template int culprit_row<Tensor>(const Vector<Tensor>&, const Vector<Tensor>&);
 template PointRate<Axisymmetric> solve_control(const Response<Axisymmetric>&,
                                                const PreparedControl<Axisymmetric>&, const Branch&,
                                                const Vector<Axisymmetric>&);

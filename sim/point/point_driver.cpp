@@ -54,10 +54,12 @@ PointRate<Space> PointDriver<Space>::respond(const PointState<Space>& state, con
   return solve_control(response_, control_, branch, guess_);
 }
 
-/// Rate at the start of a step; a law that notes its direction may change `state`.
+/// Rate at the start of a step, after settling; `state` may be changed by that.
 template <class Space>
 PointRate<Space> PointDriver<Space>::begin(PointState<Space>& state) {
   standing_ = on_yield(state);
+  law_.settle(state, standing_);
+  if (mechanisms_ > 1) standing_ = on_yield(state);  // settling may name the mechanisms anew
   PointRate<Space> rate = respond(state, {standing_, std::nullopt});
   if (rate.controllable && law_.turn(state, rate)) rate = respond(state, {standing_, {}});
   if (rate.controllable) guess_ = rate.stress;
@@ -237,14 +239,10 @@ template <class Space>
 void PointDriver<Space>::take(const PointRate<Space>& start, double& fraction,
                               PointStep<Space>& step) {
   double covered = fraction;
-  unsigned reached = start.active;
-  if (crossed(trial_.state, start.active)) {
-    stop_at_yield(step.state, start, covered, trial_);
-    reached |= on_yield(trial_.state);
-  }
+  if (crossed(trial_.state, start.active)) stop_at_yield(step.state, start, covered, trial_);
   step.error = std::max(step.error, trial_.error);
   step.state = trial_.state;
-  law_.settle(step.state, reached);
+  if (start.active != 0) law_.settle(step.state, start.active);
   step.strain_increment += trial_.strain;
   step.done = covered >= 1 - step.done ? 1 : step.done + covered;
   if (step.done == 1) return;

@@ -93,9 +93,14 @@ class StiffnessSolver {
     rate_.controllable = std::isfinite(rate_.stress.sum() + rate_.strain.sum());
   }
 
-  void lose(const Matrix<Space>& tangent) {
-    const Matrix<Space> singular = control_.stress * tangent + control_.strain;
-    rate_.culprit = culprit_row<Space>(singular, control_.increment);
+  /// `direction`: m of the mechanisms that load, or dε/|dε|.
+  void lose(const Vector<Space>& direction) {
+    const Matrix<Space> a = control_.strain_driven ? control_.strain : a_;
+    const Matrix<Space> transposed = a.transpose();
+    rate_.multiplier.fill(0);
+    rate_.determinant = 0;
+    rate_.culprit =
+        culprit_row<Space>(transposed.partialPivLu().solve(direction), control_.increment);
   }
 
   void solve_norm() {
@@ -115,8 +120,7 @@ class StiffnessSolver {
     if (length < 0 || !(rate_.determinant > kSingular)) {
       const Vector<Space> direction =
           length > 0 ? Vector<Space>(strain / length) : Vector<Space>(b.normalized());
-      rate_.determinant = 0;
-      return lose(form_.stiffness - form_.norm_term * direction.transpose());
+      return lose(direction);
     }
     finish(strain);
   }
@@ -173,24 +177,10 @@ class StiffnessSolver {
   }
 
   void lose_set(unsigned set) {
-    Matrix<Space> tangent = form_.stiffness;
-    std::array<unsigned, kMostMechanisms> index{};
-    int n = 0;
+    Vector<Space> direction = Vector<Space>::Zero();
     for (unsigned k = 0; k < static_cast<unsigned>(form_.mechanisms); ++k)
-      if (set >> k & 1U) index[static_cast<std::size_t>(n++)] = k;
-    Couplings h(n, n);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        h(i, j) = form_.hardening(static_cast<int>(index[static_cast<std::size_t>(i)]),
-                                  static_cast<int>(index[static_cast<std::size_t>(j)]));
-    const Couplings inverse = h.fullPivLu().solve(Couplings::Identity(n, n));
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        tangent -= inverse(i, j) * form_.relaxation[index[static_cast<std::size_t>(i)]] *
-                   form_.trigger[index[static_cast<std::size_t>(j)]].transpose();
-    rate_.multiplier.fill(0);
-    rate_.determinant = 0;
-    lose(tangent);
+      if (set >> k & 1U) direction += form_.trigger[k].normalized();
+    lose(direction);
   }
 
   /// The usual case without the search among sets.

@@ -133,7 +133,7 @@ TEST_CASE("Drucker-Prager: axes do not matter, and both spaces agree on triaxial
         advance_point(law, law.start(stress, 0.9), MixedControl<Tensor>::strains(strain));
     const auto there = advance_point(law, law.start(turned * stress, 0.9),
                                      MixedControl<Tensor>::strains(turned * strain));
-    CHECK((turned * here.state.stress).isApprox(there.state.stress, 1e-8));
+    CHECK((turned * here.state.stress - there.state.stress).norm() < 1e-3);  // Pa
   }
   for (const double R : {1.0, 0.6, -2.0}) {
     const auto a =

@@ -63,7 +63,7 @@ TEST_CASE("with a power of p' isotropic compression follows its closed form") {
   REQUIRE(step.outcome == StepOutcome::accepted);
   const double strain =
       (std::pow(400e3, 1 - n) - std::pow(50e3, 1 - n)) * std::pow(100e3, n) / ((1 - n) * k_ref);
-  CHECK(trace<Axisymmetric>(step.strain_increment) == Approx(strain).epsilon(1e-9));
+  CHECK(trace<Axisymmetric>(step.strain_increment) == Approx(strain).margin(1e-9));
   CHECK(step.state.void_ratio == Approx(1.9 * std::exp(-strain) - 1).epsilon(1e-9));
 }
 

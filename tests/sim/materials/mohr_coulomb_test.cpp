@@ -172,7 +172,8 @@ TEST_CASE(
                               .state;
       const Vector<Tensor> strain = 0.01 * deviator<Tensor>(random.direction<Tensor>());
       const auto step = advance_point(law, corner, TensorControl::strains(strain));
-      INFO("side " << side << " case " << i << ": " << step.message << ", steps " << step.steps);
+      INFO("side " << side << " case " << i << ": " << step.message << ", steps " << step.steps
+                   << " error " << step.error << " done " << step.done);
       REQUIRE(step.outcome == StepOutcome::accepted);
       const auto s = principal(step.state.stress);
       CHECK(s(0) / s(2) <= flow_number() * (1 + 1e-6));
@@ -193,7 +194,7 @@ TEST_CASE("Mohr-Coulomb: axes do not matter, on planes nor at corners") {
     const auto there = advance_point(law, law.start(turned * stress, 0.9),
                                      TensorControl::strains(turned * strain));
     REQUIRE(here.outcome == there.outcome);
-    CHECK((turned * here.state.stress).isApprox(there.state.stress, 1e-7));
+    CHECK((turned * here.state.stress - there.state.stress).norm() < 1e-3);  // Pa
 
     const auto control = TensorControl::drained_compression(i % 2 == 0 ? 0.02 : -0.02);
     const auto straight = advance_point(law, law.isotropic(100e3, 0.9), control);
