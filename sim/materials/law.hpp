@@ -103,6 +103,9 @@ class Law {
   /// mechanisms, which have just loaded or been reached, and notes a reversal of loading. Called at
   /// the end of an integration step.
   virtual void settle(State&, unsigned /*mechanisms*/) const {}
+  /// A witness that becomes negative where loading mechanisms have reversed their direction, so
+  /// that settle() has something to note: its zero is isolated within the step.
+  virtual double reversal(const State&) const { return 1; }
   /// Notes a change of direction, for laws whose memory depends on it; true if it changed the
   /// state.
   virtual bool turn(State&, const Rate&) const { return false; }

@@ -14,14 +14,8 @@ namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
-      elastic_law(),
-      mohr_coulomb_law(),
-      drucker_prager_law(),
-      cam_clay_law(),
-      hypoplastic_law(),
-      sanisand_law(),
-      inl2_law(),
-      octolinear_law(),
+      elastic_law(),     mohr_coulomb_law(), drucker_prager_law(), cam_clay_law(),
+      hypoplastic_law(), sanisand_law(),     inl2_law(),           octolinear_law(),
   };
   return all;
 }

@@ -35,7 +35,9 @@ void turn_axes(const Eigen::Matrix3d& a, Eigen::Matrix3d& axes, int i, int j) {
 /// The columns in the order of descending rank.
 Eigen::Matrix3d sorted(const Eigen::Matrix3d& axes, const Eigen::Vector3d& rank) {
   std::array<int, 3> order{0, 1, 2};
-  std::ranges::stable_sort(order, [&rank](int a, int b) { return rank(a) > rank(b); });
+  std::ranges::sort(order, [&rank](int a, int b) {  // a stable sort would allocate
+    return rank(a) != rank(b) ? rank(a) > rank(b) : a > b;
+  });
   Eigen::Matrix3d result;
   for (int i = 0; i < 3; ++i) result.col(i) = axes.col(order[static_cast<std::size_t>(i)]);
   return result;

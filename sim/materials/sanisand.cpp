@@ -156,6 +156,14 @@ void Sanisand<Space>::settle(State& state, unsigned mechanisms) const {
 }
 
 template <class Space>
+double Sanisand<Space>::reversal(const State& state) const {
+  // In axisymmetry n keeps its direction while the specimen loads.
+  if constexpr (Space::kSize == 2) return 1;
+  const Vector<Space> from_axis = deviator<Space>(state.stress) / state.p() - alpha(state);
+  return (alpha(state) - alpha_in(state)).dot(from_axis) / parameters_.yield_radius;
+}
+
+template <class Space>
 double Sanisand<Space>::contraction_fade(double p) const {
   const double x = p / (0.02 * parameters_.atmospheric_pressure_pa);
   return x < 1 ? x * x * (3 - 2 * x) : 1;

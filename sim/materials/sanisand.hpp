@@ -65,6 +65,7 @@ class Sanisand : public Law<Space> {
   void response(const State& state, Response<Space>& out) const override;
   double yield_distance(const State& state, int mechanism) const override;
   void settle(State& state, unsigned mechanisms) const override;
+  double reversal(const State& state) const override;
   std::optional<double> limit_stress_ratio() const override {
     return parameters_.critical_stress_ratio;
   }

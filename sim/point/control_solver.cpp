@@ -28,8 +28,9 @@ PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double mod
 template <class Space>
 int culprit_row(const Vector<Space>& weight, const Vector<Space>& increment) {
   Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
-  if (share.maxCoeff() < 1e-9 * weight.cwiseAbs().maxCoeff() * increment.cwiseAbs().maxCoeff())
-    share = weight.cwiseAbs();
+  // A row that asks for nothing can be held while another asks for something.
+  if (share.isZero(0)) share = increment.cwiseAbs();
+  if (share.isZero(0)) share = weight.cwiseAbs();
   Eigen::Index row = 0;
   share.maxCoeff(&row);
   return static_cast<int>(row);

@@ -168,18 +168,21 @@ double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction
   return std::max({worst, stress.cwiseAbs().maxCoeff() / size, std::abs(void_ratio)});
 }
 
-/// Whether a mechanism that does not load in this step has come outside its surface.
+/// Whether a mechanism that does not load in this step has come outside its surface, or one that
+/// loads has reversed.
 template <class Space>
 bool PointDriver<Space>::crossed(const PointState<Space>& state, unsigned active) const {
   for (int k = 0; k < mechanisms_; ++k)
     if (!(active >> k & 1U) && law_.yield_distance(state, k) > kOutside) return true;
-  return false;
+  return active != 0 && law_.reversal(state) < -kOutside;
 }
 
-/// Shortens a step that came through a yield surface to end on it; `fraction` is what it covers.
+/// Shortens a step that came through a yield surface or a reversal to end there; `fraction` is what
+/// it covers.
 template <class Space>
-void PointDriver<Space>::stop_at_yield(const PointState<Space>& from, const PointRate<Space>& first,
-                                       double& fraction, Trial& trial) {
+void PointDriver<Space>::stop_at_crossing(const PointState<Space>& from,
+                                          const PointRate<Space>& first, double& fraction,
+                                          Trial& trial) {
   double low = 0, high = fraction;
   Trial shorter;
   for (int i = 0; i < 200 && high - low > 1e-15 * fraction; ++i) {
@@ -239,7 +242,7 @@ template <class Space>
 void PointDriver<Space>::take(const PointRate<Space>& start, double& fraction,
                               PointStep<Space>& step) {
   double covered = fraction;
-  if (crossed(trial_.state, start.active)) stop_at_yield(step.state, start, covered, trial_);
+  if (crossed(trial_.state, start.active)) stop_at_crossing(step.state, start, covered, trial_);
   step.error = std::max(step.error, trial_.error);
   step.state = trial_.state;
   if (start.active != 0) law_.settle(step.state, start.active);

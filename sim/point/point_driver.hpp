@@ -84,8 +84,8 @@ class PointDriver {
   bool keeps_branch(const PointState<Space>& at, const PointRate<Space>& rate) const;
   double error_of(const PointState<Space>& at, double fraction) const;
   bool crossed(const PointState<Space>& state, unsigned active) const;
-  void stop_at_yield(const PointState<Space>& from, const PointRate<Space>& first, double& fraction,
-                     Trial& trial);
+  void stop_at_crossing(const PointState<Space>& from, const PointRate<Space>& first,
+                        double& fraction, Trial& trial);
   bool take_idle(const PointState<Space>& from, double fraction, Trial& trial);
   bool attempt(const PointState<Space>& from, const PointRate<Space>& start, double& fraction,
                PointStep<Space>& step);

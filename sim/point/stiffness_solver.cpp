@@ -50,13 +50,6 @@ class ControlMatrix {
   bool regular_ = false;
 };
 
-using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostMechanisms, 1>;
-using Couplings =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostMechanisms, kMostMechanisms>;
-
-/// Smallest share of det H that det M may have.
-bool solvable(double determinant) { return determinant > kSingular; }
-
 template <class Space>
 class StiffnessSolver {
  public:
@@ -127,25 +120,22 @@ class StiffnessSolver {
 
   /// Multipliers of the set; false where its determinant is not positive.
   bool try_set(unsigned set) {
-    std::array<int, kMostMechanisms> index{};
-    int n = 0;
-    for (int k = 0; k < form_.mechanisms; ++k)
-      if (set >> k & 1U) index[static_cast<std::size_t>(n++)] = k;
-    Couplings m(n, n), h(n, n);
-    Multipliers t(n);
-    for (int i = 0; i < n; ++i) {
-      const int k = index[static_cast<std::size_t>(i)];
-      t(i) = trial_(k);
-      for (int j = 0; j < n; ++j) {
-        m(i, j) = coupling_(k, index[static_cast<std::size_t>(j)]);
-        h(i, j) = form_.hardening(k, index[static_cast<std::size_t>(j)]);
+    Eigen::Matrix3d m = Eigen::Matrix3d::Identity(), h = m;  // mechanisms not in the set: λ = 0
+    Eigen::Vector3d t = Eigen::Vector3d::Zero();
+    for (int i = 0; i < form_.mechanisms; ++i) {
+      if (!(set >> i & 1U)) continue;
+      t(i) = trial_(i);
+      for (int j = 0; j < form_.mechanisms; ++j) {
+        if (!(set >> j & 1U)) continue;
+        m(i, j) = coupling_(i, j);
+        h(i, j) = form_.hardening(i, j);
       }
     }
     rate_.determinant = m.determinant() / h.determinant();
-    if (!solvable(rate_.determinant)) return false;
-    const Multipliers lambda = m.fullPivLu().solve(t);
-    for (int i = 0; i < n; ++i)
-      rate_.multiplier[static_cast<std::size_t>(index[static_cast<std::size_t>(i)])] = lambda(i);
+    if (!(rate_.determinant > kSingular)) return false;
+    const Eigen::Vector3d lambda = m.inverse() * t;
+    for (int i = 0; i < form_.mechanisms; ++i)
+      rate_.multiplier[static_cast<std::size_t>(i)] = lambda(i);
     return true;
   }
 
