@@ -100,8 +100,8 @@ class Law {
   virtual double yield_distance(const State&, int) const { return 0; }
   /// The state with round-off and memory settled: put onto the yield surfaces that it stands on to
   /// within `kOnYield`, a reversal noted. Called at the beginning of a step, with the direction of
-  /// the step before (or zero).
-  /// It may name the mechanisms anew: their distances are asked for again after it.
+  /// the step before (or zero). It may name the mechanisms anew: their distances are asked for
+  /// again after it.
   virtual void settle(State&, unsigned /*on_yield*/) const {}
   /// Notes a change of direction, for laws whose memory depends on it; true if it changed the
   /// state.
