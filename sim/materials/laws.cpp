@@ -12,11 +12,7 @@ namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
-      elastic_law(),
-      mohr_coulomb_law(),
-      drucker_prager_law(),
-      cam_clay_law(),
-      sanisand_law(),
+      elastic_law(), mohr_coulomb_law(), drucker_prager_law(), cam_clay_law(), sanisand_law(),
   };
   return all;
 }
