@@ -1,5 +1,6 @@
 #include "sim/materials/drucker_prager.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace triax::sim {
@@ -10,6 +11,14 @@ double compression_slope(double angle) { return 6 * std::sin(angle) / (3 - std::
 
 /// A state this far (as a ratio) outside the cone is no round-off.
 constexpr double kFarOutside = 1e-6;
+
+template <class Space>
+double smallest_principal(const Vector<Space>& stress) {
+  if constexpr (Space::kSize == 2)
+    return stress.minCoeff();  // its sign is what counts, √2 does not change it
+  else
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix_of(stress)).eigenvalues()(0);
+}
 
 }  // namespace
 
@@ -71,9 +80,8 @@ std::optional<std::string> DruckerPrager<Space>::objection(const State& state) c
 template <class Space>
 std::optional<std::string> DruckerPrager<Space>::warning(const State& state) const {
   if (yield_distance(state, 0) > kFarOutside) return "the stress lies outside the yield surface";
-  if constexpr (Space::kSize == 2)
-    if (parameters_.cohesion_pa == 0 && state.stress.minCoeff() < 0)
-      return "a principal stress is tensile, which the cone allows and soil does not";
+  if (parameters_.cohesion_pa == 0 && smallest_principal<Space>(state.stress) < 0)
+    return "a principal stress is tensile, which the cone allows and soil does not";
   return std::nullopt;
 }
 

@@ -150,11 +150,15 @@ TEST_CASE("every law: the response turns with the axes") {
       const Matrix<Tensor> turned = rotation(allowed_turn(law, *here, random));
       const auto there = law.start(turned * stress, here->void_ratio);
       const Vector<Tensor> strain = 1e-3 * random.direction<Tensor>();
+      const auto straight = point_rate(law, *here, MixedControl<Tensor>::strains(strain));
+      const auto slanted = point_rate(law, there, MixedControl<Tensor>::strains(turned * strain));
+      CHECK((turned * straight.stress - slanted.stress).norm() < 1e-8 * straight.stress.norm());
       const auto a = advance_point(law, *here, MixedControl<Tensor>::strains(strain));
       const auto b = advance_point(law, there, MixedControl<Tensor>::strains(turned * strain));
       INFO(a.message);
       CHECK(a.outcome == b.outcome);
-      CHECK((turned * a.state.stress - b.state.stress).norm() < 1e-6 * kPressure);
+      // Just after a reversal a law may be all but infinitely stiff: the integration's own error.
+      CHECK((turned * a.state.stress - b.state.stress).norm() < 1e-4 * kPressure);
     }
   });
 }

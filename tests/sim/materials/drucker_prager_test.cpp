@@ -155,6 +155,19 @@ TEST_CASE("Drucker-Prager: a stress outside the cone is not moved silently") {
   CHECK_FALSE(law.warning(law.isotropic(100e3, 0.9)));
 }
 
+TEST_CASE("Drucker-Prager: tension within the cone is said") {
+  auto p = sand();
+  p.friction_angle = 42 * kDegree;
+  const DruckerPrager<Tensor> law(p);
+  const auto step =
+      advance_point(law, law.isotropic(100e3, 0.9), MixedControl<Tensor>::stress_path(0, -165e3));
+  REQUIRE(step.outcome == StepOutcome::accepted);
+  CHECK(step.state.stress(0) == Approx(-10e3));
+  REQUIRE(law.warning(step.state));
+  CHECK_THAT(*law.warning(step.state), Catch::Contains("tensile"));
+  CHECK(Triaxial(p).warning(Triaxial(p).start({-10e3, std::sqrt(2.0) * 155e3}, 0.9)));
+}
+
 TEST_CASE("Drucker-Prager: parameters without meaning are refused by name") {
   auto p = sand();
   p.friction_angle = 0;

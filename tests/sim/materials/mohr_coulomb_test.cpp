@@ -172,14 +172,16 @@ TEST_CASE(
                               .state;
       const Vector<Tensor> strain = 0.01 * deviator<Tensor>(random.direction<Tensor>());
       const auto step = advance_point(law, corner, TensorControl::strains(strain));
-      INFO("side " << side << " case " << i << ": " << step.message << ", steps " << step.steps
-                   << " error " << step.error << " done " << step.done);
-      REQUIRE(step.outcome == StepOutcome::accepted);
+      INFO("side " << side << " case " << i << ": " << step.message << ", error " << step.error);
+      // Where the path comes back to an edge while its axes turn, the last step is the shortest.
+      REQUIRE(step.done == 1);
+      CHECK(step.error < 1e-6);
       const auto s = principal(step.state.stress);
-      CHECK(s(0) / s(2) <= flow_number() * (1 + 1e-6));
-      const auto fine =
-          advance_point(law, corner, TensorControl::strains(strain), {.relative = 1e-12});
-      CHECK((fine.state.stress - step.state.stress).norm() < 1e-5 * step.state.p());
+      CHECK(s(0) / s(2) <= flow_number() * (1 + 1e-8));
+      auto cut = corner;
+      for (int k = 0; k < 50; ++k)
+        cut = advance_point(law, cut, TensorControl::strains(strain / 50)).state;
+      CHECK((cut.stress - step.state.stress).norm() < 2e-6 * step.state.p());
     }
 }
 
