@@ -8,6 +8,7 @@
 #include "sim/materials/hypoplastic.hpp"
 #include "sim/materials/interpolated.hpp"
 #include "sim/materials/mohr_coulomb.hpp"
+#include "sim/materials/norsand.hpp"
 #include "sim/materials/sanisand.hpp"
 
 namespace triax::sim {
@@ -19,6 +20,7 @@ const std::vector<LawDescription>& laws() {
       drucker_prager_law(),
       cam_clay_law(),
       hypoplastic_law(),
+      norsand_law(),
       sanisand_law(),
       inl2_law(),
       octolinear_law(),
