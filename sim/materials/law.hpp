@@ -99,10 +99,14 @@ class Law {
   /// Distance of mechanism k from yield, as a ratio (of stresses): negative inside, 0 on the
   /// surface. A mechanism without an elastic range is always at 0.
   virtual double yield_distance(const State&, int) const { return 0; }
-  /// Takes the drift of integration out: puts the state onto the yield surfaces of these mechanisms,
-  /// which it stands on to within kOnYield or which have just loaded, and notes a reversal of
-  /// loading; mechanisms may have other names afterwards. Called at the beginning and at the end of
-  /// an integration step.
+  /// Takes the drift of integration out: puts the state onto the yield surfaces of these
+  /// mechanisms, which it stands on to within kOnYield or which have just loaded, and notes a
+  /// reversal of loading; mechanisms may have other names afterwards. Called at the beginning and
+  /// at the end of an integration step.
+  virtual void settle(State&, unsigned /*mechanisms*/) const {}
+  /// A witness that becomes negative where loading mechanisms have reversed their direction, so
+  /// that settle() has something to note: its zero is isolated within the step.
+  virtual double reversal(const State&) const { return 1; }
   /// Notes a change of direction, for laws whose memory depends on it; true if it changed the
   /// state.
   virtual bool turn(State&, const Rate&) const { return false; }

@@ -8,14 +8,17 @@
 #include "sim/materials/hypoplastic.hpp"
 #include "sim/materials/interpolated.hpp"
 #include "sim/materials/mohr_coulomb.hpp"
+#include "sim/materials/norsand.hpp"
 #include "sim/materials/sanisand.hpp"
 
 namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
+  // A law that is built on another's sets comes after it.
   static const std::vector<LawDescription> all = {
-      elastic_law(),     mohr_coulomb_law(), drucker_prager_law(), cam_clay_law(),
-      hypoplastic_law(), sanisand_law(),     inl2_law(),           octolinear_law(),
+      elastic_law(),  // one a line
+      mohr_coulomb_law(), drucker_prager_law(), cam_clay_law(), hypoplastic_law(),
+      sanisand_law(),     norsand_law(),        inl2_law(),     octolinear_law(),
   };
   return all;
 }

@@ -111,11 +111,21 @@ class StiffnessSolver {
     const Vector<Space> strain = x_ + b * length;
     rate_.determinant = length > 0 ? 1 - b.dot(strain) / length : 1;
     if (length < 0 || !(rate_.determinant > kSingular)) {
-      const Vector<Space> direction =
-          length > 0 ? Vector<Space>(strain / length) : Vector<Space>(b.normalized());
-      return lose(direction);
+      return lose(length > 0 ? Vector<Space>(strain / length) : last_direction(b));
     }
     finish(strain);
+  }
+
+  /// Where |b| > 1 the x that can be reached fill a cone around −b, whose boundary has the normals
+  /// d with b·d = 1. Of these the one that parts this x from the cone: the direction in which the
+  /// conditions were last met before they went out of reach.
+  Vector<Space> last_direction(const Vector<Space>& b) const {
+    const double bb = b.squaredNorm();
+    const Vector<Space> across = x_ - (x_.dot(b) / bb) * b;
+    const double size = across.norm();
+    Vector<Space> direction = b / bb;
+    if (bb > 1 && size > 0) direction += (std::sqrt(1 - 1 / bb) / size) * across;
+    return direction;
   }
 
   /// Multipliers of the set; false where its determinant is not positive.
