@@ -58,7 +58,8 @@ void run(const Options& o) {
   refuse_overwriting("--csv", o.csv, description.files, "what the path is read from");
   refuse_overwriting("--save-failure", o.save_failure, description.files,
                      "what the path is read from");
-  refuse_overwriting("--save-failure", o.save_failure, {o.csv}, "the rows of --csv");
+  if (!o.csv.empty())
+    refuse_overwriting("--save-failure", o.save_failure, {o.csv}, "the rows of --csv");
   const ReportedPath report =
       std::visit([&](const auto& path) { return run_in(o, description, path); }, description.path);
   if (!o.csv.empty()) write_file(o.csv, path_csv(report));
