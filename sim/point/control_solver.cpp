@@ -68,7 +68,8 @@ class ControlMatrix {
   bool regular_ = false;
 };
 
-/// Row of a (nearly) singular control that cannot be held.
+}  // namespace
+
 template <class Space>
 int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment) {
   const Matrix<Space> transposed = singular.transpose();
@@ -82,6 +83,8 @@ int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment) {
   share.maxCoeff(&row);
   return static_cast<int>(row);
 }
+
+namespace {
 
 using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostMechanisms, 1>;
 using Couplings =
@@ -420,5 +423,8 @@ template PointRate<Axisymmetric> solve_control(const Response<Axisymmetric>&,
                                                const Vector<Axisymmetric>&);
 template PointRate<Tensor> solve_control(const Response<Tensor>&, const PreparedControl<Tensor>&,
                                          const Branch&, const Vector<Tensor>&);
+
+template int culprit_row<Axisymmetric>(const Matrix<Axisymmetric>&, const Vector<Axisymmetric>&);
+template int culprit_row<Tensor>(const Matrix<Tensor>&, const Vector<Tensor>&);
 
 }  // namespace triax::sim

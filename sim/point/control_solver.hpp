@@ -36,6 +36,10 @@ struct PreparedControl {
   PreparedControl(const MixedControl<Space>& control, double modulus_pa);
 };
 
+/// The row of a (nearly) singular control matrix S T + E that cannot be held.
+template <class Space>
+int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment);
+
 /// Which mechanisms may load: those on yield; with `forced` exactly those in it do.
 struct Branch {
   unsigned on_yield = 0;

@@ -213,6 +213,7 @@ constexpr const char* kLost = "the control condition cannot be held any longer";
 template <class Space>
 PointRate<Space> point_rate(const Law<Space>& law, const PointState<Space>& state,
                             const MixedControl<Space>& control) {
+  if (law.finite()) return finite_rate(law, state, control);
   Driver<Space> driver(law, state, control, {});
   PointState<Space> settled = state;
   return driver.begin(settled);
