@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "sim/materials/sanisand.hpp"
+#include "sim/materials/umat.hpp"
 
 namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
   static const std::vector<LawDescription> all = {
       sanisand_law(),
+      umat_law(),
   };
   return all;
 }
