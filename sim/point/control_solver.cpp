@@ -1,5 +1,6 @@
 #include "sim/point/control_solver.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -72,10 +73,12 @@ class ControlMatrix {
 
 template <class Space>
 int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment) {
-  const Matrix<Space> transposed = singular.transpose();
-  Eigen::FullPivLU<Matrix<Space>> lu(transposed);
-  lu.setThreshold(1e-6);
-  Vector<Space> weight = lu.kernel().col(0);
+  Vector<Space> scale;
+  for (int row = 0; row < Space::kSize; ++row)
+    scale(row) = 1 / std::max(singular.row(row).norm(), 1e-300);
+  const Matrix<Space> scaled = scale.asDiagonal() * singular;
+  const Eigen::SelfAdjointEigenSolver<Matrix<Space>> eigen(scaled * scaled.transpose());
+  const Vector<Space> weight = scale.cwiseProduct(eigen.eigenvectors().col(0));
   Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
   if (share.maxCoeff() < 1e-9 * weight.cwiseAbs().maxCoeff() * increment.cwiseAbs().maxCoeff())
     share = weight.cwiseAbs();

@@ -36,7 +36,8 @@ struct PreparedControl {
   PreparedControl(const MixedControl<Space>& control, double modulus_pa);
 };
 
-/// The row of a (nearly) singular control matrix S T + E that cannot be held.
+/// The row of a control matrix S T + E that cannot be held. A step may have gone past the singular
+/// state, so that the null vector is that of the smallest singular value, whatever its size.
 template <class Space>
 int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment);
 

@@ -1,10 +1,7 @@
 #include "sim/point/mixed_control.hpp"
 
 namespace triax::sim {
-namespace {
-
-/// Rows 0 and 1 of the axisymmetric control as conditions on a tensor.
-MixedControl<Tensor> as_tensor_control(const MixedControl<Axisymmetric>& c) {
+MixedControl<Tensor> as_tensor(const MixedControl<Axisymmetric>& c) {
   // The radial coefficient r of √2 a₃ is shared: r √2 a₃ = r (a₂ + a₃)/√2.
   const auto spread = [](const Eigen::RowVector2d& row) {
     const double half = row(1) / std::numbers::sqrt2;
@@ -25,12 +22,14 @@ MixedControl<Tensor> as_tensor_control(const MixedControl<Axisymmetric>& c) {
   return t;
 }
 
+namespace {
+
 template <class Space>
 MixedControl<Space> in_space(const MixedControl<Axisymmetric>& c) {
   if constexpr (Space::kSize == 2)
     return c;
   else
-    return as_tensor_control(c);
+    return as_tensor(c);
 }
 
 constexpr double kRadial = 1 / std::numbers::sqrt2;  // of a₃ in terms of √2 a₃

@@ -32,6 +32,10 @@ struct MixedControl {
   static MixedControl drained_compression(double axial_strain);
 };
 
+/// Triaxial conditions asked of a tensor: axes 2 and 3 kept equal, in stress where no condition is
+/// on strain, else in strain (row 2), and no shear strain (rows 3 to 5).
+MixedControl<Tensor> as_tensor(const MixedControl<Axisymmetric>& control);
+
 extern template struct MixedControl<Axisymmetric>;
 extern template struct MixedControl<Tensor>;
 

@@ -1,0 +1,85 @@
+#pragma once
+// Takes a material point along a path and isolates what happens on the way.
+#include <functional>
+
+#include "sim/point/path.hpp"
+#include "sim/point/point_driver.hpp"
+
+namespace triax::sim {
+
+/// The point at one instant of its path.
+template <class Space>
+struct PathPoint {
+  std::size_t segment = 0;
+  double progress = 0;                           ///< of the segment, 0 to 1
+  Vector<Space> stress = Vector<Space>::Zero();  ///< σ′, Pa
+  Vector<Space> strain = Vector<Space>::Zero();  ///< since the start of the path
+  double void_ratio = 0;
+  double pore_pressure = 0;    ///< Pa
+  std::vector<double> memory;  ///< of the law
+  // Of the rate with which the path goes on from here; empty where it cannot, or nothing moves.
+  std::optional<double> second_order_work;  ///< dσ′:dε/(|dσ′| |dε|)
+  std::optional<double> determinant;        ///< of the control, PointRate::determinant
+
+  double p() const { return mean_stress<Space>(stress); }
+  double q() const { return deviator_stress<Space>(stress); }
+  std::optional<double> stress_ratio() const {
+    return p() > 0 ? std::optional(q() / p()) : std::nullopt;
+  }
+};
+
+/// Empty only for the stress ratio where p′ ≤ 0.
+template <class Space>
+std::optional<double> value_of(PathQuantity quantity, int component, const PathPoint<Space>& at);
+
+enum class PathEventKind {
+  end_condition,      ///< `what`: the condition's label
+  second_order_work,  ///< turns negative: W₂ = 0 here
+  peak,               ///< of |q| or of the stress part of a condition: `what`
+  control_limit,      ///< the determinant of the control vanishes; `what`: the condition's label
+};
+
+template <class Space>
+struct PathEvent {
+  PathEventKind kind = PathEventKind::end_condition;
+  std::string what;
+  PathPoint<Space> at;
+};
+
+/// The increment that could not be done, to be tried again by itself.
+template <class Space>
+struct FailedIncrement {
+  PathPoint<Space> from;
+  Segment<Space> segment;  ///< with the conditions of this part only; no end, no repetition
+};
+
+template <class Space>
+struct PathResult {
+  StepOutcome outcome = StepOutcome::accepted;
+  std::string message;    ///< in words; empty when accepted
+  std::string culprit;    ///< label of the condition that was lost
+  double error = 0;       ///< largest estimated error of an integration step, relative
+  PathPoint<Space> last;  ///< where the path ended, whatever the outcome
+  PathPoint<Space> peak;  ///< the first point of the largest |q|
+  std::vector<PathPoint<Space>>
+      rows;  ///< the start, then the ends of the parts; last one at `last`
+  std::vector<PathEvent<Space>> events;  ///< in the order of the path
+  std::vector<std::string> warnings;     ///< of the law, each once
+  std::optional<FailedIncrement<Space>> failed;
+};
+
+struct PathOptions {
+  PointTolerance tolerance{.relative = 1e-8};
+  /// Called with the share of the segments' parts that is done; returns false to stop the run,
+  /// which then counts as failed.
+  std::function<bool(double)> progress;
+};
+
+/// Runs the whole path, or as much of it as can be done. Events are isolated to 1e-10 of a part
+/// of the segment. Throws std::invalid_argument as effective_control does and where the memory's
+/// size is not the law's; every difficulty of the material is in the result.
+template <class Space>
+PathResult<Space> run_path(const Law<Space>& law, const Path<Space>& path,
+                           const PathOptions& options = {});
+
+}  // namespace triax::sim
