@@ -49,6 +49,7 @@ struct FiniteStep {
   PointState<Space> state;
   Matrix<Space> tangent = Matrix<Space>::Zero();  ///< ∂Δσ/∂Δε, Pa
   std::string failure;                            ///< empty where it worked
+  bool smaller = false;  ///< with a failure: a smaller increment may succeed
 };
 
 /// A constitutive law in one space, with its parameters: constant once built, everything that

@@ -10,6 +10,7 @@
 #include "sim/materials/mohr_coulomb.hpp"
 #include "sim/materials/norsand.hpp"
 #include "sim/materials/sanisand.hpp"
+#include "sim/materials/umat.hpp"
 
 namespace triax::sim {
 

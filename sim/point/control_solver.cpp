@@ -1,6 +1,8 @@
 #include "sim/point/control_solver.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "sim/point/interpolated_solver.hpp"
 #include "sim/point/stiffness_solver.hpp"
@@ -26,6 +28,15 @@ PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double mod
 }
 
 template <class Space>
+Vector<Space> left_null_vector(const Matrix<Space>& m) {
+  Vector<Space> scale;
+  for (int row = 0; row < Space::kSize; ++row) scale(row) = 1 / std::max(m.row(row).norm(), 1e-300);
+  const Matrix<Space> scaled = scale.asDiagonal() * m;
+  const Eigen::SelfAdjointEigenSolver<Matrix<Space>> eigen(scaled * scaled.transpose());
+  return scale.cwiseProduct(eigen.eigenvectors().col(0));
+}
+
+template <class Space>
 int culprit_row(const Vector<Space>& weight, const Vector<Space>& increment) {
   Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
   // A row that asks for nothing can be held while another asks for something.
@@ -47,6 +58,8 @@ PointRate<Space> solve_control(const Response<Space>& response,
 
 template struct PreparedControl<Axisymmetric>;
 template struct PreparedControl<Tensor>;
+template Vector<Axisymmetric> left_null_vector<Axisymmetric>(const Matrix<Axisymmetric>&);
+template Vector<Tensor> left_null_vector<Tensor>(const Matrix<Tensor>&);
 template int culprit_row<Axisymmetric>(const Vector<Axisymmetric>&, const Vector<Axisymmetric>&);
 template int culprit_row<Tensor>(const Vector<Tensor>&, const Vector<Tensor>&);
 template PointRate<Axisymmetric> solve_control(const Response<Axisymmetric>&,

@@ -37,6 +37,10 @@ struct PreparedControl {
   PreparedControl(const MixedControl<Space>& control, double modulus_pa);
 };
 
+/// Left vector of the smallest singular value of a (nearly) singular control matrix, which a step
+/// may have gone past.
+template <class Space>
+Vector<Space> left_null_vector(const Matrix<Space>& control_matrix);
 /// Row of the control that cannot be held, from the left null vector of the singular control
 /// matrix.
 template <class Space>

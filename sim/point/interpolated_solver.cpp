@@ -1,6 +1,5 @@
 #include "sim/point/interpolated_solver.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -33,7 +32,7 @@ class InterpolatedSolver {
         control_.stress + control_.strain * Matrix<Space>(mean_.diagonal().asDiagonal());
     rate_.determinant = jacobian.determinant() / reference.determinant();
     if (!found || !(rate_.determinant > 1e-9)) {
-      rate_.culprit = culprit_row<Space>(left_null_vector(jacobian), control_.increment);
+      rate_.culprit = culprit_row<Space>(left_null_vector<Space>(jacobian), control_.increment);
       rate_.determinant = std::min(rate_.determinant, 0.0);
       return rate_;
     }
@@ -79,16 +78,6 @@ class InterpolatedSolver {
     Vector<Space> v = a.partialPivLu().solve(control_.increment);
     if (!v.allFinite() || v.squaredNorm() == 0) v = identity<Space>();
     return v;
-  }
-
-  /// Of the smallest singular value: a step may have gone past the singular state.
-  static Vector<Space> left_null_vector(const Matrix<Space>& m) {
-    Vector<Space> scale;
-    for (int row = 0; row < Space::kSize; ++row)
-      scale(row) = 1 / std::max(m.row(row).norm(), 1e-300);
-    const Matrix<Space> scaled = scale.asDiagonal() * m;
-    const Eigen::SelfAdjointEigenSolver<Matrix<Space>> eigen(scaled * scaled.transpose());
-    return scale.cwiseProduct(eigen.eigenvectors().col(0));
   }
 
   bool newton(Vector<Space> v, double size) {

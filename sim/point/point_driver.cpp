@@ -300,6 +300,7 @@ PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
 template <class Space>
 PointRate<Space> point_rate(const Law<Space>& law, const PointState<Space>& state,
                             const MixedControl<Space>& control) {
+  if (law.finite()) return finite_rate(law, state, control);
   const PointTolerance tolerance;
   return PointDriver<Space>(law, state, control, tolerance).rate(state);
 }

@@ -1,0 +1,221 @@
+#include "sim/materials/umat_worker.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <ctime>
+#include <new>
+#include <stdexcept>
+
+#include "sim/materials/umat_process.hpp"
+
+namespace triax::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often a process that does not answer is looked after.
+constexpr long kLookAfter_ns = 5'000'000;
+/// Printed text is cut back when it is longer than this, looked at every so many calls.
+constexpr off_t kMostKept = 1 << 20;
+constexpr unsigned kLookAtOutput = 1024;
+constexpr std::size_t kLastWords = 300;
+
+std::string system_error(const char* what) {
+  return std::string("the process for the plug-in cannot be made (") + what + ": " +
+         strerrordesc_np(errno) + ")";
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
+/// One line without control characters.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  const auto doubled = [](char a, char b) { return a == ' ' && b == ' '; };
+  text.erase(std::unique(text.begin(), text.end(), doubled), text.end());
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  if (!text.empty() && text.front() == ' ') text.erase(0, 1);
+  return text;
+}
+
+}  // namespace
+
+UmatWorker::UmatWorker(UmatPlugin plugin) : plugin_(std::move(plugin)) {
+  void* shared = mmap(nullptr, sizeof(UmatExchange), PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw std::runtime_error(system_error("mmap"));
+  exchange_ = new (shared) UmatExchange;
+  const std::string failure = start();
+  if (failure.empty()) return;
+  munmap(exchange_, sizeof(UmatExchange));
+  throw std::invalid_argument(failure);
+}
+
+UmatWorker::~UmatWorker() {
+  stop();
+  munmap(exchange_, sizeof(UmatExchange));
+}
+
+std::string UmatWorker::start() {
+  sem_init(&exchange_->asked, 1, 0);
+  sem_init(&exchange_->answered, 1, 0);
+  exchange_->stage = UmatStage::loading;
+  exchange_->finish = false;
+  exchange_->say("");
+  output_ = memfd_create("umat output", MFD_CLOEXEC);
+  if (output_ < 0) return system_error("memfd_create");
+  fcntl(output_, F_SETFL, O_APPEND);
+  const pid_t self = getpid();
+  const pid_t made = fork();
+  if (made == 0) run_umat(plugin_, *exchange_, output_, self);
+  if (made < 0) {
+    const std::string failure = system_error("fork");
+    close(output_);
+    return failure;
+  }
+  process_ = made;
+  const Answer answer = wait();
+  if (answer != Answer::came) return ended(answer);
+  if (exchange_->stage == UmatStage::ready) return {};
+  const std::string why = exchange_->message.data();
+  stop();
+  return why.find(plugin_.library) == std::string::npos ? plugin_.library + ": " + why : why;
+}
+
+UmatWorker::Answer UmatWorker::wait() {
+  if (spin_for(exchange_->answered)) return Answer::came;
+  const auto deadline = Clock::now() + std::chrono::duration<double>(plugin_.time_limit_s);
+  for (;;) {
+    timespec until{};
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_nsec += kLookAfter_ns;
+    if (until.tv_nsec >= 1'000'000'000) {
+      until.tv_nsec -= 1'000'000'000;
+      ++until.tv_sec;
+    }
+    if (sem_clockwait(&exchange_->answered, CLOCK_MONOTONIC, &until) == 0) return Answer::came;
+    if (errno != ETIMEDOUT) continue;
+    const pid_t gone = waitpid(process_, &status_, WNOHANG);
+    if (gone != 0) {
+      if (gone < 0) status_ = -1;
+      process_ = 0;
+      return sem_trywait(&exchange_->answered) == 0 && exchange_->stage == UmatStage::refused
+                 ? Answer::came
+                 : Answer::ended;
+    }
+    if (Clock::now() >= deadline) return Answer::late;
+  }
+}
+
+std::string UmatWorker::ended(Answer answer) {
+  std::string text = plugin_.library + ": ";
+  if (answer == Answer::late) {
+    const bool loading = exchange_->stage == UmatStage::loading;
+    kill(process_, SIGKILL);
+    waitpid(process_, &status_, 0);
+    process_ = 0;
+    text += std::string(loading ? "loading" : "the call") + " did not end within " +
+            number(plugin_.time_limit_s) + " s and was stopped";
+  } else {
+    text += why_it_ended();
+  }
+  if (const std::string words = last_words(); !words.empty()) text += "; it printed: " + words;
+  close(output_);
+  output_ = -1;
+  return text;
+}
+
+std::string UmatWorker::why_it_ended() const {
+  const std::string message = one_line(exchange_->message.data());
+  if (exchange_->stage == UmatStage::xit)
+    return "the plug-in called XIT" + (message.empty() ? "" : " (" + message + ")");
+  if (exchange_->stage == UmatStage::exited)
+    return "the plug-in ended its process (STOP or exit, status " +
+           std::to_string(exchange_->exit_status) + ")";
+  if (status_ != -1 && WIFSIGNALED(status_)) {
+    const int signal = WTERMSIG(status_);
+    const char* name = sigabbrev_np(signal);
+    return "the plug-in crashed: SIG" + std::string(name != nullptr ? name : "?") + " (" +
+           sigdescr_np(signal) + ")";
+  }
+  if (status_ != -1 && WIFEXITED(status_))
+    return "the plug-in's process ended with status " + std::to_string(WEXITSTATUS(status_));
+  return "the plug-in's process is gone";
+}
+
+std::string UmatWorker::last_words() const {
+  struct stat file {};
+  if (output_ < 0 || fstat(output_, &file) != 0 || file.st_size == 0) return {};
+  const auto length = std::min<std::size_t>(static_cast<std::size_t>(file.st_size), kLastWords);
+  std::string text(length, '\0');
+  const auto from = file.st_size - static_cast<off_t>(length);
+  const ssize_t got = pread(output_, text.data(), length, from);
+  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return one_line(text);
+}
+
+void UmatWorker::shorten_output() const {
+  struct stat file {};
+  if (fstat(output_, &file) == 0 && file.st_size > kMostKept && ftruncate(output_, 0) != 0) return;
+}
+
+std::string UmatWorker::call(UmatCall& c) {
+  const std::lock_guard lock(mutex_);
+  if (process_ == 0)
+    if (std::string failure = start(); !failure.empty()) return failure;
+  UmatCall& there = exchange_->call;
+  there.stress = c.stress;
+  there.strain = c.strain;
+  there.strain_increment = c.strain_increment;
+  there.time = c.time;
+  there.time_step = c.time_step;
+  there.increment = c.increment;
+  const auto used = static_cast<std::ptrdiff_t>(plugin_.state_variables);
+  std::copy(c.state.begin(), c.state.begin() + used, there.state.begin());
+  sem_post(&exchange_->asked);
+  const Answer answer = wait();
+  if (answer != Answer::came) return ended(answer);
+  if (exchange_->stage == UmatStage::objected) {
+    exchange_->stage = UmatStage::ready;
+    return plugin_.library + ": " + one_line(exchange_->message.data());
+  }
+  c.stress = there.stress;
+  c.tangent = there.tangent;
+  c.smaller = there.smaller;
+  std::copy(there.state.begin(), there.state.begin() + used, c.state.begin());
+  if (++calls_ % kLookAtOutput == 0) shorten_output();
+  return {};
+}
+
+void UmatWorker::stop() {
+  if (process_ != 0) {
+    exchange_->finish = true;
+    sem_post(&exchange_->asked);
+    int gone = 0;
+    for (int i = 0; i < 200 && gone == 0; ++i) {
+      gone = waitpid(process_, &status_, WNOHANG);
+      if (gone == 0) usleep(i < 20 ? 50 : 1000);
+    }
+    if (gone == 0) {
+      kill(process_, SIGKILL);
+      waitpid(process_, &status_, 0);
+    }
+    process_ = 0;
+  }
+  if (output_ >= 0) close(output_);
+  output_ = -1;
+}
+
+}  // namespace triax::sim

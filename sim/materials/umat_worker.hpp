@@ -1,0 +1,50 @@
+#pragma once
+// A foreign library is never run inside triax: a process of its own (fork) loads it and answers
+// calls through shared memory, so that whatever it does (a segmentation fault, STOP, XIT, an
+// endless loop) ends that process only and comes back as words.
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "sim/materials/umat_plugin.hpp"
+
+namespace triax::sim {
+
+struct UmatExchange;
+
+class UmatWorker {
+ public:
+  /// Loads the library. Throws std::invalid_argument that says why it cannot be used.
+  explicit UmatWorker(UmatPlugin plugin);
+  ~UmatWorker();
+  UmatWorker(const UmatWorker&) = delete;
+  UmatWorker& operator=(const UmatWorker&) = delete;
+
+  const UmatPlugin& plugin() const { return plugin_; }
+
+  /// Calls the UMAT; empty where it came back in order, otherwise what happened, and `call` is
+  /// untouched. After a crash the next call starts the process anew. May be called from several
+  /// threads; they wait for each other.
+  std::string call(UmatCall& call);
+
+ private:
+  enum class Answer { came, ended, late };
+
+  std::string start();
+  Answer wait();
+  std::string ended(Answer answer);
+  std::string why_it_ended() const;
+  std::string last_words() const;
+  void shorten_output() const;
+  void stop();
+
+  UmatPlugin plugin_;
+  std::mutex mutex_;
+  UmatExchange* exchange_ = nullptr;
+  int process_ = 0;  ///< 0: none
+  int status_ = 0;   ///< of the process that ended, as waitpid gives it; −1: unknown
+  int output_ = -1;  ///< what the plug-in prints
+  unsigned calls_ = 0;
+};
+
+}  // namespace triax::sim

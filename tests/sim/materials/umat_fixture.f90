@@ -1,0 +1,112 @@
+! A small UMAT for the tests: linear elasticity with a Drucker-Prager yield surface, perfectly
+! plastic, returned in closed form (tension positive, p = tr(stress)/3):
+!
+!   f = q + M p - c <= 0,   flow potential q + N p
+!
+! PROPS: bulk modulus, shear modulus, M, N, c, misbehaviour (below; 0: none).
+! STATEV: 1 void ratio, 2 number of plastic increments, 3-4 SINV, 5-7 SPRINC, 8-9 stress 11 and 12
+! after ROTSIG by 30 degrees about axis 3, 10 TIME, 11 KINC, 12 first direction of SPRIND.
+subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpldt, stran, dstran, &
+    time, dtime, temp, dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, &
+    coords, drot, pnewdt, celent, dfgrd0, dfgrd1, noel, npt, layer, kspt, kstep, kinc)
+  use, intrinsic :: iso_c_binding
+  use, intrinsic :: ieee_arithmetic
+  implicit none
+  integer :: ndi, nshr, ntens, nstatv, nprops, noel, npt, layer, kspt, kstep, kinc
+  character(len=80) :: cmname
+  double precision :: stress(ntens), statev(nstatv), ddsdde(ntens, ntens), sse, spd, scd, rpl, &
+    ddsddt(ntens), drplde(ntens), drpldt, stran(ntens), dstran(ntens), time(2), dtime, temp, &
+    dtemp, predef(1), dpred(1), props(nprops), coords(3), drot(3, 3), pnewdt, celent, &
+    dfgrd0(3, 3), dfgrd1(3, 3)
+  double precision :: bulk, shear, m, n, c, p, q, f, multiplier, hardening, keep, s(6), unit(6), &
+    normal(6), trace, turn(3, 3), principal(3), directions(3, 3), turned(6)
+  double precision, parameter :: delta(6) = [1d0, 1d0, 1d0, 0d0, 0d0, 0d0]
+  integer :: i, misbehaviour
+
+  bulk = props(1); shear = props(2); m = props(3); n = props(4); c = props(5)
+  misbehaviour = nint(props(6))
+  if (any(dstran /= 0d0)) call misbehave(misbehaviour)
+
+  trace = sum(dstran(1:3))
+  do i = 1, 3
+    stress(i) = stress(i) + bulk * trace + 2 * shear * (dstran(i) - trace / 3)
+  end do
+  stress(4:6) = stress(4:6) + shear * dstran(4:6)
+  ddsdde = 0
+  do i = 1, 6
+    ddsdde(i, i) = merge(2 * shear, shear, i <= 3)
+  end do
+  ddsdde(1:3, 1:3) = ddsdde(1:3, 1:3) + bulk - 2 * shear / 3
+
+  call sinv(stress, p, q, ndi, nshr)
+  f = q + m * p - c
+  if (f > 0 .and. q > 0) then
+    s = stress - p * delta
+    unit = s / (q * sqrt(2d0 / 3))
+    hardening = 3 * shear + m * bulk * n
+    multiplier = f / hardening
+    keep = 1 - 3 * shear * multiplier / q
+    stress = s * keep + (p - bulk * n * multiplier) * delta
+    normal = sqrt(6d0) * shear * unit + m * bulk * delta
+    ddsdde = 0
+    do i = 1, 6
+      ddsdde(i, i) = keep * merge(2 * shear, shear, i <= 3)
+    end do
+    ddsdde(1:3, 1:3) = ddsdde(1:3, 1:3) + bulk - 2 * shear * keep / 3
+    do i = 1, 6
+      ddsdde(:, i) = ddsdde(:, i) - (sqrt(6d0) * shear * unit + bulk * n * delta) * normal(i) &
+        / hardening + 6 * shear**2 * multiplier / q * unit * unit(i)
+    end do
+    statev(2) = statev(2) + 1
+  end if
+
+  statev(1) = statev(1) + (1 + statev(1)) * trace
+  call sinv(stress, statev(3), statev(4), ndi, nshr)
+  call sprinc(stress, principal, 1, ndi, nshr)
+  statev(5:7) = principal
+  turn = 0
+  turn(1, 1) = cos(acos(-1d0) / 6); turn(2, 2) = turn(1, 1); turn(3, 3) = 1
+  turn(1, 2) = sin(acos(-1d0) / 6); turn(2, 1) = -turn(1, 2)
+  call rotsig(stress, turn, turned, 1, ndi, nshr)
+  statev(8) = turned(1); statev(9) = turned(4)
+  statev(10) = time(2); statev(11) = kinc
+  call sprind(stress, principal, directions, 1, ndi, nshr)
+  statev(12) = abs(directions(1, 1))
+  if (all(dstran == 0d0)) return
+  if (misbehaviour == 4) stress(1) = ieee_value(1d0, ieee_quiet_nan)
+  if (misbehaviour == 8) ddsdde = 0
+  if (misbehaviour == 9) ddsdde(2, 1) = ieee_value(1d0, ieee_positive_inf)
+  if (misbehaviour == 10) statev(3) = ieee_value(1d0, ieee_quiet_nan)
+  if (misbehaviour == 11) stress(2) = stress(2) * 1.01d0
+
+contains
+
+  subroutine misbehave(kind)
+    integer, intent(in) :: kind
+    integer, pointer :: nowhere
+    double precision, volatile :: turns
+    integer :: integers(1)
+    double precision :: reals(1)
+    character(len=8) :: texts(1)
+    select case (kind)
+    case (1)
+      call c_f_pointer(c_null_ptr, nowhere)
+      nowhere = 1
+    case (2)
+      stop 'the cone is upside down'
+    case (3)
+      call xit
+    case (5)
+      do
+        turns = turns + 1
+      end do
+    case (6, 12)
+      integers = noel; reals = props(3); texts = cmname(1:8)
+      call stdb_abqerr(merge(-3, -2, kind == 6), 'element %I of %S: M = %R', integers, reals, texts)
+    case (7)
+      if (maxval(abs(dstran)) > 2d-4) pnewdt = 0.25d0
+    case (13)
+      write (*, *) 'a word on every call'
+    end select
+  end subroutine misbehave
+end subroutine umat

@@ -1,0 +1,73 @@
+#pragma once
+// The UMAT of umat_fixture.f90, and what it must give.
+#include <cmath>
+#include <string>
+
+#include "sim/materials/laws.hpp"
+
+namespace triax::sim::test {
+
+#ifdef TRIAX_UMAT_FIXTURE
+inline constexpr const char* kUmatFixture = TRIAX_UMAT_FIXTURE;
+#else
+inline constexpr const char* kUmatFixture = nullptr;
+#endif
+
+/// Says why and returns false where the fixture could not be built.
+inline bool umat_fixture_is_there() {
+  if (kUmatFixture == nullptr) WARN("skipped: there is no Fortran compiler");
+  return kUmatFixture != nullptr;
+}
+
+/// What the plug-in does at the first strain, as umat_fixture.f90 numbers it.
+enum class Misbehaviour {
+  none = 0,
+  null_pointer = 1,
+  stop = 2,
+  xit = 3,
+  nan_stress = 4,
+  endless = 5,
+  fatal_message = 6,
+  asks_for_less = 7,
+  no_tangent = 8,
+  infinite_tangent = 9,
+  nan_state = 10,
+  lopsided = 11,
+  error_message = 12,
+  prints = 13
+};
+
+// kPa
+inline constexpr double kBulk = 20e3, kShear = 12e3, kM = 1.2, kN = 0.3, kCohesion = 5;
+
+inline ParameterSet umat_fixture(Misbehaviour misbehaviour = Misbehaviour::none,
+                                 double kpa_per_unit = 1) {
+  ParameterSet set;
+  set.texts["umat"] = kUmatFixture;
+  set.texts["name"] = "CONE";
+  set.numbers["state_variables"] = 12;
+  set.numbers["void_ratio_index"] = 1;
+  set.lists["properties"] = {kBulk / kpa_per_unit,
+                             kShear / kpa_per_unit,
+                             kM,
+                             kN,
+                             kCohesion / kpa_per_unit,
+                             static_cast<double>(misbehaviour)};
+  return set;
+}
+
+inline Material make_umat(const ParameterSet& set) { return find_law("umat")->make(set, {}); }
+
+/// Drained compression from the isotropic stress p₀ to an axial strain beyond yield.
+struct ConeInCompression {
+  double q, volumetric_strain;  // kPa
+  ConeInCompression(double p0_kpa, double axial_strain) {
+    q = 3 * (kM * p0_kpa + kCohesion) / (3 - kM);
+    const double elastic_volume = q / 3 / kBulk, elastic_shear = q / 3 / kShear;
+    const double plastic = axial_strain - elastic_shear - elastic_volume / 3;
+    const double plastic_shear = plastic / (1 - kN / 3);
+    volumetric_strain = elastic_volume - kN * plastic_shear;
+  }
+};
+
+}  // namespace triax::sim::test
