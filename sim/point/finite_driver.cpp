@@ -77,7 +77,8 @@ class FiniteDriver {
   /// Row that cannot be held, or −1 where the control is not at its limit. The plastic tangent is
   /// looked for beyond the state, where the increment leads.
   int culprit(const PointState<Space>& at, const Attempt<Space>& missed) const {
-    if (!regular()) return culprit_row<Space>(matrix(elastic_), control_.increment);
+    if (!regular())
+      return culprit_row<Space>(left_null_vector<Space>(matrix(elastic_)), control_.increment);
     const Matrix<Space> beyond =
         missed.strain.allFinite() ? differences(at, missed.strain) : missed.tangent;
     for (const Matrix<Space>& tangent : {beyond, missed.tangent})
@@ -117,7 +118,8 @@ class FiniteDriver {
       const double middle = 0.5 * (low + high);
       (determinant(on_the_way(middle)) > 0 ? low : high) = middle;
     }
-    return culprit_row<Space>(matrix(on_the_way(high)), control_.increment);
+    return culprit_row<Space>(left_null_vector<Space>(matrix(on_the_way(high))),
+                              control_.increment);
   }
 
   Attempt<Space> newton(const PointState<Space>& from, double fraction,
