@@ -107,7 +107,7 @@ void PointDriver<Space>::move(const PointState<Space>& from, double fraction, in
 template <class Space>
 void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointRate<Space>& first,
                                      double fraction, Trial& trial) {
-  trial.possible = trial.lost_control = false;
+  trial.possible = trial.lost_control = trial.refused = false;
   const Branch branch{standing_, first.active};
   const PointState<Space>& at = trial.state;
   for (int row = 1; row < tableau_.rows; ++row) {
@@ -124,7 +124,8 @@ void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointR
     flow_of(at, rate, flows_[static_cast<std::size_t>(row)]);
   }
   trial.error = error_of(at, fraction);
-  trial.possible = std::isfinite(trial.error) && !law_.objection(at);
+  trial.refused = law_.objection(at).has_value();
+  trial.possible = std::isfinite(trial.error) && !trial.refused;
 }
 
 /// A stage belongs to another branch if a loading mechanism unloads or one that stands on its
@@ -230,7 +231,7 @@ bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<
     return false;
   }
   // The branch changes within this smallest step: take it without loading.
-  if (take_idle(from, fraction, trial_)) return true;
+  if (!trial_.refused && take_idle(from, fraction, trial_)) return true;
   step.outcome = StepOutcome::failed;
   const auto objection = law_.objection(trial_.state);
   step.message = objection ? *objection : "no admissible state within reach of the increment";

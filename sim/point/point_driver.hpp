@@ -67,6 +67,7 @@ class PointDriver {
   struct Trial {
     bool possible = false;      // every stage had a meaning and kept the branch
     bool lost_control = false;  // a stage could not meet the conditions
+    bool refused = false;       // the law objects to where the step ends
     int culprit = -1;
     PointState<Space> state;
     Vector<Space> strain;
