@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/materials/response.hpp"
@@ -99,10 +100,14 @@ class Law {
   /// Distance of mechanism k from yield, as a ratio (of stresses): negative inside, 0 on the
   /// surface. A mechanism without an elastic range is always at 0.
   virtual double yield_distance(const State&, int) const { return 0; }
-  /// The state with round-off and memory settled: put onto the yield surfaces that it stands on to
-  /// within `kOnYield`, a reversal noted. Called at the beginning of a step, with the direction of
-  /// the step before (or zero).
-  virtual void settle(State&, unsigned /*on_yield*/) const {}
+  /// Takes the drift of integration out: puts the state onto the yield surfaces of these
+  /// mechanisms, which it stands on to within kOnYield or which have just loaded, and notes a
+  /// reversal of loading; mechanisms may have other names afterwards. Called at the beginning and
+  /// at the end of an integration step.
+  virtual void settle(State&, unsigned /*mechanisms*/) const {}
+  /// A witness that becomes negative where loading mechanisms have reversed their direction, so
+  /// that settle() has something to note: its zero is isolated within the step.
+  virtual double reversal(const State&) const { return 1; }
   /// Notes a change of direction, for laws whose memory depends on it; true if it changed the
   /// state.
   virtual bool turn(State&, const Rate&) const { return false; }
@@ -121,12 +126,16 @@ class Law {
 template <class Space>
 void Law<Space>::memory_rate(const State&, const Response<Space>& response, const Rate& rate,
                              Memory& out) const {
-  out.setZero();
   const auto* form = std::get_if<StiffnessForm<Space>>(&response);
-  if (form == nullptr) return;
-  for (unsigned k = 0; k < kMostMechanisms; ++k)
-    if (rate.multiplier[k] != 0 && form->memory_slope[k].size() > 0)
+  bool first = true;
+  for (unsigned k = 0; form != nullptr && k < static_cast<unsigned>(form->mechanisms); ++k) {
+    if (rate.multiplier[k] == 0 || form->memory_slope[k].size() == 0) continue;
+    if (std::exchange(first, false))
+      out = rate.multiplier[k] * form->memory_slope[k];
+    else
       out += rate.multiplier[k] * form->memory_slope[k];
+  }
+  if (first) out.setZero();
 }
 
 /// Stress ratio by which a state may stand inside a yield surface and still count as on it.

@@ -2,15 +2,24 @@
 
 #include <algorithm>
 
+#include "sim/materials/cam_clay.hpp"
+#include "sim/materials/drucker_prager.hpp"
+#include "sim/materials/elastic.hpp"
+#include "sim/materials/hypoplastic.hpp"
+#include "sim/materials/interpolated.hpp"
+#include "sim/materials/mohr_coulomb.hpp"
+#include "sim/materials/norsand.hpp"
 #include "sim/materials/sanisand.hpp"
 #include "sim/materials/umat.hpp"
 
 namespace triax::sim {
 
 const std::vector<LawDescription>& laws() {
+  // A law that is built on another's sets comes after it.
   static const std::vector<LawDescription> all = {
-      sanisand_law(),
-      umat_law(),
+      elastic_law(),  // one a line
+      mohr_coulomb_law(), drucker_prager_law(), cam_clay_law(),   hypoplastic_law(), sanisand_law(),
+      norsand_law(),      inl2_law(),           octolinear_law(), umat_law(),
   };
   return all;
 }

@@ -6,22 +6,19 @@
 #include "sim/mechanics/units.hpp"
 
 namespace triax::sim {
-namespace {
 
-std::string number(double value) {
+std::string short_number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value);
   return text.data();
 }
 
-}  // namespace
-
 std::string Range::words() const {
   std::string low, high;
-  if (std::isfinite(above)) low = "above " + number(above);
-  if (std::isfinite(at_least)) low = "at least " + number(at_least);
-  if (std::isfinite(below)) high = "below " + number(below);
-  if (std::isfinite(at_most)) high = "at most " + number(at_most);
+  if (std::isfinite(above)) low = "above " + short_number(above);
+  if (std::isfinite(at_least)) low = "at least " + short_number(at_least);
+  if (std::isfinite(below)) high = "below " + short_number(below);
+  if (std::isfinite(at_most)) high = "at most " + short_number(at_most);
   if (low.empty() && high.empty()) return "a finite number";
   return low + (low.empty() || high.empty() ? "" : " and ") + high;
 }
@@ -34,7 +31,8 @@ double unit_scale(std::string_view unit) {
 
 void check_parameter(const ParameterDescription& d, double value) {
   if (std::isfinite(value) && d.range.holds(value)) return;
-  throw std::invalid_argument(d.key + " is " + number(value) + ", must be " + d.range.words());
+  throw std::invalid_argument(d.key + " is " + short_number(value) + ", must be " +
+                              d.range.words());
 }
 
 }  // namespace triax::sim

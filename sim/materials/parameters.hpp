@@ -53,6 +53,7 @@ struct Material {
   std::shared_ptr<const Law<Axisymmetric>> axisymmetric;
   std::shared_ptr<const Law<Tensor>> tensor;
   std::string no_tensor;  ///< why there is no tensor form; empty where there is one
+  std::string based_on;   ///< of a law built on others: on what
   template <class Space>
   const Law<Space>* law() const {
     if constexpr (Space::kSize == 2)
@@ -84,6 +85,9 @@ struct ParameterRow {
 };
 template <class Parameters>
 using ParameterTable = std::vector<ParameterRow<Parameters>>;
+
+/// A number as messages write it, six digits at most.
+std::string short_number(double value);
 
 /// SI per unit of a parameter; throws std::logic_error for a unit that nobody knows.
 double unit_scale(std::string_view unit);
@@ -132,6 +136,7 @@ LawDescription describe(std::string name, std::string title, std::string source,
             const Parameters p = parameters_from(set, table);
             return Material{std::make_shared<SomeLaw<Axisymmetric>>(p),
                             std::make_shared<SomeLaw<Tensor>>(p),
+                            {},
                             {}};
           }};
 }

@@ -43,16 +43,21 @@ struct StiffnessForm {
 
   /// Adds a plastic mechanism: dε^p = λ r, n·dσ ≤ h λ.
   void add_plastic(const Vector<Space>& flow, const Vector<Space>& normal, double modulus) {
-    relaxation[static_cast<std::size_t>(mechanisms)] = stiffness * flow;
-    trigger[static_cast<std::size_t>(mechanisms)] = stiffness * normal;
-    normals_[static_cast<std::size_t>(mechanisms)] = normal;
-    for (int j = 0; j <= mechanisms; ++j) {
-      const auto& c = relaxation[static_cast<std::size_t>(j)];
-      hardening(mechanisms, j) = normal.dot(c);
-      hardening(j, mechanisms) = normals_[static_cast<std::size_t>(j)].dot(
-          relaxation[static_cast<std::size_t>(mechanisms)]);
+    add_plastic(stiffness * flow, stiffness * normal, normal, modulus);
+  }
+  /// The same where C r and C n are known already.
+  void add_plastic(const Vector<Space>& c_flow, const Vector<Space>& c_normal,
+                   const Vector<Space>& normal, double modulus) {
+    const auto k = static_cast<std::size_t>(mechanisms);
+    relaxation[k] = c_flow;
+    trigger[k] = c_normal;
+    normals_[k] = normal;
+    for (int j = 0; j < mechanisms; ++j) {
+      const auto u = static_cast<std::size_t>(j);
+      hardening(mechanisms, j) = normal.dot(relaxation[u]);
+      hardening(j, mechanisms) = normals_[u].dot(c_flow);
     }
-    hardening(mechanisms, mechanisms) += modulus;
+    hardening(mechanisms, mechanisms) = normal.dot(c_flow) + modulus;
     ++mechanisms;
   }
 
@@ -112,6 +117,12 @@ Matrix<Space> isotropic_stiffness(double bulk_pa, double shear_pa) {
     c.diagonal().array() += 2 * shear_pa;
   }
   return c;
+}
+
+/// That stiffness times a tensor.
+template <class Space>
+Vector<Space> isotropic_product(double bulk_pa, double shear_pa, const Vector<Space>& a) {
+  return 2 * shear_pa * a + ((bulk_pa - 2 * shear_pa / 3) * trace<Space>(a)) * identity<Space>();
 }
 
 }  // namespace triax::sim

@@ -63,7 +63,8 @@ LawDescription sanisand_law() {
 }
 
 template <class Space>
-Sanisand<Space>::Sanisand(const SanisandParameters& p) : parameters_(p) {
+Sanisand<Space>::Sanisand(const SanisandParameters& p)
+    : parameters_(p), bulk_ratio_(2 * (1 + p.poisson_ratio) / (3 * (1 - 2 * p.poisson_ratio))) {
   check_parameters(p, sanisand_table());
 }
 
@@ -110,23 +111,31 @@ std::optional<std::string> Sanisand<Space>::objection(const State& state) const 
 }
 
 template <class Space>
+double Sanisand<Space>::shear_at(double root_p, double void_ratio) const {
+  const double gap = 2.97 - void_ratio;
+  return parameters_.shear_modulus_factor * parameters_.atmospheric_pressure_pa * gap * gap /
+         (1 + void_ratio) * root_p;
+}
+
+template <class Space>
+double Sanisand<Space>::state_parameter_at(double relative_p, double void_ratio) const {
+  return void_ratio - parameters_.critical_void_ratio +
+         parameters_.critical_slope * std::pow(relative_p, parameters_.critical_exponent);
+}
+
+template <class Space>
 double Sanisand<Space>::shear_modulus(const State& state) const {
-  const double gap = 2.97 - state.void_ratio;
-  return parameters_.shear_modulus_factor * gap * gap / (1 + state.void_ratio) *
-         std::sqrt(state.p() * parameters_.atmospheric_pressure_pa);
+  return shear_at(std::sqrt(state.p() / parameters_.atmospheric_pressure_pa), state.void_ratio);
 }
 
 template <class Space>
 double Sanisand<Space>::bulk_modulus(const State& state) const {
-  const double nu = parameters_.poisson_ratio;
-  return 2 * (1 + nu) / (3 * (1 - 2 * nu)) * shear_modulus(state);
+  return bulk_ratio_ * shear_modulus(state);
 }
 
 template <class Space>
 double Sanisand<Space>::state_parameter(const State& state) const {
-  const double ratio = state.p() / parameters_.atmospheric_pressure_pa;
-  return state.void_ratio - parameters_.critical_void_ratio +
-         parameters_.critical_slope * std::pow(ratio, parameters_.critical_exponent);
+  return state_parameter_at(state.p() / parameters_.atmospheric_pressure_pa, state.void_ratio);
 }
 
 template <class Space>
@@ -136,13 +145,22 @@ double Sanisand<Space>::yield_distance(const State& state, int) const {
 }
 
 template <class Space>
-void Sanisand<Space>::settle(State& state, unsigned on_yield) const {
-  if (on_yield == 0) return;
+void Sanisand<Space>::settle(State& state, unsigned mechanisms) const {
+  if (mechanisms == 0) return;
   const Vector<Space> ratio = deviator<Space>(state.stress) / state.p();
-  const Vector<Space> n = (ratio - alpha(state)).normalized();
-  state.memory.template segment<kSize>(0) = ratio - kRoot * parameters_.yield_radius * n;
-  if ((alpha(state) - alpha_in(state)).dot(n) < 0)
+  const Vector<Space> from_axis = ratio - alpha(state);
+  const double radius = kRoot * parameters_.yield_radius;
+  state.memory.template segment<kSize>(0) = ratio - (radius / from_axis.norm()) * from_axis;
+  if ((alpha(state) - alpha_in(state)).dot(from_axis) < 0)
     state.memory.template segment<kSize>(kSize) = alpha(state);
+}
+
+template <class Space>
+double Sanisand<Space>::reversal(const State& state) const {
+  // In axisymmetry n keeps its direction while the specimen loads.
+  if constexpr (Space::kSize == 2) return 1;
+  const Vector<Space> from_axis = deviator<Space>(state.stress) / state.p() - alpha(state);
+  return (alpha(state) - alpha_in(state)).dot(from_axis) / parameters_.yield_radius;
 }
 
 template <class Space>
@@ -165,7 +183,8 @@ typename Sanisand<Space>::Loading Sanisand<Space>::loading(const State& state) c
   const double cosine = std::clamp(std::sqrt(6.0) * n2.dot(l.n), -1.0, 1.0);
   const double c = par.extension_ratio;
   const double g = 2 * c / ((1 + c) - (1 - c) * cosine);
-  const double psi = state_parameter(state);
+  const double relative_p = p / par.atmospheric_pressure_pa;
+  const double psi = state_parameter_at(relative_p, state.void_ratio);
   const double along = a.dot(l.n);
   const double limit = g * par.critical_stress_ratio;
   l.bounding = kRoot * (limit * std::exp(-par.bounding_exponent * psi) - par.yield_radius);
@@ -178,9 +197,10 @@ typename Sanisand<Space>::Loading Sanisand<Space>::loading(const State& state) c
   const double cc = 3 * std::sqrt(1.5) * (1 - c) / c * g;
   l.direction = b * l.n - cc * n2 + ((cc + l.dilatancy) / 3) * identity<Space>();
   l.normal = l.n - (l.n.dot(ratio) / 3) * identity<Space>();
+  const double root_p = std::sqrt(relative_p);
+  l.shear = shear_at(root_p, state.void_ratio);
   l.stiffness = par.shear_modulus_factor * par.hardening_factor *
-                (1 - par.hardening_void_ratio_factor * state.void_ratio) /
-                std::sqrt(p / par.atmospheric_pressure_pa);
+                (1 - par.hardening_void_ratio_factor * state.void_ratio) / root_p;
   l.distance = std::max(0.0, along - alpha_in(state).dot(l.n));
   return l;
 }
@@ -188,11 +208,13 @@ typename Sanisand<Space>::Loading Sanisand<Space>::loading(const State& state) c
 template <class Space>
 void Sanisand<Space>::response(const State& state, Response<Space>& out) const {
   StiffnessForm<Space>& form = stiffness_form(out);
-  form.stiffness = isotropic_stiffness<Space>(bulk_modulus(state), shear_modulus(state));
   const Loading l = loading(state);
+  const double shear = l.shear, bulk = bulk_ratio_ * shear;
+  form.stiffness = isotropic_stiffness<Space>(bulk, shear);
   // K_p is multiplied by the distance since the last reversal, and the flow with it: both stay
   // finite, λ = L/distance.
-  form.add_plastic(l.distance * l.direction, l.normal,
+  form.add_plastic(isotropic_product<Space>(bulk, shear, l.distance * l.direction),
+                   isotropic_product<Space>(bulk, shear, l.normal), l.normal,
                    2.0 / 3 * state.p() * l.stiffness * (l.bounding - alpha(state).dot(l.n)));
   Memory& slope = form.memory_slope[0];
   slope.setZero(3 * kSize);

@@ -64,7 +64,8 @@ class Sanisand : public Law<Space> {
   using Law<Space>::response;
   void response(const State& state, Response<Space>& out) const override;
   double yield_distance(const State& state, int mechanism) const override;
-  void settle(State& state, unsigned on_yield) const override;
+  void settle(State& state, unsigned mechanisms) const override;
+  double reversal(const State& state) const override;
   std::optional<double> limit_stress_ratio() const override {
     return parameters_.critical_stress_ratio;
   }
@@ -88,14 +89,18 @@ class Sanisand : public Law<Space> {
     double bounding = 0;      ///< α^b:n
     double stiffness = 0;     ///< b₀ = h (α − α_in):n
     double distance = 0;      ///< (α − α_in):n ≥ 0
+    double shear = 0;         ///< G, Pa
   };
   Loading loading(const State& state) const;
 
  private:
   static constexpr int kSize = Space::kSize;
   double contraction_fade(double p) const;
+  double shear_at(double root_p, double void_ratio) const;  // √(p/p_at)
+  double state_parameter_at(double relative_p, double void_ratio) const;
 
   SanisandParameters parameters_;
+  double bulk_ratio_;  // K/G
 };
 
 extern template class Sanisand<Axisymmetric>;

@@ -15,7 +15,8 @@
 //
 // Where the determinant vanishes the conditions cannot be met (loss of control in Nova's sense).
 // The culprit is then the row with the largest |w_i dy_i|, w the left null vector: the conditions
-// could be met only if w·dy were zero (Fredholm), and that row contributes most.
+// could be met only if w·dy were zero (Fredholm), and that row contributes most. For a mechanism
+// w = A⁻ᵗ m, for hypoplasticity A⁻ᵗ dε/|dε|: also where the determinant has jumped below zero.
 #include <optional>
 
 #include "sim/materials/law.hpp"
@@ -36,10 +37,15 @@ struct PreparedControl {
   PreparedControl(const MixedControl<Space>& control, double modulus_pa);
 };
 
-/// The row of a control matrix S T + E that cannot be held. A step may have gone past the singular
-/// state, so that the null vector is that of the smallest singular value, whatever its size.
+/// Row of the control that cannot be held, from the left null vector of the singular control
+/// matrix.
 template <class Space>
-int culprit_row(const Matrix<Space>& singular, const Vector<Space>& increment);
+int culprit_row(const Vector<Space>& null_vector, const Vector<Space>& increment);
+
+/// Left null vector of a control matrix S T + E that is singular or near it. A step may have gone
+/// past the singular state, so that it is that of the smallest singular value, whatever its size.
+template <class Space>
+Vector<Space> left_null_vector(const Matrix<Space>& control_matrix);
 
 /// Which mechanisms may load: those on yield; with `forced` exactly those in it do.
 struct Branch {

@@ -124,6 +124,7 @@ Segment<Tensor> as_tensor_segment(const Segment<Axisymmetric>& segment) {
   lifted.end = segment.end;
   lifted.repeat = segment.repeat;
   lifted.repeat_from = segment.repeat_from;
+  lifted.goes_on = segment.goes_on;
   lifted.least_parts = segment.least_parts;
   return lifted;
 }

@@ -54,6 +54,8 @@ struct Segment {
   std::vector<PathEnd> end;  ///< any of them ends the segment; one that is met already, at once
   int repeat = 1;            ///< times the stretch from `repeat_from` to this segment is run in all
   std::optional<std::size_t> repeat_from;  ///< empty: this segment alone
+  /// The stretch of a table behind its first: left out where an end condition ended the one before.
+  bool goes_on = false;
   /// Parts in which events are looked for, at least: one that comes and goes within a part is not
   /// seen.
   int least_parts = 200;

@@ -63,8 +63,11 @@ class Runner {
       for (const std::size_t i : order_) total += parts_of(path_.segments[i]);
       for (std::size_t k = 0; k < order_.size() && going_; ++k) {
         segment_ = order_[k];
-        enter_segment(k == 0);
-        run_segment(before, total);
+        ended_ = ended_ && segment().goes_on;
+        if (!ended_) {
+          enter_segment(k == 0);
+          run_segment(before, total);
+        }
         before += parts_of(path_.segments[segment_]);
       }
       if (going_ && result_.outcome == StepOutcome::inaccurate)
@@ -134,7 +137,7 @@ class Runner {
   }
 
   void run_segment(double before, double total) {
-    if (met_already()) return end_early();
+    if (met_already()) return end_by_condition();
     const int per_row = parts_ / segment().rows;
     for (int i = 0; i < parts_ && going_; ++i) {
       if (options_.progress && !options_.progress((before + i) / total)) {
@@ -159,7 +162,7 @@ class Runner {
     to.progress = whole ? static_cast<double>(i + 1) / parts_ : to.progress;
     const bool ended = look_for_events(from, to);
     if (ended) {
-      end_early();
+      end_by_condition();
       return false;
     }
     now_ = to;
@@ -182,7 +185,7 @@ class Runner {
       now_.progress += share / parts_;
       now_.pore_pressure += share * effective().pore_pressure / parts_;
       note_event(witness, now_);
-      end_early();
+      end_by_condition();
       return false;
     }
     return true;
@@ -316,6 +319,11 @@ class Runner {
     return beyond;
   }
 
+  void end_by_condition() {
+    ended_ = true;
+    end_early();
+  }
+
   void end_early() {
     const auto row = point(now_);
     if (result_.rows.empty() || result_.rows.back().segment != row.segment ||
@@ -395,6 +403,7 @@ class Runner {
   PathResult<Space> result_;
   Instant now_;
   bool going_ = true;
+  bool ended_ = false;  ///< the segment before was, by a condition
   std::size_t segment_ = 0;
   MixedControl<Space> part_;
   int parts_ = 1;

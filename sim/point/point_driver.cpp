@@ -3,304 +3,324 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/point/control_solver.hpp"
 #include "sim/point/finite_driver.hpp"
-#include "sim/point/runge_kutta.hpp"
 
 namespace triax::sim {
 namespace {
 
-/// Stress ratio by which an elastic step may end outside a yield surface: round-off.
+/// Stress ratio by which a step may end outside a yield surface that it did not load: round-off.
 constexpr double kOutside = 1e-12;
-/// Tolerances from here on are met more cheaply by the pair of low order.
-constexpr double kModerateTolerance = 1e-7;
-
-template <class Space>
-struct Flow {  // the derivative of everything that is integrated
-  Vector<Space> stress, strain;
-  double void_ratio = 0;
-  Memory memory;
-};
-
-template <class Space>
-class Driver {
- public:
-  Driver(const Law<Space>& law, const PointState<Space>& state, const MixedControl<Space>& control,
-         const PointTolerance& tolerance)
-      : law_(law),
-        tolerance_(tolerance),
-        tableau_(tolerance.relative < kModerateTolerance ? kDormandPrince : kBogackiShampine),
-        control_(control, typical_modulus(state)),
-        guess_(Vector<Space>::Zero()) {
-    for (int k = 0; k < state.memory.size(); ++k) {
-      scale_.resize(state.memory.size());
-      scale_(k) = law.memory_scale(k);
-    }
-  }
-
-  /// The mechanisms at whose yield surface the state stands.
-  unsigned on_yield(const PointState<Space>& state) const {
-    unsigned set = 0;
-    for (int k = 0; k < mechanisms_; ++k)
-      if (law_.yield_distance(state, k) >= -kOnYield) set |= 1U << k;
-    return set;
-  }
-
-  /// Rate at the start of a step, after settling; `state` may be changed by that.
-  PointRate<Space> begin(PointState<Space>& state) {
-    standing_ = on_yield(state);
-    law_.settle(state, standing_);
-    PointRate<Space> rate = respond(state, {standing_, std::nullopt});
-    if (rate.controllable && law_.turn(state, rate)) rate = respond(state, {standing_, {}});
-    if (rate.controllable) guess_ = rate.stress;
-    return rate;
-  }
-
-  struct Trial {
-    bool possible = false;      ///< every stage had a meaning and kept the branch
-    bool lost_control = false;  ///< a stage could not meet the conditions
-    int culprit = -1;
-    PointState<Space> state;
-    Vector<Space> strain;
-    double error = 0;
-  };
-
-  /// One Runge-Kutta step over `fraction` of the increment on the branch that `first` is on.
-  void runge_kutta(const PointState<Space>& from, const PointRate<Space>& first, double fraction,
-                   Trial& trial) {
-    trial.possible = trial.lost_control = false;
-    const Branch branch{standing_, first.active};
-    flow_of(from, first, flows_[0]);
-    PointState<Space>& at = trial.state;
-    for (int i = 1; i < tableau_.stages; ++i) {
-      const auto& a = tableau_.a[static_cast<std::size_t>(i)];
-      at = from;
-      trial.strain.setZero();
-      for (int j = 0; j < i; ++j) {
-        const double weight = fraction * a[static_cast<std::size_t>(j)];
-        if (weight == 0) continue;
-        const Flow<Space>& flow = flows_[static_cast<std::size_t>(j)];
-        at.stress += weight * flow.stress;
-        at.void_ratio += weight * flow.void_ratio;
-        if (at.memory.size() > 0) at.memory += weight * flow.memory;
-        trial.strain += weight * flow.strain;
-      }
-      if (!std::isfinite(at.stress.sum()) || (!law_.carries_tension() && !(at.p() > 0))) return;
-      const PointRate<Space> rate = respond(at, branch);
-      if (!rate.controllable) {
-        trial.lost_control = rate.culprit >= 0;
-        trial.culprit = rate.culprit;
-        return;
-      }
-      if (!keeps_branch(at, rate)) return;
-      flow_of(at, rate, flows_[static_cast<std::size_t>(i)]);
-    }
-    trial.error = error_of(at, fraction);
-    trial.possible = std::isfinite(trial.error) && !law_.objection(at);
-  }
-
-  /// Bit k: the mechanism, not loading in this step, has come outside its surface.
-  bool crossed(const PointState<Space>& state, unsigned active) const {
-    for (int k = 0; k < mechanisms_; ++k)
-      if (!(active >> k & 1U) && law_.yield_distance(state, k) > kOutside) return true;
-    return false;
-  }
-
-  /// Shortens a step that came through a yield surface to end on it. `fraction` is what it covers.
-  void stop_at_yield(const PointState<Space>& from, const PointRate<Space>& first, double& fraction,
-                     Trial& trial) {
-    double low = 0, high = fraction;
-    Trial shorter;
-    for (int i = 0; i < 200 && high - low > 1e-15 * fraction; ++i) {
-      const double middle = 0.5 * (low + high);
-      runge_kutta(from, first, middle, shorter);
-      if (!shorter.possible || crossed(shorter.state, first.active)) {
-        high = middle;
-        if (shorter.possible) trial = shorter;
-      } else {
-        low = middle;
-      }
-    }
-    fraction = high;
-  }
-
-  /// The step without any loading mechanism.
-  bool take_idle(const PointState<Space>& from, double fraction, Trial& trial) {
-    standing_ = 0;
-    const PointRate<Space> rate = respond(from, {0, 0U});
-    if (rate.controllable) runge_kutta(from, rate, fraction, trial);
-    return rate.controllable && trial.possible;
-  }
-
-  const Law<Space>& law_;
-  const PointTolerance& tolerance_;
-  const Tableau& tableau_;
-
- private:
-  double typical_modulus(const PointState<Space>& state) {
-    law_.response(state, response_);
-    if (const auto* form = std::get_if<StiffnessForm<Space>>(&response_)) {
-      mechanisms_ = form->mechanisms;
-      return std::max(form->stiffness.diagonal().maxCoeff(), 1e-300);
-    }
-    return 1 / std::get<InterpolatedForm<Space>>(response_).plus.diagonal().cwiseAbs().mean();
-  }
-
-  PointRate<Space> respond(const PointState<Space>& state, const Branch& branch) {
-    law_.response(state, response_);
-    return solve_control(response_, control_, branch, guess_);
-  }
-
-  /// A stage belongs to another branch if a loading mechanism unloads or one that stands on its
-  /// surface, unloading at the start, would load.
-  bool keeps_branch(const PointState<Space>& at, const PointRate<Space>& rate) const {
-    if (!consistent(rate)) return false;
-    const unsigned idle = standing_ & ~rate.active;
-    if (idle == 0) return true;
-    const auto& form = std::get<StiffnessForm<Space>>(response_);
-    for (int k = 0; k < mechanisms_; ++k) {
-      if (!(idle >> k & 1U) || law_.yield_distance(at, k) < -kOnYield) continue;
-      const auto& trigger = form.trigger[static_cast<std::size_t>(k)];
-      double push = trigger.dot(rate.strain);
-      for (int j = 0; j < mechanisms_; ++j)
-        push -= form.hardening(k, j) * rate.multiplier[static_cast<std::size_t>(j)];
-      if (push > 1e-9 * trigger.norm() * rate.strain.norm()) return false;
-    }
-    return true;
-  }
-
-  void flow_of(const PointState<Space>& at, const PointRate<Space>& rate, Flow<Space>& flow) const {
-    flow.stress = rate.stress;
-    flow.strain = rate.strain;
-    flow.void_ratio = -(1 + at.void_ratio) * trace<Space>(rate.strain);
-    if (at.memory.size() == 0) return;
-    flow.memory.resize(at.memory.size());
-    law_.memory_rate(at, response_, rate, flow.memory);
-  }
-
-  double error_of(const PointState<Space>& at, double fraction) const {
-    Vector<Space> stress = Vector<Space>::Zero();
-    double void_ratio = 0, worst = 0;
-    for (int i = 0; i < tableau_.stages; ++i) {
-      const double weight = fraction * tableau_.error[static_cast<std::size_t>(i)];
-      stress += weight * flows_[static_cast<std::size_t>(i)].stress;
-      void_ratio += weight * flows_[static_cast<std::size_t>(i)].void_ratio;
-    }
-    for (int k = 0; k < at.memory.size(); ++k) {
-      double sum = 0;
-      for (int i = 0; i < tableau_.stages; ++i)
-        sum += tableau_.error[static_cast<std::size_t>(i)] *
-               flows_[static_cast<std::size_t>(i)].memory(k);
-      worst = std::max(worst, std::abs(fraction * sum) / scale_(k));
-    }
-    const double size = std::max(std::abs(at.p()), 0.1);  // Pa
-    return std::max({worst, stress.cwiseAbs().maxCoeff() / size, std::abs(void_ratio)});
-  }
-
-  int mechanisms_ = 0;
-  unsigned standing_ = 0;
-  Response<Space> response_;
-  PreparedControl<Space> control_;
-  Vector<Space> guess_;
-  Memory scale_;
-  std::array<Flow<Space>, Tableau::kMostStages> flows_;
-};
+/// Stress (Pa) below which errors are not measured relative to p′.
+constexpr double kSmallestStress = 0.1;
 
 constexpr const char* kLost = "the control condition cannot be held any longer";
 
 }  // namespace
 
 template <class Space>
+PointDriver<Space>::PointDriver(const Law<Space>& law, const PointState<Space>& reference,
+                                const MixedControl<Space>& control, const PointTolerance& tolerance)
+    : law_(law),
+      tolerance_(tolerance),
+      tableau_(tableau_for(tolerance.relative)),
+      control_(control, typical_modulus(reference)),
+      guess_(Vector<Space>::Zero()),
+      scale_(reference.memory.size()) {
+  for (int k = 0; k < scale_.size(); ++k) scale_(k) = 1 / law.memory_scale(k);
+}
+
+template <class Space>
+double PointDriver<Space>::typical_modulus(const PointState<Space>& state) {
+  law_.response(state, response_);
+  if (const auto* form = std::get_if<StiffnessForm<Space>>(&response_)) {
+    mechanisms_ = form->mechanisms;
+    return std::max(form->stiffness.diagonal().maxCoeff(), 1e-300);
+  }
+  return 1 / std::get<InterpolatedForm<Space>>(response_).plus.diagonal().cwiseAbs().mean();
+}
+
+/// The mechanisms at whose yield surface the state stands.
+template <class Space>
+unsigned PointDriver<Space>::on_yield(const PointState<Space>& state) const {
+  unsigned set = 0;
+  for (int k = 0; k < mechanisms_; ++k)
+    if (law_.yield_distance(state, k) >= -kOnYield) set |= 1U << k;
+  return set;
+}
+
+template <class Space>
+PointRate<Space> PointDriver<Space>::respond(const PointState<Space>& state, const Branch& branch) {
+  law_.response(state, response_);
+  return solve_control(response_, control_, branch, guess_);
+}
+
+/// Rate at the start of a step, after settling; `state` may be changed by that.
+template <class Space>
+PointRate<Space> PointDriver<Space>::begin(PointState<Space>& state) {
+  standing_ = on_yield(state);
+  law_.settle(state, standing_);
+  if (mechanisms_ > 1) standing_ = on_yield(state);  // settling may name the mechanisms anew
+  PointRate<Space> rate = respond(state, {standing_, std::nullopt});
+  if (rate.controllable && law_.turn(state, rate)) rate = respond(state, {standing_, {}});
+  if (rate.controllable) guess_ = rate.stress;
+  return rate;
+}
+
+template <class Space>
+void PointDriver<Space>::flow_of(const PointState<Space>& at, const PointRate<Space>& rate,
+                                 Flow& flow) const {
+  flow.stress = rate.stress;
+  flow.strain = rate.strain;
+  flow.void_ratio = -(1 + at.void_ratio) * trace<Space>(rate.strain);
+  if (at.memory.size() == 0) return;
+  flow.memory.resize(at.memory.size());
+  law_.memory_rate(at, response_, rate, flow.memory);
+}
+
+/// State and strain of a row of the tableau.
+template <class Space>
+void PointDriver<Space>::move(const PointState<Space>& from, double fraction, int row,
+                              Trial& trial) const {
+  std::array<double, Tableau::kMostStages> weight{};
+  const int columns = std::min(row, tableau_.evaluations);
+  PointState<Space>& at = trial.state;
+  at.stress = from.stress;
+  at.void_ratio = from.void_ratio;
+  trial.strain.setZero();
+  for (std::size_t j = 0; j < static_cast<std::size_t>(columns); ++j) {
+    weight[j] = fraction * tableau_.a[static_cast<std::size_t>(row)][j];
+    if (weight[j] == 0) continue;
+    at.stress += weight[j] * flows_[j].stress;
+    at.void_ratio += weight[j] * flows_[j].void_ratio;
+    trial.strain += weight[j] * flows_[j].strain;
+  }
+  at.memory.resize(from.memory.size());
+  for (int k = 0; k < at.memory.size(); ++k) {
+    double entry = from.memory(k);
+    for (std::size_t j = 0; j < static_cast<std::size_t>(columns); ++j)
+      entry += weight[j] * flows_[j].memory(k);
+    at.memory(k) = entry;
+  }
+}
+
+/// One Runge-Kutta step over `fraction` of the increment on the branch that `first` is on.
+template <class Space>
+void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointRate<Space>& first,
+                                     double fraction, Trial& trial) {
+  trial.possible = trial.lost_control = false;
+  const Branch branch{standing_, first.active};
+  const PointState<Space>& at = trial.state;
+  for (int row = 1; row < tableau_.rows; ++row) {
+    move(from, fraction, row, trial);
+    if (!std::isfinite(at.stress.sum()) || (!law_.carries_tension() && !(at.p() > 0))) return;
+    if (row >= tableau_.evaluations) break;
+    const PointRate<Space> rate = respond(at, branch);
+    if (!rate.controllable) {
+      trial.lost_control = rate.culprit >= 0;
+      trial.culprit = rate.culprit;
+      return;
+    }
+    if (!keeps_branch(at, rate)) return;
+    flow_of(at, rate, flows_[static_cast<std::size_t>(row)]);
+  }
+  trial.error = error_of(at, fraction);
+  trial.possible = std::isfinite(trial.error) && !law_.objection(at);
+}
+
+/// A stage belongs to another branch if a loading mechanism unloads or one that stands on its
+/// surface, unloading at the start, would load.
+template <class Space>
+bool PointDriver<Space>::keeps_branch(const PointState<Space>& at,
+                                      const PointRate<Space>& rate) const {
+  if (!consistent(rate)) return false;
+  const unsigned idle = standing_ & ~rate.active;
+  if (idle == 0) return true;
+  const auto& form = std::get<StiffnessForm<Space>>(response_);
+  for (int k = 0; k < mechanisms_; ++k) {
+    if (!(idle >> k & 1U) || law_.yield_distance(at, k) < -kOnYield) continue;
+    const auto& trigger = form.trigger[static_cast<std::size_t>(k)];
+    double push = trigger.dot(rate.strain);
+    for (int j = 0; j < mechanisms_; ++j)
+      push -= form.hardening(k, j) * rate.multiplier[static_cast<std::size_t>(j)];
+    if (push > 1e-9 * trigger.norm() * rate.strain.norm()) return false;
+  }
+  return true;
+}
+
+template <class Space>
+double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction) const {
+  Vector<Space> stress = Vector<Space>::Zero();
+  double void_ratio = 0, worst = 0;
+  for (int i = 0; i < tableau_.evaluations; ++i) {
+    const double weight = fraction * tableau_.error[static_cast<std::size_t>(i)];
+    stress += weight * flows_[static_cast<std::size_t>(i)].stress;
+    void_ratio += weight * flows_[static_cast<std::size_t>(i)].void_ratio;
+  }
+  for (int k = 0; k < at.memory.size(); ++k) {
+    double sum = 0;
+    for (int i = 0; i < tableau_.evaluations; ++i)
+      sum += tableau_.error[static_cast<std::size_t>(i)] *
+             flows_[static_cast<std::size_t>(i)].memory(k);
+    worst = std::max(worst, std::abs(sum) * scale_(k));
+  }
+  worst *= fraction;
+  const double size = std::max(std::abs(at.p()), kSmallestStress);
+  return std::max({worst, stress.cwiseAbs().maxCoeff() / size, std::abs(void_ratio)});
+}
+
+/// Whether a mechanism that does not load in this step has come outside its surface, or one that
+/// loads has reversed.
+template <class Space>
+bool PointDriver<Space>::crossed(const PointState<Space>& state, unsigned active) const {
+  for (int k = 0; k < mechanisms_; ++k)
+    if (!(active >> k & 1U) && law_.yield_distance(state, k) > kOutside) return true;
+  return active != 0 && law_.reversal(state) < -kOutside;
+}
+
+/// Shortens a step that came through a yield surface or a reversal to end there; `fraction` is what
+/// it covers.
+template <class Space>
+void PointDriver<Space>::stop_at_crossing(const PointState<Space>& from,
+                                          const PointRate<Space>& first, double& fraction,
+                                          Trial& trial) {
+  double low = 0, high = fraction;
+  Trial shorter;
+  for (int i = 0; i < 200 && high - low > 1e-15 * fraction; ++i) {
+    const double middle = 0.5 * (low + high);
+    runge_kutta(from, first, middle, shorter);
+    if (shorter.possible && !crossed(shorter.state, first.active)) {
+      low = middle;
+      continue;
+    }
+    high = middle;
+    if (shorter.possible) trial = shorter;
+  }
+  fraction = high;
+}
+
+/// The step without any loading mechanism.
+template <class Space>
+bool PointDriver<Space>::take_idle(const PointState<Space>& from, double fraction, Trial& trial) {
+  standing_ = 0;
+  const PointRate<Space> rate = respond(from, {0, 0U});
+  if (!rate.controllable) return false;
+  flow_of(from, rate, flows_[0]);
+  runge_kutta(from, rate, fraction, trial);
+  return trial.possible;
+}
+
+/// Tries a step of `fraction`. False: it was shortened, or (outcome changed) there is none.
+template <class Space>
+bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<Space>& start,
+                                 double& fraction, PointStep<Space>& step) {
+  runge_kutta(from, start, fraction, trial_);
+  const double wanted = tolerance_.relative;
+  if (trial_.possible && trial_.error <= wanted) return true;
+  if (fraction > tolerance_.smallest_step) {
+    const double shrink =
+        trial_.possible ? 0.9 * std::pow(wanted / trial_.error, 1.0 / tableau_.order) : 0.25;
+    fraction = std::max(fraction * std::clamp(shrink, 0.1, 0.9), 0.5 * tolerance_.smallest_step);
+    return false;
+  }
+  if (trial_.possible) return true;
+  if (trial_.lost_control) {
+    step.culprit = trial_.culprit;
+    step.outcome = StepOutcome::lost_control;
+    step.message = kLost;
+    return false;
+  }
+  // The branch changes within this smallest step: take it without loading.
+  if (take_idle(from, fraction, trial_)) return true;
+  step.outcome = StepOutcome::failed;
+  const auto objection = law_.objection(trial_.state);
+  step.message = objection ? *objection : "no admissible state within reach of the increment";
+  return false;
+}
+
+/// Takes the tried step and proposes the size of the next.
+template <class Space>
+void PointDriver<Space>::take(const PointRate<Space>& start, double& fraction,
+                              PointStep<Space>& step) {
+  double covered = fraction;
+  if (crossed(trial_.state, start.active)) stop_at_crossing(step.state, start, covered, trial_);
+  step.error = std::max(step.error, trial_.error);
+  step.state = trial_.state;
+  if (start.active != 0) law_.settle(step.state, start.active);
+  step.strain_increment += trial_.strain;
+  step.done = covered >= 1 - step.done ? 1 : step.done + covered;
+  if (step.done == 1) return;
+  const double grow = trial_.error > 0
+                          ? 0.9 * std::pow(tolerance_.relative / trial_.error, 1.0 / tableau_.order)
+                          : 5;
+  fraction = std::max(fraction * std::clamp(grow, 0.2, 5.0), tolerance_.smallest_step);
+}
+
+template <class Space>
+PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
+  PointStep<Space> step;
+  step.state = state;
+  if (auto objection = law_.objection(state)) {
+    step.message = *objection;
+    return step;
+  }
+  step.outcome = StepOutcome::accepted;
+  double fraction = 1;
+  PointState<Space>& from = step.state;
+  while (step.done < 1) {
+    const PointRate<Space> start = begin(from);
+    if (!start.controllable) {
+      step.culprit = start.culprit;
+      step.outcome = start.culprit < 0 ? StepOutcome::failed : StepOutcome::lost_control;
+      step.message =
+          start.culprit < 0 ? "the control conditions do not determine an increment" : kLost;
+      break;
+    }
+    flow_of(from, start, flows_[0]);
+    bool found = false;
+    while (!found && step.outcome == StepOutcome::accepted) {
+      if (++step.steps > tolerance_.step_limit) {
+        step.outcome = StepOutcome::failed;
+        step.message = "more integration steps than the limit allows";
+        break;
+      }
+      fraction = std::min(fraction, 1 - step.done);
+      found = attempt(from, start, fraction, step);
+    }
+    if (!found) break;
+    take(start, fraction, step);
+  }
+  if (step.outcome == StepOutcome::accepted && step.error > tolerance_.relative) {
+    step.outcome = StepOutcome::inaccurate;
+    step.message = "the integration error exceeds the tolerance";
+  }
+  step.stress_increment = step.state.stress - state.stress;
+  return step;
+}
+
+template <class Space>
 PointRate<Space> point_rate(const Law<Space>& law, const PointState<Space>& state,
                             const MixedControl<Space>& control) {
   if (law.finite()) return finite_rate(law, state, control);
-  Driver<Space> driver(law, state, control, {});
-  PointState<Space> settled = state;
-  return driver.begin(settled);
+  const PointTolerance tolerance;
+  return PointDriver<Space>(law, state, control, tolerance).rate(state);
 }
 
 template <class Space>
 PointStep<Space> advance_point(const Law<Space>& law, const PointState<Space>& state,
                                const MixedControl<Space>& control,
                                const PointTolerance& tolerance) {
-  PointStep<Space> step;
-  step.state = state;
-  const auto finish = [&step](StepOutcome outcome, const char* message) {
-    step.outcome = outcome;
-    step.message = message;
-  };
   if (auto objection = law.objection(state)) {
-    step.message = *objection;
-    return step;
+    PointStep<Space> refused;
+    refused.state = state;
+    refused.message = *objection;
+    return refused;
   }
   if (law.finite()) return advance_finite(law, state, control, tolerance);
-  Driver<Space> driver(law, state, control, tolerance);
-  step.outcome = StepOutcome::accepted;
-  typename Driver<Space>::Trial trial;
-  const double power = 1.0 / driver.tableau_.order;
-  double fraction = 1;
-  bool again = false;  // the same state as before, with a smaller step
-  PointState<Space> from;
-  PointRate<Space> start;
-  while (step.done < 1) {
-    if (++step.steps > tolerance.step_limit) {
-      finish(StepOutcome::failed, "more integration steps than the limit allows");
-      break;
-    }
-    fraction = std::min(fraction, 1 - step.done);
-    if (!again) {
-      from = step.state;
-      start = driver.begin(from);
-    }
-    again = true;
-    if (!start.controllable) {
-      step.culprit = start.culprit;
-      if (start.culprit < 0)
-        finish(StepOutcome::failed, "the control conditions do not determine an increment");
-      else
-        finish(StepOutcome::lost_control, kLost);
-      break;
-    }
-    driver.runge_kutta(from, start, fraction, trial);
-    if (!trial.possible || trial.error > tolerance.relative) {
-      if (fraction > tolerance.smallest_step) {
-        const double shrink =
-            trial.possible ? 0.9 * std::pow(tolerance.relative / trial.error, power) : 0.25;
-        fraction = std::max(fraction * std::clamp(shrink, 0.1, 0.9), 0.5 * tolerance.smallest_step);
-        continue;
-      }
-      if (trial.lost_control) {
-        step.culprit = trial.culprit;
-        finish(StepOutcome::lost_control, kLost);
-        break;
-      }
-      if (!trial.possible) {
-        // The branch changes within this smallest step: take it without loading.
-        if (!driver.take_idle(from, fraction, trial)) {
-          finish(StepOutcome::failed, "no admissible state within reach of the increment");
-          break;
-        }
-      }
-    }
-    double covered = fraction;
-    if (driver.crossed(trial.state, start.active))
-      driver.stop_at_yield(from, start, covered, trial);
-    again = false;
-    step.error = std::max(step.error, trial.error);
-    step.state = trial.state;
-    if (start.active != 0) law.settle(step.state, start.active);
-    step.strain_increment += trial.strain;
-    step.done = covered >= 1 - step.done ? 1 : step.done + covered;
-    const double grow =
-        trial.error > 0 ? 0.9 * std::pow(tolerance.relative / trial.error, power) : 5;
-    fraction = std::max(fraction * std::clamp(grow, 0.2, 5.0), tolerance.smallest_step);
-  }
-  if (step.outcome == StepOutcome::accepted && step.error > tolerance.relative)
-    finish(StepOutcome::inaccurate, "the integration error exceeds the tolerance");
-  step.stress_increment = step.state.stress - state.stress;
-  return step;
+  return PointDriver<Space>(law, state, control, tolerance).advance(state);
 }
 
+template class PointDriver<Axisymmetric>;
+template class PointDriver<Tensor>;
 template PointRate<Axisymmetric> point_rate(const Law<Axisymmetric>&,
                                             const PointState<Axisymmetric>&,
                                             const MixedControl<Axisymmetric>&);

@@ -8,8 +8,8 @@
 // step stops at that state, to `smallest_step`, and names the condition.
 #include <string>
 
-#include "sim/materials/law.hpp"
-#include "sim/point/mixed_control.hpp"
+#include "sim/point/control_solver.hpp"
+#include "sim/point/runge_kutta.hpp"
 
 namespace triax::sim {
 
@@ -34,24 +34,87 @@ struct PointStep {
   Vector<Space> stress_increment = Vector<Space>::Zero();  ///< of the part done, effective, Pa
   Vector<Space> strain_increment = Vector<Space>::Zero();  ///< of the part done
   double error = 0;  ///< largest estimated error of an integration step, relative
-  int steps = 0;     ///< integration steps taken
+  int steps = 0;     ///< integration steps tried
   int culprit = -1;
   std::string message;  ///< empty when accepted
   /// Δσ′:Δε of the part done, Pa
   double second_order_work() const { return stress_increment.dot(strain_increment); }
 };
 
-/// Response at an instant. Pre-condition: law.objection(state) is empty.
+/// The driver of one law under one control, for many increments of it. Allocates nothing unless a
+/// message has to be written (or a law outside this program does).
+template <class Space>
+class PointDriver {
+ public:
+  /// `reference` sets the size of the law's stiffness, for scaling; it must have no objection. Law
+  /// and tolerance must outlive the driver.
+  PointDriver(const Law<Space>& law, const PointState<Space>& reference,
+              const MixedControl<Space>& control, const PointTolerance& tolerance);
+
+  /// The state after the increment; the given state is never touched, so that an event is isolated
+  /// by repeating the step with a part of dy.
+  PointStep<Space> advance(const PointState<Space>& state);
+
+  /// Response at an instant. Pre-condition: law.objection(state) is empty.
+  PointRate<Space> rate(PointState<Space> state) { return begin(state); }
+
+ private:
+  struct Flow {  // the derivative of everything that is integrated
+    Vector<Space> stress, strain;
+    double void_ratio = 0;
+    Memory memory;
+  };
+  struct Trial {
+    bool possible = false;      // every stage had a meaning and kept the branch
+    bool lost_control = false;  // a stage could not meet the conditions
+    int culprit = -1;
+    PointState<Space> state;
+    Vector<Space> strain;
+    double error = 0;
+  };
+
+  double typical_modulus(const PointState<Space>& state);
+  unsigned on_yield(const PointState<Space>& state) const;
+  PointRate<Space> begin(PointState<Space>& state);
+  PointRate<Space> respond(const PointState<Space>& state, const Branch& branch);
+  void flow_of(const PointState<Space>& at, const PointRate<Space>& rate, Flow& flow) const;
+  void move(const PointState<Space>& from, double fraction, int row, Trial& trial) const;
+  void runge_kutta(const PointState<Space>& from, const PointRate<Space>& first, double fraction,
+                   Trial& trial);
+  bool keeps_branch(const PointState<Space>& at, const PointRate<Space>& rate) const;
+  double error_of(const PointState<Space>& at, double fraction) const;
+  bool crossed(const PointState<Space>& state, unsigned active) const;
+  void stop_at_crossing(const PointState<Space>& from, const PointRate<Space>& first,
+                        double& fraction, Trial& trial);
+  bool take_idle(const PointState<Space>& from, double fraction, Trial& trial);
+  bool attempt(const PointState<Space>& from, const PointRate<Space>& start, double& fraction,
+               PointStep<Space>& step);
+  void take(const PointRate<Space>& start, double& fraction, PointStep<Space>& step);
+
+  const Law<Space>& law_;
+  const PointTolerance& tolerance_;
+  const Tableau& tableau_;
+  int mechanisms_ = 0;
+  unsigned standing_ = 0;  // mechanisms on whose yield surface the step began
+  Response<Space> response_;
+  PreparedControl<Space> control_;
+  Vector<Space> guess_;
+  Memory scale_;  // 1/size of each entry of the memory
+  std::array<Flow, Tableau::kMostStages> flows_;
+  Trial trial_;
+};
+
 template <class Space>
 PointRate<Space> point_rate(const Law<Space>& law, const PointState<Space>& state,
                             const MixedControl<Space>& control);
 
-/// The state after the increment; the caller's state is never touched, so that an event is isolated
-/// by repeating the step with a part of dy. Allocates nothing unless a message has to be written
-/// (or a law outside this program does).
+/// One increment: PointDriver::advance, or the driver of laws that integrate themselves.
 template <class Space>
 PointStep<Space> advance_point(const Law<Space>& law, const PointState<Space>& state,
                                const MixedControl<Space>& control,
                                const PointTolerance& tolerance = {});
+
+extern template class PointDriver<Axisymmetric>;
+extern template class PointDriver<Tensor>;
 
 }  // namespace triax::sim

@@ -3,25 +3,33 @@
 
 namespace triax::sim {
 
-/// An embedded Runge-Kutta pair whose last stage is at the result (first same as last).
+/// An embedded Runge-Kutta pair. Row i of `a` leads to stage i; the row after the last evaluated
+/// stage, or the last stage itself, is the result.
 struct Tableau {
   static constexpr int kMostStages = 7;
-  int stages = 0;
-  int order = 0;  ///< of the result; the error estimate is of order − 1
-  std::array<std::array<double, kMostStages - 1>, kMostStages> a{};
+  int evaluations = 0;  ///< stages at which the derivative is needed
+  int rows = 0;         ///< of a; the last one is the result
+  int order = 0;        ///< of the result; the error estimate is of order − 1
+  std::array<std::array<double, kMostStages>, kMostStages + 1> a{};
   std::array<double, kMostStages> error{};  ///< result minus embedded result
 };
 
-/// Bogacki and Shampine (1989): cheap steps, for moderate accuracy and many small increments.
+/// Improved Euler (Heun) with Euler embedded: for the many small increments of a host program.
+inline constexpr Tableau kImprovedEuler{
+    .evaluations = 2, .rows = 3, .order = 2, .a = {{{}, {1}, {0.5, 0.5}}}, .error = {-0.5, 0.5}};
+
+/// Bogacki and Shampine (1989): cheap steps, for moderate accuracy.
 inline constexpr Tableau kBogackiShampine{
-    .stages = 4,
+    .evaluations = 4,
+    .rows = 4,
     .order = 3,
     .a = {{{}, {1.0 / 2}, {0, 3.0 / 4}, {2.0 / 9, 1.0 / 3, 4.0 / 9}}},
     .error = {2.0 / 9 - 7.0 / 24, 1.0 / 3 - 1.0 / 4, 4.0 / 9 - 1.0 / 3, -1.0 / 8}};
 
 /// Dormand and Prince (1980): for high accuracy.
 inline constexpr Tableau kDormandPrince{
-    .stages = 7,
+    .evaluations = 7,
+    .rows = 7,
     .order = 5,
     .a = {{{},
            {1.0 / 5},
@@ -32,5 +40,11 @@ inline constexpr Tableau kDormandPrince{
            {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}}},
     .error = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525,
               -1.0 / 40}};
+
+/// The pair that meets a relative tolerance per step with the least work.
+constexpr const Tableau& tableau_for(double tolerance) {
+  if (tolerance < 1e-7) return kDormandPrince;
+  return tolerance < 1e-5 ? kBogackiShampine : kImprovedEuler;
+}
 
 }  // namespace triax::sim

@@ -1,5 +1,7 @@
 #include "src/commands/command.hpp"
 
+#include "src/commands/element.hpp"
+#include "src/commands/materials.hpp"
 #include "src/commands/query.hpp"
 #include "src/commands/replay.hpp"
 #include "src/commands/report.hpp"
@@ -8,8 +10,9 @@
 namespace triax::src {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {simulate_command(), replay_command(), report_command(),
-                                           query_command()};
+  static const std::vector<Command> all = {simulate_command(), replay_command(),
+                                           report_command(),   query_command(),
+                                           element_command(),  materials_command()};
   return all;
 }
 

@@ -26,18 +26,6 @@ struct Options {
   bool json = false;
 };
 
-lab::RecordOptions record_options(const Options& o) {
-  lab::RecordOptions record{.dialect = o.dialect, .sets = {}};
-  for (const auto& set : o.sets) {
-    const auto equals = set.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw lab::BadInput(
-          fmt::format("--set {}: KEY=VALUE is wanted, as in specimen.height_mm=140", set));
-    record.sets.emplace_back(set.substr(0, equals), set.substr(equals + 1));
-  }
-  return record;
-}
-
 /// All records opened, so that whatever can be seen in their heads is told before the first has run
 /// for minutes. Beyond the first hundred only the looking remains: files stay open no longer than
 /// the system allows.
@@ -57,7 +45,8 @@ std::vector<std::unique_ptr<lab::RecordedRig>> look_at_all(const Options& o,
 }
 
 void run(const Options& o) {
-  const lab::RecordOptions record = record_options(o);
+  const lab::RecordOptions record{.dialect = o.dialect,
+                                  .sets = key_values(o.sets, "specimen.height_mm=140")};
   const lab::ReductionOptions reduction{.membrane = o.membrane};
   refuse_overwriting("--db", o.db, o.records, "a record that is read");
   auto rigs = look_at_all(o, record, reduction);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "db/store.hpp"
+#include "lab/records/bad_input.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/report/json_report.hpp"
@@ -38,6 +39,18 @@ void add_speed(CLI::App& app, double& speed) {
          },
          "pace: as fast as possible, or N times the clock; results do not depend on it [max]")
       ->type_name("max|N");
+}
+
+std::vector<std::pair<std::string, std::string>> key_values(const std::vector<std::string>& sets,
+                                                            const std::string& example) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const auto& set : sets) {
+    const auto equals = set.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw lab::BadInput(fmt::format("--set {}: KEY=VALUE is wanted, as in {}", set, example));
+    pairs.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+  }
+  return pairs;
 }
 
 std::string text_for_people(std::vector<ReportedTest> tests) {

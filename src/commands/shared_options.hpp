@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/report/reported_test.hpp"
@@ -17,6 +18,11 @@ void add_json(CLI::App& app, bool& json);
 
 /// --speed max|N: 0 in `speed` stands for max.
 void add_speed(CLI::App& app, double& speed);
+
+/// What --set KEY=VALUE gave; `example` completes the message of the BadInput that a text without a
+/// key throws.
+std::vector<std::pair<std::string, std::string>> key_values(const std::vector<std::string>& sets,
+                                                            const std::string& example);
 
 /// The text report without what would command a terminal or break a line: names come from files of
 /// others.

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "lab/programmes/condition_text.hpp"
+#include "lab/programmes/path_quantity.hpp"
+#include "lab/programmes/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/metadata.hpp"
@@ -99,7 +102,19 @@ TEST_CASE("the programme that is printed is a programme") {
   CHECK(programme.cell_controller.rate_limit_pa_per_s == Approx(600e3 / 60));
 }
 
+TEST_CASE("the path that is printed is a path") {
+  const auto toml = joined(printed("docs/paths.md", "[path]"), "\n");
+  const PathDescription description = read_path(toml, "docs/paths.md");
+  CHECK_NOTHROW(check_start(description));
+  CHECK(std::get<TriaxialPath>(description.path).segments.size() == 2);
+}
+
 TEST_CASE("every key is on its page") {
+  const auto paths = read_text_file("docs/paths.md");
+  for (const PathQuantityKey& row : path_quantity_keys())
+    CHECK_THAT(paths, Contains(fmt::format("`{}`", row.key)));
+  for (const auto& name : increment_names<triax::sim::Tensor>())
+    if (!name.ends_with("_pct")) CHECK_THAT(paths, Contains(fmt::format("`{}`", name)));
   const auto programmes = read_text_file("docs/programmes.md");
   for (const EndQuantityKey& row : end_quantity_keys())
     CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.key)));

@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/materials/law.hpp"
+
+namespace triax::sim {
+
+/// Responses of a soil to generalised triaxial paths, on which only one principal stress changes:
+/// what INL2 and the octolinear law interpolate.
+template <class Space>
+class GeneralisedTriaxial {
+ public:
+  using State = PointState<Space>;
+  virtual ~GeneralisedTriaxial() = default;
+
+  /// In words: "SANISAND in closed form".
+  virtual std::string basis() const = 0;
+
+  /// N⁺ and N⁻ (1/Pa) in the orthonormal components of the space. Pre-condition: no objection.
+  virtual void moduli(const State& state, Matrix<Space>& plus, Matrix<Space>& minus) const = 0;
+
+  // What a law of the same state answers (sim/materials/law.hpp).
+  virtual State start(const Vector<Space>& stress, double void_ratio) const {
+    return {stress, void_ratio, {}};
+  }
+  virtual std::vector<std::string> memory_names() const { return {}; }
+  virtual double memory_scale(int) const { return 1; }
+  virtual std::optional<std::string> objection(const State&) const { return std::nullopt; }
+  virtual std::optional<std::string> warning(const State&) const { return std::nullopt; }
+  virtual void memory_rate(const State&, const Response<Space>&, const PointRate<Space>&,
+                           Memory& out) const {
+    out.setZero();
+  }
+  virtual bool turn(State&, const PointRate<Space>&) const { return false; }
+  virtual std::optional<double> limit_stress_ratio() const { return std::nullopt; }
+};
+
+/// Number of principal stresses that a space has of its own.
+template <class Space>
+inline constexpr int kPrincipalAxes = Space::kSize == 2 ? 2 : 3;
+
+}  // namespace triax::sim

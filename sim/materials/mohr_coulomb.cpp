@@ -1,0 +1,297 @@
+#include "sim/materials/mohr_coulomb.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace triax::sim {
+namespace {
+
+/// A state this far (as a ratio) outside the surface is no round-off.
+constexpr double kFarOutside = 1e-6;
+/// On an edge, principal stresses closer than this (as a ratio to the strength) have no axes of
+/// their own and take those of the remembered frame.
+constexpr double kTie = 1e-7;
+/// Share of shear in the plane of two equal principal stresses from which on an increment turns
+/// their axes.
+constexpr double kTurned = 1e-9;
+
+// Where a state stands, as its memory says it.
+constexpr double kInside = 0, kOnPlane = 1, kCompressionEdge = 2, kExtensionEdge = 3;
+
+/// Places of σ_i and σ_j of the mechanisms (1,3), (1,2), (2,3) in descending order.
+constexpr std::array<std::array<int, 2>, 3> kPairs{{{0, 2}, {0, 1}, {1, 2}}};
+
+double along(const Eigen::Matrix3d& a, const Eigen::Vector3d& v) { return v.dot(a * v); }
+
+/// Axes of the symmetric `a` in the plane of columns i and j, the larger value in column i.
+void turn_axes(const Eigen::Matrix3d& a, Eigen::Matrix3d& axes, int i, int j) {
+  const Eigen::Vector3d u = axes.col(i), v = axes.col(j);
+  const double angle = 0.5 * std::atan2(2 * u.dot(a * v), along(a, u) - along(a, v));
+  axes.col(i) = std::cos(angle) * u + std::sin(angle) * v;
+  axes.col(j) = std::cos(angle) * v - std::sin(angle) * u;
+}
+
+/// The columns in the order of descending rank.
+Eigen::Matrix3d sorted(const Eigen::Matrix3d& axes, const Eigen::Vector3d& rank) {
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::sort(order, [&rank](int a, int b) {  // a stable sort would allocate
+    return rank(a) != rank(b) ? rank(a) > rank(b) : a > b;
+  });
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i) result.col(i) = axes.col(order[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+}  // namespace
+
+const ParameterTable<MohrCoulombParameters>& mohr_coulomb_table() {
+  using P = MohrCoulombParameters;
+  static const ParameterTable<P> table = [] {
+    ParameterTable<P> rows = elastic_rows<P>();
+    rows.push_back(
+        {{"friction_angle_deg", "φ", "deg", "friction angle", {.at_least = 0, .below = 90}},
+         &P::friction_angle});
+    rows.push_back({{.key = "cohesion_kPa",
+                     .symbol = "c",
+                     .unit = "kPa",
+                     .meaning = "cohesion",
+                     .range = {.at_least = 0},
+                     .usual = 0},
+                    &P::cohesion_pa});
+    rows.push_back({{.key = "dilation_angle_deg",
+                     .symbol = "ψ",
+                     .unit = "deg",
+                     .meaning = "dilation angle",
+                     .range = {.above = -90, .below = 90},
+                     .usual = 0},
+                    &P::dilation_angle});
+    return rows;
+  }();
+  return table;
+}
+
+LawDescription mohr_coulomb_law() {
+  return describe<MohrCoulomb>("mohr_coulomb",
+                               "perfect plasticity on the exact hexagon, flow not associated",
+                               "Mohr's envelope of straight lines; corners after Koiter (1953), "
+                               "Q. Appl. Math. 11:350",
+                               mohr_coulomb_table());
+}
+
+template <class Space>
+MohrCoulomb<Space>::MohrCoulomb(const MohrCoulombParameters& p)
+    : parameters_(p),
+      sine_(std::sin(p.friction_angle)),
+      flow_sine_(std::sin(p.dilation_angle)),
+      cohesion_(p.cohesion_pa * std::cos(p.friction_angle)) {
+  check_parameters(p, mohr_coulomb_table());
+  if (p.friction_angle == 0 && p.cohesion_pa == 0)
+    throw std::invalid_argument(
+        "friction_angle_deg and cohesion_kPa are both 0, one must be above 0");
+}
+
+/// The planes of the three mechanisms of a tensor: f_k = excess(high_k·σ high_k, low_k·σ low_k).
+template <class Space>
+struct MohrCoulomb<Space>::Planes {
+  Eigen::Matrix3d stress;
+  Eigen::Matrix3d axes;  ///< v₁, v₂, v₃
+  Eigen::Matrix3d high, low;
+  Eigen::Vector3d value() const { return (axes.transpose() * stress * axes).diagonal(); }
+};
+
+template <class Space>
+typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(const State& state) const
+    requires(Space::kSize == 6) {
+  Planes p;
+  p.stress = matrix_of(state.stress);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(p.stress);
+  const double place = state.memory(6);
+  if (place == kInside) {
+    p.axes = eigen.eigenvectors().rowwise().reverse();
+  } else {
+    const Eigen::Matrix3d names = matrix_of(Vector<Tensor>(state.memory.template head<6>()));
+    const Eigen::Matrix3d& v = eigen.eigenvectors();
+    p.axes = sorted(v, (v.transpose() * names * v).diagonal());
+    const int i = place == kCompressionEdge ? 1 : 0;
+    const Eigen::Vector3d value = p.value();
+    if (place != kOnPlane && std::abs(value(i) - value(i + 1)) < kTie * strength(state.p()))
+      turn_axes(names, p.axes, i, i + 1);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const auto& [i, j] = kPairs[static_cast<std::size_t>(k)];
+    p.high.col(k) = p.axes.col(i);
+    p.low.col(k) = p.axes.col(j);
+  }
+  // cos and sin of 60°
+  const double c = 0.5, s = std::sqrt(0.75);
+  if (place == kCompressionEdge) {
+    p.high.col(2) = p.axes.col(0);
+    p.low.col(1) = c * p.axes.col(2) + s * p.axes.col(1);
+    p.low.col(2) = c * p.axes.col(2) - s * p.axes.col(1);
+  } else if (place == kExtensionEdge) {
+    p.low.col(1) = p.axes.col(2);
+    p.high.col(1) = c * p.axes.col(0) + s * p.axes.col(1);
+    p.high.col(2) = c * p.axes.col(0) - s * p.axes.col(1);
+  }
+  return p;
+}
+
+template <class Space>
+void MohrCoulomb<Space>::remember(State& state, const Eigen::Matrix3d& axes, double place) const
+    requires(Space::kSize == 6) {
+  state.memory.template head<6>() = components(Eigen::Matrix3d(
+      axes.col(0) * axes.col(0).transpose() - axes.col(2) * axes.col(2).transpose()));
+  state.memory(6) = place;
+}
+
+template <class Space>
+PointState<Space> MohrCoulomb<Space>::start(const Vector<Space>& stress, double void_ratio) const {
+  return {stress, void_ratio, Memory::Zero(Space::kSize == 2 ? 0 : 7)};
+}
+
+template <class Space>
+std::vector<std::string> MohrCoulomb<Space>::memory_names() const {
+  if constexpr (Space::kSize == 2) return {};
+  return {"frame_11", "frame_22", "frame_33", "frame_12", "frame_13", "frame_23", "place"};
+}
+
+template <class Space>
+std::optional<std::string> MohrCoulomb<Space>::objection(const State& state) const {
+  if (auto general = Law<Space>::objection(state)) return general;
+  if (!(strength(state.p()) > 0))
+    return "the mean stress is at the apex of the surface or beyond, where the law ends";
+  return std::nullopt;
+}
+
+template <class Space>
+std::optional<std::string> MohrCoulomb<Space>::warning(const State& state) const {
+  for (int k = 0; k < 2; ++k)
+    if (yield_distance(state, k) > kFarOutside) return "the stress lies outside the yield surface";
+  return std::nullopt;
+}
+
+template <class Space>
+void MohrCoulomb<Space>::response(const State& state, Response<Space>& out) const {
+  StiffnessForm<Space>& form = stiffness_form(out);
+  form.stiffness = elastic_stiffness<Space>(parameters_, state.p());
+  if constexpr (Space::kSize == 2) {
+    const auto compression = [](double sine) {
+      return Vector<Space>(1 - sine, -(1 + sine) / std::numbers::sqrt2);
+    };
+    const auto extension = [](double sine) {
+      return Vector<Space>(-(1 + sine), (1 - sine) / std::numbers::sqrt2);
+    };
+    form.add_plastic(compression(flow_sine_), compression(sine_), 0);
+    form.add_plastic(extension(flow_sine_), extension(sine_), 0);
+  } else {
+    const Planes on = planes(state);
+    for (int k = 0; k < 3; ++k) {
+      const Vector<Space> high =
+          components(Eigen::Matrix3d(on.high.col(k) * on.high.col(k).transpose()));
+      const Vector<Space> low =
+          components(Eigen::Matrix3d(on.low.col(k) * on.low.col(k).transpose()));
+      form.add_plastic((1 - flow_sine_) * high - (1 + flow_sine_) * low,
+                       (1 - sine_) * high - (1 + sine_) * low, 0);
+    }
+  }
+}
+
+template <class Space>
+double MohrCoulomb<Space>::yield_distance(const State& state, int k) const {
+  const double size = strength(state.p());
+  if constexpr (Space::kSize == 2) {
+    const double axial = state.stress(0), radial = state.stress(1) / std::numbers::sqrt2;
+    return (k == 0 ? excess(axial, radial) : excess(radial, axial)) / size;
+  } else {
+    const Planes on = planes(state);
+    return excess(along(on.stress, on.high.col(k)), along(on.stress, on.low.col(k))) / size;
+  }
+}
+
+template <class Space>
+void MohrCoulomb<Space>::settle(State& state, unsigned on_yield) const {
+  for (int k = 0; k < 2; ++k)
+    if ((on_yield >> k & 1U) && yield_distance(state, k) > kFarOutside) on_yield = 0;
+  // σ_i = N σ_j + D on the plane (i, j).
+  const double n = (1 + sine_) / (1 - sine_), d = 2 * cohesion_ / (1 - sine_);
+  const double total = trace<Space>(state.stress);
+  if constexpr (Space::kSize == 2) {
+    const double radial = on_yield == 1 ? (total - d) / (n + 2) : (n * total + d) / (2 * n + 1);
+    if (on_yield == 1 || on_yield == 2)
+      state.stress << total - 2 * radial, std::numbers::sqrt2 * radial;
+  } else if (on_yield == 0) {
+    state.memory.setZero();
+  } else {
+    const Planes on = planes(state);
+    const double place = state.memory(6);
+    const Eigen::Vector3d value = on.value();
+    const double size = kOnYield * strength(state.p());
+    // At constant p′ onto the edge, or onto the plane of the largest and the smallest stress.
+    const bool stays = place <= kOnPlane || on_yield == 7;
+    Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
+    double now = kOnPlane;
+    if (stays && excess(value(0), value(1)) >= -size) {
+      const double low = (total - d) / (n + 2);
+      change.diagonal() = Eigen::Vector3d(total - 2 * low, low, low) - value;
+      change(1, 2) = change(2, 1) = -on.axes.col(1).dot(on.stress * on.axes.col(2));
+      now = kCompressionEdge;
+    } else if (stays && excess(value(1), value(2)) >= -size) {
+      const double low = (total - 2 * d) / (2 * n + 1);
+      change.diagonal() = Eigen::Vector3d(n * low + d, n * low + d, low) - value;
+      change(0, 1) = change(1, 0) = -on.axes.col(0).dot(on.stress * on.axes.col(1));
+      now = kExtensionEdge;
+    } else {
+      const double sum = value(0) + value(2), low = (sum - d) / (n + 1);
+      change(0, 0) = sum - low - value(0);
+      change(2, 2) = low - value(2);
+    }
+    state.stress += components(Eigen::Matrix3d(on.axes * change * on.axes.transpose()));
+    remember(state, on.axes, now);
+  }
+}
+
+template <class Space>
+bool MohrCoulomb<Space>::turn(State& state, const Rate& rate) const {
+  if constexpr (Space::kSize == 6) {
+    const double place = state.memory(6);
+    if (place == kInside) return false;
+    bool turned = false;
+    Planes on = planes(state);
+    if (place != kOnPlane) {
+      const Eigen::Matrix3d strain = matrix_of(rate.strain);
+      const int i = place == kCompressionEdge ? 1 : 0, j = i + 1;
+      const double small = kTurned * rate.strain.norm();
+      turned = std::abs(on.axes.col(i).dot(strain * on.axes.col(j))) > small ||
+               along(strain, on.axes.col(i)) < along(strain, on.axes.col(j)) - small;
+      if (turned) {
+        turn_axes(strain, on.axes, i, j);
+        remember(state, on.axes, place);
+        on = planes(state);
+      }
+    }
+    if (rate.active != 0) return turned;
+    // Elastic so far: if it stays so on these planes, they need no names any more.
+    const Eigen::Matrix3d stress = matrix_of(rate.stress);
+    for (int k = 0; k < 3; ++k)
+      if (yield_distance(state, k) >= -kOnYield &&
+          (1 - sine_) * along(stress, on.high.col(k)) - (1 + sine_) * along(stress, on.low.col(k)) >
+              1e-9 * rate.stress.norm())
+        return turned;
+    state.memory.setZero();
+    return true;
+  } else {
+    return false;
+  }
+}
+
+template <class Space>
+std::optional<double> MohrCoulomb<Space>::limit_stress_ratio() const {
+  if (cohesion_ > 0) return std::nullopt;
+  return 6 * sine_ / (3 - sine_);
+}
+
+template class MohrCoulomb<Axisymmetric>;
+template class MohrCoulomb<Tensor>;
+
+}  // namespace triax::sim

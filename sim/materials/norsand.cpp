@@ -1,0 +1,273 @@
+#include "sim/materials/norsand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triax::sim {
+namespace {
+
+/// Stress ratio by which a state must be inside the yield surface to count as elastic.
+constexpr double kInside = 1e-6;
+
+/// (1, D) in terms of (ε_q, ε_v), or of (q, p): both the flow and the normal.
+Vector<Axisymmetric> shear_and_volume(double d) {
+  return components(AxisymmetricStrain{1 + d / 3, d / 3 - 0.5});
+}
+
+}  // namespace
+
+const ParameterTable<NorSandParameters>& norsand_table() {
+  using P = NorSandParameters;
+  using enum ParameterKind;
+  static const ParameterTable<P> table = {
+      {{"critical_stress_ratio",
+        "M",
+        "",
+        "q/p' at critical state, compression",
+        {.above = 0, .below = 3}},
+       &P::critical_stress_ratio},
+      {{"volumetric_coupling",
+        "N",
+        "",
+        "fall of the image stress ratio with the state",
+        {.at_least = 0, .below = 1}},
+       &P::volumetric_coupling},
+      {{"state_dilatancy", "χ", "", "dilatancy with the state parameter", {.above = 0}},
+       &P::state_dilatancy},
+      {{"hardening_modulus", "H0", "", "plastic hardening", {.at_least = 10}},
+       &P::hardening_modulus},
+      {{"hardening_state_slope", "H_ψ", "", "its fall with the state parameter", {}, number, 0},
+       &P::hardening_state_slope},
+      {{"shear_modulus_kPa", "G_r", "kPa", "shear modulus at its pressure", {.above = 0}},
+       &P::shear_modulus_pa},
+      {{"shear_modulus_pressure_kPa", "p_r", "kPa", "p' of that shear modulus", {.above = 0}},
+       &P::shear_modulus_pressure_pa},
+      {{"shear_modulus_exponent", "n", "", "its growth with p'", {.at_least = 0, .at_most = 1}},
+       &P::shear_modulus_exponent},
+      {{"poisson_ratio", "ν", "", "Poisson's ratio", {.above = -1, .below = 0.5}},
+       &P::poisson_ratio},
+      {{"critical_void_ratio", "Γ", "", "critical state line, its height", {.above = 0}},
+       &P::critical_void_ratio},
+      {{"critical_slope", "λ", "", "its slope", {.above = 0}}, &P::critical_slope},
+      {{"critical_exponent",
+        "c",
+        "",
+        "its exponent; 0: straight over ln p'",
+        {.at_least = 0},
+        number,
+        0},
+       &P::critical_exponent},
+      {{"critical_pressure_kPa", "p_c", "kPa", "its pressure", {.above = 0}, number, 1},
+       &P::critical_pressure_pa},
+      {{"pore_fluid_bulk_modulus_kPa",
+        "K_w",
+        "kPa",
+        "bulk modulus of the pore fluid in undrained loading; 0: for drained loading",
+        {.at_least = 0},
+        number,
+        0},
+       &P::pore_fluid_bulk_modulus_pa},
+      {{"overconsolidation_ratio",
+        "OCR",
+        "",
+        "image pressure at the start over that on yield",
+        {.at_least = 1},
+        number,
+        1},
+       &P::overconsolidation_ratio},
+      {{"largest_state_parameter",
+        "ψ_max",
+        "",
+        "state parameter from which on a state is refused",
+        {.above = 0, .at_most = 0.5},
+        number,
+        0.25},
+       &P::largest_state_parameter}};
+  return table;
+}
+
+LawDescription norsand_law() {
+  LawDescription law;
+  law.name = "norsand";
+  law.title = "NorSand, critical state plasticity with an image stress, triaxial compression";
+  law.source =
+      "Jefferies (1993), Géotechnique 43:91; Jefferies and Shuttle (2005), Géotechnique 55:93; "
+      "Jefferies and Been (2015), Soil Liquefaction";
+  law.refuses =
+      "constant q with falling p' (CSD): below M_i a fall of p' is elastic unloading until the "
+      "inner cap, and the stress ratio there depends on the way taken, so that there is no "
+      "instability line; triaxial extension";
+  law.parameters = descriptions(norsand_table());
+  law.make = [](const ParameterSet& set, const MaterialFinder&) {
+    return Material{std::make_shared<NorSand>(parameters_from(set, norsand_table())),
+                    nullptr,
+                    "the law's hardening and its numbers are those of triaxial compression",
+                    {}};
+  };
+  return law;
+}
+
+NorSand::NorSand(const NorSandParameters& p) : parameters_(p) {
+  check_parameters(p, norsand_table());
+}
+
+double NorSand::critical_void_ratio(double p) const {
+  const auto& par = parameters_;
+  const double ratio = p / par.critical_pressure_pa;
+  return par.critical_void_ratio -
+         par.critical_slope * (par.critical_exponent == 0 ? std::log(ratio)
+                                                          : std::pow(ratio, par.critical_exponent));
+}
+
+double NorSand::critical_slope(double p) const {
+  const auto& par = parameters_;
+  if (par.critical_exponent == 0) return par.critical_slope;
+  return par.critical_slope * par.critical_exponent *
+         std::pow(p / par.critical_pressure_pa, par.critical_exponent);
+}
+
+double NorSand::shear_modulus(double p) const {
+  return parameters_.shear_modulus_pa *
+         std::pow(p / parameters_.shear_modulus_pressure_pa, parameters_.shear_modulus_exponent);
+}
+
+double NorSand::bulk_modulus(double p) const {
+  const double nu = parameters_.poisson_ratio;
+  return 2 * (1 + nu) / (3 * (1 - 2 * nu)) * shear_modulus(p);
+}
+
+double NorSand::hardening(const State& state) const {
+  return std::max(
+      parameters_.hardening_modulus - parameters_.hardening_state_slope * state_parameter(state),
+      10.0);
+}
+
+NorSand::Image NorSand::image(double p, double void_ratio, double image_pressure, double p0) const {
+  const auto& par = parameters_;
+  const double m = par.critical_stress_ratio;
+  Image i;
+  i.ratio = image_pressure / p;
+  i.state_parameter = void_ratio - critical_void_ratio(image_pressure);
+  i.dilatancy = par.state_dilatancy / (1 - critical_slope(p0) * par.state_dilatancy / m);
+  i.stress_ratio = m - i.dilatancy * par.volumetric_coupling * std::abs(i.state_parameter);
+  const double least_dilatancy = i.dilatancy * i.state_parameter;
+  i.largest_ratio = std::exp(-least_dilatancy / i.stress_ratio);
+  i.limit = i.stress_ratio - least_dilatancy;
+  return i;
+}
+
+NorSand::Image NorSand::image(const State& state) const {
+  return image(state.p(), state.void_ratio, image_pressure(state), state.memory(1));
+}
+
+double NorSand::restraint(const State& state) const {
+  const double fluid = parameters_.pore_fluid_bulk_modulus_pa;
+  if (fluid == 0) return 0;
+  const double skeleton = bulk_modulus(state.p());
+  return fluid * skeleton / (fluid + skeleton);
+}
+
+double NorSand::cap_softening(const State& state, const Image& i, double restraint_pa) const {
+  const double eta = state.q() / state.p();
+  const double share =
+      1 / (1 + i.dilatancy * critical_slope(state.memory(1)) / parameters_.critical_stress_ratio);
+  return -eta / i.limit * (i.stress_ratio - eta) * share * restraint_pa / state.p();
+}
+
+/// p_i with which q = p M_i (1 + ln(p_i/p)), by Newton's method from `first`.
+double NorSand::image_on_yield(const State& state, double p0, double first) const {
+  const double p = state.p(), eta = state.q() / p;
+  double x = std::log(first / p);
+  for (int k = 0; k < 20; ++k) {
+    const double pressure = p * std::exp(x);
+    const Image i = image(p, state.void_ratio, pressure, p0);
+    const double slope =
+        i.stress_ratio -
+        (1 + x) * std::copysign(i.dilatancy * parameters_.volumetric_coupling, i.state_parameter) *
+            critical_slope(pressure);
+    const double step = (i.stress_ratio * (1 + x) - eta) / slope;
+    x -= step;
+    if (!(std::abs(step) > 1e-15)) break;
+  }
+  return p * std::exp(x);
+}
+
+PointState<Axisymmetric> NorSand::start(const Vector<Axisymmetric>& stress,
+                                        double void_ratio) const {
+  State state{stress, void_ratio, Memory::Zero(2)};
+  const double p = state.p();
+  if (!(p > 0)) return state;  // objection() says so
+  const double on_yield = image_on_yield(state, p, p * std::exp(-1.0));
+  state.memory << parameters_.overconsolidation_ratio * on_yield / p, p;
+  return state;
+}
+
+std::vector<std::string> NorSand::memory_names() const {
+  return {"image_pressure_ratio", "consolidation_p_eff_Pa"};
+}
+
+double NorSand::memory_scale(int entry) const {
+  return entry == 0 ? 1 : parameters_.shear_modulus_pressure_pa;
+}
+
+std::optional<std::string> NorSand::objection(const State& state) const {
+  if (auto general = Law::objection(state)) return general;
+  const double p = state.p();
+  if (state.q() < -kOnYield * p)
+    return "q is below 0, triaxial extension, and the law is one for compression";
+  if (const double psi = state_parameter(state); psi > parameters_.largest_state_parameter)
+    return "the state parameter is " + short_number(psi) + ", must be at most " +
+           short_number(parameters_.largest_state_parameter) +
+           ", beyond which the image stress ratio M_i loses its meaning";
+  const Image i = image(state);
+  if (!(i.dilatancy > 0))
+    return "1 - λ χ/M is not above 0 at the pressure of consolidation; a smaller "
+           "state_dilatancy would be right";
+  if (!(i.stress_ratio > 0))
+    return "the image state parameter is " + short_number(i.state_parameter) +
+           ", with which M_i = M - χ_i N |ψ_i| is not above 0";
+  if (i.ratio > i.largest_ratio * (1 + kInside) && yield_distance(state, 0) < -kInside)
+    return "inside the yield surface p' is below " +
+           short_number(image_pressure(state) / i.largest_ratio / 1e3) +
+           " kPa, the inner cap: a fall of p' below M_i is elastic and the stress ratio at the cap "
+           "depends on the way there, so that the law has no instability line for it (constant q "
+           "with falling p' and the like)";
+  return std::nullopt;
+}
+
+std::optional<std::string> NorSand::warning(const State& state) const {
+  if (yield_distance(state, 0) >= -kInside) return std::nullopt;
+  return "inside the yield surface, where the law is elastic and sees no instability";
+}
+
+double NorSand::yield_distance(const State& state, int) const {
+  const Image i = image(state);
+  return state.q() / state.p() - i.stress_ratio * (1 + std::log(i.ratio));
+}
+
+void NorSand::settle(State& state, unsigned on_yield) const {
+  if (on_yield == 0) return;
+  state.memory(0) = image_on_yield(state, state.memory(1), image_pressure(state)) / state.memory(1);
+}
+
+void NorSand::response(const State& state, Response<Axisymmetric>& out) const {
+  StiffnessForm<Axisymmetric>& form = stiffness_form(out);
+  const double p = state.p(), q = state.q();
+  const double pressure = image_pressure(state);
+  form.stiffness = isotropic_stiffness<Axisymmetric>(bulk_modulus(p), shear_modulus(p));
+  const Image i = image(state);
+  const double growth = hardening(state) * (i.largest_ratio - i.ratio) / (i.ratio * i.ratio) +
+                        cap_softening(state, i, restraint(state));  // dp_i/p_i per dε_q^p
+  // M_i changes with p_i and, through the void ratio, with any strain: the second part belongs to
+  // the trigger. On yield p (1 + ln r) = q/M_i.
+  const double fall =
+      q / i.stress_ratio *
+      std::copysign(i.dilatancy * parameters_.volumetric_coupling, i.state_parameter);
+  const Vector<Axisymmetric> flow = shear_and_volume(i.stress_ratio - q / p);
+  form.add_plastic(flow, flow, growth * (p * i.stress_ratio - fall * critical_slope(pressure)));
+  form.trigger[0] -= fall * (1 + state.void_ratio) * identity<Axisymmetric>();
+  form.memory_slope[0].setZero(2);
+  form.memory_slope[0](0) = growth * state.memory(0);
+}
+
+}  // namespace triax::sim

@@ -1,0 +1,108 @@
+#include "sim/materials/sanisand_moduli.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triax::sim {
+namespace {
+
+const double kRoot = std::sqrt(2.0 / 3);
+
+SanisandParameters without_fabric(SanisandParameters p) {
+  p.fabric_limit = p.fabric_rate = 0;
+  return p;
+}
+
+/// Unit deviator of triaxial compression along axis 1: taken where the stress itself has none.
+template <class Space>
+Vector<Space> compression() {
+  return deviator<Space>(Vector<Space>::Unit(0)).normalized();
+}
+
+}  // namespace
+
+template <class Space>
+SanisandModuli<Space>::SanisandModuli(const SanisandParameters& parameters)
+    : law_(without_fabric(parameters)) {}
+
+template <class Space>
+PointState<Space> SanisandModuli<Space>::start(const Vector<Space>& stress,
+                                               double void_ratio) const {
+  return {stress, void_ratio, Memory::Zero(kSize + 1)};
+}
+
+template <class Space>
+std::vector<std::string> SanisandModuli<Space>::memory_names() const {
+  std::vector<std::string> all = law_.memory_names();
+  std::vector<std::string> names(all.begin() + kSize, all.begin() + 2 * kSize);
+  names.emplace_back("rising");
+  return names;
+}
+
+template <class Space>
+PointState<Space> SanisandModuli<Space>::standing(const State& state) const {
+  const double p = state.p(), radius = kRoot * law_.parameters().yield_radius;
+  Vector<Space> ratio = deviator<Space>(state.stress) / p;
+  const double size = ratio.norm();
+  const Vector<Space> n = size > 0 ? Vector<Space>(ratio / size) : compression<Space>();
+  ratio = std::max(size, 1.001 * radius) * n;
+  State s{p * (identity<Space>() + ratio), state.void_ratio, Memory::Zero(3 * kSize)};
+  s.memory.template segment<kSize>(0) = ratio - radius * n;
+  s.memory.template segment<kSize>(kSize) = state.memory.template head<kSize>();
+  return s;
+}
+
+template <class Space>
+typename Sanisand<Space>::Loading SanisandModuli<Space>::loading(const State& standing) const {
+  auto l = law_.loading(standing);
+  l.distance = std::abs((law_.alpha(standing) - law_.alpha_in(standing)).dot(l.n));
+  return l;
+}
+
+template <class Space>
+std::optional<std::string> SanisandModuli<Space>::objection(const State& state) const {
+  if (!(state.p() > 0)) return "p' is not above 0, where the law ends";
+  const State s = standing(state);
+  if (auto base = law_.objection(s)) return base;
+  const auto l = law_.loading(s);
+  if (!(l.bounding > law_.alpha(s).dot(l.n)))
+    return "the stress ratio stands on the bounding surface of the base law, where a generalised "
+           "triaxial path that raises it has no response";
+  return std::nullopt;
+}
+
+template <class Space>
+void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
+                                   Matrix<Space>& minus) const {
+  const State s = standing(state);
+  const auto l = loading(s);
+  const double modulus =
+      2.0 / 3 * s.p() * l.stiffness * (l.bounding - law_.alpha(s).dot(l.n));  // K_p · distance
+  const double shear = law_.shear_modulus(state), bulk = law_.bulk_modulus(state);
+  // The compliance of isotropic elasticity has the form of its stiffness.
+  plus = isotropic_stiffness<Space>(1 / (9 * bulk), 1 / (4 * shear));
+  minus = plus;
+  for (int j = 0; j < kPrincipalAxes<Space>; ++j) {
+    Matrix<Space>& loaded = l.normal(j) > 0 ? plus : minus;
+    loaded.col(j) += l.normal(j) * l.distance / modulus * l.direction;
+  }
+}
+
+template <class Space>
+bool SanisandModuli<Space>::turn(State& state, const PointRate<Space>& rate) const {
+  const State s = standing(state);
+  const double rise = law_.loading(s).normal.dot(rate.stress);
+  if (std::abs(rise) <= 1e-9 * rate.stress.norm()) return false;
+  const double direction = rise > 0 ? 1 : -1;
+  double& last = state.memory(kSize);
+  if (direction == last) return false;
+  const bool reversal = last != 0;
+  last = direction;
+  if (reversal) state.memory.template head<kSize>() = law_.alpha(s);
+  return reversal;
+}
+
+template class SanisandModuli<Axisymmetric>;
+template class SanisandModuli<Tensor>;
+
+}  // namespace triax::sim

@@ -1,0 +1,156 @@
+// The forms of a path's report: JSON, text and CSV.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lab/records/toml_reader.hpp"
+#include "src/output/table.hpp"
+#include "src/report/path_report.hpp"
+#include "src/report/words.hpp"
+
+namespace triax::src {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kRowsOfText = 20;
+
+Json plain(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json text(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
+
+Json point_json(const ReportedPath& path, const ReportedPoint& at) {
+  Json object;
+  object["segment"] = text(at.segment);
+  for (std::size_t i = 0; i < path.columns.size(); ++i)
+    object[path.columns[i]] = i < at.values.size() ? plain(at.values[i]) : Json(nullptr);
+  return object;
+}
+
+Json material_json(const lab::MaterialSet& material) {
+  return {{"name", material.name},
+          {"law", material.law->name},
+          {"description", text(material.description)},
+          {"source", text(material.source)},
+          {"range", text(material.range)}};
+}
+
+std::string in_percent(const ReportedPath& path, const ReportedPoint& at, const char* column) {
+  const auto value = path.value(at, column);
+  return number(value ? std::optional(100 * *value) : std::nullopt, 3);
+}
+
+std::string state_line(const ReportedPath& path, const ReportedPoint& at) {
+  return fmt::format(
+      "ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa, η {}", in_percent(path, at, "axial_strain"),
+      number(path.value(at, "q_kPa"), 2), number(path.value(at, "p_eff_kPa"), 2),
+      number(path.value(at, "pore_pressure_kPa"), 2), number(path.value(at, "eta"), 4));
+}
+
+Table rows_table(const ReportedPath& path) {
+  Table table;
+  table.columns = {
+      {"segment", Align::left},  {"ε₁ (%)", Align::right},   {"ε_v (%)", Align::right},
+      {"q (kPa)", Align::right}, {"p′ (kPa)", Align::right}, {"u (kPa)", Align::right},
+      {"η", Align::right},       {"e", Align::right},        {"W₂ norm.", Align::right}};
+  const std::size_t count = path.rows.size(), shown = std::min(count, kRowsOfText);
+  for (std::size_t i = 0; i < shown; ++i) {
+    // Evenly spread, first and last among them.
+    const auto& row = path.rows[shown == 1 ? 0 : i * (count - 1) / (shown - 1)];
+    table.rows.push_back(
+        {row.segment, in_percent(path, row, "axial_strain"),
+         in_percent(path, row, "volumetric_strain"), number(path.value(row, "q_kPa"), 2),
+         number(path.value(row, "p_eff_kPa"), 2), number(path.value(row, "pore_pressure_kPa"), 2),
+         number(path.value(row, "eta"), 4), number(path.value(row, "void_ratio"), 5),
+         number(path.value(row, "second_order_work_normalised"), 4)});
+  }
+  return table;
+}
+
+std::string event_words(const ReportedEvent& event) {
+  if (event.kind == "end_condition") return event.what + ": the segment ends";
+  if (event.kind == "second_order_work") return "second-order work turns negative";
+  if (event.kind == "peak") return "peak of " + event.what;
+  return "control of " + event.what + " is lost";
+}
+
+std::string indented(const std::string& lines) {
+  std::string out = "  ";
+  for (const char c : lines) {
+    out += c;
+    if (c == '\n') out += "  ";
+  }
+  out.erase(out.size() - 2);
+  return out;
+}
+
+}  // namespace
+
+std::string path_json(const ReportedPath& path) {
+  Json document = {{"path",
+                    {{"name", path.name},
+                     {"origin", "simulated"},
+                     {"source", path.source},
+                     {"tolerance", path.tolerance}}},
+                   {"material", material_json(path.material)},
+                   {"start", point_json(path, path.start)},
+                   {"outcome", path.outcome},
+                   {"culprit", text(path.culprit)},
+                   {"message", text(path.message)},
+                   {"error", plain(path.error)},
+                   {"peak", point_json(path, path.peak)},
+                   {"last", point_json(path, path.last)}};
+  Json events = Json::array();
+  for (const auto& event : path.events)
+    events.push_back(
+        {{"kind", event.kind}, {"what", event.what}, {"at", point_json(path, event.at)}});
+  document["events"] = std::move(events);
+  document["warnings"] = path.warnings;
+  Json rows = Json::array();
+  for (const auto& row : path.rows) rows.push_back(point_json(path, row));
+  document["rows"] = std::move(rows);
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string path_text(const ReportedPath& path) {
+  const std::string title = on_one_line(path.name + " (simulated, one material point)");
+  std::string out = title + '\n' + std::string(display_width(title), '=') + '\n';
+  const auto fact = [&out](const char* label, const std::string& value) {
+    if (!value.empty()) out += fmt::format("  {:<12}{}\n", label, on_one_line(value));
+  };
+  fact("material", path.material.name);
+  fact("source", path.material.source);
+  fact("range", path.material.range);
+  fact("start",
+       fmt::format("p′ {} kPa, q {} kPa, e {}", number(path.value(path.start, "p_eff_kPa"), 2),
+                   number(path.value(path.start, "q_kPa"), 2),
+                   number(path.value(path.start, "void_ratio"), 4)));
+  out += '\n' + indented(to_text(rows_table(path))) + '\n';
+  for (const auto& event : path.events)
+    out += fmt::format("  {}\n      {}\n", on_one_line(event_words(event)),
+                       state_line(path, event.at));
+  out += fmt::format("  largest |q|\n      {}\n\n", state_line(path, path.peak));
+  for (const auto& warning : path.warnings) fact("warning", warning);
+  fact("outcome", path.message.empty() ? "went to its end" : path.outcome + ": " + path.message);
+  return without_controls(out);
+}
+
+std::string path_csv(const ReportedPath& path) {
+  std::string out = fmt::format(
+      "# [test]\n# name = {}\n# origin = \"simulated\"\n## one material point, {}\nsegment",
+      lab::toml_quoted(path.name), on_one_line(path.material.name));
+  for (const auto& column : path.columns) out += ',' + column;
+  out += '\n';
+  for (const auto& row : path.rows) {
+    std::string name = row.segment;
+    for (std::size_t at = 0; (at = name.find('"', at)) != std::string::npos; at += 2)
+      name.insert(at, 1, '"');
+    out += '"' + on_one_line(name) + '"';
+    for (const auto& value : row.values) out += value ? fmt::format(",{}", *value) : ",";
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace triax::src
