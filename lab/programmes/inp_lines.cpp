@@ -17,7 +17,7 @@ std::optional<double> fortran_number(std::string_view word) {
   const char* begin = text.data();
   const char* const end = begin + text.size();
   if (begin != end && *begin == '+') ++begin;
-  if (begin == end || *begin == '+') return std::nullopt;
+  if (begin == end || *begin == '+' || (begin != text.data() && *begin == '-')) return std::nullopt;
   double value = 0;
   const auto [stopped, error] = std::from_chars(begin, end, value);
   if (error != std::errc() || stopped != end || !std::isfinite(value)) return std::nullopt;

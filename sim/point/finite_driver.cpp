@@ -77,8 +77,7 @@ class FiniteDriver {
   /// Row that cannot be held, or −1 where the control is not at its limit. The plastic tangent is
   /// looked for beyond the state, where the increment leads.
   int culprit(const PointState<Space>& at, const Attempt<Space>& missed) const {
-    if (!regular())
-      return culprit_row<Space>(left_null_vector<Space>(matrix(elastic_)), control_.increment);
+    if (!regular()) return row_of(elastic_);
     const Matrix<Space> beyond =
         missed.strain.allFinite() ? differences(at, missed.strain) : missed.tangent;
     for (const Matrix<Space>& tangent : {beyond, missed.tangent})
@@ -103,6 +102,10 @@ class FiniteDriver {
   }
 
  private:
+  int row_of(const Matrix<Space>& tangent) const {
+    return culprit_row<Space>(left_null_vector<Space>(matrix(tangent)), control_.increment);
+  }
+
   /// The row that goes first on the way from the elastic tangent to this one, or a little further,
   /// where the determinant passes through zero.
   int critical_row(const Matrix<Space>& tangent) const {
@@ -118,8 +121,7 @@ class FiniteDriver {
       const double middle = 0.5 * (low + high);
       (determinant(on_the_way(middle)) > 0 ? low : high) = middle;
     }
-    return culprit_row<Space>(left_null_vector<Space>(matrix(on_the_way(high))),
-                              control_.increment);
+    return row_of(on_the_way(high));
   }
 
   Attempt<Space> newton(const PointState<Space>& from, double fraction,

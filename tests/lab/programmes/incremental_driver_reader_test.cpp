@@ -261,7 +261,7 @@ TEST_CASE(
   CHECK_THAT(refusal(files, {}), Contains("void_ratio=NUMBER"));
   files.texts["parameters.inp"] = "NORSANDX\n1\n7000\n";
   CHECK_THAT(refusal(files), Contains("folder/parameters.inp") && Contains("umat=libNAME.so"));
-  files.texts["parameters.inp"] = "sanisand\n2\n7000\n1\n";
+  files.texts["parameters.inp"] = "sanisand\n2\n125\n0.05\n";
   CHECK_THAT(refusal(files), Contains("is missing"));
   files.texts["parameters.inp"] = "sanisand\n3\n7000\n1\n";
   CHECK_THAT(refusal(files), Contains("parameters.inp:4") && Contains("property 3"));
