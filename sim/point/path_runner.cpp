@@ -113,10 +113,10 @@ class Runner {
   const Segment<Space>& segment() const { return path_.segments[segment_]; }
   const EffectiveControl<Space>& effective() const { return controls_[segment_]; }
 
-  void fail(std::string message) {
+  void fail(const std::string& message) {
     going_ = false;
     result_.outcome = StepOutcome::failed;
-    result_.message = std::move(message);
+    result_.message = message;
   }
 
   void enter_segment(bool first) {
