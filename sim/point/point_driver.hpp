@@ -76,6 +76,7 @@ class PointDriver {
 
   double typical_modulus(const PointState<Space>& state);
   unsigned on_yield(const PointState<Space>& state) const;
+  void settle(PointState<Space>& state);
   PointRate<Space> begin(PointState<Space>& state);
   PointRate<Space> respond(const PointState<Space>& state, const Branch& branch);
   void flow_of(const PointState<Space>& at, const PointRate<Space>& rate, Flow& flow) const;
