@@ -199,7 +199,8 @@ TEST_CASE("a folder of incrementalDriver is run like a path") {
   CHECK(d["rows"].back()["p_eff_kPa"].get<double>() == Approx(150).epsilon(1e-6));
   CHECK(here.triax("element " + folder + "/test.inp --set void_ratio=0.9").status == 0);
 
-  const Outcome unknown = here.triax("element " + folder + " --set umat=libno_such_law.so");
+  const Outcome unknown =
+      here.triax("element " + folder + " --set umat=libno_such_law.so --set void_ratio=0.8");
   CHECK(unknown.status == 2);
   CHECK(unknown.out.empty());
   CHECK(unknown.err.find("libno_such_law.so") != std::string::npos);
