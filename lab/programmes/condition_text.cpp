@@ -180,7 +180,7 @@ std::string tidied(std::string_view text) {
 template <class Space>
 std::vector<std::string> increment_names() {
   std::vector<std::string> names;
-  const auto add_strain = [&](std::string name) {
+  const auto add_strain = [&](const std::string& name) {
     names.push_back(name);
     names.push_back(name + "_pct");
   };
@@ -200,7 +200,7 @@ std::vector<std::string> increment_names() {
 template <class Space>
 Combination<Space> read_combination(std::string_view text) {
   Scanner scanner(text);
-  const auto left = read_left<Space>(scanner);
+  auto left = read_left<Space>(scanner);
   if (!scanner.at_end())
     fail(scanner.column(), fmt::format("{} was not expected", scanner.found()));
   return left;

@@ -61,7 +61,7 @@ void read_parameters(const std::optional<TomlTable>& table, PathDescription& des
 
 template <class Space>
 sim::Vector<Space> stress_from(double axial_pa, double radial_pa) {
-  const auto s = sim::components(sim::AxisymmetricStress{axial_pa, radial_pa});
+  auto s = sim::components(sim::AxisymmetricStress{axial_pa, radial_pa});
   if constexpr (Space::kSize == 2)
     return s;
   else

@@ -72,6 +72,7 @@ std::string stress_toml(const sim::Vector<Space>& stress) {
     return fmt::format("{{axial = {}, radial = {}}}", toml_number(kPa(stress(0))),
                        toml_number(kPa(stress(1) / sqrt2)));
   std::vector<std::string> values;
+  values.reserve(Space::kSize);
   for (int i = 0; i < Space::kSize; ++i)
     values.push_back(toml_number(kPa(stress(i) / (i < 3 ? 1 : sqrt2))));
   return "[" + joined(values) + "]";

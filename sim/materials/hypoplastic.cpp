@@ -9,10 +9,18 @@ namespace {
 
 using std::numbers::sqrt2;
 const double kRoot3 = std::sqrt(3.0);
+constexpr double kLiquefied = 1;  // Pa; above e_c0 the law comes to p′ = 0 at a finite strain
 
 /// x^y with the sign of x; 0 at 0.
 double signed_power(double x, double y) {
   return std::copysign(std::exp(y * std::log(std::abs(x))), x);
+}
+
+/// x^y, at the price of a product for the exponents that most sands have.
+double cheap_power(double x, double y) {
+  if (y == 2) return x * x;
+  if (y == 1) return x;
+  return std::exp(y * std::log(x));
 }
 
 /// F, of t* with its squared norm.
@@ -148,7 +156,6 @@ Hypoplastic<Space>::Hypoplastic(const HypoplasticParameters& p) : parameters_(p)
   barotropy_ = p.granulate_hardness_pa / p.pressure_exponent *
                std::pow(e_i / e_c, p.stiffness_exponent) / rest;
   log_hardness_ = std::log(p.granulate_hardness_pa);
-  log_critical_ = std::log(e_c);
 }
 
 template <class Space>
@@ -173,6 +180,9 @@ std::vector<std::string> Hypoplastic<Space>::memory_names() const {
 template <class Space>
 std::optional<std::string> Hypoplastic<Space>::objection(const State& state) const {
   if (auto general = Law<Space>::objection(state)) return general;
+  if (state.p() < kLiquefied)
+    return "p' is below " + short_number(kLiquefied / 1e3) +
+           " kPa: liquefied, and the law's stiffness vanishes with p'";
   if (!all_compressed<Space>(state.stress))
     return "a principal effective stress is not above 0, where the law ends";
   return std::nullopt;
@@ -220,11 +230,10 @@ void Hypoplastic<Space>::linear_and_norm(const State& state, Matrix<Space>& line
   const auto& par = parameters_;
   const double tr = trace<Space>(state.stress);
   const double e = state.void_ratio;
-  // Three logarithms and four exponentials are all that one response costs.
-  const double log_pressure = std::log(tr) - log_hardness_;
-  const double power = std::exp(par.pressure_exponent * log_pressure);
+  // Two or three logarithms and three or four exponentials are all that one response costs.
+  const double power = std::exp(par.pressure_exponent * (std::log(tr) - log_hardness_));
   const double fallen = std::exp(-power);
-  const double f_e = std::exp(par.stiffness_exponent * (log_critical_ - power - std::log(e)));
+  const double f_e = cheap_power(par.critical_void_ratio * fallen / e, par.stiffness_exponent);
   const double e_d = par.densest_void_ratio * fallen;
   const double f_d =
       signed_power((e - e_d) / (par.critical_void_ratio * fallen - e_d), par.peak_exponent);

@@ -67,7 +67,8 @@ class Hypoplastic : public Law<Space> {
   State start(const Vector<Space>& stress, double void_ratio) const override;
   std::vector<std::string> memory_names() const override;
   double memory_scale(int) const override { return parameters_.intergranular_range; }
-  /// Refuses what the base does, and a principal stress that is not above 0.
+  /// Refuses what the base does, a principal stress that is not above 0, and p′ below 1 Pa, to
+  /// which loose sand comes within a finite strain.
   std::optional<std::string> objection(const State& state) const override;
   /// Void ratio above e_i or below e_d.
   std::optional<std::string> warning(const State& state) const override;
@@ -101,7 +102,6 @@ class Hypoplastic : public Law<Space> {
   double critical_ratio_ = 0;  ///< M_c
   double barotropy_ = 0;       ///< the constant part of f_b, Pa
   double log_hardness_ = 0;    ///< ln h_s
-  double log_critical_ = 0;    ///< ln e_c0
 };
 
 extern template class Hypoplastic<Axisymmetric>;

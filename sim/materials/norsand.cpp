@@ -9,6 +9,8 @@ namespace {
 /// Stress ratio by which a state must be inside the yield surface to count as elastic.
 constexpr double kInside = 1e-6;
 
+constexpr double kLiquefied = 1;  // Pa; the law comes to p′ = 0 where e stays above Γ
+
 /// (1, D) in terms of (ε_q, ε_v), or of (q, p): both the flow and the normal.
 Vector<Axisymmetric> shear_and_volume(double d) {
   return components(AxisymmetricStrain{1 + d / 3, d / 3 - 0.5});
@@ -213,6 +215,9 @@ double NorSand::memory_scale(int entry) const {
 std::optional<std::string> NorSand::objection(const State& state) const {
   if (auto general = Law::objection(state)) return general;
   const double p = state.p();
+  if (p < kLiquefied)
+    return "p' is below " + short_number(kLiquefied / 1e3) +
+           " kPa: liquefied, and the law's stiffness vanishes with p'";
   if (state.q() < -kOnYield * p)
     return "q is below 0, triaxial extension, and the law is one for compression";
   if (const double psi = state_parameter(state); psi > parameters_.largest_state_parameter)

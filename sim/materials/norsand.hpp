@@ -18,7 +18,9 @@
 //
 // S belongs to undrained loading only and a law does not know the drainage. It is told by a
 // parameter, the bulk modulus K_w of the pore fluid: 0 for drained loading (S = 0), else that of
-// the water. A set is for one of the two.
+// the water. A set is for one of the two. The workbook that the published rows come from lets that
+// water give way, dε_v + dp/K_w = 0; at dε_v = 0 exactly the undrained peak is up to three
+// percent higher.
 //
 // What the law cannot follow is refused: see objection().
 //
@@ -63,10 +65,11 @@ class NorSand : public Law<Axisymmetric> {
   State start(const Vector<Axisymmetric>& stress, double void_ratio) const override;
   std::vector<std::string> memory_names() const override;
   double memory_scale(int entry) const override;
-  /// Refuses, besides what the base does: extension; ψ above its limit; M_i ≤ 0; and a state inside
-  /// the yield surface at the inner cap p = p_i/r_max. There a path of falling p′ ends: inside
-  /// the surface it is elastic, and the η at which it meets the cap depends on where it came from,
-  /// so that no instability line exists (constant q with falling p′, that is CSD tests).
+  /// Refuses, besides what the base does: p′ below 1 Pa; extension; ψ above its limit; M_i ≤ 0; and
+  /// a state inside the yield surface at the inner cap p = p_i/r_max. There a path of falling p′
+  /// ends: inside the surface it is elastic, and the η at which it meets the cap depends on where
+  /// it came from, so that no instability line exists (constant q with falling p′, that is CSD
+  /// tests).
   std::optional<std::string> objection(const State& state) const override;
   /// Says of states inside the yield surface that they are elastic.
   std::optional<std::string> warning(const State& state) const override;

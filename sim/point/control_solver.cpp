@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "sim/point/interpolated_solver.hpp"
 #include "sim/point/stiffness_solver.hpp"

@@ -37,15 +37,14 @@ struct PreparedControl {
   PreparedControl(const MixedControl<Space>& control, double modulus_pa);
 };
 
+/// Left vector of the smallest singular value of a (nearly) singular control matrix, which a step
+/// may have gone past.
+template <class Space>
+Vector<Space> left_null_vector(const Matrix<Space>& control_matrix);
 /// Row of the control that cannot be held, from the left null vector of the singular control
 /// matrix.
 template <class Space>
 int culprit_row(const Vector<Space>& null_vector, const Vector<Space>& increment);
-
-/// Left null vector of a control matrix S T + E that is singular or near it. A step may have gone
-/// past the singular state, so that it is that of the smallest singular value, whatever its size.
-template <class Space>
-Vector<Space> left_null_vector(const Matrix<Space>& control_matrix);
 
 /// Which mechanisms may load: those on yield; with `forced` exactly those in it do.
 struct Branch {

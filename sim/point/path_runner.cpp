@@ -13,6 +13,10 @@ constexpr double kNoRate = 1e-9;
 /// An event is isolated to this share of a part of a segment.
 constexpr double kIsolated = 1e-11;
 constexpr std::size_t kMostWarnings = 50;
+/// Share of the stress at the start at which nothing is left of it.
+constexpr double kVanished = 1e-6;
+/// A strain of which small-strain theory says nothing.
+constexpr double kLargeStrain = 1;
 
 /// Two messages that differ in their numbers only say the same.
 std::string without_numbers(std::string text) {
@@ -109,10 +113,10 @@ class Runner {
   const Segment<Space>& segment() const { return path_.segments[segment_]; }
   const EffectiveControl<Space>& effective() const { return controls_[segment_]; }
 
-  void fail(std::string message) {
+  void fail(const std::string& message) {
     going_ = false;
     result_.outcome = StepOutcome::failed;
-    result_.message = std::move(message);
+    result_.message = message;
   }
 
   void enter_segment(bool first) {
@@ -336,6 +340,9 @@ class Runner {
     going_ = false;
     result_.outcome = step.outcome;
     result_.message = step.message;
+    if (step.outcome == StepOutcome::failed && !law_.carries_tension() &&
+        step.state.p() < kVanished * std::max(mean_stress<Space>(path_.stress), 1e3))
+      result_.message = "the effective stress has vanished, and the law knows no tension";
     if (step.outcome == StepOutcome::lost_control && step.culprit >= 0) {
       result_.culprit = effective().labels[static_cast<std::size_t>(step.culprit)];
       PathPoint<Space> at = point(now_);
@@ -365,12 +372,17 @@ class Runner {
   }
 
   void note_warning() {
-    const auto text = law_.warning(now_.state);
-    if (!text || result_.warnings.size() >= kMostWarnings) return;
-    const std::string key = without_numbers(*text);
+    if (const auto text = law_.warning(now_.state)) warn(*text);
+    if (now_.strain.norm() > kLargeStrain)
+      warn("strains above 100 %: beyond what small strains can stand for");
+  }
+
+  void warn(const std::string& text) {
+    if (result_.warnings.size() >= kMostWarnings) return;
+    const std::string key = without_numbers(text);
     if (std::ranges::find(warned_, key) != warned_.end()) return;
     warned_.push_back(key);
-    result_.warnings.push_back(*text);
+    result_.warnings.push_back(text);
   }
 
   /// Without what only a reader of rows wants.
@@ -402,78 +414,19 @@ class Runner {
   std::vector<EffectiveControl<Space>> controls_;
   PathResult<Space> result_;
   Instant now_;
-  bool going_ = true;
-  bool ended_ = false;  ///< the segment before was, by a condition
   std::size_t segment_ = 0;
   MixedControl<Space> part_;
-  int parts_ = 1;
   std::vector<Witness> witnesses_;
-  bool work_is_negative_ = false;
   double peak_q_ = -1;
   PathPoint<Space> peak_;
   std::vector<std::string> warned_;
+  int parts_ = 1;
+  bool going_ = true;
+  bool ended_ = false;  ///< the segment before was, by a condition
+  bool work_is_negative_ = false;
 };
 
-template <class Space>
-double radial(const Vector<Space>& a) {
-  if constexpr (Space::kSize == 2)
-    return a(1) / std::numbers::sqrt2;
-  else
-    return (a(1) + a(2)) / 2;
-}
-
-template <class Space>
-double component_of(const Vector<Space>& a, int component) {
-  if constexpr (Space::kSize == 2)
-    return component == 0 ? a(0) : component < 3 ? radial<Space>(a) : 0;
-  else
-    return component < 3 ? a(component) : a(component) / std::numbers::sqrt2;
-}
-
 }  // namespace
-
-template <class Space>
-std::optional<double> value_of(PathQuantity quantity, int component, const PathPoint<Space>& at) {
-  using enum PathQuantity;
-  const double u = at.pore_pressure;
-  switch (quantity) {
-    case axial_strain:
-      return at.strain(0);
-    case radial_strain:
-      return radial<Space>(at.strain);
-    case volumetric_strain:
-      return trace<Space>(at.strain);
-    case shear_strain:
-      return 2 * (at.strain(0) - radial<Space>(at.strain)) / 3;
-    case mean_effective_stress:
-      return at.p();
-    case mean_total_stress:
-      return at.p() + u;
-    case deviator_stress:
-      return at.q();
-    case stress_ratio:
-      return at.stress_ratio();
-    case axial_stress:
-      return at.stress(0) + u;
-    case radial_stress:
-      return radial<Space>(at.stress) + u;
-    case effective_axial_stress:
-      return at.stress(0);
-    case effective_radial_stress:
-      return radial<Space>(at.stress);
-    case pore_pressure:
-      return u;
-    case PathQuantity::void_ratio:
-      return at.void_ratio;
-    case strain_component:
-      return component_of<Space>(at.strain, component);
-    case stress_component:
-      return component_of<Space>(at.stress, component) + (component < 3 ? u : 0);
-    case effective_stress_component:
-      return component_of<Space>(at.stress, component);
-  }
-  return std::nullopt;
-}
 
 template <class Space>
 PathResult<Space> run_path(const Law<Space>& law, const Path<Space>& path,
@@ -481,8 +434,6 @@ PathResult<Space> run_path(const Law<Space>& law, const Path<Space>& path,
   return Runner<Space>(law, path, options).run();
 }
 
-template std::optional<double> value_of(PathQuantity, int, const PathPoint<Axisymmetric>&);
-template std::optional<double> value_of(PathQuantity, int, const PathPoint<Tensor>&);
 template PathResult<Axisymmetric> run_path(const Law<Axisymmetric>&, const Path<Axisymmetric>&,
                                            const PathOptions&);
 template PathResult<Tensor> run_path(const Law<Tensor>&, const Path<Tensor>&, const PathOptions&);

@@ -10,6 +10,8 @@ namespace {
 
 /// Stress ratio by which a step may end outside a yield surface that it did not load: round-off.
 constexpr double kOutside = 1e-12;
+/// Distance from yield that needs no settling.
+constexpr double kSettled = 1e-14;
 /// Stress (Pa) below which errors are not measured relative to p′.
 constexpr double kSmallestStress = 0.1;
 
@@ -54,12 +56,25 @@ PointRate<Space> PointDriver<Space>::respond(const PointState<Space>& state, con
   return solve_control(response_, control_, branch, guess_);
 }
 
-/// Rate at the start of a step, after settling; `state` may be changed by that.
+/// Finds the mechanisms at whose yield surface the state stands, and settles it there. What a step
+/// has settled already (the only mechanism at a distance of round-off) is left as it is.
 template <class Space>
-PointRate<Space> PointDriver<Space>::begin(PointState<Space>& state) {
+void PointDriver<Space>::settle(PointState<Space>& state) {
+  if (mechanisms_ == 1) {
+    const double distance = law_.yield_distance(state, 0);
+    standing_ = distance >= -kOnYield ? 1U : 0U;
+    if (std::abs(distance) > kSettled) law_.settle(state, standing_);
+    return;
+  }
   standing_ = on_yield(state);
   law_.settle(state, standing_);
   if (mechanisms_ > 1) standing_ = on_yield(state);  // settling may name the mechanisms anew
+}
+
+/// Rate at the start of a step, after settling; `state` may be changed by that.
+template <class Space>
+PointRate<Space> PointDriver<Space>::begin(PointState<Space>& state) {
+  settle(state);
   PointRate<Space> rate = respond(state, {standing_, std::nullopt});
   if (rate.controllable && law_.turn(state, rate)) rate = respond(state, {standing_, {}});
   if (rate.controllable) guess_ = rate.stress;
@@ -107,7 +122,7 @@ void PointDriver<Space>::move(const PointState<Space>& from, double fraction, in
 template <class Space>
 void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointRate<Space>& first,
                                      double fraction, Trial& trial) {
-  trial.possible = trial.lost_control = false;
+  trial.possible = trial.lost_control = trial.refused = false;
   const Branch branch{standing_, first.active};
   const PointState<Space>& at = trial.state;
   for (int row = 1; row < tableau_.rows; ++row) {
@@ -124,7 +139,8 @@ void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointR
     flow_of(at, rate, flows_[static_cast<std::size_t>(row)]);
   }
   trial.error = error_of(at, fraction);
-  trial.possible = std::isfinite(trial.error) && !law_.objection(at);
+  trial.refused = law_.objection(at).has_value();
+  trial.possible = std::isfinite(trial.error) && !trial.refused;
 }
 
 /// A stage belongs to another branch if a loading mechanism unloads or one that stands on its
@@ -230,7 +246,7 @@ bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<
     return false;
   }
   // The branch changes within this smallest step: take it without loading.
-  if (take_idle(from, fraction, trial_)) return true;
+  if (!trial_.refused && take_idle(from, fraction, trial_)) return true;
   step.outcome = StepOutcome::failed;
   const auto objection = law_.objection(trial_.state);
   step.message = objection ? *objection : "no admissible state within reach of the increment";
@@ -242,10 +258,12 @@ template <class Space>
 void PointDriver<Space>::take(const PointRate<Space>& start, double& fraction,
                               PointStep<Space>& step) {
   double covered = fraction;
-  if (crossed(trial_.state, start.active)) stop_at_crossing(step.state, start, covered, trial_);
+  const bool met = crossed(trial_.state, start.active);
+  if (met) stop_at_crossing(step.state, start, covered, trial_);
   step.error = std::max(step.error, trial_.error);
   step.state = trial_.state;
-  if (start.active != 0) law_.settle(step.state, start.active);
+  if (met) law_.settle(step.state, start.active | on_yield(step.state));
+  if (!met && start.active != 0) law_.settle(step.state, start.active);
   step.strain_increment += trial_.strain;
   step.done = covered >= 1 - step.done ? 1 : step.done + covered;
   if (step.done == 1) return;

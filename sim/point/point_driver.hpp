@@ -67,6 +67,7 @@ class PointDriver {
   struct Trial {
     bool possible = false;      // every stage had a meaning and kept the branch
     bool lost_control = false;  // a stage could not meet the conditions
+    bool refused = false;       // the law objects to where the step ends
     int culprit = -1;
     PointState<Space> state;
     Vector<Space> strain;
@@ -75,6 +76,7 @@ class PointDriver {
 
   double typical_modulus(const PointState<Space>& state);
   unsigned on_yield(const PointState<Space>& state) const;
+  void settle(PointState<Space>& state);
   PointRate<Space> begin(PointState<Space>& state);
   PointRate<Space> respond(const PointState<Space>& state, const Branch& branch);
   void flow_of(const PointState<Space>& at, const PointRate<Space>& rate, Flow& flow) const;

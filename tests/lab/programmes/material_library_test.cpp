@@ -5,6 +5,8 @@
 
 #include "lab/records/bad_input.hpp"
 #include "sim/materials/sanisand.hpp"
+#include "tests/sim/materials/hypoplastic_sets.hpp"
+#include "tests/sim/materials/norsand_sets.hpp"
 #include "tests/sim/materials/parameter_sets.hpp"
 
 using namespace triax::lab;
@@ -22,6 +24,27 @@ TEST_CASE("the shipped sets are the ones that the law was checked with") {
     }
   }
   CHECK_FALSE(find_material("sanisand/S28-general").source.empty());
+}
+
+TEST_CASE("the shipped sets of hypoplasticity and NorSand are those that were checked") {
+  const auto check = [](const char* name, const auto& expected, const auto& table) {
+    const auto found = triax::sim::parameters_from(find_material(name).parameters, table);
+    for (const auto& row : table) {
+      INFO(name << " " << row.description.key);
+      // The published angle of one set is rounded in its file.
+      CHECK(found.*row.member == Approx(expected.*row.member).epsilon(1e-7));
+    }
+  };
+  using namespace triax::sim;
+  const auto& hypoplastic = hypoplastic_table();
+  check("hypoplastic/HG99", test::hostun_hg99(), hypoplastic);
+  check("hypoplastic/Schranz", test::hostun_schranz(), hypoplastic);
+  check("hypoplastic/S28-MT", test::hostun_moist_tamped(), hypoplastic);
+  check("hypoplastic/S28-MT-IGS", test::with_intergranular_strain(test::hostun_moist_tamped()),
+        hypoplastic);
+  check("norsand/Nerlerk-270", test::nerlerk(), norsand_table());
+  check("norsand/Nerlerk-270-drained", test::nerlerk_drained(), norsand_table());
+  check("norsand/S28-MT", test::hostun_norsand(), norsand_table());
 }
 
 TEST_CASE("every shipped set says what it is, where it comes from and how far it reaches") {

@@ -499,6 +499,18 @@ TEST_CASE("a principal stress of zero or tension is refused in words") {
   CHECK_FALSE(step.message.empty());
 }
 
+TEST_CASE("a liquefying specimen ends in words, with a stress still above 0") {
+  for (const auto& set : {test::hostun_moist_tamped(),
+                          test::with_intergranular_strain(test::hostun_moist_tamped())}) {
+    const Triaxial law(set);
+    const auto step = advance_point(law, law.isotropic(100e3, 1.1), Control::strain_path(0.3));
+    CHECK(step.outcome == StepOutcome::failed);
+    CHECK_THAT(step.message, Catch::Contains("liquefied"));
+    CHECK(step.state.p() > 0.9);
+    CHECK(step.done > 0.1);
+  }
+}
+
 TEST_CASE("absurd hypoplastic parameters are refused with their name") {
   auto p = test::hostun_hg99();
   p.pressure_exponent = 1;

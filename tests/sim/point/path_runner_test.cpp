@@ -230,3 +230,48 @@ TEST_CASE("a run can be stopped, and hears how far it is") {
   CHECK(last == Approx(0.5));
   CHECK(stopped.last.strain(0) == Approx(0.005));
 }
+
+TEST_CASE("a stress that vanishes is a failure that says so, and large strains are warned of") {
+  auto path = from_isotropic(100e3, 1.0);
+  path.segments = {unloading_at_constant_q(-150e3)};
+  const auto gone = run_path(kSand, path);
+  CHECK(gone.outcome == StepOutcome::failed);
+  CHECK(gone.message.find("vanished") != std::string::npos);
+  CHECK(std::isfinite(gone.last.q()));
+  CHECK(gone.last.p() >= 0);
+  CHECK(gone.warnings.empty());
+
+  path.segments = {compression(1.9, false)};
+  const auto far = run_path(kSand, path);
+  CHECK(far.outcome == StepOutcome::accepted);
+  REQUIRE(far.warnings.size() == 1);
+  CHECK(far.warnings[0].find("strains above 100 %") != std::string::npos);
+}
+
+TEST_CASE("a stretch of several segments is left as a whole when a condition ends it") {
+  auto path = from_isotropic(100e3, 1.0);
+  auto step = compression(0.002, false);
+  step.rows = 1;
+  step.end = {{.quantity = PathQuantity::axial_strain, .above = 0.003, .label = "axial_strain"}};
+  auto more = step;
+  more.goes_on = true;
+  path.segments = {step, more, more, compression(0.001, false)};
+  const auto result = run_path(kSand, path);
+  REQUIRE(result.events.size() == 1);
+  CHECK(result.events[0].at.segment == 1);
+  CHECK(result.last.strain(0) == Approx(0.004));
+}
+
+TEST_CASE("cycles return the repetitions' rows, and a reversal is no peak") {
+  auto path = from_isotropic(300e3, 0.9);
+  auto up = loading(10e3, true), down = loading(-10e3, true);
+  up.rows = down.rows = 4;
+  down.repeat = 5;
+  down.repeat_from = 0;
+  path.segments = {up, down};
+  const auto result = run_path(kSand, path);
+  CHECK(result.outcome == StepOutcome::accepted);
+  CHECK(result.rows.size() == 41);
+  CHECK(result.last.q() == Approx(0).margin(1));
+  CHECK(result.events.empty());
+}

@@ -1,0 +1,74 @@
+#include "src/report/path_report.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "lab/programmes/path_reader.hpp"
+#include "tests/lab/programmes/path_text.hpp"
+
+using namespace triax;
+using nlohmann::json;
+
+namespace {
+
+src::ReportedPath report_of(const std::string& toml) {
+  const auto description = lab::read_path(toml, "p.toml");
+  return std::visit(
+      [&]<class Space>(const sim::Path<Space>& path) {
+        const auto& law = *description.material.material.law<Space>();
+        return src::reported_path(description, sim::run_path(law, path));
+      },
+      description.path);
+}
+
+}  // namespace
+
+TEST_CASE("columns in their units, unknown as null and empty") {
+  auto report = report_of(lab::test::kPath);
+  REQUIRE(report.went_to_the_end());
+  CHECK(report.value(report.start, "p_eff_kPa") == 100.0);
+  CHECK(report.value(report.start, "void_ratio") == 1.0);
+  CHECK_FALSE(report.value(report.start, "nothing_of_this_name"));
+  CHECK(report.last.segment == "compression");
+  CHECK(report.columns.size() == report.last.values.size());
+  CHECK(report.columns.back().rfind("memory.", 0) == 0);
+
+  report.rows.front().values[3].reset();
+  const json d = json::parse(src::path_json(report));
+  CHECK(d["rows"][0][report.columns[3]].is_null());
+  CHECK(d["rows"][1][report.columns[3]].is_number());
+  CHECK(d["rows"][0].size() == report.columns.size() + 1);
+  const std::string csv = src::path_csv(report);
+  CHECK(csv.find(",,") != std::string::npos);
+  CHECK(csv.find("\"compression\",0,") != std::string::npos);
+}
+
+TEST_CASE("a tensor's rows hold its components") {
+  const auto report = report_of(lab::test::with(lab::test::kPath, "p_eff_kPa = 100.0",
+                                                "stress_kPa = [100, 90, 80, 0, 0, 0]"));
+  CHECK(report.value(report.start, "effective_stress_33_kPa") == 80.0);
+  CHECK(report.value(report.last, "strain_11").value() == Approx(0.02));
+}
+
+TEST_CASE("the verdict of a lost control names condition, place and state") {
+  const auto report = report_of(lab::test::with(
+      lab::test::with(lab::test::kPath, "axial_strain = 0.02", "q_kPa = 300"), "1.0", "1.086"));
+  CHECK(report.outcome == "lost_control");
+  CHECK(report.culprit == "q_kPa");
+  for (const char* part : {"q_kPa", "compression", "37.211 kPa", "p'"})
+    CHECK(report.message.find(part) != std::string::npos);
+  const std::string text = src::path_text(report);
+  CHECK(text.find("simulated") != std::string::npos);
+  CHECK(text.find("outcome     lost_control: " + report.message) != std::string::npos);
+  CHECK(json::parse(src::path_json(report))["message"] == report.message);
+}
+
+TEST_CASE("names of a path cannot command a terminal or break a table") {
+  const auto report =
+      report_of(lab::test::with(lab::test::with(lab::test::kPath, "\"small\"", R"("a\u001Bb\nc")"),
+                                "\"compression\"", R"("x \"y\",\u001Bz")"));
+  CHECK(src::path_text(report).find('\x1b') == std::string::npos);
+  const std::string csv = src::path_csv(report);
+  CHECK(csv.find("\"x \"\"y\"\", z\",") != std::string::npos);
+  CHECK(csv.find('\x1b') == std::string::npos);
+}
