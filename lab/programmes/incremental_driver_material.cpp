@@ -217,7 +217,8 @@ InpStart start_from_inp(const InpMaterial& inp, const IncrementalDriverSettings&
   MaterialSet& set = start.material;
   set.law = sim::find_law(t.law);
   if (set.law == nullptr) throw BadInput(where, 0, fmt::format("there is no law {}", t.law));
-  set.name = fmt::format("{}/{}", t.law, trimmed(inp.name));
+  const auto words = inp_words(inp.name);
+  set.name = fmt::format("{}/{}", t.law, words.empty() ? "unnamed" : words[0]);
   set.description = "as the files of an incrementalDriver have it";
   set.source = where;
   set.parameters = std::move(t.parameters);

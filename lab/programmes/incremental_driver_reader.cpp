@@ -1,10 +1,14 @@
 #include "lab/programmes/incremental_driver_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "lab/programmes/incremental_driver_material.hpp"
 #include "lab/programmes/incremental_driver_path.hpp"
+#include "lab/programmes/path_reader.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/byte_source.hpp"
 #include "lab/records/text.hpp"
@@ -61,6 +65,26 @@ IncrementalDriverTest read(const InpFile& file, const std::string& test_name,
   return test;
 }
 
+/// Takes a setting out; the last one given counts.
+std::optional<std::string> taken(std::vector<std::pair<std::string, std::string>>& settings,
+                                 std::string_view key) {
+  std::optional<std::string> value;
+  std::erase_if(settings, [&](const auto& one) {
+    if (one.first != key) return false;
+    value = one.second;
+    return true;
+  });
+  return value;
+}
+
+double number_of(std::string_view key, const std::string& text, double lowest, double highest) {
+  const auto value = fortran_number(text);
+  if (!value || *value < lowest || *value > highest)
+    throw BadInput(
+        fmt::format("{}={}: must be a number from {} to {}", key, excerpt(text), lowest, highest));
+  return *value;
+}
+
 }  // namespace
 
 IncrementalDriverTest read_incremental_driver(const InpFile& file, const std::string& folder,
@@ -82,6 +106,29 @@ IncrementalDriverTest load_incremental_driver(const std::string& path,
   const std::string test = is_folder ? "test.inp" : fs::path(path).filename().string();
   return read([&](const std::string& name) { return text_of_file((folder / name).string()); }, test,
               folder.string(), settings);
+}
+
+PathDescription describe_incremental_driver(
+    const std::string& path, std::vector<std::pair<std::string, std::string>>& settings) {
+  IncrementalDriverSettings own;
+  own.umat = taken(settings, "umat").value_or("");
+  if (const auto text = taken(settings, "void_ratio"))
+    own.void_ratio = number_of("void_ratio", *text, kSmallestVoidRatio, kLargestVoidRatio);
+  if (const auto text = taken(settings, "void_ratio_index")) {
+    own.void_ratio_index =
+        static_cast<int>(number_of("void_ratio_index", *text, 1, sim::kMostMemory));
+    if (own.void_ratio_index != number_of("void_ratio_index", *text, 1, sim::kMostMemory))
+      throw BadInput("void_ratio_index must be a whole number");
+  }
+  IncrementalDriverTest test = load_incremental_driver(path, own);
+  PathDescription description;
+  description.name = test.heading.empty() ? test.name : test.heading;
+  description.source = path;
+  description.files = std::move(test.files);
+  description.material = std::move(test.material);
+  description.path = std::move(test.path);
+  description.warnings = std::move(test.warnings);
+  return description;
 }
 
 }  // namespace triax::lab

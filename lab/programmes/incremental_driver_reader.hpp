@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/programmes/material_library.hpp"
-#include "sim/point/path.hpp"
+#include "lab/programmes/path_description.hpp"
 
 namespace triax::lab {
 
@@ -50,6 +49,11 @@ IncrementalDriverTest read_incremental_driver(const InpFile& file, const std::st
 /// The same from a folder, or from a test.inp (of any name) with the other two beside it.
 IncrementalDriverTest load_incremental_driver(const std::string& path,
                                               const IncrementalDriverSettings& settings);
+
+/// The same as any other path. Of the settings umat, void_ratio and void_ratio_index are taken out
+/// and used; change_setting() is for the rest. Throws BadInput.
+PathDescription describe_incremental_driver(
+    const std::string& path, std::vector<std::pair<std::string, std::string>>& settings);
 
 /// Whether load_incremental_driver is meant: a folder that holds a test.inp, or a file NAME.inp.
 bool is_incremental_driver(const std::string& path);

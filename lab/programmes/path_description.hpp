@@ -25,6 +25,8 @@ struct PathDescription {
   std::vector<std::pair<std::string, std::string>> parameters;  ///< changed, key and value
 
   std::variant<TriaxialPath, TensorPath> path;
+  std::vector<std::string>
+      warnings;  ///< what a reader must know of the translation of a foreign file
 };
 
 /// Throws BadInput where the law has no form in the path's space, refuses the start, or has another

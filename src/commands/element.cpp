@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "lab/programmes/incremental_driver_reader.hpp"
 #include "lab/programmes/path_reader.hpp"
 #include "lab/programmes/path_writer.hpp"
 #include "lab/records/bad_input.hpp"
@@ -27,8 +28,10 @@ struct Options {
 };
 
 lab::PathDescription described(const Options& o) {
-  lab::PathDescription description = lab::load_path(o.path);
   auto settings = key_values(o.sets, "void_ratio=1.086");
+  lab::PathDescription description = lab::is_incremental_driver(o.path)
+                                         ? lab::describe_incremental_driver(o.path, settings)
+                                         : lab::load_path(o.path);
   // The material first: parameters are changed in the one that is meant.
   std::ranges::stable_partition(settings, [](const auto& one) { return one.first == "material"; });
   for (const auto& [key, value] : settings) lab::change_setting(description, key, value);
@@ -58,6 +61,11 @@ void run(const Options& o) {
   refuse_overwriting("--csv", o.csv, description.files, "what the path is read from");
   refuse_overwriting("--save-failure", o.save_failure, description.files,
                      "what the path is read from");
+  if (!o.save_failure.empty() && description.material_name.empty())
+    throw lab::BadInput(
+        "--save-failure: the material of incrementalDriver files has no name that a path file "
+        "could "
+        "give");
   if (!o.csv.empty())
     refuse_overwriting("--save-failure", o.save_failure, {o.csv}, "the rows of --csv");
   const ReportedPath report =
@@ -81,7 +89,10 @@ Command element_command() {
            "of control are isolated within the step.",
            "Beyond the limit load the run stops, says which condition cannot be held any longer "
            "and where, and ends with status 1 after it has printed its results. --save-failure "
-           "writes the increment that could not be done as a path of its own."},
+           "writes the increment that could not be done as a path of its own.",
+           "In place of a TOML file a folder with test.inp, parameters.inp and "
+           "initialconditions.inp of Niemunis' incrementalDriver is taken; --set umat=libNAME.so "
+           "names the library with its UMAT."},
       .diagnostics =
           {{"control of q_kPa is lost ...",
             "the material carries no more: ask for less, or control a strain in its place"},
@@ -92,6 +103,8 @@ Command element_command() {
                     "undrained compression of a denser specimen"},
                    {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
                     "a load that cannot be carried: status 1, and the step as a file"},
+                   {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
+                    "files of incrementalDriver with their UMAT, built as a shared library"},
                    {"triax element path.toml --set material=sanisand/Toyoura-DM04 --csv rows.csv",
                     "another material, and all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {

@@ -168,7 +168,8 @@ ReportedPath reported_path(const lab::PathDescription& description,
   report.error = result.error;
   for (const auto& event : result.events)
     report.events.push_back({word_of(event.kind), event.what, point(event.at)});
-  report.warnings = result.warnings;
+  report.warnings = description.warnings;
+  report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
   report.rows.reserve(result.rows.size());
   for (const auto& row : result.rows) report.rows.push_back(point(row));
   report.message = verdict(report, result.message);

@@ -187,3 +187,49 @@ TEST_CASE("materials: laws with their sets, a set with its parameters") {
                    " sanisand/Toyoura-DM04")
             .status == 0);
 }
+
+TEST_CASE("a folder of incrementalDriver is run like a path") {
+  const Workplace here;
+  const std::string folder = source("samples/incremental_driver");
+  const Outcome outcome = here.triax("element " + folder + " --json");
+  CHECK(outcome.status == 0);
+  const json d = json::parse(outcome.out);
+  CHECK(d["outcome"] == "accepted");
+  CHECK(d["path"]["name"] == "undrained, loaded and unloaded, then sheared");
+  CHECK(d["rows"].back()["p_eff_kPa"].get<double>() == Approx(150).epsilon(1e-6));
+  CHECK(here.triax("element " + folder + "/test.inp --set void_ratio=0.9").status == 0);
+
+  const Outcome unknown =
+      here.triax("element " + folder + " --set umat=libno_such_law.so --set void_ratio=0.8");
+  CHECK(unknown.status == 2);
+  CHECK(unknown.out.empty());
+  CHECK(unknown.err.find("libno_such_law.so") != std::string::npos);
+  CHECK(here.triax("element " + folder + " --set void_ratio=-1").status == 2);
+  CHECK(here.triax("element " + folder + " --save-failure f.toml").status == 2);
+}
+
+#ifdef TRIAX_UMAT_FIXTURE
+TEST_CASE("a crash of a UMAT is an error of the run, not of triax") {
+  const Workplace here;
+  const auto material = [&](int misbehaviour) {
+    write(here / "cone.toml", "law = \"umat\"\n[sets.cone]\numat = \"" TRIAX_UMAT_FIXTURE
+                              "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = [20e3, "
+                              "12e3, 1.2, 0.3, 5, " +
+                                  std::to_string(misbehaviour) + "]\n");
+    write(here / "path.toml", with(with(kSmall, "sanisand/S28-general", "umat/cone"),
+                                   "material =", "material_file = \"cone.toml\"\nmaterial ="));
+    return here.triax("element path.toml --json");
+  };
+  const Outcome sound = material(0);
+  CHECK(sound.status == 0);
+  CHECK(json::parse(sound.out)["rows"].back()["q_kPa"].get<double>() ==
+        Approx(3 * (1.2 * 100 + 5) / 1.8).epsilon(1e-6));
+  const Outcome crash = material(1);
+  CHECK(crash.status == 1);
+  CHECK(crash.err.find("SIGSEGV") != std::string::npos);
+  CHECK(json::parse(crash.out)["outcome"] == "failed");
+  const Outcome chatter = material(13);
+  CHECK(chatter.status == 0);
+  CHECK(json::parse(chatter.out)["outcome"] == "accepted");
+}
+#endif
