@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "bench/point/yardstick.hpp"
-#include "lab/programmes/material_library.hpp"
+#include "lab/materials/material_library.hpp"
 #include "sim/point/point_driver.hpp"
 
 using namespace triax;

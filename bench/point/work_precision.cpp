@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "bench/point/yardstick.hpp"
-#include "lab/programmes/material_library.hpp"
+#include "lab/materials/material_library.hpp"
 #include "sim/point/point_driver.hpp"
 #include "src/figures/drawing.hpp"
 #include "src/figures/plot_style.hpp"

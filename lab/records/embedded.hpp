@@ -14,7 +14,7 @@ struct EmbeddedFile {
 
 /// lab/records/dialects/*.toml
 extern const std::span<const EmbeddedFile> kShippedDialects;
-/// lab/programmes/materials/*.toml (parameter sets of the laws in sim/materials)
+/// lab/materials/*.toml (parameter sets of the laws in sim/materials)
 extern const std::span<const EmbeddedFile> kShippedMaterials;
 
 }  // namespace triax::lab

@@ -199,7 +199,7 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
   const sim::SpecimenStep step = specimen.advance(state, boundary, dt_s);
   if (step.outcome == sim::StepOutcome::failed) {
     // A test that has readings is kept: the law may end where the specimen is liquefied.
-    if (number <= 0)
+    if (!step.law_ended || number <= 0)
       throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source,
                                    stage().name, time_s, step.message));
     warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law goes no further: {}", stage().name,

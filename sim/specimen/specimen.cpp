@@ -17,6 +17,7 @@ void add(SpecimenStep& whole, const SpecimenStep& part) {
   whole.strain_increment.radial += part.strain_increment.radial;
   whole.outcome = part.outcome;
   whole.message = part.message;
+  whole.law_ended = part.law_ended;
 }
 
 bool went_on(const SpecimenStep& step) {
@@ -95,6 +96,7 @@ SpecimenStep Specimen::mixed_step(const SpecimenState& state, const SpecimenBoun
   const auto point = advance_point(*law_, state.material, control);
   step.outcome = point.outcome;
   step.message = point.message;
+  step.law_ended = point.outcome == StepOutcome::failed;
   step.done_s = point.done * dt_s;
   step.stress_increment = axisymmetric_stress(point.stress_increment);
   step.strain_increment = axisymmetric_strain(point.strain_increment);

@@ -62,6 +62,7 @@ struct SpecimenStep {
   AxisymmetricStress stress_increment;  ///< effective, of the part done
   AxisymmetricStrain strain_increment;  ///< natural, of the part done
   std::string message;                  ///< empty when accepted
+  bool law_ended = false;               ///< failed because the law goes no further
 };
 
 class Specimen {

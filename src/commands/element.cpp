@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "lab/programmes/incremental_driver_reader.hpp"
-#include "lab/programmes/path_reader.hpp"
-#include "lab/programmes/path_writer.hpp"
+#include "lab/paths/incremental_driver_reader.hpp"
+#include "lab/paths/path_reader.hpp"
+#include "lab/paths/path_writer.hpp"
 #include "lab/records/bad_input.hpp"
 #include "sim/point/path_runner.hpp"
 #include "src/commands/output_guard.hpp"

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "lab/programmes/material_library.hpp"
+#include "lab/materials/material_library.hpp"
 #include "lab/records/toml_reader.hpp"
 #include "src/commands/shared_options.hpp"
 #include "src/output/output.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/programmes/material_library.hpp"
+#include "lab/materials/material_library.hpp"
 
 namespace triax::src {
 

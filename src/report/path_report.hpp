@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/programmes/path_description.hpp"
+#include "lab/paths/path_description.hpp"
 #include "sim/point/path_runner.hpp"
 
 namespace triax::src {

@@ -183,7 +183,7 @@ TEST_CASE("materials: laws with their sets, a set with its parameters") {
   CHECK(unknown.err.find("did you mean 'sanisand/S28-general'?") != std::string::npos);
   write(here / "mine.toml", "law = \"sanisand\"\n[sets.a]\n");
   CHECK(here.triax("materials --file mine.toml").status == 2);
-  CHECK(here.triax("materials --file " + source("lab/programmes/materials/sanisand.toml") +
+  CHECK(here.triax("materials --file " + source("lab/materials/sanisand.toml") +
                    " sanisand/Toyoura-DM04")
             .status == 0);
 }

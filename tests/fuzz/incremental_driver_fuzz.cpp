@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lab/programmes/incremental_driver_reader.hpp"
+#include "lab/paths/incremental_driver_reader.hpp"
 #include "lab/records/bad_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

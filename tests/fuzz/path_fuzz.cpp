@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "lab/programmes/condition_text.hpp"
-#include "lab/programmes/path_reader.hpp"
+#include "lab/paths/condition_text.hpp"
+#include "lab/paths/path_reader.hpp"
 #include "lab/records/bad_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

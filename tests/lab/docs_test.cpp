@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "lab/programmes/condition_text.hpp"
-#include "lab/programmes/path_quantity.hpp"
-#include "lab/programmes/path_reader.hpp"
+#include "lab/paths/condition_text.hpp"
+#include "lab/paths/path_quantity.hpp"
+#include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/metadata.hpp"

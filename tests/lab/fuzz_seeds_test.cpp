@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "lab/programmes/path_reader.hpp"
+#include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/toml_reader.hpp"

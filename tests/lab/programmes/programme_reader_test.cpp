@@ -108,11 +108,11 @@ TEST_CASE("a user's own material stands beside the programme") {
   CHECK_THAT(complaint("material = ", "material_file = \"no_such.toml\"\nmaterial = "),
              Contains("no_such.toml"));
   const Programme p = read_programme(
-      replaced(programme_text(), "material = ",
-               "material_file = \"../../lab/programmes/materials/sanisand.toml\"\nmaterial = "),
+      replaced(programme_text(),
+               "material = ", "material_file = \"../../lab/materials/sanisand.toml\"\nmaterial = "),
       "samples/programmes/p.toml");
   CHECK(p.material.parameters.numbers.at("hardening_factor") == 1.224);
   REQUIRE(p.files.size() == 2);
   CHECK(p.files[0] == "samples/programmes/p.toml");
-  CHECK(p.files[1] == "samples/programmes/../../lab/programmes/materials/sanisand.toml");
+  CHECK(p.files[1] == "samples/programmes/../../lab/materials/sanisand.toml");
 }

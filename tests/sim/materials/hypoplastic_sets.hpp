@@ -1,7 +1,7 @@
 #pragma once
 #include "sim/materials/hypoplastic.hpp"
 
-// The sets of the published check numbers; lab/programmes/materials holds the same as data.
+// The sets of the published check numbers; lab/materials holds the same as data.
 namespace triax::sim::test {
 
 inline HypoplasticParameters hostun_hg99() {

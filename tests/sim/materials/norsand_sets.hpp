@@ -1,7 +1,7 @@
 #pragma once
 #include "sim/materials/norsand.hpp"
 
-// The sets of the published check numbers; lab/programmes/materials holds the same as data.
+// The sets of the published check numbers; lab/materials holds the same as data.
 namespace triax::sim::test {
 
 /// Nerlerk 270 of the authors' workbook, undrained.

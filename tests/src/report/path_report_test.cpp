@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "lab/programmes/path_reader.hpp"
-#include "tests/lab/programmes/path_text.hpp"
+#include "lab/paths/path_reader.hpp"
+#include "tests/lab/paths/path_text.hpp"
 
 using namespace triax;
 using nlohmann::json;

@@ -1,0 +1,142 @@
+#include "lab/materials/material_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iterator>
+#include <stdexcept>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/embedded.hpp"
+#include "lab/records/text.hpp"
+#include "lab/records/toml_reader.hpp"
+
+namespace triax::lab {
+namespace {
+
+/// A law that is built on another material finds it among these.
+sim::MaterialFinder finder_in(const std::vector<MaterialSet>& sets) {
+  return [&sets](const std::string& name) { return find_material(name, sets).material; };
+}
+
+MaterialSet read_set(const TomlTable& table, const sim::LawDescription& law,
+                     const std::string& name, const std::string& folder,
+                     const std::vector<MaterialSet>& others) {
+  MaterialSet set;
+  set.name = fmt::format("{}/{}", law.name, name);
+  set.law = &law;
+  set.description = table.text("description").value_or("");
+  set.source = table.text("source").value_or("");
+  set.range = table.text("range").value_or("");
+  set.parameters.folder = folder;
+  for (const auto& parameter : law.parameters) {
+    const std::string& key = parameter.key;
+    if (parameter.kind == sim::ParameterKind::number) {
+      if (const auto value = table.number(key)) set.parameters.numbers[key] = *value;
+    } else if (parameter.kind == sim::ParameterKind::text) {
+      if (const auto value = table.text(key)) set.parameters.texts[key] = *value;
+    } else if (const auto values = table.numbers(key); !values.empty()) {
+      set.parameters.lists[key] = values;
+    }
+  }
+  table.finish();
+  try {
+    set.material = set.law->make(set.parameters, finder_in(others));
+  } catch (const std::invalid_argument& error) {
+    table.fail("", fmt::format("the set {}: {}", set.name, error.what()));
+  }
+  return set;
+}
+
+const sim::LawDescription& read_law(const TomlTable& root) {
+  const std::string name = root.required_text("law");
+  if (const auto* law = sim::find_law(name)) return *law;
+  std::vector<std::string> known;
+  for (const auto& law : sim::laws()) known.push_back(law.name);
+  root.fail("law", fmt::format("{} is no law; {}", excerpt(name), suggestion(name, known)));
+}
+
+std::vector<MaterialSet> read_file(std::string_view toml_text, const std::string& file,
+                                   const std::vector<MaterialSet>& others) {
+  const TomlTable root = TomlTable::parse(toml_text, file);
+  const sim::LawDescription& law = read_law(root);
+  const TomlTable sets = root.required_table("sets");
+  root.finish();
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  std::vector<MaterialSet> found;
+  for (const std::string& key : sets.keys())
+    found.push_back(read_set(sets.required_table(key), law, key, folder, others));
+  if (found.empty()) throw BadInput(file, 0, "holds no set; write [sets.NAME]");
+  return found;
+}
+
+/// In the order of the laws: one that stands on another comes after it.
+std::vector<MaterialSet> read_shipped() {
+  std::vector<MaterialSet> all;
+  for (const auto& law : sim::laws())
+    for (const EmbeddedFile& file : kShippedMaterials) {
+      if (file.name != law.name) continue;
+      auto sets = read_file(file.text, std::string(file.name) + ".toml", all);
+      std::ranges::move(sets, std::back_inserter(all));
+    }
+  return all;
+}
+
+}  // namespace
+
+std::vector<MaterialSet> read_materials(std::string_view toml_text, const std::string& file) {
+  return read_file(toml_text, file, shipped_materials());
+}
+
+const std::vector<MaterialSet>& shipped_materials() {
+  static const std::vector<MaterialSet> all = read_shipped();
+  return all;
+}
+
+MaterialSet find_material(std::string_view name, const std::vector<MaterialSet>& sets) {
+  std::vector<std::string> names;
+  for (const MaterialSet& set : sets) {
+    if (set.name == name) return set;
+    names.push_back(set.name);
+  }
+  throw BadInput(fmt::format("no material {}; {}", excerpt(name), suggestion(name, names)));
+}
+
+MaterialSet find_material(std::string_view name) {
+  return find_material(name, shipped_materials());
+}
+
+MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
+                           const std::string& value) {
+  std::vector<std::string> known;
+  const sim::ParameterDescription* found = nullptr;
+  for (const auto& parameter : set.law->parameters) {
+    known.push_back(parameter.key);
+    if (parameter.key == key) found = &parameter;
+  }
+  if (found == nullptr)
+    throw BadInput(
+        fmt::format("{} has no parameter {}; {}", set.name, excerpt(key), suggestion(key, known)));
+  MaterialSet changed = set;
+  if (found->kind == sim::ParameterKind::text) {
+    changed.parameters.texts[key] = value;
+  } else {
+    double number = 0;
+    const char* const end = value.data() + value.size();
+    const auto [stopped, error] = std::from_chars(value.data(), end, number);
+    if (error != std::errc() || stopped != end || found->kind != sim::ParameterKind::number)
+      throw BadInput(fmt::format("{}={}: must be one number", key, excerpt(value)));
+    changed.parameters.numbers[key] = number;
+  }
+  changed.name += fmt::format(" ({} = {})", key, value);
+  try {
+    changed.material = changed.law->make(changed.parameters, finder_in(shipped_materials()));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(fmt::format("{}: {}", set.name, error.what()));
+  }
+  return changed;
+}
+
+}  // namespace triax::lab

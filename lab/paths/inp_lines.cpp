@@ -1,0 +1,95 @@
+#include "lab/paths/inp_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
+
+namespace triax::lab {
+
+std::optional<double> fortran_number(std::string_view word) {
+  std::string text(word);
+  for (char& c : text)
+    if (c == 'd' || c == 'D') c = 'e';
+  const char* begin = text.data();
+  const char* const end = begin + text.size();
+  if (begin != end && *begin == '+') ++begin;
+  if (begin == end || *begin == '+' || (begin != text.data() && *begin == '-')) return std::nullopt;
+  double value = 0;
+  const auto [stopped, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stopped != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> inp_words(std::string_view line) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : line) {
+    if (c != ' ' && c != '\t' && c != ',' && c != '\r') {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  if (!word.empty()) words.push_back(std::move(word));
+  return words;
+}
+
+std::string inp_before(std::string_view line, std::string_view marks) {
+  return std::string(trimmed(line.substr(0, line.find_first_of(marks))));
+}
+
+InpLines::InpLines(std::string text, std::string name)
+    : text_(is_utf8(text) ? std::move(text) : utf8_from_cp1252(text)), name_(std::move(name)) {
+  if (text_.find('\0') != std::string::npos) throw BadInput(name_, 0, "is not a text file");
+}
+
+std::optional<std::string> InpLines::next() {
+  while (at_ < text_.size()) {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string_view line(text_.data() + at_, end - at_);
+    at_ = end + 1;
+    ++line_;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (!trimmed(line).empty()) return std::string(line);
+  }
+  return std::nullopt;
+}
+
+std::string InpLines::required(std::string_view what) {
+  if (auto line = next()) return *line;
+  throw BadInput(name_, line_, fmt::format("the file ends where {} should follow", what));
+}
+
+std::vector<double> InpLines::numbers(std::size_t count, std::string_view what) {
+  const std::vector<std::string> words = inp_words(required(what));
+  std::vector<double> values;
+  for (const std::string& word : words) {
+    if (values.size() == count) break;
+    const auto value = fortran_number(word);
+    if (!value) fail(fmt::format("{} is no number; {} must stand here", excerpt(word), what));
+    values.push_back(*value);
+  }
+  if (values.size() < count)
+    fail(fmt::format("{} of {} numbers; {} must stand here", values.size(), count, what));
+  return values;
+}
+
+int InpLines::as_whole(double value, std::string_view what, int lowest, int highest) const {
+  if (value != std::floor(value) || value < lowest || value > highest)
+    fail(fmt::format("{} is {}, must be a whole number from {} to {}", what, value, lowest,
+                     highest));
+  return static_cast<int>(value);
+}
+
+int InpLines::whole(std::string_view what, int lowest, int highest) {
+  return as_whole(numbers(1, what)[0], what, lowest, highest);
+}
+
+void InpLines::fail(const std::string& message) const { throw BadInput(name_, line_, message); }
+
+}  // namespace triax::lab

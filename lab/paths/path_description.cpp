@@ -1,0 +1,96 @@
+#include "lab/paths/path_description.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "lab/paths/path_reader.hpp"
+#include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
+
+namespace triax::lab {
+namespace {
+
+const std::vector<std::string> kSettings = {"material", "void_ratio", "p_eff_kPa", "tolerance"};
+
+double number_within(const std::string& key, const std::string& value, double lowest,
+                     double highest) {
+  double number = 0;
+  const char* const end = value.data() + value.size();
+  const auto [stopped, error] = std::from_chars(value.data(), end, number);
+  if (error != std::errc() || stopped != end || !(number >= lowest && number <= highest))
+    throw BadInput(fmt::format("{}={}: must be a number, {} to {}", key, excerpt(value),
+                               fmt::to_string(lowest), fmt::to_string(highest)));
+  return number;
+}
+
+template <class Space>
+void check(const PathDescription& description, const sim::Path<Space>& path) {
+  const auto refuse = [&](const std::string& message) {
+    throw BadInput(description.source, 0, message);
+  };
+  const sim::Law<Space>* law = description.material.material.law<Space>();
+  if (law == nullptr)
+    refuse(fmt::format("{} cannot follow this path: {}", description.material.name,
+                       Space::kSize == 6 && !description.material.material.no_tensor.empty()
+                           ? description.material.material.no_tensor
+                           : "it has no form for its frame"));
+  const auto start = law->start(path.stress, path.void_ratio);
+  const auto wanted = static_cast<std::size_t>(start.memory.size());
+  if (!path.memory.empty() && path.memory.size() != wanted)
+    refuse(fmt::format("[start] memory has {} values, {} has {} ({})", path.memory.size(),
+                       description.material.name, wanted, joined(law->memory_names())));
+  auto state = start;
+  for (std::size_t i = 0; i < path.memory.size(); ++i)
+    state.memory(static_cast<Eigen::Index>(i)) = path.memory[i];
+  if (auto objection = law->objection(state))
+    refuse(fmt::format("[start] {} refuses it: {}", description.material.name, *objection));
+}
+
+void change_parameter(PathDescription& description, const std::string& key,
+                      const std::string& value) {
+  std::vector<std::string> known = kSettings;
+  bool found = false;
+  for (const auto& parameter : description.material.law->parameters) {
+    known.push_back(parameter.key);
+    found = found || parameter.key == key;
+  }
+  if (!found)
+    throw BadInput(fmt::format("there is no setting {}; {}", excerpt(key), suggestion(key, known)));
+  description.material = with_parameter(description.material, key, value);
+  description.parameters.emplace_back(key, value);
+}
+
+}  // namespace
+
+void check_start(const PathDescription& description) {
+  std::visit([&](const auto& path) { check(description, path); }, description.path);
+}
+
+void change_setting(PathDescription& description, const std::string& key,
+                    const std::string& value) {
+  if (key == "material") {
+    description.material = find_path_material(value, description.material_file, description.source);
+    description.material_name = value;
+    description.parameters.clear();
+  } else if (key == "tolerance") {
+    description.tolerance =
+        number_within(key, value, kSmallestPathTolerance, kLargestPathTolerance);
+  } else if (key == "void_ratio") {
+    const double e = number_within(key, value, kSmallestVoidRatio, kLargestVoidRatio);
+    std::visit([&](auto& path) { path.void_ratio = e; }, description.path);
+  } else if (key == "p_eff_kPa") {
+    const double p_pa = 1e3 * number_within(key, value, kSmallestPathStress_kPa, 1e5);
+    std::visit(
+        [&]<class Space>(sim::Path<Space>& path) {
+          if (!path.memory.empty())
+            throw BadInput("p_eff_kPa cannot be set: the path starts with a memory of its own");
+          path.stress = sim::isotropic<Space>(p_pa);
+        },
+        description.path);
+  } else {
+    change_parameter(description, key, value);
+  }
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,63 @@
+// A step of the point driver allocates nothing, for any law that ships.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "lab/materials/material_library.hpp"
+#include "sim/point/point_driver.hpp"
+
+#if defined(__SANITIZE_ADDRESS__) || !defined(__GLIBC__)
+constexpr bool kCounts = false;  // the allocator is not ours to replace there
+static long allocations = 0;
+#else
+constexpr bool kCounts = true;
+static thread_local long allocations = 0;
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void* malloc(std::size_t n) { return ++allocations, __libc_malloc(n); }
+void* calloc(std::size_t n, std::size_t m) { return ++allocations, __libc_calloc(n, m); }
+void* realloc(void* p, std::size_t n) { return ++allocations, __libc_realloc(p, n); }
+void* aligned_alloc(std::size_t a, std::size_t n) { return ++allocations, __libc_memalign(a, n); }
+}
+#endif
+
+using namespace triax;
+
+namespace {
+
+template <class Space>
+void check_steps(const sim::Law<Space>& law) {
+  using Control = sim::MixedControl<Space>;
+  const auto start = law.isotropic(100e3, 0.9);
+  if (law.objection(start)) return;
+  for (const Control& control : {Control::strain_path(1e-4), Control::drained_compression(1e-4)}) {
+    const sim::PointTolerance tolerance{.relative = 1e-6};
+    sim::PointDriver<Space> driver(law, start, control, tolerance);
+    auto state = start;
+    const long before = allocations;
+    int steps = 0;
+    for (; steps < 100; ++steps) {
+      auto step = driver.advance(state);
+      if (step.outcome != sim::StepOutcome::accepted) break;
+      state = step.state;
+    }
+    CHECK(allocations == before);
+    CHECK(steps > 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an accepted step allocates nothing, whatever the law and the space") {
+  const long before = allocations;
+  std::free(std::malloc(100));
+  if (kCounts) REQUIRE(allocations > before);  // the counter counts
+  for (const auto& set : lab::shipped_materials()) {
+    INFO(set.name);
+    if (set.material.axisymmetric && !set.material.axisymmetric->finite())
+      check_steps(*set.material.axisymmetric);
+    if (set.material.tensor && !set.material.tensor->finite()) check_steps(*set.material.tensor);
+  }
+}

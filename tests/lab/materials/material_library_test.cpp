@@ -1,0 +1,85 @@
+#include "lab/materials/material_library.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "lab/records/bad_input.hpp"
+#include "sim/materials/sanisand.hpp"
+#include "tests/sim/materials/hypoplastic_sets.hpp"
+#include "tests/sim/materials/norsand_sets.hpp"
+#include "tests/sim/materials/parameter_sets.hpp"
+
+using namespace triax::lab;
+using Catch::Contains;
+
+TEST_CASE("the shipped sets are the ones that the law was checked with") {
+  for (const auto& [name, expected] :
+       {std::pair{"sanisand/S28-general", triax::sim::test::s28_general()},
+        std::pair{"sanisand/Toyoura-DM04", triax::sim::test::toyoura()}}) {
+    const auto found =
+        triax::sim::parameters_from(find_material(name).parameters, triax::sim::sanisand_table());
+    for (const auto& row : triax::sim::sanisand_table()) {
+      INFO(name << " " << row.description.key);
+      CHECK(found.*row.member == expected.*row.member);
+    }
+  }
+  CHECK_FALSE(find_material("sanisand/S28-general").source.empty());
+}
+
+TEST_CASE("the shipped sets of hypoplasticity and NorSand are those that were checked") {
+  const auto check = [](const char* name, const auto& expected, const auto& table) {
+    const auto found = triax::sim::parameters_from(find_material(name).parameters, table);
+    for (const auto& row : table) {
+      INFO(name << " " << row.description.key);
+      // The published angle of one set is rounded in its file.
+      CHECK(found.*row.member == Approx(expected.*row.member).epsilon(1e-7));
+    }
+  };
+  using namespace triax::sim;
+  const auto& hypoplastic = hypoplastic_table();
+  check("hypoplastic/HG99", test::hostun_hg99(), hypoplastic);
+  check("hypoplastic/Schranz", test::hostun_schranz(), hypoplastic);
+  check("hypoplastic/S28-MT", test::hostun_moist_tamped(), hypoplastic);
+  check("hypoplastic/S28-MT-IGS", test::with_intergranular_strain(test::hostun_moist_tamped()),
+        hypoplastic);
+  check("norsand/Nerlerk-270", test::nerlerk(), norsand_table());
+  check("norsand/Nerlerk-270-drained", test::nerlerk_drained(), norsand_table());
+  check("norsand/S28-MT", test::hostun_norsand(), norsand_table());
+}
+
+TEST_CASE("every shipped set says what it is, where it comes from and how far it reaches") {
+  for (const auto& set : shipped_materials()) {
+    INFO(set.name);
+    CHECK_FALSE(set.description.empty());
+    CHECK_FALSE(set.source.empty());
+    CHECK_FALSE(set.range.empty());
+    CHECK(set.material.axisymmetric != nullptr);
+    CHECK((set.material.tensor != nullptr || !set.material.no_tensor.empty()));
+  }
+}
+
+TEST_CASE("one parameter can be changed, and the name says so") {
+  const auto set = with_parameter(find_material("sanisand/S28-general"), "hardening_factor", "1.5");
+  CHECK(set.name == "sanisand/S28-general (hardening_factor = 1.5)");
+  CHECK(set.parameters.numbers.at("hardening_factor") == 1.5);
+  CHECK_THROWS_WITH(with_parameter(set, "hardning_factor", "1"), Contains("hardening_factor"));
+  CHECK_THROWS_WITH(with_parameter(set, "hardening_factor", "-1"), Contains("must be above 0"));
+  CHECK_THROWS_AS(with_parameter(set, "hardening_factor", "one"), BadInput);
+}
+
+TEST_CASE("an unknown material is refused with the nearest known one") {
+  CHECK_THROWS_WITH(find_material("sanisand/S28-genral"),
+                    Contains("did you mean 'sanisand/S28-general'?"));
+  CHECK_THROWS_AS(find_material(""), BadInput);
+}
+
+TEST_CASE("a user's file is held to the same rules, with its line") {
+  CHECK_THROWS_WITH(read_materials("law = \"sanisand\"\n[sets.mine]\nfabric_rat = 3\n", "my.toml"),
+                    Contains("my.toml:3") && Contains("did you mean 'fabric_rate'?"));
+  CHECK_THROWS_WITH(
+      read_materials("law = \"sanisand\"\n[sets.mine]\nfabric_rate = 3\n", "my.toml"),
+      Contains("my.toml:2") && Contains("sanisand/mine: shear_modulus_factor is missing"));
+  CHECK_THROWS_WITH(read_materials("law = \"camclay\"\n", "my.toml"), Contains("my.toml:1"));
+  CHECK_THROWS_AS(read_materials("law = ", "my.toml"), BadInput);
+  CHECK_THROWS_AS(read_materials("law = \"sanisand\"\n[sets]\n", "my.toml"), BadInput);
+}
