@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bench/point/run.sh [FILE.svg]: one increment of each law against one solution of a 6 x 6 system, in both spaces;
+# bench/point/run.sh [FILE.svg|FILE.png]: one increment of each law against one solution of a 6 x 6 system, in both spaces;
 # then error against time per path for each law, as tables and (with FILE.svg) as a diagram.
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,6 +1,7 @@
-// bench_work_precision FILE.svg: error of a path against its time for each law, by tolerance, as a
-// table and as a diagram. Undrained compression of 2 % in one increment, so that the integrator
-// alone chooses its steps; error against the same path with a tolerance of 1e-13.
+// bench_work_precision [FILE.svg|FILE.png]: error of a path against its time for each law, by
+// tolerance, as a table and as a diagram (dots: pair of high order, circles: of low order).
+// Undrained compression of 2 % in one increment, so that the integrator alone chooses its steps;
+// error against the same path with a tolerance of 1e-13.
 #include <fmt/format.h>
 
 #include "bench/point/yardstick.hpp"
@@ -14,8 +15,10 @@ using namespace triax;
 
 namespace {
 
+constexpr int kDrawn = 6;
+
 struct Point {
-  double error, microseconds;
+  double tolerance, error, microseconds;
 };
 
 template <class Space>
@@ -32,7 +35,7 @@ std::vector<Point> measure(const sim::Law<Space>& law) {
         (found.state.stress - exact.state.stress).norm() / exact.state.stress.norm();
     const double seconds =
         bench::least_seconds(20, [&] { return sim::advance_point(law, start, control, settings); });
-    points.push_back({std::max(error, 1e-16), seconds * 1e6});
+    points.push_back({tolerance, std::max(error, 1e-16), seconds * 1e6});
     fmt::print("{:>8.0e} {:>12.2e} {:>10.1f} {:>7}\n", tolerance, error, seconds * 1e6,
                found.steps);
   }
@@ -42,11 +45,19 @@ std::vector<Point> measure(const sim::Law<Space>& law) {
 void draw(QCustomPlot& plot, const std::string& name, const std::vector<Point>& points, int index) {
   static const QColor kColours[] = {src::kBlue,   src::kVermilion, src::kGreen, src::kOrange,
                                     src::kPurple, src::kInk,       src::kGrey};
-  auto* graph = plot.addGraph();
-  graph->setName(QString::fromStdString(name));
-  graph->setPen(src::line(kColours[index % 7]));
-  graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 5));
-  for (const Point& p : points) graph->addData(p.microseconds, p.error);
+  auto* pair_of_high_order = plot.addGraph();
+  pair_of_high_order->setName(QString::fromStdString(name));
+  pair_of_high_order->setPen(src::line(kColours[index % 7]));
+  pair_of_high_order->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 5));
+  auto* pair_of_low_order = plot.addGraph();
+  pair_of_low_order->setPen(src::line(kColours[index % 7]));
+  pair_of_low_order->setLineStyle(QCPGraph::lsNone);
+  pair_of_low_order->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, 6));
+  pair_of_low_order->removeFromLegend();
+  for (const Point& p : points)
+    (&sim::tableau_for(p.tolerance) == &sim::kDormandPrince ? pair_of_high_order
+                                                            : pair_of_low_order)
+        ->addData(p.microseconds, p.error);
 }
 
 }  // namespace
@@ -54,6 +65,7 @@ void draw(QCustomPlot& plot, const std::string& name, const std::vector<Point>& 
 int main(int argc, char** argv) {
   const auto plot = src::make_plot(760, 520);
   src::style_axes(*plot->axisRect(), "time per path (µs)", "relative error of the stress at 2 %");
+  plot->axisRect()->setMinimumMargins({0, 10, 20, 0});
   for (auto* axis : {plot->xAxis, plot->yAxis}) {
     axis->setScaleType(QCPAxis::stLogarithmic);
     axis->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
@@ -66,11 +78,17 @@ int main(int argc, char** argv) {
     const auto set = lab::find_material(name);
     fmt::print("\n{}, axisymmetric\n{:>8} {:>12} {:>10} {:>7}\n", name, "tol", "error", "us/path",
                "steps");
-    draw(*plot, name, measure(*set.material.axisymmetric), index++);
+    const auto points = measure(*set.material.axisymmetric);
+    // The simple laws at the end are exact but for round-off: a line along the bottom.
+    if (index < kDrawn) draw(*plot, name, points, index++);
   }
   plot->rescaleAxes();
+  plot->xAxis->scaleRange(1.2);
+  plot->yAxis->scaleRange(1.2);
   plot->legend->setVisible(true);
   src::style_legend(*plot->legend);
   src::legend_below(*plot, 3);
-  if (argc > 1) src::write_file(argv[1], src::to_svg(*plot));
+  if (argc < 2) return 0;
+  const std::string file = argv[1];
+  src::write_file(file, file.ends_with(".png") ? src::to_png(*plot, 1.5) : src::to_svg(*plot));
 }

@@ -197,9 +197,15 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
                       programme.frame.fastest_m_per_s};
   }
   const sim::SpecimenStep step = specimen.advance(state, boundary, dt_s);
-  if (step.outcome == sim::StepOutcome::failed)
-    throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source, stage().name,
-                                 time_s, step.message));
+  if (step.outcome == sim::StepOutcome::failed) {
+    // A test that has readings is kept: the law may end where the specimen is liquefied.
+    if (number <= 0)
+      throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source,
+                                   stage().name, time_s, step.message));
+    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law goes no further: {}", stage().name,
+                     time_s, step.message));
+    return false;
+  }
   if (step.outcome == sim::StepOutcome::inaccurate)
     warn_once(accuracy_warned, fmt::format("from {:.6g} s on the integration of the law is less "
                                            "accurate than asked for",

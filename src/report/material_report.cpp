@@ -120,6 +120,7 @@ std::string materials_json(const std::vector<lab::MaterialSet>& sets) {
 
 std::string material_text(const lab::MaterialSet& set) {
   return without_controls(head(set.name, {{"what", set.description},
+                                          {"based on", set.material.based_on},
                                           {"range", set.range},
                                           {"source", set.source},
                                           {"law", set.law->title},
@@ -132,6 +133,7 @@ std::string material_text(const lab::MaterialSet& set) {
 std::string material_json(const lab::MaterialSet& set) {
   Json document = {{"name", set.name},
                    {"law", law_head(*set.law)},
+                   {"based_on", text(set.material.based_on)},
                    {"description", text(set.description)},
                    {"range", text(set.range)},
                    {"source", text(set.source)},

@@ -31,6 +31,7 @@ Json point_json(const ReportedPath& path, const ReportedPoint& at) {
 Json material_json(const lab::MaterialSet& material) {
   return {{"name", material.name},
           {"law", material.law->name},
+          {"based_on", text(material.material.based_on)},
           {"description", text(material.description)},
           {"source", text(material.source)},
           {"range", text(material.range)}};
@@ -120,6 +121,7 @@ std::string path_text(const ReportedPath& path) {
     if (!value.empty()) out += fmt::format("  {:<12}{}\n", label, on_one_line(value));
   };
   fact("material", path.material.name);
+  fact("based on", path.material.material.based_on);
   fact("source", path.material.source);
   fact("range", path.material.range);
   fact("start",

@@ -178,3 +178,20 @@ end = [{quantity = "cell_pressure_kPa", below = 200.0}]
 )")));
   CHECK_THROWS_WITH(run(rig), Contains("too far") && Contains("p.toml"));
 }
+
+TEST_CASE("any law can be the specimen; where one ends the test ends with its readings") {
+  using lab::test::replaced;
+  const std::string longer = replaced(lab::test::programme_text(), "above = 1.0}", "above = 10.0}");
+  lab::VirtualRig inl2(programme(replaced(longer, "sanisand/S28-general", "inl2/S28-general")));
+  run(inl2);
+  CHECK(*inl2.truth()->axial_strain * 100 == Approx(0.414).margin(0.005));
+  CHECK(inl2.header().warnings.empty());
+
+  lab::VirtualRig liquefied(
+      programme(replaced(longer, "sanisand/S28-general", "hypoplastic/S28-MT")));
+  CHECK(run(liquefied).size() > 100);
+  REQUIRE(liquefied.header().warnings.size() == 1);
+  CHECK_THAT(liquefied.header().warnings[0].text,
+             Contains("the law goes no further") && Contains("liquefied"));
+  CHECK(liquefied.truth()->lost_sustainability);
+}

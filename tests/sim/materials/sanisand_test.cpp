@@ -98,7 +98,8 @@ TEST_CASE("S28-general peaks undrained at 37.21 kPa, 0.517 %, eta 0.5878, where 
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     peak = advance_point(law, before, Control::strain_path(middle)).state;
-    const bool rising = deviator_stress<Axisymmetric>(point_rate(law, peak, Control::strain_path(1)).stress) > 0;
+    const bool rising =
+        deviator_stress<Axisymmetric>(point_rate(law, peak, Control::strain_path(1)).stress) > 0;
     (rising ? low : high) = middle;
   }
   CHECK(peak.q() / 1e3 == Approx(37.21).margin(0.006));
