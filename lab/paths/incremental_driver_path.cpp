@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "lab/paths/inp_step.hpp"
 #include "lab/records/text.hpp"
@@ -17,6 +18,7 @@ using Vector = sim::Vector<sim::Tensor>;
 
 constexpr int kMostRows = 10'000;
 constexpr std::size_t kMostSegments = 100'000;
+constexpr int kMostSides = 20'000;
 constexpr int kMostRepetitions = 1'000'000;
 
 Segment segment_of(const InpStep& step, const Vector& change, int rows) {
@@ -30,48 +32,44 @@ Segment segment_of(const InpStep& step, const Vector& change, int rows) {
   return segment;
 }
 
-/// Instants between which the path of an oscillation is straight: its turning points where all
-/// components move together, else as many as the file has increments.
+/// Instants, in periods, between which the path of an oscillation is straight: its turning points
+/// where all components move together, else as many as the file has increments (kMostSides at
+/// most).
 std::vector<double> corners(const InpStep& step, double start) {
-  using std::numbers::pi;
-  const double end = start + step.duration;
-  std::vector<double> times{start};
+  std::vector<double> instants{start};
   bool together = step.conditions.increment.isZero(0);
-  double phase = 0;
-  bool first = true;
+  std::optional<double> phase;
   for (int i = 0; i < 6; ++i) {
     if (step.amplitude(i) == 0) continue;
-    together = together && (first || step.phase(i) == phase);
+    together = together && phase.value_or(step.phase(i)) == step.phase(i);
     phase = step.phase(i);
-    first = false;
   }
   if (together) {
-    const double half = step.duration / 2;
-    const double turn = step.duration * (0.25 - phase / (2 * pi));
-    for (double k = std::ceil((start - turn) / half); turn + k * half < end; ++k)
-      if (turn + k * half > start + 1e-9 * step.duration &&
-          turn + k * half < end - 1e-9 * step.duration)
-        times.push_back(turn + k * half);
+    const double first = 0.25 - std::fmod(phase.value_or(0) / (2 * std::numbers::pi), 1);
+    for (int half = -4; half <= 8; ++half) {
+      const double turn = first + 0.5 * half;
+      if (turn > start + 1e-9 && turn < start + 1 - 1e-9) instants.push_back(turn);
+    }
   } else {
-    for (int i = 1; i < step.increments; ++i)
-      times.push_back(start + step.duration * i / step.increments);
+    const int sides = std::min(step.increments, kMostSides);
+    for (int i = 1; i < sides; ++i) instants.push_back(start + static_cast<double>(i) / sides);
   }
-  times.push_back(end);
-  return times;
+  instants.push_back(start + 1);
+  return instants;
 }
 
 void append(const InpStep& step, double start, std::vector<Segment>& segments) {
   const int rows = (step.increments + step.every - 1) / step.every;
   if (step.circulating) {
-    const auto times = corners(step, start);
-    const auto swing = [&step](double time) {
+    const auto instants = corners(step, std::fmod(start / step.duration, 1));
+    const auto swing = [&step](double at) {
       return Vector(step.amplitude.array() *
-                    (2 * std::numbers::pi * time / step.duration + step.phase.array()).sin());
+                    (2 * std::numbers::pi * at + step.phase.array()).sin());
     };
-    for (std::size_t i = 1; i < times.size(); ++i) {
-      const double share = (times[i] - times[i - 1]) / step.duration;
+    for (std::size_t i = 1; i < instants.size(); ++i) {
+      const double share = instants[i] - instants[i - 1];
       segments.push_back(segment_of(
-          step, swing(times[i]) - swing(times[i - 1]) + share * step.conditions.increment,
+          step, swing(instants[i]) - swing(instants[i - 1]) + share * step.conditions.increment,
           static_cast<int>(std::lround(share * rows))));
     }
   } else if (!step.imported.empty()) {

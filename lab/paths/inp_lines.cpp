@@ -9,6 +9,11 @@
 #include "lab/records/text.hpp"
 
 namespace triax::lab {
+namespace {
+
+constexpr double kLargestNumber = 1e60;  // so that products of a few stay finite
+
+}  // namespace
 
 std::optional<double> fortran_number(std::string_view word) {
   std::string text(word);
@@ -20,7 +25,8 @@ std::optional<double> fortran_number(std::string_view word) {
   if (begin == end || *begin == '+' || (begin != text.data() && *begin == '-')) return std::nullopt;
   double value = 0;
   const auto [stopped, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || stopped != end || !std::isfinite(value)) return std::nullopt;
+  if (error != std::errc() || stopped != end || !(std::abs(value) <= kLargestNumber))
+    return std::nullopt;
   return value;
 }
 

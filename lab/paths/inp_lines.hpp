@@ -36,7 +36,8 @@ class InpLines {
   std::int64_t line_ = 0;
 };
 
-/// A number as Fortran writes it: 1, -.5, 1.5E-3, 1d3. Nothing where it is none, or not finite.
+/// A number as Fortran writes it: 1, -.5, 1.5E-3, 1d3. Nothing where it is none, or
+/// of a size that nothing has (1e60).
 std::optional<double> fortran_number(std::string_view word);
 
 /// Words between blanks and commas.

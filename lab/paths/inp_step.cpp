@@ -13,6 +13,7 @@ namespace triax::lab {
 namespace {
 
 constexpr int kMostIncrements = 10'000'000;
+constexpr double kShortestPeriod = 1e-12;  // s
 constexpr std::size_t kMostImported = 20'000;
 
 /// A keyword that stands for a *LinearLoad with one number to read.
@@ -89,7 +90,7 @@ void read_linear(InpLines& lines, InpStep& step) {
 }
 
 void read_circulating(InpLines& lines, InpStep& step) {
-  if (!(step.duration > 0)) lines.fail("the duration is the period, must be above 0");
+  if (!(step.duration > kShortestPeriod)) lines.fail("the duration is the period, must be above 0");
   const InpFrame frame = read_frame(lines);
   for (int i = 0; i < 6; ++i) {
     const auto values =

@@ -13,7 +13,7 @@ TEST_CASE("numbers are read as Fortran writes them") {
   CHECK(fortran_number("+2.5d-1") == 0.25);
   CHECK(fortran_number("1D3") == 1000.0);
   CHECK(fortran_number("3.") == 3.0);
-  for (const char* wrong : {"", "+", "++1", "+-1", "1.0x", "nan", "inf", "1e999", "*End"})
+  for (const char* wrong : {"", "+", "++1", "+-1", "1.0x", "nan", "inf", "1e999", "1e61", "*End"})
     CHECK_FALSE(fortran_number(wrong));
 }
 
