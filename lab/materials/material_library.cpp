@@ -122,6 +122,12 @@ MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
   MaterialSet changed = set;
   if (found->kind == sim::ParameterKind::text) {
     changed.parameters.texts[key] = value;
+    if (key == "base") {  // another base has other parameters, and nobody calibrated it
+      changed.parameters.numbers.clear();
+      changed.parameters.lists.clear();
+      changed.description = changed.range = "";
+      changed.source = "base changed for this run, not calibrated";
+    }
   } else {
     double number = 0;
     const char* const end = value.data() + value.size();

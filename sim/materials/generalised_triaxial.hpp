@@ -15,9 +15,6 @@ class GeneralisedTriaxial {
   using State = PointState<Space>;
   virtual ~GeneralisedTriaxial() = default;
 
-  /// In words: "SANISAND in closed form".
-  virtual std::string basis() const = 0;
-
   /// N⁺ and N⁻ (1/Pa) in the orthonormal components of the space. Pre-condition: no objection.
   virtual void moduli(const State& state, Matrix<Space>& plus, Matrix<Space>& minus) const = 0;
 
@@ -28,6 +25,7 @@ class GeneralisedTriaxial {
   virtual std::vector<std::string> memory_names() const { return {}; }
   virtual double memory_scale(int) const { return 1; }
   virtual std::optional<std::string> objection(const State&) const { return std::nullopt; }
+  virtual bool at_limit(const State&) const { return false; }
   virtual std::optional<std::string> warning(const State&) const { return std::nullopt; }
   virtual void memory_rate(const State&, const Response<Space>&, const PointRate<Space>&,
                            Memory& out) const {

@@ -49,8 +49,7 @@ std::shared_ptr<const Law<Space>> interpolated(
   return std::make_shared<Interpolated<Space>>(kind, std::move(base));
 }
 
-Material on_sanisand(Interpolation kind, const ParameterSet& set) {
-  const SanisandParameters p = parameters_from(set, sanisand_table());
+Material on_sanisand(Interpolation kind, const SanisandParameters& p) {
   Material m;
   m.axisymmetric =
       interpolated<Axisymmetric>(kind, std::make_shared<SanisandModuli<Axisymmetric>>(p));
@@ -67,10 +66,30 @@ Material on_table(Interpolation kind, const ParameterSet& set) {
   return m;
 }
 
+/// Why a law makes no base; empty where it does.
+std::string unfit(const Material& base) {
+  if (!base.tensor) return base.no_tensor;
+  if (base.tensor->finite()) return "a law that integrates itself has no answer at an instant";
+  const auto response = base.tensor->response(base.tensor->isotropic(100e3, 0.9));
+  if (const auto* form = std::get_if<StiffnessForm<Tensor>>(&response); form && form->nonlinear)
+    return "its responses to single unloadings are so contractive that their sum contracts under "
+           "isotropic unloading from the start; it is incrementally nonlinear itself, use it as it "
+           "is";
+  if (std::holds_alternative<InterpolatedForm<Tensor>>(response))
+    return "it is such an interpolation itself";
+  return {};
+}
+
 Material on_law(Interpolation kind, const std::string& name, const MaterialFinder& find) {
   const Material base = find(name);
-  if (!base.tensor)
-    throw std::invalid_argument("base is " + name + ", which cannot be probed: " + base.no_tensor);
+  if (const std::string reason = unfit(base); !reason.empty())
+    throw std::invalid_argument("base is " + name + ", which makes no base: " + reason);
+  // Probing SANISAND on its yield surface is its closed form.
+  if (const auto* sanisand = dynamic_cast<const Sanisand<Tensor>*>(base.tensor.get())) {
+    Material m = on_sanisand(kind, sanisand->parameters());
+    m.based_on = "generalised-triaxial moduli from " + name + " in closed form";
+    return m;
+  }
   Material m;
   m.axisymmetric =
       interpolated<Axisymmetric>(kind, std::make_shared<ProbedModuli<Axisymmetric>>(base.tensor));
@@ -96,7 +115,12 @@ LawDescription description(Interpolation kind, std::string name, std::string tit
   for (const auto& p : moduli_table_parameters()) d.parameters.push_back(p);
   d.make = [kind](const ParameterSet& set, const MaterialFinder& find) {
     const auto base = set.texts.find("base");
-    if (base == set.texts.end() || base->second == "sanisand") return on_sanisand(kind, set);
+    if (base == set.texts.end() || base->second == "sanisand")
+      return on_sanisand(kind, parameters_from(set, sanisand_table()));
+    for (const auto& row : sanisand_table())
+      if (set.numbers.contains(row.description.key))
+        throw std::invalid_argument(row.description.key + " has no meaning with the base " +
+                                    base->second);
     if (base->second == "table") return on_table(kind, set);
     return on_law(kind, base->second, find);
   };

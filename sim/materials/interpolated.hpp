@@ -37,6 +37,7 @@ class Interpolated : public Law<Space> {
   std::vector<std::string> memory_names() const override;
   double memory_scale(int entry) const override { return base_->memory_scale(entry); }
   std::optional<std::string> objection(const State& state) const override;
+  bool at_limit(const State& state) const override { return base_->at_limit(state); }
   std::optional<std::string> warning(const State& state) const override;
   using Law<Space>::response;
   void response(const State& state, Response<Space>& out) const override;

@@ -78,6 +78,8 @@ class Law {
 
   /// Why the law has no meaning at this state: it is refused. Empty where it has one.
   virtual std::optional<std::string> objection(const State& state) const;
+  /// Whether the objection is that of a limit surface: a control that gives stresses is lost there.
+  virtual bool at_limit(const State&) const { return false; }
   /// What a reader must know of this state although the law goes on: outside the calibrated range.
   virtual std::optional<std::string> warning(const State&) const { return std::nullopt; }
   /// Whether mean stresses of zero and tension have a meaning.

@@ -18,16 +18,8 @@ const std::vector<LawDescription>& laws() {
   // A law that is built on another's sets comes after it.
   // clang-format off: one a line
   static const std::vector<LawDescription> all = {
-      elastic_law(),
-      mohr_coulomb_law(),
-      drucker_prager_law(),
-      cam_clay_law(),
-      hypoplastic_law(),
-      sanisand_law(),
-      norsand_law(),
-      inl2_law(),
-      octolinear_law(),
-      umat_law(),
+      elastic_law(),  mohr_coulomb_law(), drucker_prager_law(), cam_clay_law(),   hypoplastic_law(),
+      sanisand_law(), norsand_law(),      inl2_law(),           octolinear_law(), umat_law(),
   };
   // clang-format on
   return all;

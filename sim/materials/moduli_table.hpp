@@ -16,7 +16,6 @@ class ModuliTable : public GeneralisedTriaxial<Axisymmetric> {
   /// Throws std::invalid_argument (list, what is wrong with it).
   explicit ModuliTable(const ParameterSet& set);
 
-  std::string basis() const override { return "a table"; }
   void moduli(const State& state, Matrix<Axisymmetric>& plus,
               Matrix<Axisymmetric>& minus) const override;
   std::optional<std::string> objection(const State& state) const override;

@@ -28,11 +28,6 @@ Matrix<Space> reduced(const Matrix<Tensor>& n) {
   }
 }
 
-unsigned every_mechanism(const Response<Tensor>& response) {
-  const auto* form = std::get_if<StiffnessForm<Tensor>>(&response);
-  return form == nullptr ? 0 : (1U << form->mechanisms) - 1;
-}
-
 }  // namespace
 
 template <class Space>
@@ -41,9 +36,14 @@ bool ProbedModuli<Space>::probe(const State& state, Matrix<Tensor>& plus,
   PointState<Tensor> at{lifted<Space>(state.stress), state.void_ratio, state.memory};
   Response<Tensor> response;
   base_->response(at, response);
-  const unsigned standing = every_mechanism(response);
-  base_->settle(at, standing);
+  const auto* form = std::get_if<StiffnessForm<Tensor>>(&response);
+  const int mechanisms = form == nullptr ? 0 : form->mechanisms;
+  base_->settle(at, (1U << mechanisms) - 1);
+  at.stress = lifted<Space>(state.stress);
   base_->response(at, response);
+  unsigned standing = 0;
+  for (int k = 0; k < mechanisms; ++k)
+    if (base_->yield_distance(at, k) >= -kOnYield) standing |= 1U << k;
   plus.setZero();
   for (int j = 0; j < Tensor::kSize; ++j)
     for (const double sign : {1.0, -1.0}) {
@@ -87,24 +87,14 @@ std::optional<std::string> ProbedModuli<Space>::objection(const State& state) co
 }
 
 template <class Space>
-std::optional<std::string> ProbedModuli<Space>::warning(const State& state) const {
-  return base_->warning({lifted<Space>(state.stress), state.void_ratio, state.memory});
+bool ProbedModuli<Space>::at_limit(const State& state) const {
+  Matrix<Tensor> plus, minus;
+  return state.p() > 0 && !probe(state, plus, minus);
 }
 
 template <class Space>
-void ProbedModuli<Space>::memory_rate(const State& state, const Response<Space>&,
-                                      const PointRate<Space>& rate, Memory& out) const {
-  PointState<Tensor> at{lifted<Space>(state.stress), state.void_ratio, state.memory};
-  Response<Tensor> response;
-  base_->response(at, response);
-  const unsigned standing = every_mechanism(response);
-  base_->settle(at, standing);
-  base_->response(at, response);
-  const PreparedControl<Tensor> control(MixedControl<Tensor>::strains(lifted<Space>(rate.strain)),
-                                        1);
-  const auto driven =
-      solve_control<Tensor>(response, control, {standing, std::nullopt}, Vector<Tensor>::Zero());
-  base_->memory_rate(at, response, driven, out);
+std::optional<std::string> ProbedModuli<Space>::warning(const State& state) const {
+  return base_->warning({lifted<Space>(state.stress), state.void_ratio, state.memory});
 }
 
 template class ProbedModuli<Axisymmetric>;

@@ -5,10 +5,11 @@
 
 namespace triax::sim {
 
-/// Generalised triaxial moduli of any law by probing: from the state, dσ_j = ±1 with the other
-/// stresses held, as the law itself answers at that instant. A plastic law is taken to stand on its
-/// yield surface. The memory is the base law's, driven by the strains that the interpolation gives.
-/// A state at which a probe has no answer (a limit surface) is refused.
+/// Generalised triaxial moduli of a law by probing: from the state, dσ_j = ±1 with the other
+/// stresses held, as the law itself answers at that instant. As with SANISAND in closed form there
+/// is no memory of an earlier yield surface: it always passes through the stress where the law can
+/// put it there (settle()), so that a path is elastoplastic where it raises the stress towards
+/// yield. A state at which a probe has no answer (a limit surface) is refused.
 template <class Space>
 class ProbedModuli : public GeneralisedTriaxial<Space> {
  public:
@@ -16,15 +17,13 @@ class ProbedModuli : public GeneralisedTriaxial<Space> {
 
   explicit ProbedModuli(std::shared_ptr<const Law<Tensor>> base) : base_(std::move(base)) {}
 
-  std::string basis() const override { return "another law by probing"; }
   void moduli(const State& state, Matrix<Space>& plus, Matrix<Space>& minus) const override;
   State start(const Vector<Space>& stress, double void_ratio) const override;
   std::vector<std::string> memory_names() const override { return base_->memory_names(); }
   double memory_scale(int entry) const override { return base_->memory_scale(entry); }
   std::optional<std::string> objection(const State& state) const override;
+  bool at_limit(const State& state) const override;
   std::optional<std::string> warning(const State& state) const override;
-  void memory_rate(const State& state, const Response<Space>& response,
-                   const PointRate<Space>& rate, Memory& out) const override;
   std::optional<double> limit_stress_ratio() const override { return base_->limit_stress_ratio(); }
 
  private:

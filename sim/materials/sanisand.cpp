@@ -8,11 +8,8 @@ namespace {
 
 const double kRoot = std::sqrt(2.0 / 3);
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
+/// p′/p_at below which the contraction is faded out.
+constexpr double kFade = 0.02;
 
 }  // namespace
 
@@ -101,13 +98,21 @@ template <class Space>
 std::optional<std::string> Sanisand<Space>::objection(const State& state) const {
   if (auto general = Law<Space>::objection(state)) return general;
   if (state.void_ratio >= 2.97)
-    return "the void ratio is " + number(state.void_ratio) + ", must be below 2.97";
+    return "the void ratio is " + short_number(state.void_ratio) + ", must be below 2.97";
   const double c_h = parameters_.hardening_void_ratio_factor;
   if (1 - c_h * state.void_ratio <= 0)
-    return "the void ratio is " + number(state.void_ratio) +
-           ", must be below 1/c_h = " + number(1 / c_h) +
+    return "the void ratio is " + short_number(state.void_ratio) +
+           ", must be below 1/c_h = " + short_number(1 / c_h) +
            ", where this parameter set's hardening vanishes";
   return std::nullopt;
+}
+
+template <class Space>
+std::optional<std::string> Sanisand<Space>::warning(const State& state) const {
+  const double fade = kFade * parameters_.atmospheric_pressure_pa;
+  if (state.p() >= fade) return std::nullopt;
+  return "p' is below " + short_number(fade / 1e3) +
+         " kPa, where the contraction is faded out so that a liquefied state keeps a stress";
 }
 
 template <class Space>
@@ -165,7 +170,7 @@ double Sanisand<Space>::reversal(const State& state) const {
 
 template <class Space>
 double Sanisand<Space>::contraction_fade(double p) const {
-  const double x = p / (0.02 * parameters_.atmospheric_pressure_pa);
+  const double x = p / (kFade * parameters_.atmospheric_pressure_pa);
   return x < 1 ? x * x * (3 - 2 * x) : 1;
 }
 

@@ -61,6 +61,7 @@ class Sanisand : public Law<Space> {
   std::vector<std::string> memory_names() const override;
   double memory_scale(int entry) const override;
   std::optional<std::string> objection(const State& state) const override;
+  std::optional<std::string> warning(const State& state) const override;
   using Law<Space>::response;
   void response(const State& state, Response<Space>& out) const override;
   double yield_distance(const State& state, int mechanism) const override;

@@ -64,11 +64,18 @@ std::optional<std::string> SanisandModuli<Space>::objection(const State& state) 
   if (!(state.p() > 0)) return "p' is not above 0, where the law ends";
   const State s = standing(state);
   if (auto base = law_.objection(s)) return base;
-  const auto l = law_.loading(s);
-  if (!(l.bounding > law_.alpha(s).dot(l.n)))
+  if (at_limit(state))
     return "the stress ratio stands on the bounding surface of the base law, where a generalised "
            "triaxial path that raises it has no response";
   return std::nullopt;
+}
+
+template <class Space>
+bool SanisandModuli<Space>::at_limit(const State& state) const {
+  if (!(state.p() > 0)) return false;
+  const State s = standing(state);
+  const auto l = law_.loading(s);
+  return !(l.bounding > law_.alpha(s).dot(l.n));
 }
 
 template <class Space>

@@ -20,11 +20,14 @@ class SanisandModuli : public GeneralisedTriaxial<Space> {
 
   explicit SanisandModuli(const SanisandParameters& parameters);
 
-  std::string basis() const override { return "SANISAND in closed form"; }
   void moduli(const State& state, Matrix<Space>& plus, Matrix<Space>& minus) const override;
   State start(const Vector<Space>& stress, double void_ratio) const override;
   std::vector<std::string> memory_names() const override;
   std::optional<std::string> objection(const State& state) const override;
+  bool at_limit(const State& state) const override;
+  std::optional<std::string> warning(const State& state) const override {
+    return law_.warning(state);
+  }
   bool turn(State& state, const PointRate<Space>& rate) const override;
   std::optional<double> limit_stress_ratio() const override { return law_.limit_stress_ratio(); }
 

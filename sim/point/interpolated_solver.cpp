@@ -18,6 +18,7 @@ class InterpolatedSolver {
         control_(control) {}
 
   PointRate<Space> solve(const Vector<Space>& guess) {
+    if (!std::isfinite(mean_.sum())) return rate_;  // the base has no answer here
     const double size = control_.increment.norm();
     if (size == 0) {
       rate_.controllable = true;

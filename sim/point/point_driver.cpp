@@ -1,5 +1,6 @@
 #include "sim/point/point_driver.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -165,11 +166,12 @@ bool PointDriver<Space>::keeps_branch(const PointState<Space>& at,
 
 template <class Space>
 double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction) const {
-  Vector<Space> stress = Vector<Space>::Zero();
+  Vector<Space> stress = Vector<Space>::Zero(), strain = stress;
   double void_ratio = 0, worst = 0;
   for (int i = 0; i < tableau_.evaluations; ++i) {
     const double weight = fraction * tableau_.error[static_cast<std::size_t>(i)];
     stress += weight * flows_[static_cast<std::size_t>(i)].stress;
+    strain += weight * flows_[static_cast<std::size_t>(i)].strain;
     void_ratio += weight * flows_[static_cast<std::size_t>(i)].void_ratio;
   }
   for (int k = 0; k < at.memory.size(); ++k) {
@@ -181,7 +183,8 @@ double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction
   }
   worst *= fraction;
   const double size = std::max(std::abs(at.p()), kSmallestStress);
-  return std::max({worst, stress.cwiseAbs().maxCoeff() / size, std::abs(void_ratio)});
+  return std::max({worst, stress.cwiseAbs().maxCoeff() / size, strain.cwiseAbs().maxCoeff(),
+                   std::abs(void_ratio)});
 }
 
 /// Whether a mechanism that does not load in this step has come outside its surface, or one that
@@ -245,12 +248,53 @@ bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<
     step.message = kLost;
     return false;
   }
+  if (!control_.strain_driven && law_.at_limit(trial_.state)) {
+    blame(from, start.strain, step);
+    // A strain can be held at a limit of stress; that the law ends there is no loss of control.
+    if (control_.strain.row(step.culprit).isZero(0)) {
+      step.outcome = StepOutcome::lost_control;
+      step.message = kLost;
+      return false;
+    }
+    step.culprit = -1;
+  }
   // The branch changes within this smallest step: take it without loading.
   if (!trial_.refused && take_idle(from, fraction, trial_)) return true;
   step.outcome = StepOutcome::failed;
   const auto objection = law_.objection(trial_.state);
   step.message = objection ? *objection : "no admissible state within reach of the increment";
   return false;
+}
+
+/// Names the condition that drives the strain along `direction`: dε = C A⁻¹ dy with A = S + E C.
+template <class Space>
+void PointDriver<Space>::blame(const PointState<Space>& at, const Vector<Space>& direction,
+                               PointStep<Space>& step) {
+  law_.response(at, response_);
+  const auto* form = std::get_if<StiffnessForm<Space>>(&response_);
+  const Matrix<Space> compliance =
+      form != nullptr ? Matrix<Space>(form->stiffness.inverse())
+                      : Matrix<Space>(std::get<InterpolatedForm<Space>>(response_).plus);
+  const Matrix<Space> a = (control_.stress + control_.strain * compliance).transpose();
+  step.culprit = culprit_row<Space>(a.partialPivLu().solve(compliance.transpose() * direction),
+                                    control_.increment);
+}
+
+/// Whether a strain that nothing holds has grown without end; the condition to blame is then the
+/// one that drives it.
+template <class Space>
+bool PointDriver<Space>::ran_away(const PointState<Space>& from, PointStep<Space>& step) {
+  if (control_.strain_driven || step.strain_increment.norm() < tolerance_.runaway_strain)
+    return false;
+  double asked = 0;  // strain that the conditions themselves give
+  for (int row = 0; row < Space::kSize; ++row)
+    if (const double size = control_.strain.row(row).norm(); size > 0)
+      asked = std::max(asked, std::abs(control_.increment(row)) / size);
+  if (step.strain_increment.norm() < 10 * asked) return false;
+  blame(from, step.strain_increment, step);
+  step.outcome = StepOutcome::lost_control;
+  step.message = "the strain runs away, the control condition cannot be held any longer";
+  return true;
 }
 
 /// Takes the tried step and proposes the size of the next.
@@ -306,6 +350,7 @@ PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
     }
     if (!found) break;
     take(start, fraction, step);
+    if (step.done < 1 && ran_away(step.state, step)) break;
   }
   if (step.outcome == StepOutcome::accepted && step.error > tolerance_.relative) {
     step.outcome = StepOutcome::inaccurate;

@@ -21,9 +21,13 @@ enum class StepOutcome {
 };
 
 struct PointTolerance {
-  double relative = 1e-10;      ///< of stress to p′, of void ratio to 1, per integration step
+  double relative =
+      1e-10;  ///< of stress to p′, of strain and void ratio to 1, per integration step
   double smallest_step = 1e-9;  ///< fraction of the increment below which a step is not halved
   int step_limit = 100000;
+  /// |dε| of one increment from which on a control that gives stresses counts as lost: the strain
+  /// runs away where a limit is approached and never reached.
+  double runaway_strain = 1;
 };
 
 template <class Space>
@@ -89,6 +93,8 @@ class PointDriver {
   void stop_at_crossing(const PointState<Space>& from, const PointRate<Space>& first,
                         double& fraction, Trial& trial);
   bool take_idle(const PointState<Space>& from, double fraction, Trial& trial);
+  void blame(const PointState<Space>& at, const Vector<Space>& direction, PointStep<Space>& step);
+  bool ran_away(const PointState<Space>& from, PointStep<Space>& step);
   bool attempt(const PointState<Space>& from, const PointRate<Space>& start, double& fraction,
                PointStep<Space>& step);
   void take(const PointRate<Space>& start, double& fraction, PointStep<Space>& step);

@@ -108,8 +108,9 @@ TEST_CASE("Cam-Clay: q raised beyond the critical state loses control of q there
       advance_point(law, law.isotropic(200e3, 1.2), Control::stress_path(200e3, 600e3));
   REQUIRE(step.outcome == StepOutcome::lost_control);
   CHECK(step.culprit == 1);
-  CHECK(step.state.q() == Approx(300e3).epsilon(1e-6));
-  CHECK(step.state.q() / step.state.p() == Approx(1).epsilon(1e-6));
+  // The critical state is approached and never reached: control ends at a strain of 100 %.
+  CHECK(step.state.q() == Approx(300e3).epsilon(1e-5));
+  CHECK(step.state.q() / step.state.p() == Approx(1).epsilon(1e-5));
 }
 
 TEST_CASE("Cam-Clay: the ratio of plastic strains is that of the flow rule, in both senses") {

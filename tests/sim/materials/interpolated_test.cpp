@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "sim/materials/cam_clay.hpp"
+#include "sim/materials/elastic.hpp"
 #include "sim/materials/moduli_table.hpp"
 #include "sim/materials/probed_moduli.hpp"
 #include "sim/materials/sanisand_moduli.hpp"
@@ -322,16 +324,53 @@ TEST_CASE("probing SANISAND gives its closed form, in both spaces") {
   }
 }
 
-TEST_CASE("a shell on probed SANISAND follows the same undrained path as on the closed form") {
-  const Interpolated<Axisymmetric> probed(Interpolation::inl2,
-                                          std::make_shared<ProbedModuli<Axisymmetric>>(
-                                              std::make_shared<Sanisand<Tensor>>(with_h0(kInl2))));
-  State s = probed.isotropic(100e3, 1.086);
-  const auto step = advance_point(probed, s, Control::strain_path(0.004), {.relative = 1e-7});
-  REQUIRE(step.outcome == StepOutcome::accepted);
-  const auto closed =
-      advance_point(inl2(), inl2().isotropic(100e3, 1.086), Control::strain_path(0.004));
-  CHECK(step.state.q() == Approx(closed.state.q()).epsilon(2e-3));
+TEST_CASE("on the axes a shell on a probed law answers as that law; on elasticity it is elastic") {
+  CamClayParameters clay;
+  clay.compression_slope = 0.1;
+  clay.swelling_slope = 0.01;
+  clay.critical_stress_ratio = 1;
+  clay.poisson_ratio = 0.3;
+  const auto base = std::make_shared<CamClay<Tensor>>(clay);
+  const Interpolated<Tensor> shell(Interpolation::inl2,
+                                   std::make_shared<ProbedModuli<Tensor>>(base));
+  // Normally consolidated and sheared: on the yield surface.
+  const auto on_yield = advance_point<Tensor>(*base, base->isotropic(200e3, 0.8),
+                                              MixedControl<Tensor>::drained_compression(0.01))
+                            .state;
+  for (int j = 0; j < 3; ++j)
+    for (const double sign : {1.0, -1.0}) {
+      const auto control =
+          MixedControl<Tensor>::stresses(Vector<Tensor>(sign * 1e3 * Vector<Tensor>::Unit(j)));
+      const auto a = point_rate<Tensor>(shell, on_yield, control);
+      const auto b = point_rate<Tensor>(*base, on_yield, control);
+      REQUIRE(a.controllable);
+      CHECK(a.strain.isApprox(b.strain, 1e-9));
+    }
+
+  ElasticParameters hooke;
+  hooke.young_modulus_pa = 20e6;
+  hooke.poisson_ratio = 0.25;
+  hooke.reference_pressure_pa = 100e3;
+  const auto elastic = std::make_shared<Elastic<Tensor>>(hooke);
+  const Interpolated<Tensor> linear(Interpolation::inl2,
+                                    std::make_shared<ProbedModuli<Tensor>>(elastic));
+  const auto start = linear.isotropic(100e3, 0.8);
+  const Vector<Tensor> strain = 1e-4 * (Vector<Tensor>() << 1, -2, 0.5, 0, 0, 0).finished();
+  const auto a = point_rate<Tensor>(linear, start, MixedControl<Tensor>::strains(strain));
+  const auto b = point_rate<Tensor>(*elastic, start, MixedControl<Tensor>::strains(strain));
+  CHECK(a.stress.isApprox(b.stress, 1e-10));
+}
+
+TEST_CASE("the strain that runs away under stress control names the condition that drives it") {
+  Control drained;  // q beyond what it can carry at constant radial stress
+  drained.stress << 1, -1 / sqrt2, 0, 1 / sqrt2;
+  drained.increment << 400e3, 0;
+  for (const auto& material : {inl2(), octo()}) {
+    const auto step = advance_point(material, material.isotropic(100e3, 1.086), drained);
+    CHECK(step.outcome == StepOutcome::lost_control);
+    CHECK(step.culprit == 0);
+    CHECK(step.strain_increment.norm() < 20);
+  }
 }
 
 TEST_CASE("the tensor form follows the triaxial one, and refuses shear") {
