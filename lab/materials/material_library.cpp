@@ -21,6 +21,33 @@ sim::MaterialFinder finder_in(const std::vector<MaterialSet>& sets) {
   return [&sets](const std::string& name) { return find_material(name, sets).material; };
 }
 
+std::optional<ValidRange> read_range(const TomlTable& table, const char* key) {
+  const auto ends = table.numbers(key);
+  if (ends.empty()) return std::nullopt;
+  if (ends.size() != 2 || !(ends[0] < ends[1]) || ends[0] < 0)
+    table.fail(key, "must be two numbers of 0 or more, [lowest, highest]");
+  return ValidRange{ends[0], ends[1]};
+}
+
+/// In so many digits that one sees that it is not within.
+std::string digits_outside(const ValidRange& range, double value) {
+  for (int digits = 4; digits < 10; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    if (!range.holds(read)) return text;
+  }
+  return fmt::format("{}", value);
+}
+
+std::optional<std::string> outside(const MaterialSet& set, const std::optional<ValidRange>& range,
+                                   const char* name, double value, const char* unit) {
+  if (!range || range->holds(value)) return std::nullopt;
+  const std::string from = range->low > 0 ? fmt::format("{:g} to", range->low) : "up to";
+  return fmt::format("{} is {}{}, outside the range {} {:g}{} of {}", name,
+                     digits_outside(*range, value), unit, from, range->high, unit, set.name);
+}
+
 MaterialSet read_set(const TomlTable& table, const sim::LawDescription& law,
                      const std::string& name, const std::string& folder,
                      const std::vector<MaterialSet>& others) {
@@ -30,6 +57,8 @@ MaterialSet read_set(const TomlTable& table, const sim::LawDescription& law,
   set.description = table.text("description").value_or("");
   set.source = table.text("source").value_or("");
   set.range = table.text("range").value_or("");
+  set.void_ratio_range = read_range(table, "void_ratio_range");
+  set.p_eff_range_kPa = read_range(table, "p_eff_range_kPa");
   set.parameters.folder = folder;
   for (const auto& parameter : law.parameters) {
     const std::string& key = parameter.key;
@@ -85,6 +114,19 @@ std::vector<MaterialSet> read_shipped() {
 }
 
 }  // namespace
+
+bool ValidRange::holds(double value) const {
+  constexpr double kRoundOff = 1e-9;
+  return value >= low * (1 - kRoundOff) && value <= high * (1 + kRoundOff);
+}
+
+std::optional<std::string> void_ratio_outside(const MaterialSet& set, double void_ratio) {
+  return outside(set, set.void_ratio_range, "void ratio", void_ratio, "");
+}
+
+std::optional<std::string> p_eff_outside(const MaterialSet& set, double p_eff_pa) {
+  return outside(set, set.p_eff_range_kPa, "p'", p_eff_pa / 1e3, " kPa");
+}
 
 std::vector<MaterialSet> read_materials(std::string_view toml_text, const std::string& file) {
   return read_file(toml_text, file, shipped_materials());

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,12 +8,20 @@
 
 namespace triax::lab {
 
+/// Values from `low` to `high`, both included.
+struct ValidRange {
+  double low = 0, high = 0;
+  bool holds(double value) const;  ///< to round-off
+};
+
 /// A named parameter set of a law, with where it comes from and how far it reaches.
 struct MaterialSet {
   std::string name;  ///< "sanisand/S28-general"
   std::string description;
   std::string source;  ///< of the numbers, and who calibrated them on what
-  std::string range;
+  std::string range;   ///< in words
+  std::optional<ValidRange> void_ratio_range;
+  std::optional<ValidRange> p_eff_range_kPa;
   const sim::LawDescription* law = nullptr;
   sim::ParameterSet parameters;
   sim::Material material;
@@ -24,6 +33,12 @@ std::vector<MaterialSet> read_materials(std::string_view toml_text, const std::s
 
 /// All sets that ship with the program.
 const std::vector<MaterialSet>& shipped_materials();
+
+/// "void ratio is 1.3, outside the range 0.7 to 1.2 of inl2/S28-general"; empty where it is
+/// within, or no range is known.
+std::optional<std::string> void_ratio_outside(const MaterialSet& set, double void_ratio);
+/// The same of p' (Pa).
+std::optional<std::string> p_eff_outside(const MaterialSet& set, double p_eff_pa);
 
 /// The shipped set of that name; throws BadInput that lists the known ones and the nearest.
 MaterialSet find_material(std::string_view name);

@@ -119,6 +119,9 @@ void VirtualRig::Impl::begin_stage() {
   if (stage().role == StageRole::shear && !shear_height) {
     shear_height = state.height_m;
     shear_volume = specimen.volume_m3(state);
+    for (const auto& outside : {void_ratio_outside(programme.material, state.material.void_ratio),
+                                p_eff_outside(programme.material, state.material.p())})
+      if (outside) warn("at the start of shear " + *outside);
   }
   for (int i = 0; i < kEndQuantityCount; ++i)
     at_stage_start[static_cast<std::size_t>(i)] = value_of(static_cast<EndQuantity>(i));

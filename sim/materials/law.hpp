@@ -82,6 +82,12 @@ class Law {
   virtual bool at_limit(const State&) const { return false; }
   /// What a reader must know of this state although the law goes on: outside the calibrated range.
   virtual std::optional<std::string> warning(const State&) const { return std::nullopt; }
+  /// Why the law cannot follow this direction although the state is fine: a programme that it was
+  /// not made for. Asked at the beginning of every integration step; a step that is refused fails.
+  /// Not asked of a law that integrates itself. Empty where it can follow.
+  virtual std::optional<std::string> refusal(const State&, const Rate&) const {
+    return std::nullopt;
+  }
   /// Whether mean stresses of zero and tension have a meaning.
   virtual bool carries_tension() const { return false; }
 

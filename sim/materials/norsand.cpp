@@ -9,6 +9,32 @@ namespace {
 /// Stress ratio by which a state must be inside the yield surface to count as elastic.
 constexpr double kInside = 1e-6;
 
+/// Share of a rate's size that counts as none of it: round-off of the control's solution.
+constexpr double kNoRate = 1e-9;
+/// The same of dp′ in an elastic step, where water and apparatus give way a little.
+constexpr double kGivesWay = 0.02;
+/// Volume change over |dε| beyond which a step with pore fluid counts as drained: above what water
+/// and apparatus let through, far below that of a drained compression.
+constexpr double kDrained = 0.05;
+
+constexpr const char* kNoInstabilityLine =
+    "p' falls at constant q or inside the yield surface (CSD and the like), which NorSand does not "
+    "follow: below M_i such a fall is elastic unloading until the inner cap, and the stress ratio "
+    "there depends on the way taken, so that the law has no instability line for it; sanisand, "
+    "hypoplastic or inl2 can";
+constexpr const char* kIsotropicLoading =
+    "p' rises while q does not (isotropic loading), which NorSand does not follow: it stands at "
+    "its "
+    "pressure of consolidation from the start and would shear; start at the consolidated stress";
+constexpr const char* kExtension =
+    "triaxial extension: the law and its numbers are those of compression";
+constexpr const char* kSetForDrained =
+    "the volume is held, but this set is for drained loading (pore_fluid_bulk_modulus_kPa is 0); "
+    "take one for undrained loading, such as norsand/S28-MT";
+constexpr const char* kSetForUndrained =
+    "the volume changes, but this set is for undrained loading (pore_fluid_bulk_modulus_kPa is "
+    "above 0); take one for drained loading, such as norsand/S28-MT-drained";
+
 constexpr double kLiquefied = 1;  // Pa; the law comes to p′ = 0 where e stays above Γ
 
 /// (1, D) in terms of (ε_q, ε_v), or of (q, p): both the flow and the normal.
@@ -98,7 +124,8 @@ LawDescription norsand_law() {
   law.refuses =
       "constant q with falling p' (CSD): below M_i a fall of p' is elastic unloading until the "
       "inner cap, and the stress ratio there depends on the way taken, so that there is no "
-      "instability line; triaxial extension";
+      "instability line; isotropic loading; triaxial extension; undrained loading with a set for "
+      "drained loading and the reverse";
   law.parameters = descriptions(norsand_table());
   law.make = [](const ParameterSet& set, const MaterialFinder&) {
     return Material{std::make_shared<NorSand>(parameters_from(set, norsand_table())),
@@ -220,6 +247,8 @@ std::optional<std::string> NorSand::objection(const State& state) const {
            " kPa: liquefied, and the law's stiffness vanishes with p'";
   if (state.q() < -kOnYield * p)
     return "q is below 0, triaxial extension, and the law is one for compression";
+  if (const double smallest = axisymmetric_stress(state.stress).radial; smallest < 0)
+    return "the radial stress is " + short_number(smallest / 1e3) + " kPa, tension";
   if (const double psi = state_parameter(state); psi > parameters_.largest_state_parameter)
     return "the state parameter is " + short_number(psi) + ", must be at most " +
            short_number(parameters_.largest_state_parameter) +
@@ -237,6 +266,42 @@ std::optional<std::string> NorSand::objection(const State& state) const {
            " kPa, the inner cap: a fall of p' below M_i is elastic and the stress ratio at the cap "
            "depends on the way there, so that the law has no instability line for it (constant q "
            "with falling p' and the like)";
+  return std::nullopt;
+}
+
+std::optional<std::string> NorSand::refusal(const State& state, const Rate& rate) const {
+  const double size = rate.stress.norm();
+  if (!(size > 0)) return std::nullopt;
+  const double p = state.p(), eta = state.q() / p;
+  const double dp = mean_stress<Axisymmetric>(rate.stress) / size;
+  const double dq = deviator_stress<Axisymmetric>(rate.stress) / size;
+  const bool elastic = rate.active == 0, constant_q = std::abs(dq) <= kNoRate;
+  // In an undrained test q stands still at its peak while p′ falls; that is plastic.
+  const bool drained_set = parameters_.pore_fluid_bulk_modulus_pa == 0;
+  if (constant_q && dp < -kNoRate && (elastic || drained_set)) return kNoInstabilityLine;
+  if (elastic && dp < -kGivesWay && dq - eta * dp > kNoRate) return kNoInstabilityLine;
+  // Beyond M_i the law dilates, and p′ may rise past a peak of q.
+  const bool contracts = eta < image(state).stress_ratio;
+  if (constant_q && dp > kNoRate && (elastic || contracts)) return kIsotropicLoading;
+  const bool backwards = shear_strain(axisymmetric_strain(rate.strain)) < 0;
+  if ((eta <= kOnYield && dq < -kNoRate) || (!elastic && backwards)) return kExtension;
+  return wrong_drainage(state, rate);
+}
+
+/// Undrained is no change of volume at all or that of the set's own fluid, and all between.
+std::optional<std::string> NorSand::wrong_drainage(const State& state, const Rate& rate) const {
+  const double fluid = parameters_.pore_fluid_bulk_modulus_pa;
+  const double size = rate.strain.norm(), volume = trace<Axisymmetric>(rate.strain);
+  if (fluid == 0) {
+    // At critical state nothing tells drained from undrained: stress and volume both stand still.
+    const bool stress_moves = rate.stress.norm() > 1e-6 * shear_modulus(state.p()) * size;
+    if (stress_moves && std::abs(volume) < kNoRate * size) return kSetForDrained;
+    return std::nullopt;
+  }
+  const double of_fluid = -mean_stress<Axisymmetric>(rate.stress) / fluid;
+  const double excess =
+      volume - std::clamp(volume, std::min(of_fluid, 0.0), std::max(of_fluid, 0.0));
+  if (std::abs(excess) > kDrained * size) return kSetForUndrained;
   return std::nullopt;
 }
 

@@ -22,7 +22,7 @@
 // water give way, dε_v + dp/K_w = 0; at dε_v = 0 exactly the undrained peak is up to three
 // percent higher.
 //
-// What the law cannot follow is refused: see objection().
+// What the law cannot follow is refused: see objection() and refusal().
 //
 // p is p′ (Pa), compression positive. Memory: p_i/p₀ and p₀ (Pa).
 #include "sim/materials/parameters.hpp"
@@ -54,6 +54,7 @@ LawDescription norsand_law();
 class NorSand : public Law<Axisymmetric> {
  public:
   using State = PointState<Axisymmetric>;
+  using Rate = PointRate<Axisymmetric>;
 
   /// Throws std::invalid_argument (parameter, value found, what would be right).
   explicit NorSand(const NorSandParameters& parameters);
@@ -65,12 +66,17 @@ class NorSand : public Law<Axisymmetric> {
   State start(const Vector<Axisymmetric>& stress, double void_ratio) const override;
   std::vector<std::string> memory_names() const override;
   double memory_scale(int entry) const override;
-  /// Refuses, besides what the base does: p′ below 1 Pa; extension; ψ above its limit; M_i ≤ 0; and
+  /// Refuses, besides what the base does: p′ below 1 Pa; extension; a tensile principal stress; ψ
+  /// above its limit; M_i ≤ 0; and
   /// a state inside the yield surface at the inner cap p = p_i/r_max. There a path of falling p′
   /// ends: inside the surface it is elastic, and the η at which it meets the cap depends on where
   /// it came from, so that no instability line exists (constant q with falling p′, that is CSD
   /// tests).
   std::optional<std::string> objection(const State& state) const override;
+  /// Refuses directions that are neither undrained nor drained compression: falling p′ at constant
+  /// q or, inside the yield surface, with rising η (CSD); isotropic loading; extension; and
+  /// drainage that the set is not for.
+  std::optional<std::string> refusal(const State& state, const Rate& rate) const override;
   /// Says of states inside the yield surface that they are elastic.
   std::optional<std::string> warning(const State& state) const override;
   using Law<Axisymmetric>::response;
@@ -114,6 +120,7 @@ class NorSand : public Law<Axisymmetric> {
 
  private:
   Image image(double p, double void_ratio, double image_pressure, double p0) const;
+  std::optional<std::string> wrong_drainage(const State& state, const Rate& rate) const;
   double image_on_yield(const State& state, double p0, double first) const;
 
   NorSandParameters parameters_;

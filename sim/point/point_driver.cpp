@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/point/finite_driver.hpp"
 
@@ -335,6 +336,11 @@ PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
       step.outcome = start.culprit < 0 ? StepOutcome::failed : StepOutcome::lost_control;
       step.message =
           start.culprit < 0 ? "the control conditions do not determine an increment" : kLost;
+      break;
+    }
+    if (auto refusal = law_.refusal(from, start)) {
+      step.outcome = StepOutcome::failed;
+      step.message = std::move(*refusal);
       break;
     }
     flow_of(from, start, flows_[0]);

@@ -12,6 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json ends(const std::optional<lab::ValidRange>& range) {
+  return range ? Json::array({range->low, range->high}) : Json(nullptr);
+}
 Json text(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
 std::string dump(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -112,6 +115,8 @@ std::string materials_json(const std::vector<lab::MaterialSet>& sets) {
         one["sets"].push_back({{"name", set.name},
                                {"description", text(set.description)},
                                {"range", text(set.range)},
+                               {"void_ratio_range", ends(set.void_ratio_range)},
+                               {"p_eff_range_kPa", ends(set.p_eff_range_kPa)},
                                {"source", text(set.source)}});
     document.push_back(std::move(one));
   }
@@ -136,6 +141,8 @@ std::string material_json(const lab::MaterialSet& set) {
                    {"based_on", text(set.material.based_on)},
                    {"description", text(set.description)},
                    {"range", text(set.range)},
+                   {"void_ratio_range", ends(set.void_ratio_range)},
+                   {"p_eff_range_kPa", ends(set.p_eff_range_kPa)},
                    {"source", text(set.source)},
                    {"no_tensor_form", text(set.material.no_tensor)}};
   Json parameters = Json::array();

@@ -140,6 +140,29 @@ std::string verdict(const ReportedPath& path, const std::string& message) {
   return fmt::format("{}: {}", message, where);
 }
 
+/// Where the path first leaves what its set is for, one warning for each of e and p'.
+template <class Space>
+void warn_of_range(const lab::MaterialSet& set, const std::vector<sim::PathPoint<Space>>& rows,
+                   std::vector<std::string>& warnings) {
+  const auto first = [&](const auto& outside) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto words = outside(rows[i]);
+      if (!words) continue;
+      const auto strain = finite(sim::value_of(axial_strain, 0, rows[i]));
+      const std::string where =
+          i == 0 || !strain ? "at the start"
+                            : fmt::format("from axial strain {} % on", number(100 * *strain, 3));
+      warnings.push_back(where + ' ' + *words);
+      return;
+    }
+  };
+  first([&set](const auto& at) { return lab::void_ratio_outside(set, at.void_ratio); });
+  first([&set](const auto& at) {
+    const auto p = finite(sim::value_of(mean_effective_stress, 0, at));
+    return p ? lab::p_eff_outside(set, *p) : std::nullopt;
+  });
+}
+
 }  // namespace
 
 std::optional<double> ReportedPath::value(const ReportedPoint& at,
@@ -170,6 +193,7 @@ ReportedPath reported_path(const lab::PathDescription& description,
     report.events.push_back({word_of(event.kind), event.what, point(event.at)});
   report.warnings = description.warnings;
   report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
+  warn_of_range(description.material, result.rows, report.warnings);
   report.rows.reserve(result.rows.size());
   for (const auto& row : result.rows) report.rows.push_back(point(row));
   report.message = verdict(report, result.message);

@@ -233,3 +233,21 @@ TEST_CASE("a crash of a UMAT is an error of the run, not of triax") {
   CHECK(json::parse(chatter.out)["outcome"] == "accepted");
 }
 #endif
+
+TEST_CASE("norsand is refused for constant q with falling p' before a row of it is made") {
+  const Workplace here;
+  const std::string csd = "element " + source("samples/paths/csd_100.toml") + " --json ";
+  const auto refused = [&](const std::string& set, const std::string& segment) {
+    const Outcome outcome = here.triax(csd + "--set material=" + set);
+    CHECK(outcome.status == 1);
+    const json d = json::parse(outcome.out);
+    CHECK(d["outcome"] == "failed");
+    CHECK(d["last"]["segment"] == segment);
+    CHECK(d["last"]["progress"] == 0);
+    return d["message"].get<std::string>();
+  };
+  // A set for undrained loading goes no step of the drained shear, and says which one would.
+  CHECK(refused("norsand/S28-MT", "shear").find("S28-MT-drained") != std::string::npos);
+  CHECK(refused("norsand/S28-MT-drained", "unloading at constant q").find("no instability line") !=
+        std::string::npos);
+}

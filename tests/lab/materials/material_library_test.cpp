@@ -1,5 +1,7 @@
 #include "lab/materials/material_library.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -82,4 +84,51 @@ TEST_CASE("a user's file is held to the same rules, with its line") {
   CHECK_THROWS_WITH(read_materials("law = \"camclay\"\n", "my.toml"), Contains("my.toml:1"));
   CHECK_THROWS_AS(read_materials("law = ", "my.toml"), BadInput);
   CHECK_THROWS_AS(read_materials("law = \"sanisand\"\n[sets]\n", "my.toml"), BadInput);
+}
+
+TEST_CASE("ranges of sets are numbers too, the ones of the words") {
+  int with_both = 0;
+  for (const auto& set : shipped_materials()) {
+    INFO(set.name << ": " << set.range);
+    CHECK(set.p_eff_range_kPa.has_value() == (set.range.find("p' ") != std::string::npos));
+    for (const auto& range : {set.p_eff_range_kPa, set.void_ratio_range})
+      if (range) CHECK(range->low < range->high);
+    if (set.p_eff_range_kPa)
+      CHECK_THAT(set.range,
+                 Contains("p' " + fmt::format("{:g} to {:g} kPa", set.p_eff_range_kPa->low,
+                                              set.p_eff_range_kPa->high)));
+    with_both += set.p_eff_range_kPa && set.void_ratio_range;
+  }
+  CHECK(with_both >= 14);
+  const auto toyoura = find_material("sanisand/Toyoura-DM04");
+  CHECK(toyoura.void_ratio_range->low == 0.60);
+  CHECK(toyoura.void_ratio_range->high == 0.98);
+}
+
+TEST_CASE("a state outside the range of its set is told, with number, range and set") {
+  const auto set = find_material("inl2/S28-general");
+  CHECK_FALSE(p_eff_outside(set, 10e3));
+  CHECK_FALSE(p_eff_outside(set, 1000e3));
+  CHECK(p_eff_outside(set, 3.2e3) ==
+        "p' is 3.2 kPa, outside the range 10 to 1000 kPa of inl2/S28-general");
+  CHECK(p_eff_outside(set, 9.99996e3) ==
+        "p' is 9.99996 kPa, outside the range 10 to 1000 kPa of inl2/S28-general");
+  CHECK_FALSE(void_ratio_outside(set, 1.192));  // the loosest test that it was calibrated on
+  CHECK(void_ratio_outside(set, 0.65) ==
+        "void ratio is 0.65, outside the range 0.7 to 1.2 of inl2/S28-general");
+  CHECK(void_ratio_outside(find_material("norsand/S28-true-state"), 1.3) ==
+        "void ratio is 1.3, outside the range up to 1.2 of norsand/S28-true-state");
+  CHECK_FALSE(p_eff_outside(find_material("elastic/linear"), 1e9));
+}
+
+TEST_CASE("a range that is none is refused with its line") {
+  for (const char* range : {"[10]", "[10, 5]", "[-1, 5]", "[1, 2, 3]"}) {
+    INFO(range);
+    CHECK_THROWS_WITH(
+        read_materials(fmt::format("law = \"elastic\"\n[sets.x]\nyoung_modulus_kPa = 1.0\n"
+                                   "poisson_ratio = 0.2\np_eff_range_kPa = {}\n",
+                                   range),
+                       "own.toml"),
+        Contains("own.toml:5") && Contains("[lowest, highest]"));
+  }
 }

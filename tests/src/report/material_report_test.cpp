@@ -18,6 +18,16 @@ TEST_CASE("every shipped set is listed, and every parameter of it told") {
     const std::string text = src::material_text(set);
     const json one = json::parse(src::material_json(set));
     CHECK(one["law"]["name"] == set.law->name);
+    REQUIRE(one["p_eff_range_kPa"].is_null() != set.p_eff_range_kPa.has_value());
+    if (set.p_eff_range_kPa) {
+      CHECK(one["p_eff_range_kPa"][0] == set.p_eff_range_kPa->low);
+      CHECK(one["p_eff_range_kPa"][1] == set.p_eff_range_kPa->high);
+    }
+    REQUIRE(one["void_ratio_range"].is_null() != set.void_ratio_range.has_value());
+    if (set.void_ratio_range) {
+      CHECK(one["void_ratio_range"] ==
+            std::vector<double>{set.void_ratio_range->low, set.void_ratio_range->high});
+    }
     REQUIRE(one["parameters"].size() == set.law->parameters.size());
     for (std::size_t i = 0; i < set.law->parameters.size(); ++i) {
       const auto& parameter = set.law->parameters[i];

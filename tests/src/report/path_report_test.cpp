@@ -1,5 +1,8 @@
 #include "src/report/path_report.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -71,4 +74,32 @@ TEST_CASE("names of a path cannot command a terminal or break a table") {
   const std::string csv = src::path_csv(report);
   CHECK(csv.find("\"x \"\"y\"\", z\",") != std::string::npos);
   CHECK(csv.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("leaving the range of the set is said once for each quantity, with the place") {
+  using lab::test::with;
+  const auto warned = [](const src::ReportedPath& report, const std::string& words) {
+    return std::ranges::count_if(report.warnings, [&](const std::string& warning) {
+      return warning.find(words) != std::string::npos;
+    });
+  };
+  const auto within = report_of(lab::test::kPath);
+  CHECK(warned(within, "outside the range") == 0);
+
+  const auto liquefied =
+      report_of(with(with(lab::test::kPath, "void_ratio = 1.0", "void_ratio = 1.19"),
+                     "axial_strain = 0.02", "axial_strain = 0.1"));
+  CHECK(warned(liquefied, "outside the range") == 1);
+  std::size_t i = 0;
+  while (liquefied.value(liquefied.rows.at(i), "p_eff_kPa").value() >= 10) ++i;
+  REQUIRE(i > 0);
+  const double strain = 100 * liquefied.value(liquefied.rows[i], "axial_strain").value();
+  CHECK(warned(liquefied, fmt::format("from axial strain {:.3f} % on p' is ", strain)) == 1);
+  CHECK(warned(liquefied, "kPa, outside the range 10 to 1000 kPa of sanisand/S28-general") == 1);
+
+  const auto dense = report_of(with(with(lab::test::kPath, "void_ratio = 1.0", "void_ratio = 0.65"),
+                                    "p_eff_kPa = 100.0", "p_eff_kPa = 1200.0"));
+  CHECK(warned(dense, "at the start void ratio is 0.65, outside the range 0.7 to 1.2") == 1);
+  CHECK(warned(dense, "at the start p' is 1200 kPa, outside the range 10 to 1000 kPa") == 1);
+  CHECK(warned(dense, "outside the range") == 2);
 }
