@@ -350,6 +350,9 @@ TEST_CASE("a folder on disk is recognised and read") {
   const IncrementalDriverSettings settings{.umat = {}, .void_ratio = 0.8};
   CHECK(load_incremental_driver(folder.string(), settings).path.segments.size() == 1);
   CHECK(load_incremental_driver((folder / "test.inp").string(), settings).name == "out");
+  for (const char* other : {"parameters.inp", "InitialConditions.inp"})
+    CHECK_THROWS_WITH(load_incremental_driver((folder / other).string(), settings),
+                      Contains("give the folder that it is in, or the test.inp"));
   fs::remove(folder / "parameters.inp");
   CHECK_THROWS_WITH(load_incremental_driver(folder.string(), settings), Contains("parameters.inp"));
   fs::remove_all(folder);
