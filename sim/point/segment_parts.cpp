@@ -65,8 +65,8 @@ template <class Space>
 Vector<Space> SegmentParts<Space>::total_stress_rate(const PointRate<Space>& rate) const {
   Vector<Space> total = rate.stress;
   if (effective_.undrained)
-    total += effective_.pore_pressure_change(1.0 / count_, rate.stress, rate.strain) *
-             identity<Space>();
+    total +=
+        effective_.pore_pressure_change(1.0 / count_, rate.stress, rate.strain) * identity<Space>();
   return total;
 }
 

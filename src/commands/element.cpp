@@ -112,7 +112,9 @@ Command element_command() {
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PATH", o->path,
-                       "path file (.toml), folder of incrementalDriver files, or its test.inp")->required()->type_name("");
+                       "path file (.toml), folder of incrementalDriver files, or its test.inp")
+            ->required()
+            ->type_name("");
         app.add_option("--set", o->sets,
                        "material, void_ratio, p_eff_kPa, tolerance or a parameter of the law "
                        "instead of the file's; may be repeated")

@@ -44,9 +44,8 @@ std::string in_percent(const ReportedPath& path, const ReportedPoint& at, const 
 
 std::string state_line(const ReportedPath& path, const ReportedPoint& at) {
   const auto eta = path.told_eta(at);
-  return fmt::format("ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa",
-                     in_percent(path, at, "axial_strain"), number(path.value(at, "q_kPa"), 2),
-                     number(path.value(at, "p_eff_kPa"), 2),
+  return fmt::format("ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa", in_percent(path, at, "axial_strain"),
+                     number(path.value(at, "q_kPa"), 2), number(path.value(at, "p_eff_kPa"), 2),
                      number(path.value(at, "pore_pressure_kPa"), 2)) +
          (eta ? ", η " + number(eta, 4) : "");
 }

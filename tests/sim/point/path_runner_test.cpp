@@ -241,11 +241,41 @@ TEST_CASE("a stress that vanishes is a failure that says so, and large strains a
   CHECK(gone.last.p() >= 0);
   CHECK(gone.warnings.empty());
 
+  // Strains alone that take the stress away: no strain is to blame.
+  auto dilated = compression(0.05, false);
+  dilated.labels[1] = "volumetric_strain";
+  dilated.conditions.stress.setZero();
+  dilated.conditions.strain.row(1) << 1, 2 * kRadial;
+  dilated.conditions.increment(1) = -0.05;
+  path.segments = {dilated};
+  const auto loose = run_path(kSand, path);
+  CHECK(loose.outcome == StepOutcome::failed);
+  CHECK(loose.message.find("vanished") != std::string::npos);
+  CHECK(loose.culprit.empty());
+  CHECK(find(loose, PathEventKind::control_limit) == nullptr);
+  CHECK(loose.failed);
+
   path.segments = {compression(1.9, false)};
   const auto far = run_path(kSand, path);
   CHECK(far.outcome == StepOutcome::accepted);
   REQUIRE(far.warnings.size() == 1);
   CHECK(far.warnings[0].find("strains above 100 %") != std::string::npos);
+}
+
+TEST_CASE("a deviator stress of round-off is no peak") {
+  auto path = from_isotropic(100e3, 1.0);
+  auto swelling = compression(-1e-3, false);
+  swelling.conditions.stress.setZero();
+  swelling.conditions.strain.row(1) << 1, -kRadial;
+  path.segments = {swelling};
+  const auto isotropic_path = run_path(kSand, path);
+  REQUIRE(isotropic_path.outcome == StepOutcome::accepted);
+  CHECK(std::abs(isotropic_path.last.q()) < 1e-6);
+  CHECK_FALSE(isotropic_path.peak);
+  path.segments = {swelling, compression(1e-5, false)};
+  const auto sheared = run_path(kSand, path);
+  REQUIRE(sheared.peak);
+  CHECK(sheared.peak->q() == sheared.last.q());
 }
 
 TEST_CASE("a stretch of several segments is left as a whole when a condition ends it") {
