@@ -96,14 +96,17 @@ IncrementalDriverTest read_incremental_driver(const InpFile& file, const std::st
 
 bool is_incremental_driver(const std::string& path) {
   std::error_code none;
-  if (fs::is_directory(path, none)) return fs::exists(fs::path(path) / "test.inp", none);
-  return folded(fs::path(path).extension().string()) == ".inp";
+  return fs::is_directory(path, none) || folded(fs::path(path).extension().string()) == ".inp";
 }
 
 IncrementalDriverTest load_incremental_driver(const std::string& path,
                                               const IncrementalDriverSettings& settings) {
   std::error_code none;
   const bool is_folder = fs::is_directory(path, none);
+  if (is_folder && !fs::exists(fs::path(path) / "test.inp", none))
+    throw BadInput(path, 0,
+                   "is a folder without a test.inp; a path file (.toml) or a folder of "
+                   "incrementalDriver files is wanted");
   const fs::path folder = is_folder ? fs::path(path) : fs::path(path).parent_path();
   const std::string test = is_folder ? "test.inp" : fs::path(path).filename().string();
   if (const std::string name = folded(test); name == kParameters || name == kStart)
