@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kParameters = "parameters.inp";
+constexpr const char* kStart = "initialconditions.inp";
 constexpr std::uint64_t kLargestFile = 64U << 20U;
 
 std::string shown(const std::string& folder, const std::string& name) {
@@ -40,7 +42,7 @@ std::string text_of_file(const std::string& path) {
 
 IncrementalDriverTest read(const InpFile& file, const std::string& test_name,
                            const std::string& folder, const IncrementalDriverSettings& settings) {
-  const std::string parameters_name = "parameters.inp", start_name = "initialconditions.inp";
+  const std::string parameters_name = kParameters, start_name = kStart;
   IncrementalDriverTest test;
   test.files = {test_name, parameters_name, start_name};
   InpLines parameters(file(parameters_name), shown(folder, parameters_name));
@@ -94,16 +96,22 @@ IncrementalDriverTest read_incremental_driver(const InpFile& file, const std::st
 
 bool is_incremental_driver(const std::string& path) {
   std::error_code none;
-  if (fs::is_directory(path, none)) return fs::exists(fs::path(path) / "test.inp", none);
-  return folded(fs::path(path).extension().string()) == ".inp";
+  return fs::is_directory(path, none) || folded(fs::path(path).extension().string()) == ".inp";
 }
 
 IncrementalDriverTest load_incremental_driver(const std::string& path,
                                               const IncrementalDriverSettings& settings) {
   std::error_code none;
   const bool is_folder = fs::is_directory(path, none);
+  if (is_folder && !fs::exists(fs::path(path) / "test.inp", none))
+    throw BadInput(path, 0,
+                   "is a folder without a test.inp; a path file (.toml) or a folder of "
+                   "incrementalDriver files is wanted");
   const fs::path folder = is_folder ? fs::path(path) : fs::path(path).parent_path();
   const std::string test = is_folder ? "test.inp" : fs::path(path).filename().string();
+  if (const std::string name = folded(test); name == kParameters || name == kStart)
+    throw BadInput(path, 0,
+                   "holds no path; give the folder that it is in, or the test.inp beside it");
   return read([&](const std::string& name) { return text_of_file((folder / name).string()); }, test,
               folder.string(), settings);
 }
@@ -128,6 +136,7 @@ PathDescription describe_incremental_driver(
   description.material = std::move(test.material);
   description.path = std::move(test.path);
   description.warnings = std::move(test.warnings);
+  check_length(description);
   return description;
 }
 

@@ -55,7 +55,7 @@ IncrementalDriverTest load_incremental_driver(const std::string& path,
 PathDescription describe_incremental_driver(
     const std::string& path, std::vector<std::pair<std::string, std::string>>& settings);
 
-/// Whether load_incremental_driver is meant: a folder that holds a test.inp, or a file NAME.inp.
+/// Whether load_incremental_driver is meant: a folder, or a file NAME.inp.
 bool is_incremental_driver(const std::string& path);
 
 }  // namespace triax::lab

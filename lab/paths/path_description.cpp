@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <stdexcept>
 
 #include "lab/paths/path_reader.hpp"
 #include "lab/records/bad_input.hpp"
@@ -12,6 +13,9 @@ namespace triax::lab {
 namespace {
 
 const std::vector<std::string> kSettings = {"material", "void_ratio", "p_eff_kPa", "tolerance"};
+
+constexpr double kMostRows = 2e5;
+constexpr double kMostParts = 4e6;
 
 double number_within(const std::string& key, const std::string& value, double lowest,
                      double highest) {
@@ -47,6 +51,30 @@ void check(const PathDescription& description, const sim::Path<Space>& path) {
     refuse(fmt::format("[start] {} refuses it: {}", description.material.name, *objection));
 }
 
+template <class Space>
+void check_length_of(const sim::Path<Space>& path, const std::string& source) {
+  double rows = 0, parts = 0;
+  try {
+    for (const std::size_t i : sim::segment_order(path)) {
+      rows += path.segments[i].rows;
+      parts += sim::parts_of(path.segments[i]);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(source, 0, error.what());
+  }
+  if (rows > kMostRows)
+    throw BadInput(source, 0,
+                   fmt::format("{:.0f} rows of output with all repetitions; {:.0f} are the most: "
+                               "lower rows of the segments",
+                               rows, kMostRows));
+  if (parts > kMostParts)
+    throw BadInput(source, 0,
+                   fmt::format("{:.0f} parts of segments with all repetitions, each of them at "
+                               "least one increment; {:.0f} are the most: lower parts (or rows) of "
+                               "the segments, or repeat",
+                               parts, kMostParts));
+}
+
 void change_parameter(PathDescription& description, const std::string& key,
                       const std::string& value) {
   std::vector<std::string> known = kSettings;
@@ -65,6 +93,11 @@ void change_parameter(PathDescription& description, const std::string& key,
 
 void check_start(const PathDescription& description) {
   std::visit([&](const auto& path) { check(description, path); }, description.path);
+}
+
+void check_length(const PathDescription& description) {
+  std::visit([&](const auto& path) { check_length_of(path, description.source); },
+             description.path);
 }
 
 void change_setting(PathDescription& description, const std::string& key,

@@ -33,6 +33,10 @@ struct PathDescription {
 /// number of memory values than the start gives.
 void check_start(const PathDescription& description);
 
+/// Throws BadInput where the path, with all repetitions, has more rows of output or more parts
+/// (each of them an increment at least) than a run should take.
+void check_length(const PathDescription& description);
+
 /// One setting of the command line: material, void_ratio, p_eff_kPa, tolerance, or a parameter of
 /// the law. check_start() is to follow. Throws BadInput.
 void change_setting(PathDescription& description, const std::string& key, const std::string& value);

@@ -17,7 +17,6 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kMostRows = 2e5;
 constexpr int kPartsOfTableRow = 4;
 
 const std::vector<std::string> kFrames = {"triaxial", "axisymmetric", "rendulic", "cartesian"};
@@ -274,7 +273,6 @@ sim::Path<Space> read_in(const TomlTable& start, const std::vector<TomlTable>& t
   read_start(start, path);
   std::vector<std::string> names;
   std::vector<std::size_t> first_of;  // of each name, its first segment
-  double rows = 0;
   for (const TomlTable& table : tables) {
     std::vector<sim::Segment<Space>> read;
     if constexpr (Space::kSize == 6) {
@@ -300,16 +298,6 @@ sim::Path<Space> read_in(const TomlTable& start, const std::vector<TomlTable>& t
       path.segments.back().repeat_from = from;
     }
   }
-  try {
-    for (const std::size_t i : sim::segment_order(path)) rows += path.segments[i].rows;
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(description.source, 0, error.what());
-  }
-  if (rows > kMostRows)
-    throw BadInput(description.source, 0,
-                   fmt::format("{:.0f} rows of output with all repetitions; {:.0f} are the most: "
-                               "lower rows of the segments",
-                               rows, kMostRows));
   return path;
 }
 
@@ -342,6 +330,7 @@ PathDescription read_path(std::string_view toml_text, const std::string& file) {
     description.path = read_in<sim::Tensor>(start, segments, description);
   else
     description.path = read_in<sim::Axisymmetric>(start, segments, description);
+  check_length(description);
   return description;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // A path: what is asked of one material point, segment after segment. SI, compression positive.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,13 @@ struct Path {
   std::vector<double> memory;  ///< of the law; empty: as it is without any history of shear
   std::vector<Segment<Space>> segments;
 };
+
+/// Equal parts that a segment is run in: as many to each row as make `least_parts` of them.
+template <class Space>
+int parts_of(const Segment<Space>& segment) {
+  const int rows = segment.rows, least = std::max(segment.least_parts, 1);
+  return rows * ((least + rows - 1) / rows);
+}
 
 /// A segment's conditions in effective stress. Of an undrained segment one condition, which must
 /// fix a total stress (a_i = S_i·δ ≠ 0), gives the pore pressure and leaves its place to

@@ -1,20 +1,22 @@
 #include "sim/point/path_runner.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "sim/point/segment_witnesses.hpp"
 
 namespace triax::sim {
 namespace {
 
-/// Rates, as shares of their natural size, that count as zero: round-off of the control's solution.
-constexpr double kNoRate = 1e-9;
-/// An event is isolated to this share of a part of a segment.
-constexpr double kIsolated = 1e-11;
 constexpr std::size_t kMostWarnings = 50;
 /// Share of the stress at the start at which nothing is left of it.
 constexpr double kVanished = 1e-6;
+constexpr const char* kLostMessage = "it cannot be held any longer";
+constexpr const char* kVanishedMessage =
+    "the effective stress has vanished, and the law knows no tension";
+/// Share of the mean stress that a deviator stress of round-off may have.
+constexpr double kNoDeviator = 1e-9;
 /// A strain of which small-strain theory says nothing.
 constexpr double kLargeStrain = 1;
 
@@ -22,21 +24,6 @@ constexpr double kLargeStrain = 1;
 std::string without_numbers(std::string text) {
   std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
   return text;
-}
-
-/// dq in the direction of |q|, over |dσ|.
-template <class Space>
-double growth_of_q(const Vector<Space>& stress, const Vector<Space>& rate) {
-  const double norm = rate.norm();
-  if (!(norm > 0)) return 0;
-  if constexpr (Space::kSize == 2) {
-    const double q = deviator_stress<Space>(stress);
-    return (q > 0 ? 1 : q < 0 ? -1 : 0) * deviator_stress<Space>(rate) / norm;
-  } else {
-    const Vector<Space> s = deviator<Space>(stress);
-    const double size = s.norm();
-    return size > 0 ? s.dot(rate) / (size * norm) : 0;
-  }
 }
 
 template <class Space>
@@ -68,10 +55,7 @@ class Runner {
       for (std::size_t k = 0; k < order_.size() && going_; ++k) {
         segment_ = order_[k];
         ended_ = ended_ && segment().goes_on;
-        if (!ended_) {
-          enter_segment(k == 0);
-          run_segment(before, total);
-        }
+        if (!ended_) run_segment(k == 0, before, total);
         before += parts_of(path_.segments[segment_]);
       }
       if (going_ && result_.outcome == StepOutcome::inaccurate)
@@ -80,35 +64,11 @@ class Runner {
     result_.last = point(now_);
     if (order_.empty() || result_.rows.empty()) result_.rows.push_back(result_.last);
     note_peak(now_);
-    result_.peak = peak_;
     return std::move(result_);
   }
 
  private:
-  /// The point at an instant within the present segment.
-  struct Instant {
-    PointState<Space> state;
-    Vector<Space> strain = Vector<Space>::Zero();
-    double pore_pressure = 0;
-    double progress = 0;  ///< of the segment
-    double fraction = 0;  ///< of the part
-    PointRate<Space> rate;
-  };
-
-  /// A number whose fall through zero is an event.
-  struct Witness {
-    PathEventKind kind;
-    std::string what;
-    int index = -1;         ///< of the end condition or row; −1 of the peak: q
-    double allowance = 0;   ///< what still counts as zero
-    bool armed = false;     ///< it has been positive in this segment
-    bool negative = false;  ///< it is
-  };
-
-  static int parts_of(const Segment<Space>& segment) {
-    const int rows = segment.rows, least = std::max(segment.least_parts, 1);
-    return rows * ((least + rows - 1) / rows);
-  }
+  using Instant = PathInstant<Space>;
 
   const Segment<Space>& segment() const { return path_.segments[segment_]; }
   const EffectiveControl<Space>& effective() const { return controls_[segment_]; }
@@ -119,208 +79,68 @@ class Runner {
     result_.message = message;
   }
 
-  void enter_segment(bool first) {
-    part_ = effective().control;
-    parts_ = parts_of(segment());
-    part_.increment /= parts_;
+  void run_segment(bool first, double before, double total) {
+    const SegmentParts<Space> parts(law_, segment(), effective(), options_.tolerance);
+    SegmentWitnesses<Space> witnesses(parts);
     now_.progress = now_.fraction = 0;
-    now_.rate = rate_at(now_.state);
+    now_.rate = parts.rate_at(now_.state);
     if (first) result_.rows.push_back(point(now_));
-    witnesses_.clear();
-    for (std::size_t i = 0; i < segment().end.size(); ++i)
-      witnesses_.push_back(
-          {PathEventKind::end_condition, segment().end[i].label, static_cast<int>(i), 0});
-    witnesses_.push_back({PathEventKind::second_order_work, "second-order work", -1, kNoRate});
-    witnesses_.push_back({PathEventKind::peak, "q", -1, kNoRate});
-    const MixedControl<Space>& given = segment().conditions;
-    for (int row = 0; row < Space::kSize; ++row)
-      if (!given.stress.row(row).isZero(0) && !given.strain.row(row).isZero(0))
-        witnesses_.push_back({PathEventKind::peak,
-                              "stress part of " + effective().labels[static_cast<std::size_t>(row)],
-                              row, kNoRate});
-  }
-
-  void run_segment(double before, double total) {
-    if (met_already()) return end_by_condition();
-    const int per_row = parts_ / segment().rows;
-    for (int i = 0; i < parts_ && going_; ++i) {
+    if (note_start(witnesses.at_start(now_))) return end_by_condition();
+    const int per_row = parts.count() / segment().rows;
+    for (int i = 0; i < parts.count() && going_; ++i) {
       if (options_.progress && !options_.progress((before + i) / total)) {
         fail("stopped");
         break;
       }
-      const Instant from = now_;
-      if (!take_part(from, i)) return;
+      if (!take_part(parts, witnesses, i)) return;
       if ((i + 1) % per_row == 0) result_.rows.push_back(point(now_));
     }
   }
 
   /// The part number i; false where the segment ends within it.
-  bool take_part(const Instant& from, int i) {
-    if (part_.increment.isZero(0)) return take_standstill(from, i);
-    const PointStep<Space> step = advance_point(law_, from.state, part_, options_.tolerance);
+  bool take_part(const SegmentParts<Space>& parts, SegmentWitnesses<Space>& witnesses, int i) {
+    const Instant from = now_;
+    const PointStep<Space> step = parts.step(from, 1);
     result_.error = std::max(result_.error, step.error);
     const bool whole =
         step.outcome == StepOutcome::accepted || step.outcome == StepOutcome::inaccurate;
     if (step.outcome == StepOutcome::inaccurate) result_.outcome = StepOutcome::inaccurate;
-    Instant to = instant(from, step, whole ? 1 : step.done);
-    to.progress = whole ? static_cast<double>(i + 1) / parts_ : to.progress;
-    const bool ended = look_for_events(from, to);
-    if (ended) {
+    Instant to = parts.instant(from, step, whole ? 1 : step.done);
+    if (whole) to.progress = static_cast<double>(i + 1) / parts.count();
+    if (note_events(witnesses.between(from, to))) {
       end_by_condition();
       return false;
     }
+    work_is_negative_ = witnesses.work_is_negative();
     now_ = to;
     note_peak(now_);
     note_warning();
     if (whole) return true;
-    stop(from, step);
+    stop(parts, from, step);
     return false;
   }
 
-  /// Nothing acts on the skeleton: only the pore pressure follows a total stress.
-  bool take_standstill(const Instant& from, int i) {
-    now_.progress = static_cast<double>(i + 1) / parts_;
-    now_.pore_pressure += effective().pore_pressure / parts_;
-    for (Witness& witness : witnesses_) {
-      if (witness.kind != PathEventKind::end_condition || value(witness, now_) > 0) continue;
-      const double before = value(witness, from), after = value(witness, now_);
-      const double share = before > after ? std::clamp(before / (before - after), 0.0, 1.0) : 1;
-      now_ = from;
-      now_.progress += share / parts_;
-      now_.pore_pressure += share * effective().pore_pressure / parts_;
-      note_event(witness, now_);
-      end_by_condition();
-      return false;
-    }
-    return true;
-  }
-
-  Instant instant(const Instant& from, const PointStep<Space>& step, double fraction) {
-    Instant at;
-    at.state = step.state;
-    at.strain = from.strain + step.strain_increment;
-    at.pore_pressure = from.pore_pressure;
-    if (effective().undrained)
-      at.pore_pressure += effective().pore_pressure_change(fraction / parts_, step.stress_increment,
-                                                           step.strain_increment);
-    at.fraction = fraction;
-    at.progress = from.progress + fraction / parts_;
-    at.rate = rate_at(at.state);
-    return at;
-  }
-
-  /// The instant after this share of the part that starts at `from`; empty where it cannot be had.
-  std::optional<Instant> within(const Instant& from, double fraction) {
-    MixedControl<Space> control = part_;
-    control.increment *= fraction;
-    const PointStep<Space> step = advance_point(law_, from.state, control, options_.tolerance);
-    if (step.outcome != StepOutcome::accepted && step.outcome != StepOutcome::inaccurate)
-      return std::nullopt;
-    return instant(from, step, fraction);
-  }
-
-  PointRate<Space> rate_at(const PointState<Space>& state) const {
-    if (part_.increment.isZero(0) || law_.objection(state)) return {};
-    return point_rate(law_, state, part_);
-  }
-
-  double value(const Witness& witness, const Instant& at) const {
-    if (witness.kind == PathEventKind::end_condition) {
-      const PathEnd& end = segment().end[static_cast<std::size_t>(witness.index)];
-      const auto quantity = value_of(end.quantity, end.component, bare_point(at));
-      if (!quantity) return 1;
-      return end.above ? *end.above - *quantity : *quantity - *end.below;
-    }
-    if (!at.rate.controllable) return 0;
-    if (witness.kind == PathEventKind::second_order_work) return at.rate.normalised_work();
-    if (witness.index < 0) return growth_of_q<Space>(at.state.stress, at.rate.stress);
-    const auto row = segment().conditions.stress.row(witness.index);
-    Vector<Space> rate = at.rate.stress;
-    Vector<Space> stress = at.state.stress + at.pore_pressure * identity<Space>();
-    if (effective().undrained)
-      rate += effective().pore_pressure_change(1.0 / parts_, at.rate.stress, at.rate.strain) *
-              identity<Space>();
-    const double level = row.dot(stress), norm = row.norm() * rate.norm();
-    return norm > 0 && level != 0 ? std::copysign(row.dot(rate) / norm, level * row.dot(rate)) : 0;
-  }
-
-  bool met_already() {
+  /// True where an end condition was met before anything was done.
+  bool note_start(const std::vector<WitnessedEvent<Space>>& events) {
     bool met = false;
-    for (Witness& witness : witnesses_) {
-      const double at_start = value(witness, now_);
-      witness.armed = at_start > witness.allowance;
-      if (witness.kind == PathEventKind::end_condition && at_start <= 0) {
-        note_event(witness, now_);
-        met = true;
-      } else if (witness.kind == PathEventKind::second_order_work &&
-                 at_start < -witness.allowance) {
-        witness.negative = true;
-        if (!work_is_negative_) note_event(witness, now_);
-      }
+    for (const auto& event : events) {
+      met = met || event.kind == PathEventKind::end_condition;
+      // A segment that goes on with the negative work of the one before tells nothing new.
+      if (event.kind != PathEventKind::second_order_work || !work_is_negative_) note_event(event);
     }
     return met;
   }
 
-  /// Isolates what happened between two instants; true, with `now_` there, if the segment ended.
-  bool look_for_events(const Instant& from, const Instant& to) {
-    Instant last = to;
-    // Where control was lost there is no rate; that of just before tells what led there.
-    if (!to.rate.controllable && to.fraction > 0)
-      if (auto before = within(from, to.fraction * (1 - 1e-6))) last.rate = before->rate;
-    std::vector<std::pair<Instant, Witness*>> found;
-    for (Witness& witness : witnesses_) {
-      const double after = value(witness, last);
-      if (after > witness.allowance) {
-        witness.armed = true;
-        witness.negative = false;
-        continue;
-      }
-      const bool end = witness.kind == PathEventKind::end_condition;
-      if (!end && (!(after < -witness.allowance) || witness.negative)) continue;
-      const bool tells = witness.armed || witness.kind == PathEventKind::second_order_work;
-      witness.armed = false;
-      witness.negative = true;
-      if (tells) found.emplace_back(isolate(witness, from, last), &witness);
-    }
-    std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first.fraction; });
-    for (const auto& [at, witness] : found) {
-      note_event(*witness, at);
-      if (witness->kind != PathEventKind::end_condition) continue;
-      now_ = at;
+  /// True, with `now_` there, where one of the events ends the segment; the later ones are not
+  /// reached.
+  bool note_events(const std::vector<WitnessedEvent<Space>>& events) {
+    for (const auto& event : events) {
+      note_event(event);
+      if (event.kind != PathEventKind::end_condition) continue;
+      now_ = event.at;
       return true;
     }
-    for (const Witness& witness : witnesses_)
-      if (witness.kind == PathEventKind::second_order_work) work_is_negative_ = witness.negative;
     return false;
-  }
-
-  /// The zero of the witness between two instants, at or just beyond it: false position in the
-  /// Illinois form, with a halving now and then for witnesses that jump.
-  Instant isolate(const Witness& witness, const Instant& from, const Instant& to) {
-    const double zero = value(witness, from) > 0 ? 0 : -witness.allowance;
-    double low = 0, high = to.fraction;
-    double at_low = value(witness, from) - zero, at_high = value(witness, to) - zero;
-    Instant beyond = to;
-    for (int i = 0; i < 100 && high - low > kIsolated; ++i) {
-      const bool halve = i % 4 == 3 || !(at_low > 0) || !(at_high < 0);
-      const double share = halve ? 0.5 : at_low / (at_low - at_high);
-      double middle = low + share * (high - low);
-      if (!(middle > low && middle < high)) middle = 0.5 * (low + high);
-      const auto tried = within(from, middle);
-      const double found = tried ? value(witness, *tried) - zero : 0;
-      if (found > 0) {
-        low = middle;
-        at_low = found;
-        at_high /= 2;
-        continue;
-      }
-      high = middle;
-      at_high = found;
-      at_low /= 2;
-      if (tried) beyond = *tried;
-      if (found == 0) break;
-    }
-    return beyond;
   }
 
   void end_by_condition() {
@@ -336,39 +156,50 @@ class Runner {
     note_peak(now_);
   }
 
-  void stop(const Instant& from, const PointStep<Space>& step) {
+  void stop(const SegmentParts<Space>& parts, const Instant& from, const PointStep<Space>& step) {
     going_ = false;
     result_.outcome = step.outcome;
     result_.message = step.message;
-    if (step.outcome == StepOutcome::failed && !law_.carries_tension() &&
-        step.state.p() < kVanished * std::max(mean_stress<Space>(path_.stress), 1e3))
-      result_.message = "the effective stress has vanished, and the law knows no tension";
+    const bool vanished =
+        !law_.carries_tension() &&
+        step.state.p() < kVanished * std::max(mean_stress<Space>(path_.stress), 1e3);
+    if (step.outcome == StepOutcome::lost_control) result_.message = kLostMessage;
+    if (vanished) result_.message = kVanishedMessage;
     if (step.outcome == StepOutcome::lost_control && step.culprit >= 0) {
-      result_.culprit = effective().labels[static_cast<std::size_t>(step.culprit)];
-      PathPoint<Space> at = point(now_);
-      at.determinant = 0;
-      result_.events.push_back({PathEventKind::control_limit, result_.culprit, at});
+      // Without stress any strain could be held: what is at an end is the material.
+      if (vanished && effective().control.stress.row(step.culprit).isZero(0))
+        result_.outcome = StepOutcome::failed;
+      else
+        lose_control(effective().labels[static_cast<std::size_t>(step.culprit)]);
     }
     end_early();
     FailedIncrement<Space> failed{point(from), segment()};
-    failed.segment.conditions.increment /= parts_;
+    failed.segment.conditions.increment /= parts.count();
     failed.segment.rows = failed.segment.least_parts = failed.segment.repeat = 1;
     failed.segment.repeat_from.reset();
     failed.segment.end.clear();
     result_.failed = std::move(failed);
   }
 
-  void note_event(const Witness& witness, const Instant& at) {
-    if (witness.kind == PathEventKind::second_order_work) work_is_negative_ = true;
-    result_.events.push_back({witness.kind, witness.what, point(at)});
-    note_peak(at);
+  void lose_control(const std::string& culprit) {
+    result_.culprit = culprit;
+    PathPoint<Space> at = point(now_);
+    at.determinant = 0;
+    result_.events.push_back({PathEventKind::control_limit, culprit, at});
+  }
+
+  void note_event(const WitnessedEvent<Space>& event) {
+    if (event.kind == PathEventKind::second_order_work) work_is_negative_ = true;
+    result_.events.push_back({event.kind, event.what, point(event.at)});
+    note_peak(event.at);
   }
 
   void note_peak(const Instant& at) {
+    largest_p_ = std::max(largest_p_, std::abs(at.state.p()));
     const double q = std::abs(at.state.q());
-    if (q <= peak_q_ * (1 + 1e-12)) return;
+    if (q <= kNoDeviator * largest_p_ || q <= peak_q_ * (1 + 1e-12)) return;
     peak_q_ = q;
-    peak_ = point(at);
+    result_.peak = point(at);
   }
 
   void note_warning() {
@@ -385,8 +216,7 @@ class Runner {
     result_.warnings.push_back(text);
   }
 
-  /// Without what only a reader of rows wants.
-  PathPoint<Space> bare_point(const Instant& at) const {
+  PathPoint<Space> point(const Instant& at) const {
     PathPoint<Space> p;
     p.segment = segment_;
     p.progress = at.progress;
@@ -394,11 +224,6 @@ class Runner {
     p.strain = at.strain;
     p.void_ratio = at.state.void_ratio;
     p.pore_pressure = at.pore_pressure;
-    return p;
-  }
-
-  PathPoint<Space> point(const Instant& at) const {
-    PathPoint<Space> p = bare_point(at);
     p.memory.assign(at.state.memory.begin(), at.state.memory.end());
     if (!at.rate.controllable) return p;
     p.determinant = at.rate.determinant;
@@ -415,12 +240,9 @@ class Runner {
   PathResult<Space> result_;
   Instant now_;
   std::size_t segment_ = 0;
-  MixedControl<Space> part_;
-  std::vector<Witness> witnesses_;
-  double peak_q_ = -1;
-  PathPoint<Space> peak_;
+  double peak_q_ = 0;
+  double largest_p_ = 0;
   std::vector<std::string> warned_;
-  int parts_ = 1;
   bool going_ = true;
   bool ended_ = false;  ///< the segment before was, by a condition
   bool work_is_negative_ = false;

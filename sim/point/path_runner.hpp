@@ -3,24 +3,10 @@
 #include <functional>
 
 #include "sim/point/path.hpp"
-#include "sim/point/path_point.hpp"
+#include "sim/point/path_event.hpp"
 #include "sim/point/point_driver.hpp"
 
 namespace triax::sim {
-
-enum class PathEventKind {
-  end_condition,      ///< `what`: the condition's label
-  second_order_work,  ///< turns negative: W₂ = 0 here
-  peak,               ///< of |q| or of the stress part of a condition: `what`
-  control_limit,      ///< the determinant of the control vanishes; `what`: the condition's label
-};
-
-template <class Space>
-struct PathEvent {
-  PathEventKind kind = PathEventKind::end_condition;
-  std::string what;
-  PathPoint<Space> at;
-};
 
 /// The increment that could not be done, to be tried again by itself.
 template <class Space>
@@ -36,7 +22,8 @@ struct PathResult {
   std::string culprit;    ///< label of the condition that was lost
   double error = 0;       ///< largest estimated error of an integration step, relative
   PathPoint<Space> last;  ///< where the path ended, whatever the outcome
-  PathPoint<Space> peak;  ///< the first point of the largest |q|
+  /// The first point of the largest |q|; empty where that stays below 1e-9 p′, round-off.
+  std::optional<PathPoint<Space>> peak;
   std::vector<PathPoint<Space>>
       rows;  ///< the start, then the ends of the parts; last one at `last`
   std::vector<PathEvent<Space>> events;  ///< in the order of the path

@@ -82,7 +82,7 @@ Command element_command() {
       .name = "element",
       .purpose = "take one material point along a path, without apparatus",
       .description =
-          {"A path is a TOML file: a material, a start, and segments of conditions on stress and "
+          {"PATH is a TOML file: a material, a start, and segments of conditions on stress and "
            "strain increments, any six of them (two in axisymmetry): drained, undrained, constant "
            "p', constant q, proportional strain, free combinations. Integration is "
            "error-controlled; zero of the second-order work, peaks, end conditions and the limit "
@@ -90,9 +90,9 @@ Command element_command() {
            "Beyond the limit load the run stops, says which condition cannot be held any longer "
            "and where, and ends with status 1 after it has printed its results. --save-failure "
            "writes the increment that could not be done as a path of its own.",
-           "In place of a TOML file a folder with test.inp, parameters.inp and "
-           "initialconditions.inp of Niemunis' incrementalDriver is taken; --set umat=libNAME.so "
-           "names the library with its UMAT."},
+           "PATH may also be a folder with test.inp, parameters.inp and initialconditions.inp of "
+           "Niemunis' incrementalDriver, or the test.inp (of any name that ends in .inp) in it; "
+           "--set umat=libNAME.so names the library with its UMAT."},
       .diagnostics =
           {{"control of q_kPa is lost ...",
             "the material carries no more: ask for less, or control a strain in its place"},
@@ -103,13 +103,18 @@ Command element_command() {
                     "undrained compression of a denser specimen"},
                    {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
                     "a load that cannot be carried: status 1, and the step as a file"},
+                   {"triax element FOLDER/test.inp",
+                    "files of incrementalDriver; the folder alone says the same"},
                    {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
-                    "files of incrementalDriver with their UMAT, built as a shared library"},
+                    "the same with their UMAT, built as a shared library"},
                    {"triax element path.toml --set material=sanisand/Toyoura-DM04 --csv rows.csv",
                     "another material, and all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
-        app.add_option("PATH.toml", o->path, "path file")->required()->type_name("");
+        app.add_option("PATH", o->path,
+                       "path file (.toml), folder of incrementalDriver files, or its test.inp")
+            ->required()
+            ->type_name("");
         app.add_option("--set", o->sets,
                        "material, void_ratio, p_eff_kPa, tolerance or a parameter of the law "
                        "instead of the file's; may be repeated")

@@ -47,12 +47,17 @@ Json value_of(const sim::ParameterDescription& parameter, const sim::ParameterSe
   return parameter.usual ? Json(*parameter.usual) : Json(nullptr);
 }
 
+/// Empty for what is no number: a range says nothing of it.
+std::string range_of(const sim::ParameterDescription& parameter) {
+  return parameter.kind == sim::ParameterKind::number ? parameter.range.words() : std::string();
+}
+
 Json parameter_json(const sim::ParameterDescription& parameter) {
   return {{"key", parameter.key},
           {"symbol", text(parameter.symbol)},
           {"unit", text(parameter.unit)},
           {"meaning", parameter.meaning},
-          {"range", text(parameter.range.words())},
+          {"range", text(range_of(parameter))},
           {"kind", word_of(parameter.kind)},
           {"usual", parameter.usual ? Json(*parameter.usual) : Json(nullptr)}};
 }
@@ -83,7 +88,7 @@ Table parameter_table(const sim::LawDescription& law, const sim::ParameterSet* s
   for (const auto& parameter : law.parameters) {
     std::vector<std::string> row = {parameter.key, parameter.symbol};
     if (set != nullptr) row.push_back(short_value(value_of(parameter, *set)));
-    row.insert(row.end(), {parameter.unit, parameter.range.words(), parameter.meaning});
+    row.insert(row.end(), {parameter.unit, range_of(parameter), parameter.meaning});
     table.rows.push_back(std::move(row));
   }
   return table;

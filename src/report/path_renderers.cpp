@@ -43,10 +43,11 @@ std::string in_percent(const ReportedPath& path, const ReportedPoint& at, const 
 }
 
 std::string state_line(const ReportedPath& path, const ReportedPoint& at) {
-  return fmt::format(
-      "ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa, η {}", in_percent(path, at, "axial_strain"),
-      number(path.value(at, "q_kPa"), 2), number(path.value(at, "p_eff_kPa"), 2),
-      number(path.value(at, "pore_pressure_kPa"), 2), number(path.value(at, "eta"), 4));
+  const auto eta = path.told_eta(at);
+  return fmt::format("ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa", in_percent(path, at, "axial_strain"),
+                     number(path.value(at, "q_kPa"), 2), number(path.value(at, "p_eff_kPa"), 2),
+                     number(path.value(at, "pore_pressure_kPa"), 2)) +
+         (eta ? ", η " + number(eta, 4) : "");
 }
 
 Table rows_table(const ReportedPath& path) {
@@ -63,7 +64,7 @@ Table rows_table(const ReportedPath& path) {
         {row.segment, in_percent(path, row, "axial_strain"),
          in_percent(path, row, "volumetric_strain"), number(path.value(row, "q_kPa"), 2),
          number(path.value(row, "p_eff_kPa"), 2), number(path.value(row, "pore_pressure_kPa"), 2),
-         number(path.value(row, "eta"), 4), number(path.value(row, "void_ratio"), 5),
+         number(path.told_eta(row), 4), number(path.value(row, "void_ratio"), 5),
          number(path.value(row, "second_order_work_normalised"), 4)});
   }
   return table;
@@ -100,7 +101,7 @@ std::string path_json(const ReportedPath& path) {
                    {"culprit", text(path.culprit)},
                    {"message", text(path.message)},
                    {"error", plain(path.error)},
-                   {"peak", point_json(path, path.peak)},
+                   {"peak", path.peak ? point_json(path, *path.peak) : Json(nullptr)},
                    {"last", point_json(path, path.last)}};
   Json events = Json::array();
   for (const auto& event : path.events)
@@ -132,7 +133,8 @@ std::string path_text(const ReportedPath& path) {
   for (const auto& event : path.events)
     out += fmt::format("  {}\n      {}\n", on_one_line(event_words(event)),
                        state_line(path, event.at));
-  out += fmt::format("  largest |q|\n      {}\n\n", state_line(path, path.peak));
+  if (path.peak) out += fmt::format("  largest |q|\n      {}\n", state_line(path, *path.peak));
+  if (path.peak || !path.events.empty()) out += '\n';
   for (const auto& warning : path.warnings) fact("warning", warning);
   fact("outcome", path.message.empty() ? "went to its end" : path.outcome + ": " + path.message);
   return without_controls(out);

@@ -118,10 +118,11 @@ std::string word_of(sim::PathEventKind kind) {
 
 std::string state_in_words(const ReportedPath& path, const ReportedPoint& at) {
   const auto strain = path.value(at, "axial_strain");
-  return fmt::format("axial strain {} %, q {} kPa, p' {} kPa, eta {}",
+  const auto eta = path.told_eta(at);
+  return fmt::format("axial strain {} %, q {} kPa, p' {} kPa",
                      number(strain ? std::optional(100 * *strain) : std::nullopt, 3),
-                     number(path.value(at, "q_kPa"), 3), number(path.value(at, "p_eff_kPa"), 3),
-                     number(path.value(at, "eta"), 4));
+                     number(path.value(at, "q_kPa"), 3), number(path.value(at, "p_eff_kPa"), 3)) +
+         (eta ? ", eta " + number(eta, 4) : "");
 }
 
 /// One sentence for the reader of an outcome.
@@ -135,8 +136,7 @@ std::string verdict(const ReportedPath& path, const std::string& message) {
                   number(100 * path.value(path.last, "progress").value_or(0), 2),
                   state_in_words(path, path.last));
   if (path.outcome == "lost_control")
-    return fmt::format("control of {} is lost, it cannot be held any longer: {}", path.culprit,
-                       where);
+    return fmt::format("control of {} is lost, {}: {}", path.culprit, message, where);
   return fmt::format("{}: {}", message, where);
 }
 
@@ -172,6 +172,13 @@ std::optional<double> ReportedPath::value(const ReportedPoint& at,
   return index < at.values.size() ? at.values[index] : std::nullopt;
 }
 
+std::optional<double> ReportedPath::told_eta(const ReportedPoint& at) const {
+  constexpr double kNothingLeft = 1e-6;  // of the mean stress at the start
+  const auto p = value(at, "p_eff_kPa"), p_at_start = value(start, "p_eff_kPa");
+  if (p && p_at_start && *p < kNothingLeft * *p_at_start) return std::nullopt;
+  return value(at, "eta");
+}
+
 template <class Space>
 ReportedPath reported_path(const lab::PathDescription& description,
                            const sim::PathResult<Space>& result) {
@@ -185,7 +192,7 @@ ReportedPath reported_path(const lab::PathDescription& description,
   report.columns = column_names(*description.material.material.template law<Space>());
   report.start = point(result.rows.front());
   report.last = point(result.last);
-  report.peak = point(result.peak);
+  if (result.peak) report.peak = point(*result.peak);
   report.outcome = word_of(result.outcome);
   report.culprit = result.culprit;
   report.error = result.error;

@@ -28,9 +28,10 @@ struct ReportedPath {
   double tolerance = 0;
   lab::MaterialSet material;
   std::vector<std::string> columns;  ///< "progress", "axial_strain", "q_kPa"...; the memory last
-  ReportedPoint start, last, peak;
-  std::string outcome;  ///< "accepted", "inaccurate", "lost_control", "failed"
-  std::string culprit;  ///< label of the condition that was lost; empty: none
+  ReportedPoint start, last;
+  std::optional<ReportedPoint> peak;  ///< largest |q|; empty where there was none but round-off
+  std::string outcome;                ///< "accepted", "inaccurate", "lost_control", "failed"
+  std::string culprit;                ///< label of the condition that was lost; empty: none
   std::string message;  ///< of an outcome that is not "accepted", one sentence with the state
   double error = 0;     ///< largest estimated error of an integration step, relative
   std::vector<ReportedEvent> events;
@@ -40,6 +41,9 @@ struct ReportedPath {
   bool went_to_the_end() const { return outcome == "accepted" || outcome == "inaccurate"; }
   /// Value of a column at a point; empty where it is unknown or there is no such column.
   std::optional<double> value(const ReportedPoint& at, const std::string& column) const;
+  /// η for people: empty too where p′ has all but vanished, and the ratio is that of two
+  /// round-offs.
+  std::optional<double> told_eta(const ReportedPoint& at) const;
 };
 
 template <class Space>

@@ -2,8 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "lab/materials/material_library.hpp"
-#include "sim/point/point_driver.hpp"
+#include "tests/lab/materials/each_law.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(__GLIBC__)
 constexpr bool kCounts = false;  // the allocator is not ours to replace there
@@ -30,9 +29,9 @@ namespace {
 template <class Space>
 void check_steps(const sim::Law<Space>& law) {
   using Control = sim::MixedControl<Space>;
-  const auto start = law.isotropic(100e3, 0.9);
-  if (law.objection(start)) return;
-  for (const Control& control : {Control::strain_path(1e-4), Control::drained_compression(1e-4)}) {
+  const auto start = lab::test::isotropic_state(law);
+  // Well short of where a law ends: a step that is refused writes a message, which may allocate.
+  for (const Control& control : {Control::strain_path(2e-5), Control::drained_compression(2e-5)}) {
     const sim::PointTolerance tolerance{.relative = 1e-6};
     sim::PointDriver<Space> driver(law, start, control, tolerance);
     auto state = start;
@@ -44,7 +43,7 @@ void check_steps(const sim::Law<Space>& law) {
       state = step.state;
     }
     CHECK(allocations == before);
-    CHECK(steps > 0);
+    CHECK(steps == 100);
   }
 }
 

@@ -49,6 +49,28 @@ TEST_CASE("the shipped sets of hypoplasticity and NorSand are those that were ch
   check("norsand/S28-MT", test::hostun_norsand(), norsand_table());
 }
 
+TEST_CASE("the interpolated laws stand on the same SANISAND but for its hardening and fabric") {
+  for (const std::string set : {"S28-general", "S28-loose"}) {
+    const auto base = find_material("sanisand/" + set).parameters.numbers;
+    REQUIRE(base.size() == 16);
+    for (const std::string law : {"inl2", "octolinear"}) {
+      const auto found = find_material(law + "/" + set);
+      CHECK(found.parameters.texts.at("base") == "sanisand");
+      CHECK(found.parameters.numbers.size() == base.size());
+      for (const auto& [key, value] : base) {
+        INFO(found.name << " " << key);
+        const double own = found.parameters.numbers.at(key);
+        if (key == "fabric_limit" || key == "fabric_rate")
+          CHECK(own == 0);  // without fabric
+        else if (key == "hardening_factor")
+          CHECK(own > value);
+        else
+          CHECK(own == value);
+      }
+    }
+  }
+}
+
 TEST_CASE("every shipped set says what it is, where it comes from and how far it reaches") {
   for (const auto& set : shipped_materials()) {
     INFO(set.name);

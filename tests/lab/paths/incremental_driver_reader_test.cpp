@@ -345,11 +345,15 @@ TEST_CASE("a folder on disk is recognised and read") {
   for (const auto& [name, text] : files.texts) std::ofstream(folder / name) << text;
   CHECK(is_incremental_driver(folder.string()));
   CHECK(is_incremental_driver((folder / "test.inp").string()));
-  CHECK_FALSE(is_incremental_driver("tests"));
   CHECK_FALSE(is_incremental_driver("path.toml"));
   const IncrementalDriverSettings settings{.umat = {}, .void_ratio = 0.8};
+  CHECK(is_incremental_driver("tests"));
+  CHECK_THROWS_WITH(load_incremental_driver("tests", settings), Contains("without a test.inp"));
   CHECK(load_incremental_driver(folder.string(), settings).path.segments.size() == 1);
   CHECK(load_incremental_driver((folder / "test.inp").string(), settings).name == "out");
+  for (const char* other : {"parameters.inp", "InitialConditions.inp"})
+    CHECK_THROWS_WITH(load_incremental_driver((folder / other).string(), settings),
+                      Contains("give the folder that it is in, or the test.inp"));
   fs::remove(folder / "parameters.inp");
   CHECK_THROWS_WITH(load_incremental_driver(folder.string(), settings), Contains("parameters.inp"));
   fs::remove_all(folder);

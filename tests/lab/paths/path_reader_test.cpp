@@ -109,6 +109,8 @@ repeat_from = "compression"
   refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat beside it");
   refused(with(kPath + cycle, "repeat = 4", "repeat = 0"), "must be 1 to 100000");
   refused(with(kPath + cycle, "rows = 7", "rows = 100000"), "rows of output");
+  // Few rows, but four million parts with the repetitions.
+  refused(with(kPath + cycle, "rows = 7", "rows = 1\nparts = 1000000"), "parts of segments");
   refused(with(kPath + cycle, "below = 5", "below = 5, above = 7"), "exactly one");
   refused(with(kPath + cycle, "\"eta\"", "\"etta\""), "did you mean 'eta'?");
   refused(with(kPath + cycle, "\"eta\"", "\"stress_11_kPa\""), "is none");

@@ -55,6 +55,15 @@ TEST_CASE("a value that the set leaves out is the usual one, and none is null") 
   CHECK(d["parameters"][1]["value"].is_null());
   CHECK(d["parameters"][2]["value"] == std::vector<double>{1, 2, 3});
   CHECK(d["range"].is_null());
+  // A range is told of numbers only.
+  CHECK(d["parameters"][0]["range"] == "a finite number");
+  CHECK(d["parameters"][1]["range"].is_null());
+  CHECK(d["parameters"][2]["range"].is_null());
+  for (const std::string& told : {src::material_text(set), src::law_text(law)}) {
+    const auto at = told.find("a finite number");
+    REQUIRE(at != std::string::npos);
+    CHECK(told.find("a finite number", at + 1) == std::string::npos);
+  }
   CHECK(src::material_text(set).find("3 numbers") != std::string::npos);
   const json bare = json::parse(src::law_json(law));
   CHECK_FALSE(bare["parameters"][0].contains("value"));

@@ -66,6 +66,28 @@ TEST_CASE("the verdict of a lost control names condition, place and state") {
   CHECK(json::parse(src::path_json(report))["message"] == report.message);
 }
 
+TEST_CASE("where the stress vanishes no ratio of it is told, and round-off is no peak") {
+  const std::string stress = "\"radial_stress_kPa = 0\"", drained = "undrained";
+  auto dilated = lab::test::with(lab::test::kPath, stress, "\"volumetric_strain = -0.05\"");
+  dilated = lab::test::with(dilated, drained, "drained");
+  const auto gone =
+      report_of(lab::test::with(dilated, "axial_strain = 0.02", "axial_strain = 0.05"));
+  CHECK(gone.outcome == "failed");
+  CHECK(gone.culprit.empty());
+  CHECK(gone.message.find("the effective stress has vanished") != std::string::npos);
+  CHECK(gone.message.find("eta") == std::string::npos);
+  CHECK_FALSE(gone.told_eta(gone.last));
+  CHECK(gone.told_eta(gone.start) == 0.0);
+  CHECK(src::path_text(gone).find("largest |q|") != std::string::npos);
+
+  const auto swollen =
+      report_of(lab::test::with(dilated, "\"axial_strain = 0.02\", \"volumetric_strain = -0.05\"",
+                                "\"axial_strain = -0.0005\", \"radial_strain = -0.0005\""));
+  REQUIRE(swollen.went_to_the_end());
+  CHECK(json::parse(src::path_json(swollen))["peak"].is_null());
+  CHECK(src::path_text(swollen).find("largest |q|") == std::string::npos);
+}
+
 TEST_CASE("names of a path cannot command a terminal or break a table") {
   const auto report =
       report_of(lab::test::with(lab::test::with(lab::test::kPath, "\"small\"", R"("a\u001Bb\nc")"),
