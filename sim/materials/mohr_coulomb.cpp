@@ -101,8 +101,8 @@ struct MohrCoulomb<Space>::Planes {
 };
 
 template <class Space>
-typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(const State& state) const
-    requires(Space::kSize == 6) {
+typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(
+    const PointState<Tensor>& state) const {
   Planes p;
   p.stress = matrix_of(state.stress);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(p.stress);
@@ -110,7 +110,7 @@ typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(const State& stat
   if (place == kInside) {
     p.axes = eigen.eigenvectors().rowwise().reverse();
   } else {
-    const Eigen::Matrix3d names = matrix_of(Vector<Tensor>(state.memory.template head<6>()));
+    const Eigen::Matrix3d names = matrix_of(Vector<Tensor>(state.memory.head<6>()));
     const Eigen::Matrix3d& v = eigen.eigenvectors();
     p.axes = sorted(v, (v.transpose() * names * v).diagonal());
     const int i = place == kCompressionEdge ? 1 : 0;
@@ -138,10 +138,10 @@ typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(const State& stat
 }
 
 template <class Space>
-void MohrCoulomb<Space>::remember(State& state, const Eigen::Matrix3d& axes, double place) const
-    requires(Space::kSize == 6) {
-  state.memory.template head<6>() = components(Eigen::Matrix3d(
-      axes.col(0) * axes.col(0).transpose() - axes.col(2) * axes.col(2).transpose()));
+void MohrCoulomb<Space>::remember(PointState<Tensor>& state, const Eigen::Matrix3d& axes,
+                                  double place) const {
+  state.memory.head<6>() = components(Eigen::Matrix3d(axes.col(0) * axes.col(0).transpose() -
+                                                      axes.col(2) * axes.col(2).transpose()));
   state.memory(6) = place;
 }
 

@@ -62,9 +62,8 @@ class MohrCoulomb : public Law<Space> {
 
  private:
   struct Planes;
-  Planes planes(const State& state) const requires(Space::kSize == 6);
-  void remember(State& state, const Eigen::Matrix3d& axes, double place) const
-      requires(Space::kSize == 6);
+  Planes planes(const PointState<Tensor>& state) const;
+  void remember(PointState<Tensor>& state, const Eigen::Matrix3d& axes, double place) const;
   double strength(double p) const { return 2 * (p * sine_ + cohesion_); }
   double excess(double high, double low) const {
     return high - low - (high + low) * sine_ - 2 * cohesion_;
