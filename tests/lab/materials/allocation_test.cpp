@@ -29,12 +29,15 @@ namespace {
 
 template <class Space>
 void check_steps(const sim::Law<Space>& law) {
+  int followed = 0;
   using Control = sim::MixedControl<Space>;
   const auto start = law.isotropic(100e3, 0.9);
   if (law.objection(start)) return;
   for (const Control& control : {Control::strain_path(1e-4), Control::drained_compression(1e-4)}) {
     const sim::PointTolerance tolerance{.relative = 1e-6};
     sim::PointDriver<Space> driver(law, start, control, tolerance);
+    if (law.refusal(start, driver.rate(start))) continue;  // NorSand's sets are for one drainage
+    ++followed;
     auto state = start;
     const long before = allocations;
     int steps = 0;
@@ -46,6 +49,7 @@ void check_steps(const sim::Law<Space>& law) {
     CHECK(allocations == before);
     CHECK(steps > 0);
   }
+  CHECK(followed > 0);
 }
 
 }  // namespace
