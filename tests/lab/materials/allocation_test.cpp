@@ -28,12 +28,15 @@ namespace {
 
 template <class Space>
 void check_steps(const sim::Law<Space>& law) {
+  int followed = 0;
   using Control = sim::MixedControl<Space>;
   const auto start = lab::test::isotropic_state(law);
   // Well short of where a law ends: a step that is refused writes a message, which may allocate.
   for (const Control& control : {Control::strain_path(2e-5), Control::drained_compression(2e-5)}) {
     const sim::PointTolerance tolerance{.relative = 1e-6};
     sim::PointDriver<Space> driver(law, start, control, tolerance);
+    if (law.refusal(start, driver.rate(start))) continue;  // NorSand's sets are for one drainage
+    ++followed;
     auto state = start;
     const long before = allocations;
     int steps = 0;
@@ -45,6 +48,7 @@ void check_steps(const sim::Law<Space>& law) {
     CHECK(allocations == before);
     CHECK(steps == 100);
   }
+  CHECK(followed > 0);
 }
 
 }  // namespace
