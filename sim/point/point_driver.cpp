@@ -322,10 +322,6 @@ template <class Space>
 PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
   PointStep<Space> step;
   step.state = state;
-  if (auto objection = law_.objection(state)) {
-    step.message = *objection;
-    return step;
-  }
   step.outcome = StepOutcome::accepted;
   double fraction = 1;
   PointState<Space>& from = step.state;

@@ -56,7 +56,8 @@ class PointDriver {
               const MixedControl<Space>& control, const PointTolerance& tolerance);
 
   /// The state after the increment; the given state is never touched, so that an event is isolated
-  /// by repeating the step with a part of dy.
+  /// by repeating the step with a part of dy. Pre-condition: law.objection(state) is empty, as it
+  /// is of every state that a step ended at.
   PointStep<Space> advance(const PointState<Space>& state);
 
   /// Response at an instant. Pre-condition: law.objection(state) is empty.

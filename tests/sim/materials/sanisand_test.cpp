@@ -187,7 +187,9 @@ TEST_CASE("a void ratio at which the hardening vanishes is refused in words") {
 TEST_CASE("tension is refused in words, at the start and on a path") {
   const Triaxial law(test::s28_general());
   const auto start = law.start(components(AxisymmetricStress{200e3, -10e3}), 0.9);
-  CHECK(law.objection(start)->find("tensile") != std::string::npos);
+  const auto objection = law.objection(start);
+  REQUIRE(objection);
+  CHECK(objection->find("tensile") != std::string::npos);
 }
 
 TEST_CASE("absurd parameters are refused with their name") {
