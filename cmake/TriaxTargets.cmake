@@ -48,7 +48,8 @@ function(triax_tests name)
   target_link_libraries(${name} PRIVATE triax_test_main ${ARGN})
   target_precompile_headers(${name} PRIVATE <catch2/catch.hpp>)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  # What fontconfig keeps for itself is not ours to free (tests/leaks_of_others.txt).
-  set_tests_properties(${name} PROPERTIES ENVIRONMENT
+  # What fontconfig keeps for itself is not ours to free (tests/leaks_of_others.txt). The sanitizers
+  # need many minutes for the paths of every law beyond every limit.
+  set_tests_properties(${name} PROPERTIES TIMEOUT 3600 ENVIRONMENT
     "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks_of_others.txt:print_suppressions=0")
 endfunction()
