@@ -1,53 +1,19 @@
 #include "sim/materials/drucker_prager.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "sim/materials/strength.hpp"
 
 namespace triax::sim {
 namespace {
 
-/// 6 sin a/(3 − sin a), q/p′ of a plane's slope in triaxial compression.
-double compression_slope(double angle) { return 6 * std::sin(angle) / (3 - std::sin(angle)); }
-
 /// A state this far (as a ratio) outside the cone is no round-off.
 constexpr double kFarOutside = 1e-6;
-
-template <class Space>
-double smallest_principal(const Vector<Space>& stress) {
-  if constexpr (Space::kSize == 2)
-    return stress.minCoeff();  // its sign is what counts, √2 does not change it
-  else
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix_of(stress)).eigenvalues()(0);
-}
 
 }  // namespace
 
 const ParameterTable<DruckerPragerParameters>& drucker_prager_table() {
-  using P = DruckerPragerParameters;
-  static const ParameterTable<P> table = [] {
-    ParameterTable<P> rows = elastic_rows<P>();
-    rows.push_back({{"friction_angle_deg",
-                     "φ",
-                     "deg",
-                     "friction angle in triaxial compression",
-                     {.at_least = 0, .below = 90}},
-                    &P::friction_angle});
-    rows.push_back({{.key = "cohesion_kPa",
-                     .symbol = "c",
-                     .unit = "kPa",
-                     .meaning = "cohesion",
-                     .range = {.at_least = 0},
-                     .usual = 0},
-                    &P::cohesion_pa});
-    rows.push_back({{.key = "dilation_angle_deg",
-                     .symbol = "ψ",
-                     .unit = "deg",
-                     .meaning = "dilation angle in triaxial compression",
-                     .range = {.above = -90, .below = 90},
-                     .usual = 0},
-                    &P::dilation_angle});
-    return rows;
-  }();
+  static const auto table = elastic_and_strength_rows<DruckerPragerParameters>();
   return table;
 }
 
@@ -60,13 +26,11 @@ LawDescription drucker_prager_law() {
 template <class Space>
 DruckerPrager<Space>::DruckerPrager(const DruckerPragerParameters& p)
     : parameters_(p),
-      friction_slope_(compression_slope(p.friction_angle)),
-      dilation_slope_(compression_slope(p.dilation_angle)),
+      friction_slope_(stress_ratio_at_friction_angle(p.friction_angle)),
+      dilation_slope_(stress_ratio_at_friction_angle(p.dilation_angle)),
       cohesion_(6 * p.cohesion_pa * std::cos(p.friction_angle) / (3 - std::sin(p.friction_angle))) {
   check_parameters(p, drucker_prager_table());
-  if (p.friction_angle == 0 && p.cohesion_pa == 0)
-    throw std::invalid_argument(
-        "friction_angle_deg and cohesion_kPa are both 0, one must be above 0");
+  check_strength(p);
 }
 
 template <class Space>
@@ -80,7 +44,7 @@ std::optional<std::string> DruckerPrager<Space>::objection(const State& state) c
 template <class Space>
 std::optional<std::string> DruckerPrager<Space>::warning(const State& state) const {
   if (yield_distance(state, 0) > kFarOutside) return "the stress lies outside the yield surface";
-  if (parameters_.cohesion_pa == 0 && smallest_principal<Space>(state.stress) < 0)
+  if (parameters_.cohesion_pa == 0 && !all_compressed<Space>(state.stress))
     return "a principal stress is tensile, which the cone allows and soil does not";
   return std::nullopt;
 }

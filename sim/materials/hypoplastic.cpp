@@ -40,16 +40,6 @@ double lode_factor(const Vector<Space>& t, double squared_norm) {
   }
 }
 
-template <class Space>
-bool all_compressed(const Vector<Space>& s) {
-  if constexpr (Space::kSize == 2) {
-    return s(0) > 0 && s(1) > 0;
-  } else {
-    const double tr = trace<Space>(s);
-    return tr > 0 && tr * tr > s.squaredNorm() && matrix_of(s).determinant() > 0;
-  }
-}
-
 }  // namespace
 
 const ParameterTable<HypoplasticParameters>& hypoplastic_table() {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/materials/strength.hpp"
+
 namespace triax::sim {
 namespace {
 
@@ -46,28 +48,7 @@ Eigen::Matrix3d sorted(const Eigen::Matrix3d& axes, const Eigen::Vector3d& rank)
 }  // namespace
 
 const ParameterTable<MohrCoulombParameters>& mohr_coulomb_table() {
-  using P = MohrCoulombParameters;
-  static const ParameterTable<P> table = [] {
-    ParameterTable<P> rows = elastic_rows<P>();
-    rows.push_back(
-        {{"friction_angle_deg", "φ", "deg", "friction angle", {.at_least = 0, .below = 90}},
-         &P::friction_angle});
-    rows.push_back({{.key = "cohesion_kPa",
-                     .symbol = "c",
-                     .unit = "kPa",
-                     .meaning = "cohesion",
-                     .range = {.at_least = 0},
-                     .usual = 0},
-                    &P::cohesion_pa});
-    rows.push_back({{.key = "dilation_angle_deg",
-                     .symbol = "ψ",
-                     .unit = "deg",
-                     .meaning = "dilation angle",
-                     .range = {.above = -90, .below = 90},
-                     .usual = 0},
-                    &P::dilation_angle});
-    return rows;
-  }();
+  static const auto table = elastic_and_strength_rows<MohrCoulombParameters>();
   return table;
 }
 
@@ -86,9 +67,7 @@ MohrCoulomb<Space>::MohrCoulomb(const MohrCoulombParameters& p)
       flow_sine_(std::sin(p.dilation_angle)),
       cohesion_(p.cohesion_pa * std::cos(p.friction_angle)) {
   check_parameters(p, mohr_coulomb_table());
-  if (p.friction_angle == 0 && p.cohesion_pa == 0)
-    throw std::invalid_argument(
-        "friction_angle_deg and cohesion_kPa are both 0, one must be above 0");
+  check_strength(p);
 }
 
 /// The planes of the three mechanisms of a tensor: f_k = excess(high_k·σ high_k, low_k·σ low_k).
@@ -288,7 +267,7 @@ bool MohrCoulomb<Space>::turn(State& state, const Rate& rate) const {
 template <class Space>
 std::optional<double> MohrCoulomb<Space>::limit_stress_ratio() const {
   if (cohesion_ > 0) return std::nullopt;
-  return 6 * sine_ / (3 - sine_);
+  return stress_ratio_at_friction_angle(parameters_.friction_angle);
 }
 
 template class MohrCoulomb<Axisymmetric>;

@@ -5,14 +5,6 @@
 namespace triax::sim {
 namespace {
 
-template <class Space>
-Vector<Tensor> lifted(const Vector<Space>& a) {
-  if constexpr (Space::kSize == 2)
-    return as_tensor(a);
-  else
-    return a;
-}
-
 /// A compliance of the three axes in the components of the space (the response to dσ₂ = dσ₃ is the
 /// sum of the responses to each).
 template <class Space>
@@ -33,13 +25,13 @@ Matrix<Space> reduced(const Matrix<Tensor>& n) {
 template <class Space>
 bool ProbedModuli<Space>::probe(const State& state, Matrix<Tensor>& plus,
                                 Matrix<Tensor>& minus) const {
-  PointState<Tensor> at{lifted<Space>(state.stress), state.void_ratio, state.memory};
+  PointState<Tensor> at{as_tensor(state.stress), state.void_ratio, state.memory};
   Response<Tensor> response;
   base_->response(at, response);
   const auto* form = std::get_if<StiffnessForm<Tensor>>(&response);
   const int mechanisms = form == nullptr ? 0 : form->mechanisms;
   base_->settle(at, (1U << mechanisms) - 1);
-  at.stress = lifted<Space>(state.stress);
+  at.stress = as_tensor(state.stress);
   base_->response(at, response);
   unsigned standing = 0;
   for (int k = 0; k < mechanisms; ++k)
@@ -74,12 +66,12 @@ void ProbedModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
 
 template <class Space>
 PointState<Space> ProbedModuli<Space>::start(const Vector<Space>& stress, double void_ratio) const {
-  return {stress, void_ratio, base_->start(lifted<Space>(stress), void_ratio).memory};
+  return {stress, void_ratio, base_->start(as_tensor(stress), void_ratio).memory};
 }
 
 template <class Space>
 std::optional<std::string> ProbedModuli<Space>::objection(const State& state) const {
-  const PointState<Tensor> at{lifted<Space>(state.stress), state.void_ratio, state.memory};
+  const PointState<Tensor> at{as_tensor(state.stress), state.void_ratio, state.memory};
   if (auto base = base_->objection(at)) return base;
   Matrix<Tensor> plus, minus;
   if (probe(state, plus, minus)) return std::nullopt;
@@ -94,7 +86,7 @@ bool ProbedModuli<Space>::at_limit(const State& state) const {
 
 template <class Space>
 std::optional<std::string> ProbedModuli<Space>::warning(const State& state) const {
-  return base_->warning({lifted<Space>(state.stress), state.void_ratio, state.memory});
+  return base_->warning({as_tensor(state.stress), state.void_ratio, state.memory});
 }
 
 template class ProbedModuli<Axisymmetric>;

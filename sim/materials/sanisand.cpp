@@ -97,8 +97,8 @@ double Sanisand<Space>::memory_scale(int entry) const {
 template <class Space>
 std::optional<std::string> Sanisand<Space>::objection(const State& state) const {
   if (auto general = Law<Space>::objection(state)) return general;
-  if (!(state.stress.template head < kSize == 2 ? 2 : 3 > ().minCoeff() > 0))
-    return "a normal stress is tensile, which sand does not carry";
+  if (!all_compressed<Space>(state.stress))
+    return "a principal stress is tensile, which sand does not carry";
   if (state.void_ratio >= 2.97)
     return "the void ratio is " + short_number(state.void_ratio) + ", must be below 2.97";
   const double c_h = parameters_.hardening_void_ratio_factor;

@@ -8,6 +8,7 @@
 //
 // Compression positive, stress in Pa, strain as a plain number.
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -110,10 +111,23 @@ inline Vector<Tensor> as_tensor(const Vector<Axisymmetric>& a) {
   return (Vector<Tensor>() << a(0), radial, radial, 0, 0, 0).finished();
 }
 
+inline Vector<Tensor> as_tensor(const Vector<Tensor>& a) { return a; }
+
 /// The 6 × 6 matrix that turns components when the axes turn by Q: a′ = Q a Qᵗ.
 Matrix<Tensor> rotation(const Eigen::Matrix3d& q);
 
 Eigen::Matrix3d matrix_of(const Vector<Tensor>& a);
 Vector<Tensor> components(const Eigen::Matrix3d& a);
+
+/// Whether every principal value is above 0: trace, second and third invariant are.
+template <class Space>
+bool all_compressed(const Vector<Space>& a) {
+  if constexpr (Space::kSize == 2) {
+    return a(0) > 0 && a(1) > 0;
+  } else {
+    const double tr = trace<Space>(a);
+    return tr > 0 && tr * tr > a.squaredNorm() && matrix_of(a).determinant() > 0;
+  }
+}
 
 }  // namespace triax::sim

@@ -42,6 +42,20 @@ TEST_CASE("both spaces measure the same triaxial state") {
   CHECK(axisymmetric_stress(two).radial == Approx(70e3));
 }
 
+TEST_CASE("compressed means every principal value, whatever the axes") {
+  CHECK(all_compressed<Axisymmetric>(Vector<Axisymmetric>(2, 1)));
+  CHECK_FALSE(all_compressed<Axisymmetric>(Vector<Axisymmetric>(2, -1)));
+  const Matrix<Tensor> turn =
+      rotation(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix());
+  const auto principal = [&turn](double a, double b, double c) {
+    return Vector<Tensor>(turn * (Vector<Tensor>() << a, b, c, 0, 0, 0).finished());
+  };
+  CHECK(all_compressed<Tensor>(principal(3, 2, 0.01)));
+  CHECK_FALSE(all_compressed<Tensor>(principal(3, 2, -0.01)));
+  CHECK_FALSE(all_compressed<Tensor>(principal(3, -1, -1)));
+  CHECK_FALSE(all_compressed<Tensor>(principal(-3, -1, -1)));
+}
+
 TEST_CASE("p′, q and ε_v, ε_q are work-conjugate") {
   test::RandomTensors random;
   for (int i = 0; i < 20; ++i) {
