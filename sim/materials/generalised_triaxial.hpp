@@ -27,10 +27,6 @@ class GeneralisedTriaxial {
   virtual std::optional<std::string> objection(const State&) const { return std::nullopt; }
   virtual bool at_limit(const State&) const { return false; }
   virtual std::optional<std::string> warning(const State&) const { return std::nullopt; }
-  virtual void memory_rate(const State&, const Response<Space>&, const PointRate<Space>&,
-                           Memory& out) const {
-    out.setZero();
-  }
   virtual bool turn(State&, const PointRate<Space>&) const { return false; }
   virtual std::optional<double> limit_stress_ratio() const { return std::nullopt; }
 };

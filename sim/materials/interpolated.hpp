@@ -41,10 +41,6 @@ class Interpolated : public Law<Space> {
   std::optional<std::string> warning(const State& state) const override;
   using Law<Space>::response;
   void response(const State& state, Response<Space>& out) const override;
-  void memory_rate(const State& state, const Response<Space>& response,
-                   const PointRate<Space>& rate, Memory& out) const override {
-    base_->memory_rate(state, response, rate, out);
-  }
   bool turn(State& state, const PointRate<Space>& rate) const override {
     return base_->turn(state, rate);
   }

@@ -24,9 +24,11 @@ class InterpolatedSolver {
       rate_.controllable = true;
       return rate_;
     }
-    const Vector<Space> linear = start();
     bool found = guess.squaredNorm() > 0 && newton(guess, size);
-    if (!found) found = newton(linear, size) || picard(linear, size);
+    if (!found) {
+      const Vector<Space> linear = start();
+      found = newton(linear, size) || picard(linear, size);
+    }
     const Matrix<Space> jacobian = control_.stress + control_.strain * tangent(stress_);
     // Sign and size relative to the diagonal part, which is positive definite.
     const Matrix<Space> reference =

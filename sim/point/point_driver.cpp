@@ -19,6 +19,14 @@ constexpr double kSmallestStress = 0.1;
 
 constexpr const char* kLost = "the control condition cannot be held any longer";
 
+/// Ends a step; false, for the caller to pass on.
+template <class Space>
+bool end(PointStep<Space>& step, StepOutcome outcome, std::string message) {
+  step.outcome = outcome;
+  step.message = std::move(message);
+  return false;
+}
+
 }  // namespace
 
 template <class Space>
@@ -245,26 +253,20 @@ bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<
   if (trial_.possible) return true;
   if (trial_.lost_control) {
     step.culprit = trial_.culprit;
-    step.outcome = StepOutcome::lost_control;
-    step.message = kLost;
-    return false;
+    return end(step, StepOutcome::lost_control, kLost);
   }
   if (!control_.strain_driven && law_.at_limit(trial_.state)) {
     blame(from, start.strain, step);
     // A strain can be held at a limit of stress; that the law ends there is no loss of control.
-    if (control_.strain.row(step.culprit).isZero(0)) {
-      step.outcome = StepOutcome::lost_control;
-      step.message = kLost;
-      return false;
-    }
+    if (control_.strain.row(step.culprit).isZero(0))
+      return end(step, StepOutcome::lost_control, kLost);
     step.culprit = -1;
   }
   // The branch changes within this smallest step: take it without loading.
   if (!trial_.refused && take_idle(from, fraction, trial_)) return true;
-  step.outcome = StepOutcome::failed;
   const auto objection = law_.objection(trial_.state);
-  step.message = objection ? *objection : "no admissible state within reach of the increment";
-  return false;
+  return end(step, StepOutcome::failed,
+             objection.value_or("no admissible state within reach of the increment"));
 }
 
 /// Names the condition that drives the strain along `direction`: dε = C A⁻¹ dy with A = S + E C.
@@ -293,8 +295,8 @@ bool PointDriver<Space>::ran_away(const PointState<Space>& from, PointStep<Space
       asked = std::max(asked, std::abs(control_.increment(row)) / size);
   if (step.strain_increment.norm() < 10 * asked) return false;
   blame(from, step.strain_increment, step);
-  step.outcome = StepOutcome::lost_control;
-  step.message = "the strain runs away, the control condition cannot be held any longer";
+  end(step, StepOutcome::lost_control,
+      "the strain runs away, the control condition cannot be held any longer");
   return true;
 }
 
@@ -329,22 +331,21 @@ PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
     const PointRate<Space> start = begin(from);
     if (!start.controllable) {
       step.culprit = start.culprit;
-      step.outcome = start.culprit < 0 ? StepOutcome::failed : StepOutcome::lost_control;
-      step.message =
-          start.culprit < 0 ? "the control conditions do not determine an increment" : kLost;
+      if (start.culprit >= 0)
+        end(step, StepOutcome::lost_control, kLost);
+      else
+        end(step, StepOutcome::failed, "the control conditions do not determine an increment");
       break;
     }
     if (auto refusal = law_.refusal(from, start)) {
-      step.outcome = StepOutcome::failed;
-      step.message = std::move(*refusal);
+      end(step, StepOutcome::failed, std::move(*refusal));
       break;
     }
     flow_of(from, start, flows_[0]);
     bool found = false;
     while (!found && step.outcome == StepOutcome::accepted) {
       if (++step.steps > tolerance_.step_limit) {
-        step.outcome = StepOutcome::failed;
-        step.message = "more integration steps than the limit allows";
+        end(step, StepOutcome::failed, "more integration steps than the limit allows");
         break;
       }
       fraction = std::min(fraction, 1 - step.done);
@@ -354,10 +355,8 @@ PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
     take(start, fraction, step);
     if (step.done < 1 && ran_away(step.state, step)) break;
   }
-  if (step.outcome == StepOutcome::accepted && step.error > tolerance_.relative) {
-    step.outcome = StepOutcome::inaccurate;
-    step.message = "the integration error exceeds the tolerance";
-  }
+  if (step.outcome == StepOutcome::accepted && step.error > tolerance_.relative)
+    end(step, StepOutcome::inaccurate, "the integration error exceeds the tolerance");
   step.stress_increment = step.state.stress - state.stress;
   return step;
 }

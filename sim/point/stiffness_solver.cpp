@@ -23,18 +23,18 @@ template <class Space>
 class ControlMatrix {
  public:
   explicit ControlMatrix(const Matrix<Space>& a) {
+    double determinant = 0;
     if constexpr (Space::kSize == 2) {
-      determinant_ = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+      determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
       inverse_ << a(1, 1), -a(0, 1), -a(1, 0), a(0, 0);
-      inverse_ /= determinant_;
+      inverse_ /= determinant;
     } else {
       lu_.compute(a);
-      determinant_ = lu_.determinant();
+      determinant = lu_.determinant();
     }
-    regular_ = std::abs(determinant_) > kSingular * determinant_scale<Space>(a);
+    regular_ = std::abs(determinant) > kSingular * determinant_scale<Space>(a);
   }
   bool regular() const { return regular_; }
-  double determinant() const { return determinant_; }
   Vector<Space> solve(const Vector<Space>& b) const {
     if constexpr (Space::kSize == 2)
       return inverse_ * b;
@@ -46,7 +46,6 @@ class ControlMatrix {
   struct Nothing {};
   std::conditional_t<Space::kSize == 2, Matrix<Space>, Nothing> inverse_;
   std::conditional_t<Space::kSize == 2, Nothing, Eigen::PartialPivLU<Matrix<Space>>> lu_;
-  double determinant_ = 0;
   bool regular_ = false;
 };
 
