@@ -164,11 +164,12 @@ MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
   MaterialSet changed = set;
   if (found->kind == sim::ParameterKind::text) {
     changed.parameters.texts[key] = value;
-    if (key == "base") {  // another base has other parameters, and nobody calibrated it
+    if (found->chooses) {  // what the set held belongs to the old value, and so does its range
       changed.parameters.numbers.clear();
       changed.parameters.lists.clear();
       changed.description = changed.range = "";
-      changed.source = "base changed for this run, not calibrated";
+      changed.void_ratio_range = changed.p_eff_range_kPa = std::nullopt;
+      changed.source = key + " changed for this run, not calibrated";
     }
   } else {
     double number = 0;

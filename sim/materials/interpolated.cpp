@@ -103,14 +103,11 @@ LawDescription description(Interpolation kind, std::string name, std::string tit
   d.name = std::move(name);
   d.title = std::move(title);
   d.source = "Darve, Sibille, Daouadji and Nicot (2007), Eqs. 25 to 27; moduli as based on";
-  d.parameters = {{"base",
-                   "",
-                   "",
-                   "\"sanisand\" (parameters below), \"table\" (lists below) or "
-                   "LAW/SET that is probed",
-                   {},
-                   ParameterKind::text,
-                   {}}};
+  d.parameters = {{.key = "base",
+                   .meaning = "\"sanisand\" (parameters below), \"table\" (lists below) or LAW/SET "
+                              "that is probed",
+                   .kind = ParameterKind::text,
+                   .chooses = true}};
   for (const auto& p : descriptions(sanisand_table())) d.parameters.push_back(p);
   for (const auto& p : moduli_table_parameters()) d.parameters.push_back(p);
   d.make = [kind](const ParameterSet& set, const MaterialFinder& find) {

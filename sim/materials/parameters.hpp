@@ -37,6 +37,7 @@ struct ParameterDescription {
   Range range;          ///< in that unit
   ParameterKind kind = ParameterKind::number;
   std::optional<double> usual;  ///< taken where a file says nothing; empty: must be given
+  bool chooses = false;         ///< another value makes the other parameters of a set meaningless
 };
 
 /// The values of one set, in the units of the file.

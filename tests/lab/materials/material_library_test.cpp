@@ -97,6 +97,16 @@ TEST_CASE("an unknown material is refused with the nearest known one") {
   CHECK_THROWS_AS(find_material(""), BadInput);
 }
 
+TEST_CASE("a parameter that chooses the others leaves none of them, nor their range") {
+  const auto set =
+      with_parameter(find_material("inl2/S28-general"), "base", "cam_clay/Hostun-like");
+  CHECK(set.parameters.numbers.empty());
+  CHECK(set.range.empty());
+  CHECK_FALSE(p_eff_outside(set, 1e9));
+  CHECK_THAT(set.material.based_on, Contains("cam_clay/Hostun-like by probing"));
+  CHECK_THROWS_WITH(with_parameter(set, "hardening_factor", "2"), Contains("has no meaning"));
+}
+
 TEST_CASE("a user's file is held to the same rules, with its line") {
   CHECK_THROWS_WITH(read_materials("law = \"sanisand\"\n[sets.mine]\nfabric_rat = 3\n", "my.toml"),
                     Contains("my.toml:3") && Contains("did you mean 'fabric_rate'?"));
