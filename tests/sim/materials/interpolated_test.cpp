@@ -5,45 +5,16 @@
 #include <cmath>
 #include <random>
 
-#include "sim/materials/cam_clay.hpp"
-#include "sim/materials/elastic.hpp"
-#include "sim/materials/moduli_table.hpp"
-#include "sim/materials/probed_moduli.hpp"
-#include "sim/materials/sanisand_moduli.hpp"
 #include "sim/point/point_driver.hpp"
-#include "tests/sim/materials/parameter_sets.hpp"
+#include "tests/sim/materials/interpolated_laws.hpp"
 
 using namespace triax::sim;
+using namespace triax::sim::test;
 using Control = MixedControl<Axisymmetric>;
 using State = PointState<Axisymmetric>;
 using std::numbers::sqrt2;
 
 namespace {
-
-SanisandParameters with_h0(double h0) {
-  SanisandParameters p = test::s28_general();
-  p.hardening_factor = h0;
-  return p;
-}
-
-constexpr double kInl2 = 1.996, kOcto = 3.004;
-
-template <class Space>
-Interpolated<Space> law(Interpolation kind, double h0) {
-  return {kind, std::make_shared<SanisandModuli<Space>>(with_h0(h0))};
-}
-Interpolated<Axisymmetric> inl2() { return law<Axisymmetric>(Interpolation::inl2, kInl2); }
-Interpolated<Axisymmetric> octo() { return law<Axisymmetric>(Interpolation::octolinear, kOcto); }
-
-State state_at(const Law<Axisymmetric>& material, double p_kPa, double eta, double e) {
-  const double q = eta * p_kPa;
-  return material.start(
-      components(AxisymmetricStress{1e3 * (p_kPa + 2 * q / 3), 1e3 * (p_kPa - q / 3)}), e);
-}
-
-InterpolatedForm<Axisymmetric> moduli(const Law<Axisymmetric>& material, const State& s) {
-  return std::get<InterpolatedForm<Axisymmetric>>(material.response(s));
-}
 
 /// Isolated undrained peak of q.
 State undrained_peak(const Law<Axisymmetric>& material, double p0_kPa, double e, double& strain) {
@@ -125,21 +96,6 @@ void check_row(const Law<Axisymmetric>& material, const TableRow& row, double ic
 }
 
 }  // namespace
-
-TEST_CASE("INL2's matrices at p = 70 kPa, eta = 0.55, e = 1.086 are those of the reference") {
-  const auto material = law<Tensor>(Interpolation::inl2, kInl2);
-  const auto s = material.start(
-      as_tensor(components(AxisymmetricStress{70e3 * (1 + 1.1 / 3), 70e3 * (1 - 0.55 / 3)})),
-      1.086);
-  const auto n = std::get<InterpolatedForm<Tensor>>(material.response(s));
-  const auto column = [](const Matrix<Tensor>& m, int j) {
-    return Eigen::Vector3d(m.col(j).head<3>() * 1e9);  // 1e-6/kPa
-  };
-  CHECK(column(n.plus, 0).isApprox(Eigen::Vector3d(189.576, -23.455, -23.455), 2e-5));
-  CHECK(column(n.plus, 1).isApprox(Eigen::Vector3d(-5.321, 53.214, -5.321), 2e-5));
-  CHECK(column(n.minus, 0).isApprox(Eigen::Vector3d(53.214, -5.321, -5.321), 2e-5));
-  CHECK(column(n.minus, 2).isApprox(Eigen::Vector3d(-119.420, 9.851, 68.387), 2e-5));
-}
 
 TEST_CASE("Eqs. 34 and 36 at that state: roots, discriminant, determinant") {
   const auto q = moduli(inl2(), state_at(inl2(), 70, 0.55, 1.086)).minus;
@@ -289,78 +245,6 @@ TEST_CASE("octolinear is linear in each zone and continuous across their faces")
           1e-8 * strain(vector(0, other, 2)).norm());
 }
 
-TEST_CASE("equal moduli in loading and unloading are linear elasticity") {
-  ParameterSet set;
-  set.lists["stress_ratios"] = {-1, 1};
-  for (const char* side : {"plus", "minus"}) {
-    const std::string s = side;
-    set.lists["E1_" + s + "_kPa"] = set.lists["E3_" + s + "_kPa"] = {20e3, 20e3};
-    set.lists["V13_" + s] = set.lists["V31_" + s] = set.lists["V33_" + s] = {0.2, 0.2};
-  }
-  const Interpolated<Axisymmetric> material(Interpolation::inl2,
-                                            std::make_shared<ModuliTable>(set));
-  const State s = state_at(material, 100, 0.3, 0.9);
-  const Matrix<Axisymmetric> elastic = isotropic_stiffness<Axisymmetric>(20e6 / 1.8, 20e6 / 2.4);
-  for (const Vector<Axisymmetric>& d : {Vector<Axisymmetric>(1, 2), Vector<Axisymmetric>(-3, 1)}) {
-    const auto rate = point_rate<Axisymmetric>(material, s, Control::strains(1e-5 * d));
-    CHECK(rate.stress.isApprox(elastic * (1e-5 * d), 1e-12));
-  }
-  CHECK(material.objection(state_at(material, 100, 1.1, 0.9)));
-  set.lists["E1_plus_kPa"] = {20e3};
-  CHECK_THROWS_WITH(ModuliTable(set), Catch::Contains("E1_plus_kPa has 1 numbers"));
-}
-
-TEST_CASE("probing SANISAND gives its closed form, in both spaces") {
-  const auto sanisand = std::make_shared<Sanisand<Tensor>>(with_h0(kInl2));
-  const ProbedModuli<Axisymmetric> probed(sanisand);
-  const SanisandModuli<Axisymmetric> closed(with_h0(kInl2));
-  for (const double eta : {0.1, 0.4, 0.7}) {
-    const auto stress = state_at(inl2(), 80, eta, 1.05).stress;
-    Matrix<Axisymmetric> p1, m1, p2, m2;
-    probed.moduli(probed.start(stress, 1.05), p1, m1);
-    closed.moduli(closed.start(stress, 1.05), p2, m2);
-    CHECK(p1.isApprox(p2, 1e-9));
-    CHECK(m1.isApprox(m2, 1e-9));
-  }
-}
-
-TEST_CASE("on the axes a shell on a probed law answers as that law; on elasticity it is elastic") {
-  CamClayParameters clay;
-  clay.compression_slope = 0.1;
-  clay.swelling_slope = 0.01;
-  clay.critical_stress_ratio = 1;
-  clay.poisson_ratio = 0.3;
-  const auto base = std::make_shared<CamClay<Tensor>>(clay);
-  const Interpolated<Tensor> shell(Interpolation::inl2,
-                                   std::make_shared<ProbedModuli<Tensor>>(base));
-  // Normally consolidated and sheared: on the yield surface.
-  const auto on_yield = advance_point<Tensor>(*base, base->isotropic(200e3, 0.8),
-                                              MixedControl<Tensor>::drained_compression(0.01))
-                            .state;
-  for (int j = 0; j < 3; ++j)
-    for (const double sign : {1.0, -1.0}) {
-      const auto control =
-          MixedControl<Tensor>::stresses(Vector<Tensor>(sign * 1e3 * Vector<Tensor>::Unit(j)));
-      const auto a = point_rate<Tensor>(shell, on_yield, control);
-      const auto b = point_rate<Tensor>(*base, on_yield, control);
-      REQUIRE(a.controllable);
-      CHECK(a.strain.isApprox(b.strain, 1e-9));
-    }
-
-  ElasticParameters hooke;
-  hooke.young_modulus_pa = 20e6;
-  hooke.poisson_ratio = 0.25;
-  hooke.reference_pressure_pa = 100e3;
-  const auto elastic = std::make_shared<Elastic<Tensor>>(hooke);
-  const Interpolated<Tensor> linear(Interpolation::inl2,
-                                    std::make_shared<ProbedModuli<Tensor>>(elastic));
-  const auto start = linear.isotropic(100e3, 0.8);
-  const Vector<Tensor> strain = 1e-4 * (Vector<Tensor>() << 1, -2, 0.5, 0, 0, 0).finished();
-  const auto a = point_rate<Tensor>(linear, start, MixedControl<Tensor>::strains(strain));
-  const auto b = point_rate<Tensor>(*elastic, start, MixedControl<Tensor>::strains(strain));
-  CHECK(a.stress.isApprox(b.stress, 1e-10));
-}
-
 TEST_CASE("the strain that runs away under stress control names the condition that drives it") {
   Control drained;  // q beyond what it can carry at constant radial stress
   drained.stress << 1, -1 / sqrt2, 0, 1 / sqrt2;
@@ -385,19 +269,6 @@ TEST_CASE("the tensor form follows the triaxial one, and refuses shear") {
   auto sheared = tensor.isotropic(100e3, 1.0);
   sheared.stress(3) = 5e3;
   CHECK(tensor.objection(sheared)->find("shear") != std::string::npos);
-}
-
-TEST_CASE("a reversal of the stress ratio is remembered") {
-  const auto material = inl2();
-  const State loaded =
-      advance_point(material, material.isotropic(100e3, 1.0), Control::stress_path(0, 40e3)).state;
-  const State back = advance_point(material, loaded, Control::stress_path(0, -10e3)).state;
-  const Vector<Axisymmetric> alpha_in = back.memory.head<2>();
-  CHECK(deviator_stress<Axisymmetric>(alpha_in) == Approx(0.4 - 0.01).epsilon(1e-9));
-  CHECK(back.memory(2) == -1);
-  // Just after the reversal loading is as stiff as elasticity.
-  const auto up = moduli(material, advance_point(material, back, Control::stress_path(0, 1)).state);
-  CHECK(up.plus(0, 0) == Approx(up.minus(0, 0)).epsilon(1e-3));
 }
 
 TEST_CASE("control of q is lost at the undrained peak of INL2 and octolinear") {
