@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/materials/interpolated_compliance.hpp"
 #include "sim/materials/law.hpp"
 
 namespace triax::sim {
@@ -30,9 +31,5 @@ class GeneralisedTriaxial {
   virtual bool turn(State&, const PointRate<Space>&) const { return false; }
   virtual std::optional<double> limit_stress_ratio() const { return std::nullopt; }
 };
-
-/// Number of principal stresses that a space has of its own.
-template <class Space>
-inline constexpr int kPrincipalAxes = Space::kSize == 2 ? 2 : 3;
 
 }  // namespace triax::sim

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/materials/interpolated_compliance.hpp"
+
 namespace triax::sim {
 namespace {
 
@@ -12,13 +14,10 @@ template <class Space>
 class InterpolatedSolver {
  public:
   InterpolatedSolver(const InterpolatedForm<Space>& form, const PreparedControl<Space>& control)
-      : mean_(0.5 * (form.plus + form.minus)),
-        half_(0.5 * (form.plus - form.minus)),
-        quadratic_(form.quadratic),
-        control_(control) {}
+      : law_(form), control_(control) {}
 
   PointRate<Space> solve(const Vector<Space>& guess) {
-    if (!std::isfinite(mean_.sum())) return rate_;  // the base has no answer here
+    if (!std::isfinite(law_.mean().sum())) return rate_;  // the base has no answer here
     const double size = control_.increment.norm();
     if (size == 0) {
       rate_.controllable = true;
@@ -29,10 +28,10 @@ class InterpolatedSolver {
       const Vector<Space> linear = start();
       found = newton(linear, size) || picard(linear, size);
     }
-    const Matrix<Space> jacobian = control_.stress + control_.strain * tangent(stress_);
+    const Matrix<Space> jacobian = control_.stress + control_.strain * law_.tangent(stress_);
     // Sign and size relative to the diagonal part, which is positive definite.
     const Matrix<Space> reference =
-        control_.stress + control_.strain * Matrix<Space>(mean_.diagonal().asDiagonal());
+        control_.stress + control_.strain * Matrix<Space>(law_.mean().diagonal().asDiagonal());
     rate_.determinant = jacobian.determinant() / reference.determinant();
     if (!found || !(rate_.determinant > 1e-9)) {
       rate_.culprit = culprit_row<Space>(left_null_vector<Space>(jacobian), control_.increment);
@@ -40,44 +39,17 @@ class InterpolatedSolver {
       return rate_;
     }
     rate_.stress = stress_;
-    rate_.strain = response(stress_);
+    rate_.strain = law_.strain(stress_);
     rate_.controllable = std::isfinite(rate_.stress.sum() + rate_.strain.sum());
     return rate_;
   }
 
  private:
-  static double single(const Vector<Space>& v, int j) {  // dσ_j from its orthonormal component
-    return Space::kSize == 2 && j == 1 ? v(j) / std::numbers::sqrt2 : v(j);
-  }
-  /// The vector that half_ multiplies.
-  Vector<Space> weighted(const Vector<Space>& v) const {
-    const double norm = v.norm();
-    Vector<Space> w = Vector<Space>::Zero();
-    for (int j = 0; j < axes(); ++j)
-      w(j) = quadratic_ ? v(j) * single(v, j) / norm : std::abs(v(j));
-    return w;
-  }
-  static int axes() { return Space::kSize == 2 ? 2 : 3; }
-  Vector<Space> response(const Vector<Space>& v) const { return mean_ * v + half_ * weighted(v); }
-  Matrix<Space> tangent(const Vector<Space>& v) const {
-    const double norm = v.norm();
-    Matrix<Space> inner = Matrix<Space>::Zero();
-    for (int j = 0; j < axes(); ++j)
-      inner(j, j) = quadratic_ ? 2 * single(v, j) / norm : (v(j) >= 0 ? 1 : -1);
-    if (quadratic_) inner -= weighted(v) * v.transpose() / (norm * norm);
-    return mean_ + half_ * inner;
-  }
-  Matrix<Space> secant(const Vector<Space>& v) const {
-    const double norm = v.norm();
-    Vector<Space> w = Vector<Space>::Zero();
-    for (int j = 0; j < axes(); ++j) w(j) = quadratic_ ? single(v, j) / norm : (v(j) >= 0 ? 1 : -1);
-    return mean_ + half_ * w.asDiagonal();
-  }
   Vector<Space> residual(const Vector<Space>& v) const {
-    return control_.stress * v + control_.strain * response(v) - control_.increment;
+    return control_.stress * v + control_.strain * law_.strain(v) - control_.increment;
   }
   Vector<Space> start() const {
-    const Matrix<Space> a = control_.stress + control_.strain * mean_;
+    const Matrix<Space> a = control_.stress + control_.strain * law_.mean();
     Vector<Space> v = a.partialPivLu().solve(control_.increment);
     if (!v.allFinite() || v.squaredNorm() == 0) v = identity<Space>();
     return v;
@@ -88,7 +60,7 @@ class InterpolatedSolver {
     for (int i = 0; i < 40; ++i) {
       stress_ = v;
       if (r.norm() <= 1e-13 * size) return true;
-      const Matrix<Space> jacobian = control_.stress + control_.strain * tangent(v);
+      const Matrix<Space> jacobian = control_.stress + control_.strain * law_.tangent(v);
       const Vector<Space> step = jacobian.partialPivLu().solve(r);
       if (!step.allFinite()) return false;
       double part = 1;
@@ -108,7 +80,7 @@ class InterpolatedSolver {
 
   bool picard(Vector<Space> v, double size) {
     for (int i = 0; i < 100; ++i) {
-      const Matrix<Space> a = control_.stress + control_.strain * secant(v);
+      const Matrix<Space> a = control_.stress + control_.strain * law_.secant(v);
       const Vector<Space> next = a.partialPivLu().solve(control_.increment);
       if (!next.allFinite() || next.squaredNorm() == 0) return false;
       v = i < 30 ? next : Vector<Space>(0.5 * (v + next));
@@ -117,8 +89,7 @@ class InterpolatedSolver {
     return false;
   }
 
-  Matrix<Space> mean_, half_;
-  bool quadratic_;
+  InterpolatedCompliance<Space> law_;
   const PreparedControl<Space>& control_;
   Vector<Space> stress_;
   PointRate<Space> rate_;
