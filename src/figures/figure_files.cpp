@@ -5,7 +5,6 @@
 #include <QBuffer>
 #include <QPageSize>
 #include <QPdfWriter>
-#include <QRegularExpression>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -19,18 +18,14 @@ namespace {
 
 constexpr double kPointsPerPixel = 0.75;  // of 1/72 and 1/96 inch
 
-/// Blanks over what Qt notes of the time and the identity of a writing; as long as before, because
-/// a PDF finds its parts by their place in the file.
-QByteArray without_date(const QByteArray& pdf) {
-  static const QRegularExpression kDate(
-      R"re(/CreationDate \([^)]*\)|<xmp:(Create|Modify|Metadata)Date>[^<]*</xmp:\w+>|<xmpMM:\w+ID>[^<]*</xmpMM:\w+>)re");
-  auto text = QString::fromLatin1(pdf);
-  for (auto it = kDate.globalMatch(text); it.hasNext();) {
-    const auto match = it.next();
-    text.replace(match.capturedStart(), match.capturedLength(),
-                 QString(match.capturedLength(), ' '));
-  }
-  return text.toLatin1();
+/// Blanks over the time of writing that Qt notes; as long as before, because a PDF finds its parts
+/// by their place in the file.
+std::string without_date(std::string pdf) {
+  const auto begin = pdf.find("/CreationDate (");
+  const auto end = pdf.find(')', begin);
+  if (begin != std::string::npos && end != std::string::npos)
+    pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+  return pdf;
 }
 
 std::string standalone_svg(const Drawing& drawing) {
@@ -68,7 +63,7 @@ std::string to_pdf(const Drawing& drawing) {
   page.setRenderHint(QPainter::LosslessImageRendering);
   draw_on_page(*drawing.plot, page, QRectF(0, 0, writer.width(), writer.height()));
   if (!page.end()) throw lab::WorkFailed("a figure cannot be drawn as PDF");
-  return without_date(buffer.data()).toStdString();
+  return without_date(buffer.data().toStdString());
 }
 
 std::vector<std::string> write_figure(const Drawing& drawing, const std::string& prefix) {
