@@ -75,7 +75,8 @@ std::vector<QRectF> words_in(const QCPAxisRect& axes) {
   std::vector<QRectF> words;
   for (auto* item : axes.items())
     if (auto* text = qobject_cast<QCPItemText*>(item))
-      words.emplace_back(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition());
+      words.push_back(QRectF(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition())
+                          .adjusted(-1, -1, 1, 1));  // texts stand on whole pixels
   return words;
 }
 

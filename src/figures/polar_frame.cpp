@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <QFontMetricsF>
 #include <cmath>
 
 #include "sim/mechanics/axisymmetric.hpp"
@@ -48,9 +49,11 @@ void draw_polar_frame(QCPAxisRect& rect, const PolarFrame& frame) {
                  Qt::AlignHCenter | Qt::AlignBottom);
   }
   // Below the number of its axis, and above that of the other.
-  write_text(rect, {kNumbers * frame.radius, -0.03 * frame.radius}, frame.x_name, kInk,
-             Qt::AlignLeft | Qt::AlignTop);
-  write_text(rect, {0, 1.10 * frame.radius}, frame.y_name, kInk,
+  const double text = QFontMetricsF(label_font()).height();
+  const double pixel = rect.axis(QCPAxis::atLeft)->range().size() / rect.height();
+  const double beyond = kNumbers * frame.radius;
+  write_text(rect, {beyond, -0.6 * text * pixel}, frame.x_name, kInk, Qt::AlignLeft | Qt::AlignTop);
+  write_text(rect, {0, beyond + 1.1 * text * pixel}, frame.y_name, kInk,
              Qt::AlignHCenter | Qt::AlignBottom);
 }
 
