@@ -40,7 +40,7 @@ QCPColorGradient colours() {
   constexpr int kHalf = 10;
   auto steps =
       steps_between({QColor(0x6B, 0x24, 0x00), kVermilion, QColor(0xF2, 0xAC, 0x74)}, kHalf);
-  const auto positive = steps_between({QColor(0xEE, 0xF6, 0xFB), QColor(0x76, 0xB4, 0xD8)}, kHalf);
+  const auto positive = steps_between({QColor(0xF4, 0xF9, 0xFC), QColor(0xA4, 0xCF, 0xE8)}, kHalf);
   steps.insert(steps.end(), positive.begin(), positive.end());
   return stepped_gradient(steps);
 }
