@@ -67,11 +67,15 @@ std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px) {
   need_drawing();
   auto plot = std::make_unique<QCustomPlot>();
   plot->setAttribute(Qt::WA_DontShowOnScreen);
-  plot->setGeometry(0, 0, width_px, height_px);
-  plot->setViewport(QRect(0, 0, width_px, height_px));
+  resize_plot(*plot, width_px, height_px);
   plot->setFont(label_font());
   plot->setBackground(Qt::NoBrush);
   return plot;
+}
+
+void resize_plot(QCustomPlot& plot, int width_px, int height_px) {
+  plot.setGeometry(0, 0, width_px, height_px);
+  plot.setViewport(QRect(0, 0, width_px, height_px));
 }
 
 std::string to_svg(const QCustomPlot& plot) {
@@ -94,7 +98,7 @@ std::string to_svg(const QCustomPlot& plot) {
   return with_text_lengths(text.mid(text.indexOf("<svg"))).toStdString();
 }
 
-std::string to_png(const QCustomPlot& plot, double scale) {
+std::string to_png(const QCustomPlot& plot, double scale, const std::string& description) {
   QImage image(plot.size() * scale, QImage::Format_RGB32);
   image.fill(Qt::white);
   QCPPainter painter;
@@ -104,6 +108,7 @@ std::string to_png(const QCustomPlot& plot, double scale) {
   painter.setMode(QCPPainter::pmNoCaching);
   drawable(plot).toPainter(&painter, plot.width(), plot.height());
   painter.end();
+  if (!description.empty()) image.setText("Description", QString::fromStdString(description));
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
