@@ -1,6 +1,8 @@
 #include "sim/stability/strain_paths.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/point/point_driver.hpp"
 
@@ -87,7 +89,23 @@ class Run {
   PointTolerance tolerance_;
 };
 
-double work(const Place& at) { return at.rate.controllable ? at.rate.normalised_work() : 0; }
+double work(const Place& at) { return at.rate.controllable ? at.rate.second_order_work() : 0; }
+
+/// A number that turns negative, but not by the round-off of a plateau.
+class Fall {
+ public:
+  /// `value` at the next place; whether it is the first there that is below zero.
+  bool met(double value) {
+    largest_ = std::max(largest_, std::abs(value));
+    const bool below = value < -kRoundOff * largest_;
+    return below && !std::exchange(met_, true);
+  }
+
+ private:
+  static constexpr double kRoundOff = 1e-9;
+  double largest_ = 0;
+  bool met_ = false;
+};
 
 }  // namespace
 
@@ -104,13 +122,13 @@ StrainPath strain_path(const Law<Axisymmetric>& law, const PointState<Axisymmetr
   StrainPath path{.R = R};
   Place at = run.begin(start);
   path.points.push_back(run.point(at));
-  if (work(at) < 0) path.first_unstable = run.point(at);
+  Fall stress_falls, work_falls;
+  stress_falls.met(growth(at));
+  if (work_falls.met(work(at))) path.first_unstable = run.point(at);
   for (int i = 1; i <= parts && path.message.empty(); ++i) {
     const Place next = run.after(at, 1, path.message);
-    if (!path.peak && growth(at) > 0 && growth(next) < 0)
-      path.peak = run.point(run.isolate(at, growth));
-    if (!path.first_unstable && work(at) >= 0 && work(next) < 0)
-      path.first_unstable = run.point(run.isolate(at, work));
+    if (stress_falls.met(growth(next))) path.peak = run.point(run.isolate(at, growth));
+    if (work_falls.met(work(next))) path.first_unstable = run.point(run.isolate(at, work));
     at = next;
     if (i % to_a_row == 0 || !path.message.empty()) path.points.push_back(run.point(at));
   }

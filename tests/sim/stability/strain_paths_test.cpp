@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/materials/elastic.hpp"
+#include "sim/materials/mohr_coulomb.hpp"
 #include "sim/point/path_runner.hpp"
 #include "tests/sim/stability/stability_laws.hpp"
 
@@ -80,6 +81,21 @@ TEST_CASE("elasticity and a contractant path of loose sand have no peak") {
 
   const auto material = inl2();
   CHECK_FALSE(strain_path(material, material.isotropic(100e3, 1.086), 2).first_unstable);
+}
+
+TEST_CASE("the plateau of perfect plasticity is no peak") {
+  MohrCoulombParameters p;
+  p.young_modulus_pa = 2e7;
+  p.poisson_ratio = 0.2;
+  p.reference_pressure_pa = 1e5;
+  p.friction_angle = radians(32);
+  const MohrCoulomb<Axisymmetric> material(p);
+  const auto isochoric = strain_path(material, material.isotropic(1e5, 0.8), 1);
+  CHECK(isochoric.points.back().q == Approx(stress_ratio_at_friction_angle(radians(32)) * 1e5));
+  CHECK_FALSE(isochoric.peak);
+  CHECK_FALSE(isochoric.first_unstable);
+  // Dilatant: the pressure falls, and the control stress with it from yield on.
+  CHECK(strain_path(material, material.isotropic(1e5, 0.8), 0.8).peak);
 }
 
 TEST_CASE("a path that starts unstable says so at its start") {
