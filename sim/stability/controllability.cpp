@@ -1,50 +1,16 @@
 #include "sim/stability/controllability.hpp"
 
+#include "sim/stability/plane_rate.hpp"
 #include "sim/stability/proportional_control.hpp"
 
 namespace triax::sim {
 namespace {
 
-PlaneVector in_plane(const Vector<Axisymmetric>& v) { return rendulic(v); }
-PlaneVector in_plane(const Vector<Tensor>& v) { return {v(2), v(0)}; }
-
-template <class Space>
-constexpr ProbePlane kPlane =
-    Space::kSize == 2 ? ProbePlane::axisymmetric : ProbePlane::plane_strain;
-
-/// The increment of a rate with the angle of its stress, of unit stress norm.
-template <class Space>
-Probe probe_of(const PointRate<Space>& rate) {
-  Probe probe;
-  const double norm = in_plane(rate.stress).norm();
-  if (!rate.controllable || !(norm > 0)) return probe;
-  probe.answered = true;
-  probe.stress = in_plane(rate.stress) / norm;
-  probe.strain = in_plane(rate.strain) / norm;
-  probe.angle = angle_of(probe.stress);
-  probe.second_order_work = probe.stress.dot(probe.strain);
-  const double strain = probe.strain.norm();
-  probe.normalised = strain > 0 ? probe.second_order_work / strain : 0;
-  return probe;
-}
-
-/// A stress direction of the plane.
-Probe stress_probe(const IncrementalResponse<Axisymmetric>& response, double angle) {
-  return probe_of(response.to_stress({std::sin(angle), std::cos(angle)}));
-}
-Probe stress_probe(const IncrementalResponse<Tensor>& response, double angle) {
-  MixedControl<Tensor> control;
-  control.increment << std::sin(angle), 0, std::cos(angle), 0, 0, 0;
-  for (const int free : {0, 2}) control.stress(free, free) = 1;
-  for (const int fixed : {1, 3, 4, 5}) control.strain(fixed, fixed) = 1;
-  return probe_of(response.to(control));
-}
-
 template <class Space>
 Probe free_mode(const IncrementalResponse<Space>& response, double R) {
   const double angle = failure_angle(kPlane<Space>, R);
-  const Probe loading = stress_probe(response, angle);
-  const Probe unloading = stress_probe(response, angle + std::numbers::pi);
+  const Probe loading = stress_probe(stress_rate(response, angle));
+  const Probe unloading = stress_probe(stress_rate(response, angle + std::numbers::pi));
   if (!loading.answered) return unloading;
   if (!unloading.answered) return loading;
   return loading.normalised < unloading.normalised ? loading : unloading;
@@ -104,7 +70,7 @@ std::vector<ControlPoint> scan_control(const IncrementalResponse<Space>& respons
   for (const double R : ratios) {
     const auto rate = response.to(proportional_control<Space>(R));
     const double index = rate.controllable ? rate.determinant : std::min(rate.determinant, 0.0);
-    points.push_back({R, rate.controllable, index, probe_of(rate), free_mode(response, R)});
+    points.push_back({R, rate.controllable, index, stress_probe(rate), free_mode(response, R)});
   }
   return points;
 }
@@ -150,7 +116,7 @@ std::vector<ControlIndex> control_indices(const IncrementalResponse<Axisymmetric
   for (const auto& [name, control] : controls) {
     const auto rate = response.to(control);
     const double index = rate.controllable ? rate.determinant : std::min(rate.determinant, 0.0);
-    indices.push_back({name, rate.controllable, index, probe_of(rate)});
+    indices.push_back({name, rate.controllable, index, stress_probe(rate)});
   }
   return indices;
 }
