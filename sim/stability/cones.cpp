@@ -163,6 +163,8 @@ Circle probe_circle(const Prober& prober, const CircleOptions& options) {
   Circle circle;
   circle.unanswered = static_cast<int>(
       std::ranges::count_if(refinement.probes(), [](const Probe& p) { return !p.answered; }));
+  circle.refused = static_cast<int>(
+      std::ranges::count_if(refinement.probes(), [](const Probe& p) { return p.refused; }));
   refinement.find_limits();
   refinement.find_minima();
   refinement.find_edges();

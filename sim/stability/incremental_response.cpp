@@ -47,7 +47,10 @@ IncrementalResponse<Space>::IncrementalResponse(const Law<Space>& law,
 
 template <class Space>
 PointRate<Space> IncrementalResponse<Space>::accepted(PointRate<Space> rate) const {
-  if (rate.controllable && law_.refusal(state_, rate)) rate.controllable = false;
+  if (rate.controllable && law_.refusal(state_, rate)) {
+    rate.controllable = false;
+    rate.culprit = kRefused;
+  }
   return rate;
 }
 
@@ -58,7 +61,12 @@ PointRate<Space> IncrementalResponse<Space>::solve(const PreparedControl<Space>&
 
 template <class Space>
 PointRate<Space> IncrementalResponse<Space>::to(const MixedControl<Space>& control) const {
-  if (law_.finite()) return finite_rate(law_, state_, control);
+  if (law_.finite()) {
+    PointRate<Space> rate = finite_rate(law_, state_, control);
+    // At its limit the determinant vanishes; without an answer it is not known.
+    if (!rate.controllable && rate.determinant != 0) rate.culprit = kRefused;
+    return rate;
+  }
   return solve(PreparedControl<Space>(control, modulus_));
 }
 

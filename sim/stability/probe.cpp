@@ -48,7 +48,9 @@ Prober finite_prober(const Law<Space>& law, const PointState<Space>& state, Prob
 
 template <class Rate>
 Probe probe_of_rate(double angle, const Rate& rate) {
-  return probe_of(angle, rate.controllable, in_plane(rate.stress), in_plane(rate.strain));
+  Probe probe = probe_of(angle, rate.controllable, in_plane(rate.stress), in_plane(rate.strain));
+  probe.refused = !rate.controllable && rate.culprit == kRefused;
+  return probe;
 }
 
 }  // namespace
