@@ -39,9 +39,10 @@ class ColumnWalk {
   }
 
   DomainColumn run() {
+    std::vector<std::string> refusals;
     for (int row = 0; row < grid_.rows; ++row) {
       Assessed here = assess(grid_.q(row));
-      note(here.refusal);
+      refusals.push_back(std::move(here.refusal));
       result_.states.push_back(std::move(here.state));
     }
     for (const double side : {1.0, -1.0}) {
@@ -52,15 +53,14 @@ class ColumnWalk {
       name_what_is_behind_the_limit(outward);
       (side > 0 ? result_.compression : result_.extension) = boundary(outward);
     }
+    for (std::size_t row = 0; row < refusals.size() && result_.refusal.empty(); ++row)
+      if (result_.states[row].kind != DomainStateKind::beyond_limit)
+        result_.refusal = refusals[row];
     return std::move(result_);
   }
 
  private:
   using Value = std::optional<double>;
-
-  void note(const std::string& refusal) {
-    if (result_.refusal.empty()) result_.refusal = refusal;
-  }
 
   /// The response at (p, q), or what kind of state it is that has none.
   template <class Use>
@@ -82,17 +82,44 @@ class ColumnWalk {
     return here;
   }
 
+  /// The plastic limit is one of all stresses: with dε₂ = 0 a state beyond it may still answer.
+  static bool carries_all_stresses(const IncrementalResponse<Space>& response) {
+    if constexpr (Space::kSize == 2) return true;  // the probes themselves say so
+    constexpr int kDirections = 36;
+    for (int i = 0; i < kDirections; ++i) {
+      const PlaneVector v = unit_direction(2 * std::numbers::pi * i / kDirections);
+      Vector<Space> stress;
+      if constexpr (Space::kSize == 6) stress = as_tensor(Vector<Axisymmetric>(v.y(), v.x()));
+      const auto rate = response.to_stress(stress);
+      if (!rate.controllable && rate.culprit != kRefused) return false;
+    }
+    return true;
+  }
+
+  using Shared = std::shared_ptr<const IncrementalResponse<Space>>;
+
+  bool carries_stresses(const Shared& response) const {
+    if (!carries_all_stresses(*response)) return false;
+    const Prober prober = make_prober(response, ProbeKind::stress);
+    for (int i = 0; i < grid_.directions; ++i) {
+      const Probe p = prober(2 * std::numbers::pi * i / grid_.directions);
+      if (!p.answered && !p.refused) return false;
+    }
+    return true;
+  }
+
   Assessed assess(double q) const {
     return with_response(q, [this](const auto& response, Assessed& here) {
+      if (!carries_all_stresses(*response)) {
+        here.state.kind = DomainStateKind::beyond_limit;
+        return;
+      }
       const Circle circle = probe_circle(make_prober(response, ProbeKind::stress),
                                          {.directions = grid_.directions, .keep_probes = false});
       DomainState& state = here.state;
       state.refused_directions = circle.refused;
-      if (circle.refused == grid_.directions) {
-        here.refusal = "the law refuses every direction";
-        return;
-      }
-      if (circle.refused > 0) here.refusal = "the law refuses a direction";
+      if (circle.refused > 0) here.refusal = refusal_of_direction(*response);
+      if (circle.refused == grid_.directions) return;
       if (circle.unanswered > circle.refused) {
         state.kind = DomainStateKind::beyond_limit;
         return;
@@ -104,6 +131,18 @@ class ColumnWalk {
     });
   }
 
+  /// The law's words on the first direction that it does not follow.
+  std::string refusal_of_direction(const IncrementalResponse<Space>& response) const {
+    if constexpr (Space::kSize == 2)
+      for (int i = 0; i < grid_.directions && !law_.finite(); ++i) {
+        const PlaneVector v = unit_direction(2 * std::numbers::pi * i / grid_.directions);
+        const auto rate = response.to_stress({v.y(), v.x()});
+        if (rate.culprit != kRefused) continue;
+        if (const auto words = law_.refusal(response.state(), rate)) return *words;
+      }
+    return "the law gives no answer in some directions";
+  }
+
   Probe probe(double q, double angle) const {
     Probe found;
     with_response(q, [&](const auto& response, Assessed&) {
@@ -113,16 +152,11 @@ class ColumnWalk {
   }
 
   bool within_limit(double q) const {
-    return with_response(q, [this](const auto& response, Assessed& here) {
-             const Prober prober = make_prober(response, ProbeKind::stress);
-             here.state.kind = DomainStateKind::stable;
-             for (int i = 0; i < grid_.directions; ++i) {
-               const Probe p = prober(2 * std::numbers::pi * i / grid_.directions);
-               if (p.answered || p.refused) continue;
-               here.state.kind = DomainStateKind::beyond_limit;
-               return;
-             }
-           }).state.kind != DomainStateKind::beyond_limit;
+    const auto look = [this](const auto& response, Assessed& here) {
+      here.state.kind =
+          carries_stresses(response) ? DomainStateKind::stable : DomainStateKind::beyond_limit;
+    };
+    return with_response(q, look).state.kind != DomainStateKind::beyond_limit;
   }
 
   static void name_what_is_behind_the_limit(const std::vector<DomainState*>& outward) {
