@@ -9,19 +9,6 @@
 namespace triax::sim {
 namespace {
 
-template <class Space>
-inline constexpr ProbePlane kPlane =
-    Space::kSize == 2 ? ProbePlane::axisymmetric : ProbePlane::plane_strain;
-
-template <class Space>
-Vector<Space> stress_at(double p, double q) {
-  const auto stress = components(AxisymmetricStress{p + 2 * q / 3, p - q / 3});
-  if constexpr (Space::kSize == 2)
-    return stress;
-  else
-    return as_tensor(stress);
-}
-
 /// What is known of a state, and why not more.
 struct Assessed {
   DomainState state;
@@ -66,7 +53,7 @@ class ColumnWalk {
   template <class Use>
   Assessed with_response(double q, const Use& use) const {
     Assessed here{.state = {.q = q}};
-    const auto state = law_.start(stress_at<Space>(result_.p, q), grid_.void_ratio);
+    const auto state = law_.start(domain_stress<Space>(result_.p, q), grid_.void_ratio);
     if (const auto objection = law_.objection(state)) {
       if (law_.at_limit(state))
         here.state.kind = DomainStateKind::beyond_limit;
@@ -211,7 +198,7 @@ class ColumnWalk {
 
   Value first_met(const std::vector<double>& rows, const DomainWitness& witness) const {
     if (!witness) return std::nullopt;
-    const auto at = [&](double q) { return witness(result_.p, q); };
+    const auto at = [&](double q) { return Value(witness(result_.p, q).value_or(1)); };
     return first_met(
         rows, [&](std::size_t i) { return at(rows[i]); }, at);
   }

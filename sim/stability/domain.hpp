@@ -77,8 +77,18 @@ struct DomainColumn {
   std::string refusal;  ///< the law's words on the first state or direction refused; empty: none
 };
 
-/// A criterion of another kind at the state (p′, q) in Pa, σ₂ = σ₃: above 0 where it is not met
-/// yet, below where it is; empty where it says nothing. May be left out.
+/// σ′ of a state of the grid, σ₂ = σ₃.
+template <class Space>
+Vector<Space> domain_stress(double p, double q) {
+  const auto stress = components(AxisymmetricStress{p + 2 * q / 3, p - q / 3});
+  if constexpr (Space::kSize == 2)
+    return stress;
+  else
+    return as_tensor(stress);
+}
+
+/// A criterion of another kind at the state (p′, q) in Pa: above 0 where it is not met yet, below
+/// where it is; empty where it says nothing, which counts as not met. May be left out.
 using DomainWitness = std::function<std::optional<double>(double p, double q)>;
 struct DomainCriteria {
   DomainWitness determinant, localisation;

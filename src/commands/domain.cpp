@@ -10,10 +10,13 @@
 
 #include "lab/records/bad_input.hpp"
 #include "lab/records/text.hpp"
+#include "sim/stability/domain_criteria.hpp"
 #include "sim/stability/domain_run.hpp"
 #include "src/commands/material_option.hpp"
 #include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
+#include "src/figures/domain_figure.hpp"
+#include "src/figures/figure_files.hpp"
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/report/domain_piece.hpp"
@@ -134,7 +137,9 @@ std::vector<sim::DomainColumn> computed(const Options& o, const lab::MaterialSet
   ProgressBar bar("domain");
   return sim::run_domain(grid, sim::columns_of_piece(grid, piece.index, piece.count),
                          [&] {
-                           return sim::DomainWorker{lab::made_anew(material), {}};
+                           sim::DomainWorker worker{lab::made_anew(material), {}};
+                           worker.criteria = sim::domain_criteria(worker.material, grid);
+                           return worker;
                          },
                          {.threads = o.threads, .progress = [&bar](double share) {
                             bar.show(share);
@@ -173,6 +178,12 @@ void write_files(const ReportedDomain& domain, const std::string& prefix) {
   write_file(prefix + ".csv", domain_states_csv(domain));
   write_file(prefix + "_boundaries.csv", domain_boundaries_csv(domain));
   write_file(prefix + ".json", domain_json(domain));
+  const sim::DomainGrid grid = domain_grid(domain.settings.grid);
+  write_figure(domain_figure(grid, domain_columns(domain), DomainQuantity::opening,
+                             {.material = domain.settings.material.name,
+                              .state = fmt::format("e = {:g}", grid.void_ratio),
+                              .plane = grid.plane}),
+               prefix);
 }
 
 void run(const Options& o) {
@@ -182,7 +193,7 @@ void run(const Options& o) {
     return write_file(o.output, piece_json(columns, piece.index, piece.count));
   }
   if (!o.output.empty())
-    for (const char* ending : {".csv", "_boundaries.csv", ".json"})
+    for (const char* ending : {".csv", "_boundaries.csv", ".json", ".svg", ".png", ".pdf"})
       refuse_overwriting("--output", o.output + ending, o.pieces, "a piece of --merge");
   const ReportedDomain domain = o.pieces.empty() ? compute(o, piece) : merge(o);
   if (!o.output.empty()) write_files(domain, o.output);
@@ -253,9 +264,10 @@ Command domain_command() {
             ->type_name("I/N");
         app.add_option("--merge", o->pieces, "put these pieces together instead of computing")
             ->type_name("FILE...");
-        app.add_option("--output", o->output,
-                       "write PREFIX.csv (states), PREFIX_boundaries.csv and PREFIX.json; with "
-                       "--piece the file of the piece")
+        app.add_option(
+               "--output", o->output,
+               "write PREFIX.csv (states), PREFIX_boundaries.csv, PREFIX.json and the figure "
+               "as PREFIX.svg, .png and .pdf; with --piece the file of the piece")
             ->type_name("PREFIX");
         add_json(app, o->json);
         return [o] { run(*o); };

@@ -36,6 +36,42 @@ ReportedDomainState reported(const sim::DomainState& state) {
   return out;
 }
 
+std::optional<double> in_radians(const std::optional<double>& degrees) {
+  return degrees ? std::optional(*degrees * kDegree) : std::nullopt;
+}
+
+sim::DomainBoundary in_si(const ReportedBoundary& b) {
+  const auto q = [](const std::optional<DomainMark>& mark) {
+    return mark ? std::optional(mark->q_kPa * kPa) : std::nullopt;
+  };
+  return {.first_unstable_q = q(b.first_unstable),
+          .first_unstable_angle =
+              b.first_unstable ? in_radians(b.first_unstable->alpha_deg) : std::nullopt,
+          .isotropic_unloading_q = q(b.isotropic_unloading),
+          .determinant_q = q(b.determinant),
+          .localisation_q = q(b.localisation),
+          .limit_q = q(b.limit)};
+}
+
+sim::DomainColumn in_si(const ReportedColumn& column) {
+  sim::DomainColumn out{.column = column.column,
+                        .p = column.p_eff_kPa * kPa,
+                        .compression = in_si(column.compression),
+                        .extension = in_si(column.extension),
+                        .refusal = column.refusal};
+  for (const ReportedDomainState& state : column.states) {
+    sim::DomainState& at = out.states.emplace_back();
+    at = {.q = state.q_kPa * kPa,
+          .kind = state.kind,
+          .least_work = state.least_work,
+          .least_angle = in_radians(state.least_angle_deg),
+          .refused_directions = state.refused_directions};
+    for (const auto& [from, to] : state.cones_deg)
+      at.cones.push_back({from * kDegree, to * kDegree});
+  }
+  return out;
+}
+
 std::vector<std::pair<std::string, std::string>> parameters(const sim::ParameterSet& set) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const auto& [key, value] : set.numbers) all.emplace_back(key, fmt::format("{}", value));
@@ -85,6 +121,13 @@ ReportedColumn reported_column(const sim::DomainColumn& column) {
   out.states.reserve(column.states.size());
   for (const sim::DomainState& state : column.states) out.states.push_back(reported(state));
   return out;
+}
+
+std::vector<sim::DomainColumn> domain_columns(const ReportedDomain& domain) {
+  std::vector<sim::DomainColumn> columns;
+  columns.reserve(domain.columns.size());
+  for (const ReportedColumn& column : domain.columns) columns.push_back(in_si(column));
+  return columns;
 }
 
 std::string word_of(sim::DomainStateKind kind) {

@@ -65,6 +65,8 @@ DomainSettings domain_settings(const lab::MaterialSet& material, const DomainSet
 /// SI, made from the values that the files hold, so that every piece has the same states.
 sim::DomainGrid domain_grid(const DomainSettings::Grid& grid);
 ReportedColumn reported_column(const sim::DomainColumn& column);
+/// All columns in SI again, for figures.
+std::vector<sim::DomainColumn> domain_columns(const ReportedDomain& domain);
 
 /// One JSON document, a line a state; what is unknown is null.
 std::string domain_json(const ReportedDomain& domain);
