@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "sim/stability/first_met.hpp"
+#include "sim/stability/first_negative.hpp"
 
 namespace triax::sim {
 namespace {

@@ -25,6 +25,9 @@ class IncrementalResponse {
 
   const PointState<Space>& state() const { return state_; }
   const Law<Space>& law() const { return law_; }
+  /// What the law said, and which of its mechanisms may load.
+  const Response<Space>& response() const { return response_; }
+  const Branch& branch() const { return branch_; }
 
   /// Whether the answer is linear within zones of directions: elasticity, elastoplasticity and
   /// octolinear, but not INL2, hypoplasticity and laws that integrate themselves.
