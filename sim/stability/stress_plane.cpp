@@ -1,6 +1,7 @@
 #include "sim/stability/stress_plane.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace triax::sim {
@@ -50,7 +51,16 @@ StressPlane<Space>::StressPlane(std::shared_ptr<const IncrementalResponse<Space>
     plane_ = reduced(*form);
     control_.emplace(MixedControl<Axisymmetric>::stresses({1, 1}), 1);
   } else {
-    compliance_.emplace(std::get<InterpolatedForm<Space>>(response_->response()));
+    const auto& interpolated = std::get<InterpolatedForm<Space>>(response_->response());
+    quadratic_ = interpolated.quadratic;
+    if constexpr (Space::kSize == 2) {
+      compliance_.emplace(interpolated);
+    } else {
+      const auto plus = interpolated.plus.template topLeftCorner<3, 3>();
+      const auto minus = interpolated.minus.template topLeftCorner<3, 3>();
+      mean_ = 0.5 * (plus + minus);
+      half_ = 0.5 * (plus - minus);
+    }
   }
 }
 
@@ -64,30 +74,35 @@ PointRate<Axisymmetric> StressPlane<Space>::stiff(double axial, double radial) c
 
 template <class Space>
 std::optional<double> StressPlane<Space>::across(double axial, double radial) const {
-  const auto& form = std::get<InterpolatedForm<Space>>(response_->response());
-  const auto mean = [&](int j) { return 0.5 * (form.plus(1, j) + form.minus(1, j)); };
-  const auto half = [&](int j) { return 0.5 * (form.plus(1, j) - form.minus(1, j)); };
-  AcrossStrain across{mean(0) * axial + mean(kRadial) * radial, mean(1), 0, half(1),
+  AcrossStrain across{mean_(1, 0) * axial + mean_(1, kRadial) * radial, mean_(1, 1), 0, half_(1, 1),
                       axial * axial + radial * radial};
   // The only answer, and far enough from where there is none.
-  const bool simple = std::abs(across.half) < 0.9 * across.slope;
+  const bool simple = std::abs(across.half) < (1 - 1e-9) * across.slope;
   if (!simple) return std::nullopt;
-  if (!form.quadratic) {
-    across.rest = half(0) * std::abs(axial) + half(kRadial) * std::abs(radial);
+  if (!quadratic_) {
+    across.rest = half_(1, 0) * std::abs(axial) + half_(1, kRadial) * std::abs(radial);
     return across.closed();
   }
-  across.rest = half(0) * axial * axial + half(kRadial) * radial * radial;
-  double s = -across.linear / across.slope;
-  const double enough = 1e-15 * across.slope;
+  across.rest = half_(1, 0) * axial * axial + half_(1, kRadial) * radial * radial;
+  double s = -across.linear / across.slope, last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 20; ++i) {
     const auto [value, slope] = across.value_and_slope(s);
     if (!(slope > 1e-3 * across.slope)) return std::nullopt;
-    const double step = value / slope;
-    s -= step;
-    if (std::abs(step) * across.slope <= enough * (std::sqrt(across.squares) + std::abs(s)))
-      return s;
+    const double step = std::abs(value / slope), size = std::sqrt(across.squares + s * s);
+    s -= value / slope;
+    // Steps that do not shrink any more are round-off.
+    if (step <= 1e-15 * size || (step <= 1e-10 * size && step >= 0.5 * last)) return s;
+    last = step;
   }
   return std::nullopt;
+}
+
+/// Principal strains of principal stresses, as InterpolatedCompliance::strain().
+template <class Space>
+Eigen::Vector3d StressPlane<Space>::principal_strain(const Eigen::Vector3d& stress) const {
+  Eigen::Vector3d w = stress.cwiseAbs();
+  if (quadratic_) w = stress.cwiseAbs2() / stress.norm();
+  return mean_ * stress + half_ * w;
 }
 
 template <class Space>
@@ -125,16 +140,17 @@ PointRate<Space> StressPlane<Space>::whole(const PointRate<Axisymmetric>& plane)
 template <class Space>
 std::optional<typename StressPlane<Space>::Answer> StressPlane<Space>::to(double axial,
                                                                           double radial) const {
-  if (!compliance_) return accepted(whole(stiff(axial, radial)));
+  if (control_) return accepted(whole(stiff(axial, radial)));
   PointRate<Space> rate;
   if constexpr (Space::kSize == 2) {
     rate.stress << axial, radial;
+    rate.strain = compliance_->strain(rate.stress);
   } else {
     const auto s = across(axial, radial);
     if (!s) return std::nullopt;
     rate.stress << axial, *s, radial, 0, 0, 0;
+    rate.strain.template head<3>() = principal_strain({axial, *s, radial});
   }
-  rate.strain = compliance_->strain(rate.stress);
   rate.controllable = std::isfinite(rate.strain.sum());
   return accepted(rate);
 }

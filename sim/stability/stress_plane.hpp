@@ -34,13 +34,16 @@ class StressPlane {
  private:
   PointRate<Axisymmetric> stiff(double axial, double radial) const;
   std::optional<double> across(double axial, double radial) const;
+  Eigen::Vector3d principal_strain(const Eigen::Vector3d& stress) const;
   Answer accepted(const PointRate<Space>& rate) const;
   PointRate<Space> whole(const PointRate<Axisymmetric>& rate) const;
 
   std::shared_ptr<const IncrementalResponse<Space>> response_;
   Response<Axisymmetric> plane_;                          // stiffness form of two unknowns
   std::optional<PreparedControl<Axisymmetric>> control_;  // of it
-  std::optional<InterpolatedCompliance<Space>> compliance_;
+  std::optional<InterpolatedCompliance<Axisymmetric>> compliance_;  // interpolated, axisymmetry
+  Eigen::Matrix3d mean_, half_;                                     // interpolated, plane strain
+  bool quadratic_ = false;
 };
 
 extern template class StressPlane<Axisymmetric>;
