@@ -10,7 +10,7 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {"simulate", "replay", "report", "query", "element", "materials"};
+const char* const kCommands[] = {"simulate", "replay", "report", "query", "element", "materials", "domain"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
