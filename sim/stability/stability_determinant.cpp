@@ -1,7 +1,8 @@
 #include "sim/stability/stability_determinant.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <vector>
+
+#include "sim/stability/plane_rate.hpp"
 
 namespace triax::sim {
 namespace {
@@ -13,22 +14,10 @@ Eigen::Matrix2d symmetric(const Eigen::Matrix2d& m) { return (m + m.transpose())
 /// The unit vector of the direction on (dσ₁, c dσ₃), whose order is that of y and x.
 Eigen::Vector2d stress_of(double angle) { return {std::sin(angle), std::cos(angle)}; }
 
-PointRate<Axisymmetric> rate_of(const IncrementalResponse<Axisymmetric>& response, double angle) {
-  return response.to_stress(stress_of(angle));
-}
-PointRate<Tensor> rate_of(const IncrementalResponse<Tensor>& response, double angle) {
-  MixedControl<Tensor> control;
-  const Eigen::Vector2d s = stress_of(angle);
-  control.increment << s(0), 0, s(1), 0, 0, 0;
-  for (const int free : {0, 2}) control.stress(free, free) = 1;
-  for (const int fixed : {1, 3, 4, 5}) control.strain(fixed, fixed) = 1;
-  return response.to(control);
-}
-
 /// M of a direction.
 template <class Space>
 std::optional<Eigen::Matrix2d> tangent(const IncrementalResponse<Space>& response, double angle) {
-  const auto rate = rate_of(response, angle);
+  const auto rate = stress_rate(response, angle);
   if (!rate.controllable) return std::nullopt;
   const auto compliance = plane_compliance(response, rate);
   if (!compliance) return std::nullopt;
@@ -40,7 +29,7 @@ template <class Space>
 std::vector<std::optional<double>> works(const IncrementalResponse<Space>& response, int steps) {
   std::vector<std::optional<double>> all;
   for (int i = 0; i < steps; ++i) {
-    const auto rate = rate_of(response, kTurn * i / steps);
+    const auto rate = stress_rate(response, kTurn * i / steps);
     all.push_back(rate.controllable ? std::optional(rate.second_order_work()) : std::nullopt);
   }
   return all;

@@ -208,3 +208,25 @@ TEST_CASE("a state whose N22 is negative on one side has no zones for some direc
   CHECK(holding(45 * kDegree) == 2);
   CHECK(holding(225 * kDegree) == 0);
 }
+
+TEST_CASE("the boundary in plane strain, by the determinant of Ps and by the least W2") {
+  const auto material = law<Tensor>(Interpolation::octolinear, kOcto);
+  const auto line = [&material](double eta) {
+    const auto s = material.start(as_tensor(state_at(octo(), 70, eta, 1.086).stress), 1.086);
+    return octolinear_zones(std::get<InterpolatedForm<Tensor>>(material.response(s)));
+  };
+  const auto by_determinant = first_determinant_loss(line, 0.05, 1);
+  const auto by_work = first_loss([&](double eta) { return least_work(line(eta)); }, 0.05, 1);
+  REQUIRE(by_determinant);
+  REQUIRE(by_work);
+  CHECK(*by_determinant == Approx(*by_work).margin(1e-9));
+  // Double root of Eq. 35, in a zone that holds the direction.
+  int holding = 0;
+  for (const auto& zone : line(*by_determinant)) {
+    const Quadratic f = control_quadratic(zone.compliance);
+    if (std::abs(f.discriminant()) > 1e-9 * f.b * f.b) continue;
+    const double alpha = failure_angle(ProbePlane::plane_strain, f.double_root());
+    holding += zone.contains(alpha) || zone.contains(alpha + std::numbers::pi);
+  }
+  CHECK(holding == 1);
+}
