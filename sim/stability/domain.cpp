@@ -196,11 +196,16 @@ class ColumnWalk {
     return std::nullopt;
   }
 
-  Value first_met(const std::vector<double>& rows, const DomainWitness& witness) const {
-    if (!witness) return std::nullopt;
+  /// `most` rows at most are looked at, evenly spread, the last among them.
+  Value first_met(const std::vector<double>& rows, const DomainWitness& witness,
+                  std::size_t most) const {
+    if (!witness || rows.empty()) return std::nullopt;
+    const std::size_t steps = std::min(most, rows.size()) - 1;
+    std::vector<double> some = {rows.front()};
+    for (std::size_t i = 1; i <= steps; ++i) some.push_back(rows[i * (rows.size() - 1) / steps]);
     const auto at = [&](double q) { return Value(witness(result_.p, q).value_or(1)); };
     return first_met(
-        rows, [&](std::size_t i) { return at(rows[i]); }, at);
+        some, [&](std::size_t i) { return at(some[i]); }, at);
   }
 
   DomainBoundary boundary(const std::vector<DomainState*>& outward) const {
@@ -229,8 +234,8 @@ class ColumnWalk {
     const auto unloading = [this](double q) { return isotropic_unloading(q); };
     found.isotropic_unloading_q = first_met(
         rows, [&](std::size_t i) { return unloading(rows[i]); }, unloading);
-    found.determinant_q = first_met(rows, criteria_.determinant);
-    found.localisation_q = first_met(rows, criteria_.localisation);
+    found.determinant_q = first_met(rows, criteria_.determinant, rows.size());
+    found.localisation_q = first_met(rows, criteria_.localisation, kLocalisationRows);
     return found;
   }
 

@@ -91,8 +91,10 @@ Vector<Space> domain_stress(double p, double q) {
 /// where it is; empty where it says nothing, which counts as not met. May be left out.
 using DomainWitness = std::function<std::optional<double>(double p, double q)>;
 struct DomainCriteria {
-  DomainWitness determinant, localisation;
+  DomainWitness determinant;
+  DomainWitness localisation;  ///< looked at in kLocalisationRows states a side and where it is met
 };
+inline constexpr std::size_t kLocalisationRows = 25;
 
 /// One column, by stress probes of the rates. Axisymmetric plane. A law that fails at a state
 /// (std::runtime_error of a foreign one) refuses it.

@@ -1,5 +1,6 @@
 #include "sim/stability/domain_criteria.hpp"
 
+#include "sim/stability/localisation.hpp"
 #include "sim/stability/octolinear_cones.hpp"
 #include "sim/stability/stability_determinant.hpp"
 
@@ -24,13 +25,25 @@ DomainWitness determinant_witness(const Law<Space>* law, double void_ratio) {
   };
 }
 
+DomainWitness localisation_witness(const Law<Tensor>* law, const DomainGrid& grid) {
+  if (law == nullptr || law->finite()) return {};
+  return [law, plane = grid.plane, e = grid.void_ratio](double p, double q) {
+    const auto state = law->start(domain_stress<Tensor>(p, q), e);
+    if (law->objection(state)) return std::optional<double>();
+    const auto found = state_localisation(IncrementalResponse<Tensor>(*law, state), plane);
+    return found ? std::optional(found->determinant) : std::nullopt;
+  };
+}
+
 }  // namespace
 
-DomainCriteria domain_criteria(const Material& material, const DomainGrid& grid) {
+DomainCriteria domain_criteria(const Material& material, const DomainGrid& grid,
+                               bool localisation) {
   DomainCriteria criteria;
   criteria.determinant = grid.plane == ProbePlane::axisymmetric
                              ? determinant_witness(material.axisymmetric.get(), grid.void_ratio)
                              : determinant_witness(material.tensor.get(), grid.void_ratio);
+  if (localisation) criteria.localisation = localisation_witness(material.tensor.get(), grid);
   return criteria;
 }
 

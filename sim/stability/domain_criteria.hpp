@@ -9,6 +9,10 @@ namespace triax::sim {
 /// determinant    det Mˢ of the compliance in the plane, in a zone that holds its null vector:
 ///                octolinear in closed form (octolinear_cones.hpp), other laws by the half Hessian
 ///                of W₂ (stability_determinant.hpp). Not of laws that integrate themselves.
-DomainCriteria domain_criteria(const Material& material, const DomainGrid& grid);
+/// localisation   the least det of an acoustic tensor of the tangents in the plane
+///                (localisation.hpp). Of laws with a tensor form, and only where asked for: some
+///                milliseconds a state.
+DomainCriteria domain_criteria(const Material& material, const DomainGrid& grid,
+                               bool localisation = false);
 
 }  // namespace triax::sim

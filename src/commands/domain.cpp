@@ -33,6 +33,7 @@ struct Options {
   std::string piece;
   std::vector<std::string> pieces;
   std::string output;
+  bool localisation = false;
   bool json = false;
 };
 
@@ -101,7 +102,8 @@ DomainSettings::Grid chosen_grid(const Options& o, const lab::MaterialSet& mater
                                   .rows = q.count,
                                   .void_ratio = chosen_void_ratio(o.material, material),
                                   .plane = o.plane,
-                                  .directions = o.directions};
+                                  .directions = o.directions,
+                                  .localisation = o.localisation};
   check_grid(grid, "the grid");
   return grid;
 }
@@ -138,7 +140,8 @@ std::vector<sim::DomainColumn> computed(const Options& o, const lab::MaterialSet
   return sim::run_domain(grid, sim::columns_of_piece(grid, piece.index, piece.count),
                          [&] {
                            sim::DomainWorker worker{lab::made_anew(material), {}};
-                           worker.criteria = sim::domain_criteria(worker.material, grid);
+                           worker.criteria =
+                               sim::domain_criteria(worker.material, grid, o.localisation);
                            return worker;
                          },
                          {.threads = o.threads, .progress = [&bar](double share) {
@@ -254,6 +257,9 @@ Command domain_command() {
         app.add_option("--directions", o->directions, "directions at each state")
             ->capture_default_str()
             ->type_name("N");
+        app.add_flag(
+            "--localisation", o->localisation,
+            "look for vanishing acoustic tensors (Rice) too, which takes ten times as long");
         app.add_option("--threads", o->threads,
                        "number of threads; the result does not depend on it [all cores]")
             ->check(CLI::Range(1, 4096).description(""))

@@ -53,9 +53,10 @@ Json material_json(const DomainSettings::Material& m) {
 }
 
 Json grid_json(const DomainSettings::Grid& g) {
-  return {{"p_from_kPa", g.p_from_kPa}, {"p_to_kPa", g.p_to_kPa}, {"columns", g.columns},
-          {"q_from_kPa", g.q_from_kPa}, {"q_to_kPa", g.q_to_kPa}, {"rows", g.rows},
-          {"void_ratio", g.void_ratio}, {"plane", g.plane},       {"directions", g.directions}};
+  return {{"p_from_kPa", g.p_from_kPa},    {"p_to_kPa", g.p_to_kPa}, {"columns", g.columns},
+          {"q_from_kPa", g.q_from_kPa},    {"q_to_kPa", g.q_to_kPa}, {"rows", g.rows},
+          {"void_ratio", g.void_ratio},    {"plane", g.plane},       {"directions", g.directions},
+          {"localisation", g.localisation}};
 }
 
 Json mark_json(const std::optional<DomainMark>& mark) {

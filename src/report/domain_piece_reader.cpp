@@ -54,6 +54,11 @@ class Part {
   std::optional<double> known(const char* key) const {
     return (*this)[key].is_null() ? std::nullopt : std::optional(number(key));
   }
+  bool flag(const char* key) const {
+    const Json& value = (*this)[key];
+    if (!value.is_boolean()) fail(fmt::format("{} must be true or false", key));
+    return value.get<bool>();
+  }
   /// Empty for null.
   std::string text(const char* key) const {
     const Json& value = (*this)[key];
@@ -100,7 +105,8 @@ DomainSettings::Grid read_grid(const Part& part, const std::string& file) {
                          .rows = part.whole("rows", 1, kMostLines),
                          .void_ratio = part.number("void_ratio"),
                          .plane = part.text("plane"),
-                         .directions = part.whole("directions", 8, kMostDirections)};
+                         .directions = part.whole("directions", 8, kMostDirections),
+                         .localisation = part.flag("localisation")};
   check_grid(g, file + ": grid");
   return g;
 }

@@ -24,6 +24,7 @@ struct DomainSettings {
     double void_ratio = 0;
     std::string plane;  ///< "axisymmetric", "plane-strain"
     int directions = 0;
+    bool localisation = false;  ///< whether that criterion was looked for
     bool operator==(const Grid&) const = default;
   } grid;
   std::vector<std::string> warnings;

@@ -27,17 +27,23 @@ std::vector<const ReportedColumn*> told(const ReportedDomain& domain) {
 }
 
 Table boundary_table(const ReportedDomain& domain, ReportedBoundary ReportedColumn::*side) {
+  using Mark = std::optional<DomainMark> ReportedBoundary::*;
+  std::vector<std::pair<const char*, Mark>> criteria = {
+      {"η isotropic unloading", &ReportedBoundary::isotropic_unloading},
+      {"η determinant", &ReportedBoundary::determinant},
+      {"η localisation", &ReportedBoundary::localisation},
+      {"η plastic limit", &ReportedBoundary::limit}};
+  if (!domain.settings.grid.localisation) criteria.erase(criteria.begin() + 2);
   Table table;
-  table.columns = {{"p′ (kPa)", Align::right},       {"η first unstable", Align::right},
-                   {"its α (°)", Align::right},      {"η isotropic unloading", Align::right},
-                   {"η determinant", Align::right},  {"η localisation", Align::right},
-                   {"η plastic limit", Align::right}};
+  table.columns = {
+      {"p′ (kPa)", Align::right}, {"η first unstable", Align::right}, {"its α (°)", Align::right}};
+  for (const auto& [heading, mark] : criteria) table.columns.push_back({heading, Align::right});
   for (const ReportedColumn* column : told(domain)) {
     const ReportedBoundary& b = column->*side;
-    table.rows.push_back({number(column->p_eff_kPa, 1), number(eta(b.first_unstable), 4),
-                          number(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt, 2),
-                          number(eta(b.isotropic_unloading), 4), number(eta(b.determinant), 4),
-                          number(eta(b.localisation), 4), number(eta(b.limit), 4)});
+    auto& row = table.rows.emplace_back();
+    row = {number(column->p_eff_kPa, 1), number(eta(b.first_unstable), 4),
+           number(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt, 2)};
+    for (const auto& [heading, mark] : criteria) row.push_back(number(eta(b.*mark), 4));
   }
   return table;
 }
