@@ -19,12 +19,13 @@ double least_seconds(int repetitions, Work&& work) {
   return least;
 }
 
-/// Nanoseconds of one solution of a general 6 × 6 system by LU with partial pivoting.
-inline double solution_ns() {
+/// Nanoseconds of one solution of a general n × n system by LU with partial pivoting.
+template <int n = 6>
+double solution_ns() {
   constexpr int kSolutions = 200000;
-  Eigen::Matrix<double, 6, 6> a;
-  for (int i = 0; i < 36; ++i) a(i / 6, i % 6) = 1.0 / (1 + i % 7) + (i / 6 == i % 6 ? 3 : 0);
-  Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::LinSpaced(1, 6);
+  Eigen::Matrix<double, n, n> a;
+  for (int i = 0; i < n * n; ++i) a(i / n, i % n) = 1.0 / (1 + i % 7) + (i / n == i % n ? 3 : 0);
+  Eigen::Matrix<double, n, 1> b = Eigen::Matrix<double, n, 1>::LinSpaced(1, n);
   double sink = 0;
   const double seconds = least_seconds(9, [&] {
     for (int i = 0; i < kSolutions; ++i) {

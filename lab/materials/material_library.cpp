@@ -150,6 +150,10 @@ MaterialSet find_material(std::string_view name) {
   return find_material(name, shipped_materials());
 }
 
+sim::Material made_anew(const MaterialSet& set) {
+  return set.law->make(set.parameters, finder_in(shipped_materials()));
+}
+
 MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
                            const std::string& value) {
   std::vector<std::string> known;

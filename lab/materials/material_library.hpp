@@ -45,6 +45,10 @@ MaterialSet find_material(std::string_view name);
 /// The same within `sets`.
 MaterialSet find_material(std::string_view name, const std::vector<MaterialSet>& sets);
 
+/// The law of the set once more, for another thread: nothing that changes while it is asked is
+/// shared with the set's own (a UMAT has another worker process). Throws std::invalid_argument.
+sim::Material made_anew(const MaterialSet& set);
+
 /// The set with one parameter changed, `key` as in its file; its name says so. Throws BadInput.
 MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
                            const std::string& value);

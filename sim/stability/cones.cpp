@@ -55,9 +55,12 @@ class Refinement {
     return at(i).angle + kTurn * static_cast<double>(i / probes_.size());
   }
 
-  void insert(const std::vector<Probe>& found) {
+  void insert(std::vector<Probe>& found) {
+    if (found.empty()) return;
+    std::ranges::sort(found, {}, &Probe::angle);
+    const auto circle = static_cast<std::ptrdiff_t>(probes_.size());
     probes_.insert(probes_.end(), found.begin(), found.end());
-    std::ranges::sort(probes_, {}, &Probe::angle);
+    std::ranges::inplace_merge(probes_, probes_.begin() + circle, {}, &Probe::angle);
     const auto twice = std::ranges::unique(probes_, {}, &Probe::angle);
     probes_.erase(twice.begin(), twice.end());
   }
@@ -163,6 +166,8 @@ Circle probe_circle(const Prober& prober, const CircleOptions& options) {
   Circle circle;
   circle.unanswered = static_cast<int>(
       std::ranges::count_if(refinement.probes(), [](const Probe& p) { return !p.answered; }));
+  circle.refused = static_cast<int>(
+      std::ranges::count_if(refinement.probes(), [](const Probe& p) { return p.refused; }));
   refinement.find_limits();
   refinement.find_minima();
   refinement.find_edges();

@@ -28,6 +28,7 @@ struct Circle {
   std::vector<Cone> cones;    ///< by `from`
   Probe least;                ///< with the least normalised W₂ of all that were answered
   int unanswered = 0;         ///< steps without an answer
+  int refused = 0;            ///< of these, directions that the law refuses (Probe::refused)
   bool unstable() const { return !cones.empty(); }
 };
 

@@ -55,7 +55,10 @@ bool IncrementalResponse<Space>::piecewise_linear() const {
 
 template <class Space>
 PointRate<Space> IncrementalResponse<Space>::accepted(PointRate<Space> rate) const {
-  if (rate.controllable && law_.refusal(state_, rate)) rate.controllable = false;
+  if (rate.controllable && law_.refusal(state_, rate)) {
+    rate.controllable = false;
+    rate.culprit = kRefused;
+  }
   return rate;
 }
 
@@ -66,7 +69,12 @@ PointRate<Space> IncrementalResponse<Space>::solve(const PreparedControl<Space>&
 
 template <class Space>
 PointRate<Space> IncrementalResponse<Space>::to(const MixedControl<Space>& control) const {
-  if (law_.finite()) return finite_rate(law_, state_, control);
+  if (law_.finite()) {
+    PointRate<Space> rate = finite_rate(law_, state_, control);
+    // At its limit the determinant vanishes; without an answer it is not known.
+    if (!rate.controllable && rate.determinant != 0) rate.culprit = kRefused;
+    return rate;
+  }
   return solve(PreparedControl<Space>(control, modulus_));
 }
 

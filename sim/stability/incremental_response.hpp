@@ -6,6 +6,10 @@
 
 namespace triax::sim {
 
+/// PointRate::culprit of a direction that the law refuses (Law::refusal) or, a foreign law, fails
+/// in: not controllable, but no limit of control either.
+inline constexpr int kRefused = -2;
+
 /// What a law answers at one state, dε = M(dσ) dσ of Eq. (24), made ready for very many directions:
 /// the law is asked once, a direction costs a few operations.
 ///
@@ -21,6 +25,9 @@ class IncrementalResponse {
 
   const PointState<Space>& state() const { return state_; }
   const Law<Space>& law() const { return law_; }
+  /// What the law said, and which of its mechanisms may load.
+  const Response<Space>& response() const { return response_; }
+  const Branch& branch() const { return branch_; }
 
   /// Whether the answer is linear within zones of directions: elasticity, elastoplasticity and
   /// octolinear, but not INL2, hypoplasticity and laws that integrate themselves.

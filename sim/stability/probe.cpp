@@ -1,6 +1,7 @@
 #include "sim/stability/probe.hpp"
 
 #include "sim/point/point_driver.hpp"
+#include "sim/stability/stress_plane.hpp"
 
 namespace triax::sim {
 namespace {
@@ -48,7 +49,27 @@ Prober finite_prober(const Law<Space>& law, const PointState<Space>& state, Prob
 
 template <class Rate>
 Probe probe_of_rate(double angle, const Rate& rate) {
-  return probe_of(angle, rate.controllable, in_plane(rate.stress), in_plane(rate.strain));
+  Probe probe = probe_of(angle, rate.controllable, in_plane(rate.stress), in_plane(rate.strain));
+  probe.refused = !rate.controllable && rate.culprit == kRefused;
+  return probe;
+}
+
+template <class Space>
+Prober rate_prober(std::shared_ptr<const IncrementalResponse<Space>> response, ProbeKind kind) {
+  const auto ask = [response, kind](double angle, const PlaneVector& v) {
+    return probe_of_rate(angle, response->to(imposed(kind, v, Space())));
+  };
+  if (kind == ProbeKind::strain || response->law().finite())
+    return [ask](double angle) { return ask(angle, unit_direction(angle)); };
+  return [ask, plane = StressPlane<Space>(std::move(response))](double angle) {
+    const PlaneVector v = unit_direction(angle);
+    const auto answer = plane.to(v.y(), v.x());
+    if (!answer) return ask(angle, v);
+    Probe probe = probe_of(angle, answer->answered, v,
+                           PlaneVector(answer->radial_strain, answer->axial_strain));
+    probe.refused = answer->refused;
+    return probe;
+  };
 }
 
 }  // namespace
@@ -60,18 +81,10 @@ double angle_of(const PlaneVector& v) {
 
 Prober make_prober(std::shared_ptr<const IncrementalResponse<Axisymmetric>> response,
                    ProbeKind kind) {
-  return [response = std::move(response), kind](double angle) {
-    const PlaneVector v = unit_direction(angle);
-    const Vector<Axisymmetric> components(v.y(), v.x());
-    return probe_of_rate(angle, kind == ProbeKind::stress ? response->to_stress(components)
-                                                          : response->to_strain(components));
-  };
+  return rate_prober(std::move(response), kind);
 }
-
 Prober make_prober(std::shared_ptr<const IncrementalResponse<Tensor>> response, ProbeKind kind) {
-  return [response = std::move(response), kind](double angle) {
-    return probe_of_rate(angle, response->to(imposed(kind, unit_direction(angle), Tensor())));
-  };
+  return rate_prober(std::move(response), kind);
 }
 
 Prober make_finite_prober(const Law<Axisymmetric>& law, const PointState<Axisymmetric>& state,

@@ -39,6 +39,7 @@ struct Probe {
   double second_order_work = 0;  ///< dσ′:dε, Pa
   /// dσ′:dε/(|dσ′| |dε|) in [−1, 1], the cosine of the angle between them; norms in the plane.
   double normalised = 0;
+  bool refused = false;  ///< not answered because the law refuses the direction or fails there
 };
 
 /// What is imposed in the direction α.

@@ -1,5 +1,6 @@
 #include "src/commands/command.hpp"
 
+#include "src/commands/domain.hpp"
 #include "src/commands/element.hpp"
 #include "src/commands/materials.hpp"
 #include "src/commands/query.hpp"
@@ -10,9 +11,9 @@
 namespace triax::src {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {simulate_command(), replay_command(),
-                                           report_command(),   query_command(),
-                                           element_command(),  materials_command()};
+  static const std::vector<Command> all = {
+      simulate_command(), replay_command(),    report_command(), query_command(),
+      element_command(),  materials_command(), domain_command()};
   return all;
 }
 

@@ -6,9 +6,11 @@ triax=${1:-build/release/triax}
 golden=tests/cli/golden
 mkdir -p "$golden"
 "$triax" --help >"$golden/help.txt"
-for command in simulate replay report query element materials; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
+for command in simulate replay report query element materials domain; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
 "$triax" query --list >"$golden/query_list.txt"
 # A lost control is status 1 by contract.
 for path in icu_100 load_beyond_limit; do
   "$triax" element "samples/paths/$path.toml" >"$golden/element_$path.txt" 2>"$golden/element_$path.err" || true
 done
+"$triax" domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200:7 --q-kPa -120:240:19 \
+  >"$golden/domain_inl2.txt"

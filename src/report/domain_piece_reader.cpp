@@ -1,0 +1,237 @@
+// read_piece(): every value is looked at before it is used, since the file may be anyone's.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lab/paths/path_reader.hpp"
+#include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
+#include "sim/stability/domain_run.hpp"
+#include "src/report/domain_json.hpp"
+#include "src/report/domain_piece.hpp"
+
+namespace triax::src {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kLargestStress_kPa = 1e5, kSmallestStress_kPa = 1e-3;
+constexpr int kMostLines = 10000, kMostStates = 4000000, kMostDirections = 36000;
+
+/// An object of the document; its messages say where it stands.
+class Part {
+ public:
+  Part(const Json& json, const std::string& file, std::string where)
+      : json_(json), file_(file), where_(std::move(where)) {
+    if (!json_.is_object()) fail("must be an object");
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw lab::BadInput(file_, 0, where_.empty() ? what : where_ + ": " + what);
+  }
+
+  const Json& operator[](const char* key) const {
+    const auto found = json_.find(key);
+    if (found == json_.end()) fail(fmt::format("{} is missing", key));
+    return *found;
+  }
+  double number(const char* key, double lowest = -1e12, double highest = 1e12) const {
+    const Json& value = (*this)[key];
+    const double found = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(found >= lowest && found <= highest))
+      fail(fmt::format("{} must be a number, {:g} to {:g}", key, lowest, highest));
+    return found;
+  }
+  int whole(const char* key, int lowest, int highest) const {
+    const Json& value = (*this)[key];
+    const double found = value.is_number_integer() ? value.get<double>() : std::nan("");
+    if (!(found >= lowest && found <= highest))
+      fail(fmt::format("{} must be a whole number, {} to {}", key, lowest, highest));
+    return static_cast<int>(found);
+  }
+  std::optional<double> known(const char* key) const {
+    return (*this)[key].is_null() ? std::nullopt : std::optional(number(key));
+  }
+  bool flag(const char* key) const {
+    const Json& value = (*this)[key];
+    if (!value.is_boolean()) fail(fmt::format("{} must be true or false", key));
+    return value.get<bool>();
+  }
+  /// Empty for null.
+  std::string text(const char* key) const {
+    const Json& value = (*this)[key];
+    if (value.is_null()) return {};
+    if (!value.is_string()) fail(fmt::format("{} must be a text", key));
+    return value.get<std::string>();
+  }
+  const Json& array(const char* key) const {
+    const Json& value = (*this)[key];
+    if (!value.is_array()) fail(fmt::format("{} must be an array", key));
+    return value;
+  }
+  Part part(const char* key) const { return in((*this)[key], key); }
+  Part in(const Json& json, const std::string& name) const {
+    return {json, file_, where_.empty() ? name : where_ + ' ' + name};
+  }
+
+ private:
+  const Json& json_;
+  const std::string& file_;
+  std::string where_;
+};
+
+DomainSettings::Material read_material(const Part& part) {
+  DomainSettings::Material m{part.text("name"),
+                             part.text("law"),
+                             part.text("based_on"),
+                             part.text("description"),
+                             part.text("source"),
+                             part.text("range"),
+                             {}};
+  const Part parameters = part.part("parameters");
+  for (const auto& [key, value] : part["parameters"].items())
+    m.parameters.emplace_back(key, parameters.text(key.c_str()));
+  return m;
+}
+
+DomainSettings::Grid read_grid(const Part& part, const std::string& file) {
+  DomainSettings::Grid g{.p_from_kPa = part.number("p_from_kPa"),
+                         .p_to_kPa = part.number("p_to_kPa"),
+                         .q_from_kPa = part.number("q_from_kPa"),
+                         .q_to_kPa = part.number("q_to_kPa"),
+                         .columns = part.whole("columns", 1, kMostLines),
+                         .rows = part.whole("rows", 1, kMostLines),
+                         .void_ratio = part.number("void_ratio"),
+                         .plane = part.text("plane"),
+                         .directions = part.whole("directions", 8, kMostDirections),
+                         .localisation = part.flag("localisation")};
+  check_grid(g, file + ": grid");
+  return g;
+}
+
+std::optional<DomainMark> read_mark(const Part& boundary, const char* key) {
+  if (boundary[key].is_null()) return std::nullopt;
+  const Part part = boundary.part(key);
+  return DomainMark{part.number("q_kPa"), part.number("eta"), part.known("alpha_deg")};
+}
+
+ReportedBoundary read_boundary(const Part& part) {
+  ReportedBoundary boundary;
+  for (const BoundaryKey& one : kBoundaryKeys) boundary.*one.mark = read_mark(part, one.key);
+  return boundary;
+}
+
+sim::DomainStateKind read_kind(const Part& part) {
+  using enum sim::DomainStateKind;
+  const std::string word = part.text("kind");
+  for (const auto kind : {stable, unstable, beyond_limit, refused})
+    if (word == word_of(kind)) return kind;
+  part.fail(fmt::format("{} is no kind of state", lab::excerpt(word)));
+}
+
+ReportedDomainState read_state(const Part& part, double q_kPa, int directions) {
+  ReportedDomainState state{.q_kPa = part.number("q_kPa"),
+                            .kind = read_kind(part),
+                            .least_work = part.known("w2_normalised_least"),
+                            .least_angle_deg = part.known("alpha_deg"),
+                            .refused_directions = part.whole("refused_directions", 0, directions)};
+  if (state.q_kPa != q_kPa) part.fail(fmt::format("q_kPa must be {}, as the grid says", q_kPa));
+  for (const Json& cone : part.array("cones")) {
+    const Part sector = part.in(cone, "cones");
+    state.cones_deg.emplace_back(sector.number("from_deg", 0, 720),
+                                 sector.number("to_deg", 0, 720));
+  }
+  return state;
+}
+
+ReportedColumn read_column(const Part& part, const sim::DomainGrid& grid, int column) {
+  ReportedColumn out{.column = column,
+                     .p_eff_kPa = part.number("p_eff_kPa"),
+                     .compression = read_boundary(part.part("compression")),
+                     .extension = read_boundary(part.part("extension")),
+                     .refusal = part.text("refusal")};
+  if (part.whole("column", 0, grid.columns - 1) != column)
+    part.fail(fmt::format("column must be {}, as the piece says", column));
+  if (out.p_eff_kPa != grid.p(column) / 1e3)
+    part.fail(fmt::format("p_eff_kPa must be {}, as the grid says", grid.p(column) / 1e3));
+  const Json& states = part.array("states");
+  if (states.size() != static_cast<std::size_t>(grid.rows))
+    part.fail(fmt::format("has {} states, the grid {} rows", states.size(), grid.rows));
+  for (int row = 0; row < grid.rows; ++row)
+    out.states.push_back(
+        read_state(part.in(states[static_cast<std::size_t>(row)], fmt::format("states[{}]", row)),
+                   grid.q(row) / 1e3, grid.directions));
+  return out;
+}
+
+Json parsed(std::string_view text, const std::string& file) {
+  Json document = Json::parse(text, nullptr, false);
+  if (document.is_discarded())
+    throw lab::BadInput(file, 0,
+                        "is no whole JSON document; a piece that was cut off must be run again");
+  if (!document.is_object() || !document.contains("format") || document["format"] != kPieceFormat)
+    throw lab::BadInput(
+        file, 0, "is no piece of a domain; triax domain --piece I/N --output FILE writes one");
+  return document;
+}
+
+}  // namespace
+
+void check_grid(const DomainSettings::Grid& g, const std::string& subject) {
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) throw lab::BadInput(fmt::format("{}: {}", subject, what));
+  };
+  require(g.columns >= 1 && g.columns <= kMostLines && g.rows >= 1 && g.rows <= kMostLines &&
+              g.columns * static_cast<double>(g.rows) <= kMostStates,
+          fmt::format("{} x {} states; 1 to {} each way and at most {} in all are possible",
+                      g.columns, g.rows, kMostLines, kMostStates));
+  require(g.p_from_kPa >= kSmallestStress_kPa && g.p_to_kPa <= kLargestStress_kPa &&
+              (g.p_from_kPa < g.p_to_kPa || (g.columns == 1 && g.p_from_kPa == g.p_to_kPa)),
+          fmt::format("p' from {:g} to {:g} kPa; must rise within {:g} to {:g}", g.p_from_kPa,
+                      g.p_to_kPa, kSmallestStress_kPa, kLargestStress_kPa));
+  require(std::abs(g.q_from_kPa) <= kLargestStress_kPa &&
+              std::abs(g.q_to_kPa) <= kLargestStress_kPa &&
+              (g.q_from_kPa < g.q_to_kPa || (g.rows == 1 && g.q_from_kPa == g.q_to_kPa)),
+          fmt::format("q from {:g} to {:g} kPa; must rise within {:g} to {:g}", g.q_from_kPa,
+                      g.q_to_kPa, -kLargestStress_kPa, kLargestStress_kPa));
+  require(g.void_ratio >= lab::kSmallestVoidRatio && g.void_ratio <= lab::kLargestVoidRatio,
+          fmt::format("void ratio {:g}; must be {:g} to {:g}", g.void_ratio,
+                      lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
+  require(g.plane == "axisymmetric" || g.plane == "plane-strain",
+          lab::excerpt(g.plane) + " is no plane; axisymmetric or plane-strain is");
+  require(g.directions >= 8 && g.directions <= kMostDirections,
+          fmt::format("{} directions; must be 8 to {}", g.directions, kMostDirections));
+}
+
+DomainPiece read_piece(std::string_view text, const std::string& file) {
+  const Json document = parsed(text, file);
+  const Part root(document, file, {});
+  if (root["version"] != kPieceVersion)
+    root.fail(fmt::format("is a piece of format version {}; this program reads version {}",
+                          lab::excerpt(dumped(root["version"])), kPieceVersion));
+  DomainPiece piece{.file = file, .program = root.text("program")};
+  const Part of = root.part("piece");
+  piece.count = of.whole("count", 1, kMostLines);
+  piece.index = of.whole("index", 1, piece.count);
+  DomainSettings& settings = piece.domain.settings;
+  settings.material = read_material(root.part("material"));
+  settings.grid = read_grid(root.part("grid"), file);
+  for (const Json& warning : root.array("warnings")) {
+    if (!warning.is_string()) root.fail("warnings must be texts");
+    settings.warnings.push_back(warning.get<std::string>());
+  }
+  const sim::DomainGrid grid = domain_grid(settings.grid);
+  const std::vector<int> columns = sim::columns_of_piece(grid, piece.index, piece.count);
+  const Json& found = root.array("columns");
+  if (found.size() != columns.size())
+    root.fail(fmt::format("has {} columns, piece {} of {} of this grid {}", found.size(),
+                          piece.index, piece.count, columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    piece.domain.columns.push_back(
+        read_column(root.in(found[i], fmt::format("columns[{}]", i)), grid, columns[i]));
+  return piece;
+}
+
+}  // namespace triax::src
