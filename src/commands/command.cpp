@@ -2,6 +2,7 @@
 
 #include "src/commands/element.hpp"
 #include "src/commands/materials.hpp"
+#include "src/commands/probe.hpp"
 #include "src/commands/query.hpp"
 #include "src/commands/replay.hpp"
 #include "src/commands/report.hpp"
@@ -10,9 +11,9 @@
 namespace triax::src {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {simulate_command(), replay_command(),
-                                           report_command(),   query_command(),
-                                           element_command(),  materials_command()};
+  static const std::vector<Command> all = {
+      simulate_command(), replay_command(),    report_command(), query_command(),
+      element_command(),  materials_command(), probe_command()};
   return all;
 }
 

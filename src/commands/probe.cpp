@@ -1,0 +1,92 @@
+#include "src/commands/probe.hpp"
+
+#include <memory>
+
+#include "src/commands/output_guard.hpp"
+#include "src/commands/probe_options.hpp"
+#include "src/commands/probe_states.hpp"
+#include "src/output/output.hpp"
+#include "src/output/progress_bar.hpp"
+#include "src/report/probe_report.hpp"
+
+namespace triax::src {
+namespace {
+
+template <class Space>
+void probe_all(const ProbeOptions& o, ProbeReport& report) {
+  const auto states = states_to_probe<Space>(o, report);
+  ProgressBar bar("probes");
+  for (const auto& state : states) {
+    report.states.push_back(probe_state(report.material, state, report.probing));
+    bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
+  }
+}
+
+void write_files(const ProbeOptions& o, const ProbeReport& report) {
+  write_file(o.output + ".csv", probe_csv(report));
+  write_file(o.output + ".json", probe_json(report));
+}
+
+void run(const ProbeOptions& o) {
+  ProbeReport report;
+  report.probing = checked_probing(o);
+  check_state_options(o);
+  report.material = material_of(o);
+  if (!o.output.empty())
+    for (const char* ending : {".csv", ".json"})
+      refuse_overwriting("--output", o.output + ending, files_read(o),
+                         "what the state is read from");
+  if (report.probing.plane == sim::ProbePlane::plane_strain)
+    probe_all<sim::Tensor>(o, report);
+  else
+    probe_all<sim::Axisymmetric>(o, report);
+  if (!o.output.empty()) write_files(o, report);
+  print(o.json ? probe_json(report) : probe_text(report, o.probes));
+}
+
+}  // namespace
+
+Command probe_command() {
+  return {
+      .name = "probe",
+      .purpose = "second-order work of a state in every direction: cones of unstable directions",
+      .description =
+          {"Takes one state of a law, imposes small increments in every direction of a plane and "
+           "says in which of them second-order work is negative: the cones of unstable "
+           "directions, with edges isolated between the steps. α is measured from the √2 dσ3 axis "
+           "towards the dσ1 axis (Rendulic plane); isotropic unloading, the increment of an "
+           "undrained test at its peak of q, is at 215.26 degrees.",
+           "The state is given by --p with --eta or --q, or by --stress-kPa; then the law has no "
+           "memory of a reversal of shear. With --test it is that of a reading of a test in the "
+           "database, likewise without memory, and the direction in which the test itself was "
+           "going is put beside the cones. With --path the law is driven along a path first, and "
+           "remembers it.",
+           "All of it is computed from the law and called simulated."},
+      .diagnostics = {{"... refuses it: ...",
+                       "the state lies beyond the law's limit surface or void ratios"},
+                      {"test ... has no collapse: ...", "name another reading by --at"},
+                      {"test ... does not know its void ratio ...",
+                       "the record does not hold it: give it"}},
+      .examples =
+          {{"triax probe --material inl2/S28-general --p 70 --eta 0.60 --void-ratio 1.086 --json",
+            "cones of one state as a document"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086",
+            "several states in one table"},
+           {"triax probe --test 26 --at collapse --material inl2/S28-general",
+            "a test's own increment at collapse beside the cone of the law"},
+           {"triax probe --path samples/paths/icu_100.toml --every 10",
+            "cones along a path: the first unstable direction, and how they open"},
+           {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
+            "--plane plane-strain --probes",
+            "plane strain, every direction printed"},
+           {"triax probe --material hypoplastic/S28-MT --p 70 --eta 0.6 --void-ratio 1.0 "
+            "--finite --norm-kPa 0.5 --output probes",
+            "increments of 0.5 kPa integrated, and written to probes.csv and probes.json"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<ProbeOptions>();
+        add_probe_options(app, *o);
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

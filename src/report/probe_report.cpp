@@ -1,0 +1,229 @@
+#include "src/report/probe_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/records/toml_reader.hpp"
+#include "src/output/table.hpp"
+#include "src/report/words.hpp"
+
+namespace triax::src {
+namespace {
+
+const char* plane_words(sim::ProbePlane plane) {
+  return plane == sim::ProbePlane::axisymmetric
+             ? "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)"
+             : "plane strain, α from dσ₃ towards dσ₁";
+}
+
+std::string probing_words(const Probing& probing) {
+  const bool stress = probing.kind == sim::ProbeKind::stress;
+  return fmt::format("{} of {:g}{} every {:g}°, {}", stress ? "stress" : "strain",
+                     stress ? probing.norm / 1e3 : probing.norm, stress ? " kPa" : "",
+                     probing.step_deg(),
+                     probing.finite ? "each increment integrated" : "by the rate at the state");
+}
+
+std::string openings(const std::vector<sim::Cone>& cones) {
+  std::string words;
+  for (const auto& cone : cones)
+    words += (words.empty() ? "" : ", ") + in_degrees(cone.opening(), 2);
+  return words.empty() ? kUnknown : words;
+}
+
+std::string normalised(const sim::Probe& probe) {
+  return number(probe.answered ? std::optional(probe.normalised) : std::nullopt, 4);
+}
+
+Table state_table(const ProbeReport& report) {
+  const bool named =
+      std::ranges::any_of(report.states, [](const auto& s) { return !s.name.empty(); });
+  Table table;
+  if (named) table.columns.push_back({"state", Align::left});
+  const std::string unloading =
+      fmt::format("W₂ at {}°", in_degrees(isotropic_unloading_angle(report.probing.plane), 2));
+  for (const std::string& heading :
+       {std::string("p′ (kPa)"), std::string("q (kPa)"), std::string("η"), std::string("e"),
+        std::string("cones (°)"), std::string("opening (°)"), std::string("least W₂"),
+        std::string("at α (°)"), unloading})
+    table.columns.push_back({heading, Align::right});
+  for (const ProbedState& state : report.states) {
+    std::vector<std::string> row;
+    if (named) row.push_back(state.name);
+    const sim::Probe& least = state.circle.least;
+    row.insert(row.end(), {in_kPa(state.p, 2), in_kPa(state.q, 2), number(state.eta(), 4),
+                           number(state.void_ratio, 4), cones_in_words(state.circle.cones),
+                           openings(state.circle.cones), normalised(least),
+                           in_degrees(least.answered ? std::optional(least.angle) : std::nullopt),
+                           normalised(state.isotropic_unloading)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table probes_table(const ProbeReport& report, const ProbedState& state) {
+  const bool axisymmetric = report.probing.plane == sim::ProbePlane::axisymmetric;
+  const double root = axisymmetric ? std::numbers::sqrt2 : 1;
+  Table table;
+  for (const char* heading :
+       {"α (°)", "W₂ norm.", "W₂ (Pa)", "dσ₁ (kPa)", "dσ₃ (kPa)", "dε₁", "dε₃"})
+    table.columns.push_back({heading, Align::right});
+  for (const sim::Probe& probe : state.circle.probes) {
+    std::vector<std::string> row = {in_degrees(probe.angle, 2)};
+    if (probe.answered)
+      row.insert(row.end(),
+                 {number(probe.normalised, 5), fmt::format("{:.4g}", probe.second_order_work),
+                  in_kPa(probe.stress.y(), 4), in_kPa(probe.stress.x() / root, 4),
+                  fmt::format("{:.4e}", probe.strain.y()),
+                  fmt::format("{:.4e}", probe.strain.x() / root)});
+    else
+      row.insert(row.end(), 6, kUnknown);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string indented(const std::string& lines) {
+  std::string out = "  ";
+  for (const char c : lines) {
+    out += c;
+    if (c == '\n') out += "  ";
+  }
+  out.erase(out.size() - 2);
+  return out;
+}
+
+/// Where the test's own increment lies.
+std::string own_words(const ProbedState& state) {
+  const lab::MeasuredIncrement& own = *state.test->increment;
+  std::string words = fmt::format("α {}° ± {}°, measured W₂ {} ± {}", in_degrees(own.angle, 1),
+                                  in_degrees(own.angle_error, 1), number(own.normalised, 3),
+                                  number(own.normalised_error, 3));
+  if (state.own) words += ", the law's W₂ there " + normalised(*state.own);
+  return words;
+}
+
+std::string place_words(const ProbedState& state) {
+  const auto place = place_among(state.circle.cones, state.test->increment->angle);
+  if (!place) return "the law has no cone at this state";
+  return fmt::format("{} the cone {}, {}° {} its nearest edge",
+                     place->inside ? "inside" : "outside",
+                     cones_in_words({state.circle.cones[place->cone]}),
+                     in_degrees(place->to_edge, 1), place->inside ? "within" : "from");
+}
+
+std::string test_words(const TestedState& test) {
+  const lab::State& s = test.state;
+  std::string words = fmt::format(
+      "{} (number {}, {}) at {}reading {}", test.name, test.id, lab::to_string(test.origin),
+      std::isdigit(static_cast<unsigned char>(test.at.front())) != 0 ? "" : test.at + ", ",
+      s.reading);
+  if (test.has_time && std::isfinite(s.time_s)) words += ", " + duration(s.time_s);
+  if (std::isfinite(s.strain.axial)) words += ", ε₁ " + in_percent(s.strain.axial, 3) + " %";
+  return words;
+}
+
+}  // namespace
+
+std::string cones_in_words(const std::vector<sim::Cone>& cones) {
+  std::string words;
+  for (const auto& cone : cones)
+    words += fmt::format("{}{}–{}", words.empty() ? "" : ", ", in_degrees(cone.from, 2),
+                         in_degrees(cone.to, 2));
+  return words.empty() ? "none" : words;
+}
+
+std::optional<std::size_t> ProbeReport::first_unstable() const {
+  const auto found =
+      std::ranges::find_if(states, [](const ProbedState& s) { return s.circle.unstable(); });
+  if (found == states.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - states.begin());
+}
+
+std::string probe_text(const ProbeReport& report, bool probes) {
+  const std::string title =
+      on_one_line("Second-order work in every direction, " + report.material.name + " (simulated)");
+  std::string out = title + '\n' + std::string(display_width(title), '=') + '\n';
+  const auto fact = [&out](const char* label, const std::string& value) {
+    if (!value.empty()) out += fmt::format("  {:<12}{}\n", label, on_one_line(value));
+  };
+  fact("law", report.material.law->title);
+  fact("based on", report.material.material.based_on);
+  fact("source", report.material.source);
+  fact("range", report.material.range);
+  fact("probes", probing_words(report.probing));
+  fact("plane", plane_words(report.probing.plane));
+  fact("path", report.path);
+  for (const ProbedState& state : report.states)
+    if (state.test) {
+      fact("test", test_words(*state.test));
+      fact("state", "σ′ and e as measured; the law's memory is that without a reversal of shear");
+    }
+  out += '\n' + indented(to_text(state_table(report)));
+  out += "  W₂ normalised, dσ′:dε/(|dσ′||dε|); the last column is that of isotropic unloading\n\n";
+  for (const ProbedState& state : report.states) {
+    if (state.circle.unanswered > 0)
+      fact("no answer", fmt::format("{}{} of {} directions: the law ends there",
+                                    state.name.empty() ? "" : state.name + ": ",
+                                    state.circle.unanswered, report.probing.directions));
+    if (!state.test || !state.test->increment) continue;
+    fact("own", own_words(state));
+    if (state.own && report.probing.kind == sim::ProbeKind::stress) fact("", place_words(state));
+  }
+  if (report.many) {
+    const auto first = report.first_unstable();
+    const auto& s = report.states;
+    fact("first", first ? fmt::format("unstable state of these: p′ {} kPa, η {}, α {}°",
+                                      in_kPa(s[*first].p, 2), number(s[*first].eta(), 4),
+                                      in_degrees(s[*first].circle.least.angle))
+                        : "no unstable direction at any of these states");
+  }
+  for (const auto& warning : report.warnings) fact("warning", warning);
+  std::vector<std::string> told;
+  for (const ProbedState& state : report.states)
+    for (const auto& warning : state.warnings)
+      if (std::ranges::find(told, warning) == told.end()) told.push_back(warning);
+  for (const auto& warning : told) fact("warning", warning);
+  if (probes)
+    for (const ProbedState& state : report.states) {
+      if (report.states.size() > 1)
+        out += fmt::format("\n  {}p′ {} kPa, q {} kPa, η {}\n",
+                           state.name.empty() ? "" : state.name + ": ", in_kPa(state.p, 2),
+                           in_kPa(state.q, 2), number(state.eta(), 4));
+      out += '\n' + indented(to_text(probes_table(report, state)));
+    }
+  return without_controls(out);
+}
+
+std::string probe_csv(const ProbeReport& report) {
+  const bool axisymmetric = report.probing.plane == sim::ProbePlane::axisymmetric;
+  const double root = axisymmetric ? std::numbers::sqrt2 : 1;
+  const char* lateral = axisymmetric ? "radial" : "lateral";
+  std::string out =
+      fmt::format("# [test]\n# name = {}\n# origin = \"simulated\"\n## {} probes, {}\n## {}\n",
+                  lab::toml_quoted("probes of " + report.material.name),
+                  report.probing.kind == sim::ProbeKind::stress ? "stress" : "strain",
+                  on_one_line(report.material.name), probing_words(report.probing));
+  out += fmt::format(
+      "state,p_eff_kPa,q_kPa,eta,void_ratio,alpha_deg,w2_normalised,w2_Pa,axial_stress_kPa,"
+      "{0}_stress_kPa,axial_strain,{0}_strain\n",
+      lateral);
+  int count = 0;
+  for (const ProbedState& state : report.states) {
+    ++count;
+    for (const sim::Probe& probe : state.circle.probes) {
+      out += fmt::format("{},{},{},{},{},{}", count, state.p / 1e3, state.q / 1e3, state.eta(),
+                         state.void_ratio, sim::degrees(probe.angle));
+      out += probe.answered
+                 ? fmt::format(",{},{},{},{},{},{}\n", probe.normalised, probe.second_order_work,
+                               probe.stress.y() / 1e3, probe.stress.x() / root / 1e3,
+                               probe.strain.y(), probe.strain.x() / root)
+                 : ",,,,,,\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace triax::src

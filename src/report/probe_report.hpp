@@ -1,0 +1,36 @@
+#pragma once
+// What stress or strain probes of states came to, as text, JSON and CSV.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/report/probed_state.hpp"
+
+namespace triax::src {
+
+struct ProbeReport {
+  lab::MaterialSet material;
+  Probing probing;
+  std::vector<ProbedState> states;
+  /// Several states were asked for, however many there are: a list in JSON.
+  bool many = false;
+  std::string path;                   ///< name of the path along which they lie; empty: none
+  std::vector<std::string> warnings;  ///< that are not of one state
+
+  /// The first state with an unstable direction; empty: none has one.
+  std::optional<std::size_t> first_unstable() const;
+};
+
+/// One JSON document; what is unknown is null. A single state is part of it; several are the list
+/// "states" of objects with the same keys.
+std::string probe_json(const ProbeReport& report);
+/// A table of the states for people, and where a test's own increment lies; with `probes` every
+/// direction of every state besides.
+std::string probe_text(const ProbeReport& report, bool probes);
+/// Every direction of every state, behind remarks that say what it is.
+std::string probe_csv(const ProbeReport& report);
+
+/// "214.86° to 237.66°" for every cone, "none" without any.
+std::string cones_in_words(const std::vector<sim::Cone>& cones);
+
+}  // namespace triax::src
