@@ -12,7 +12,7 @@
 namespace triax::src {
 namespace {
 
-constexpr double kSmallestStress_kPa = 1e-3, kLargestStress_kPa = 1e6;
+constexpr double kSmallestStress_kPa = 1e-3, kLargestStress_kPa = 1e5;
 constexpr double kSmallestNorm_kPa = 1e-6, kLargestNorm_kPa = 1e4;
 constexpr double kSmallestNormStrain = 1e-10, kLargestNormStrain = 0.1;
 constexpr double kSmallestStep_deg = 0.01, kLargestStep_deg = 45;

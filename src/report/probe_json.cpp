@@ -134,13 +134,13 @@ std::string probe_json(const ProbeReport& report) {
   if (!report.many && report.states.size() == 1) {
     const ProbedState& state = report.states.front();
     put_state(report, state, document);
-    for (const auto& warning : state.warnings) warnings.push_back(warning);
+    for (const auto& warning : state.all_warnings()) warnings.push_back(warning);
   } else {
     Json states = Json::array();
     for (const ProbedState& state : report.states) {
       Json one = Json::object();
       put_state(report, state, one);
-      one["warnings"] = state.warnings;
+      one["warnings"] = state.all_warnings();
       states.push_back(std::move(one));
     }
     document["states"] = std::move(states);

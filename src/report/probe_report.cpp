@@ -125,6 +125,23 @@ std::string test_words(const TestedState& test) {
   return words;
 }
 
+/// Each once; of states outside the range the first and how many there are.
+std::vector<std::string> warnings_of(const ProbeReport& report) {
+  std::vector<std::string> all = report.warnings;
+  for (const ProbedState& state : report.states)
+    for (const auto& warning : state.warnings)
+      if (std::ranges::find(all, warning) == all.end()) all.push_back(warning);
+  for (const auto outside : {&ProbedState::void_ratio_outside, &ProbedState::p_eff_outside}) {
+    const auto is_outside = [&](const ProbedState& s) { return (s.*outside).has_value(); };
+    const auto first = std::ranges::find_if(report.states, is_outside);
+    if (first == report.states.end()) continue;
+    const auto more = std::ranges::count_if(report.states, is_outside) - 1;
+    all.push_back(*((*first).*outside) +
+                  (more > 0 ? fmt::format(", and so at {} more of the states", more) : ""));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string cones_in_words(const std::vector<sim::Cone>& cones) {
@@ -165,9 +182,10 @@ std::string probe_text(const ProbeReport& report, bool probes) {
   out += "  W₂ normalised, dσ′:dε/(|dσ′||dε|); the last column is that of isotropic unloading\n\n";
   for (const ProbedState& state : report.states) {
     if (state.circle.unanswered > 0)
-      fact("no answer", fmt::format("{}{} of {} directions: the law ends there",
-                                    state.name.empty() ? "" : state.name + ": ",
-                                    state.circle.unanswered, report.probing.directions));
+      fact("no answer",
+           fmt::format("{}{} of {} directions: beyond the law's limit, or refused by it",
+                       state.name.empty() ? "" : state.name + ": ", state.circle.unanswered,
+                       report.probing.directions));
     if (!state.test || !state.test->increment) continue;
     fact("own", own_words(state));
     if (state.own && report.probing.kind == sim::ProbeKind::stress) fact("", place_words(state));
@@ -180,12 +198,7 @@ std::string probe_text(const ProbeReport& report, bool probes) {
                                       in_degrees(s[*first].circle.least.angle))
                         : "no unstable direction at any of these states");
   }
-  for (const auto& warning : report.warnings) fact("warning", warning);
-  std::vector<std::string> told;
-  for (const ProbedState& state : report.states)
-    for (const auto& warning : state.warnings)
-      if (std::ranges::find(told, warning) == told.end()) told.push_back(warning);
-  for (const auto& warning : told) fact("warning", warning);
+  for (const auto& warning : warnings_of(report)) fact("warning", warning);
   if (probes)
     for (const ProbedState& state : report.states) {
       if (report.states.size() > 1)

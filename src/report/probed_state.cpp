@@ -45,16 +45,6 @@ void scale(sim::Circle& circle, double norm) {
   scale(circle.least, norm);
 }
 
-template <class Space>
-std::vector<std::string> warnings_of(const lab::MaterialSet& material, const sim::Law<Space>& law,
-                                     const sim::PointState<Space>& state) {
-  std::vector<std::string> all;
-  for (auto words : {law.warning(state), lab::void_ratio_outside(material, state.void_ratio),
-                     lab::p_eff_outside(material, state.p())})
-    if (words) all.push_back(std::move(*words));
-  return all;
-}
-
 /// Probers of one state; increments of unit norm, those of finite ones of the norm.
 template <class Space>
 class StateProbers {
@@ -102,6 +92,13 @@ double turned(double angle) {
 
 }  // namespace
 
+std::vector<std::string> ProbedState::all_warnings() const {
+  std::vector<std::string> all = warnings;
+  for (const auto& words : {void_ratio_outside, p_eff_outside})
+    if (words) all.push_back(*words);
+  return all;
+}
+
 double isotropic_unloading_angle(sim::ProbePlane plane) {
   return plane == sim::ProbePlane::axisymmetric ? sim::kIsotropicUnloading
                                                 : 1.25 * std::numbers::pi;
@@ -124,11 +121,14 @@ ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Spa
                      .q = deviator_stress(state),
                      .void_ratio = state.void_ratio,
                      .memory = {},
-                     .warnings = warnings_of(material, law, state),
+                     .warnings = {},
+                     .void_ratio_outside = lab::void_ratio_outside(material, state.void_ratio),
+                     .p_eff_outside = lab::p_eff_outside(material, state.p()),
                      .circle = {},
                      .isotropic_unloading = {},
                      .test = what.test,
                      .own = {}};
+  if (auto words = law.warning(state)) probed.warnings.push_back(std::move(*words));
   const auto names = law.memory_names();
   for (std::size_t i = 0; i < names.size() && static_cast<Eigen::Index>(i) < state.memory.size();
        ++i)

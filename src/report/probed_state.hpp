@@ -45,7 +45,9 @@ struct ProbedState {
   double p = 0, q = 0;  ///< Pa; q = σ₁′ − σ₃′ where σ₂′ = σ₃′, else √(3/2)|s|
   double void_ratio = 0;
   std::vector<std::pair<std::string, double>> memory;
-  std::vector<std::string> warnings;  ///< of the law and of the range its numbers are for
+  std::vector<std::string> warnings;  ///< of the law and of the test
+  /// That the state lies outside what the material's numbers are for; empty: it does not.
+  std::optional<std::string> void_ratio_outside, p_eff_outside;
 
   sim::Circle circle;
   sim::Probe isotropic_unloading;  ///< a stress probe, whatever the others are
@@ -54,6 +56,7 @@ struct ProbedState {
   std::optional<sim::Probe> own;
 
   double eta() const { return q / p; }
+  std::vector<std::string> all_warnings() const;
 };
 
 /// Throws lab::BadInput with the law's words where it refuses the state. Pre-condition: the

@@ -12,6 +12,9 @@
 namespace triax::src {
 namespace {
 
+/// Of the direction of an increment: beyond it, it could be any.
+const double kLargestError = sim::radians(45);
+
 bool known(const lab::State& s) {
   return std::isfinite(s.effective_stress.axial) && std::isfinite(s.effective_stress.radial);
 }
@@ -92,10 +95,12 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
   store.for_each_scan(id, 1,
                       [&](const lab::Reading&, const lab::State& state) { watch.watch(state); });
   result.increment = watch.finish();
-  if (!result.increment)
-    result.warnings.push_back(fmt::format(
-        "the increment of {} at reading {} is not known: no window of shear readings reaches it",
-        name, result.state.reading));
+  if (result.increment && result.increment->angle_error < kLargestError) return result;
+  result.warnings.push_back(
+      fmt::format("the increment of {} at reading {} is not known: {}", name, result.state.reading,
+                  result.increment ? "its direction is lost in the noise"
+                                   : "no window of shear readings reaches it"));
+  result.increment.reset();
   return result;
 }
 
