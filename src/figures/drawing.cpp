@@ -94,7 +94,7 @@ std::string to_svg(const QCustomPlot& plot) {
   return with_text_lengths(text.mid(text.indexOf("<svg"))).toStdString();
 }
 
-std::string to_png(const QCustomPlot& plot, double scale) {
+std::string to_png(const QCustomPlot& plot, double scale, const std::string& description) {
   QImage image(plot.size() * scale, QImage::Format_RGB32);
   image.fill(Qt::white);
   QCPPainter painter;
@@ -104,6 +104,7 @@ std::string to_png(const QCustomPlot& plot, double scale) {
   painter.setMode(QCPPainter::pmNoCaching);
   drawable(plot).toPainter(&painter, plot.width(), plot.height());
   painter.end();
+  if (!description.empty()) image.setText("Description", QString::fromStdString(description));
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);

@@ -24,8 +24,8 @@ std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px);
 /// A standalone SVG element that looks the same with any font: each text carries its length.
 std::string to_svg(const QCustomPlot& plot);
 
-/// PNG bytes; `scale` device pixels per CSS pixel.
-std::string to_png(const QCustomPlot& plot, double scale);
+/// PNG bytes; `scale` device pixels per CSS pixel. The description stands in the file's metadata.
+std::string to_png(const QCustomPlot& plot, double scale, const std::string& description = {});
 
 /// Draws into the rectangle of a page with its aspect kept, at the top, centred. Gives the height
 /// used, in the painter's units.

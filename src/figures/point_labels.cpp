@@ -49,10 +49,9 @@ void add_segment(std::vector<QPointF>& points, const QPointF& from, const QPoint
 }
 
 // Where the plot's graphs and curves run, in pixels; plottables without a line do not count.
-std::vector<QPointF> lines_of(QCustomPlot& plot, const QRectF& inside) {
+std::vector<QPointF> lines_of(const QCPAxisRect& axes, const QRectF& inside) {
   std::vector<QPointF> points;
-  for (int i = 0; i < plot.plottableCount(); ++i) {
-    auto* plottable = plot.plottable(i);
+  for (auto* plottable : axes.plottables()) {
     const auto* curve = qobject_cast<QCPCurve*>(plottable);
     if (curve != nullptr && curve->lineStyle() == QCPCurve::lsNone) continue;
     auto* data = plottable->interface1D();
@@ -65,6 +64,15 @@ std::vector<QPointF> lines_of(QCustomPlot& plot, const QRectF& inside) {
     }
   }
   return points;
+}
+
+// Of the words that stand in the rectangle already.
+std::vector<QRectF> words_in(const QCPAxisRect& axes) {
+  std::vector<QRectF> words;
+  for (auto* item : axes.items())
+    if (auto* text = qobject_cast<QCPItemText*>(item))
+      words.emplace_back(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition());
+  return words;
 }
 
 void write(QCustomPlot& plot, const PointLabel& label, const QPointF& centre) {
@@ -81,14 +89,20 @@ void write(QCustomPlot& plot, const PointLabel& label, const QPointF& centre) {
 }  // namespace
 
 void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels) {
+  place_labels(*plot.axisRect(), labels);
+}
+
+void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels) {
+  QCustomPlot& plot = *rect.parentPlot();
   plot.replot();  // the layout gives pixels their meaning
   const QFontMetricsF metrics(label_font());
-  const QRectF inside = plot.axisRect()->rect();
-  const auto lines = lines_of(plot, inside);
-  std::vector<QRectF> taken;
+  const QRectF inside = rect.rect();
+  const auto lines = lines_of(rect, inside);
+  std::vector<QRectF> taken = words_in(rect);
   std::vector<QPointF> points;
   for (const auto& label : labels) {
-    points.emplace_back(plot.xAxis->coordToPixel(label.x), plot.yAxis->coordToPixel(label.y));
+    points.emplace_back(rect.axis(QCPAxis::atBottom)->coordToPixel(label.x),
+                        rect.axis(QCPAxis::atLeft)->coordToPixel(label.y));
     taken.emplace_back(points.back().x() - kMarker / 2, points.back().y() - kMarker / 2, kMarker,
                        kMarker);
   }
@@ -100,12 +114,12 @@ void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels) {
     for (const auto& side : kSides) {
       const QPointF centre = points[i] + QPointF(side.x * (width + kMarker + 2) / 2,
                                                  side.y * (height + kMarker + 2) / 2);
-      const QRectF rect(centre.x() - width / 2, centre.y() - height / 2, width, height);
-      if (!inside.contains(rect) || !free_of(rect, taken)) continue;
+      const QRectF place(centre.x() - width / 2, centre.y() - height / 2, width, height);
+      if (!inside.contains(place) || !free_of(place, taken)) continue;
       const auto covered = std::count_if(lines.begin(), lines.end(),
-                                         [&](const QPointF& p) { return rect.contains(p); });
+                                         [&](const QPointF& p) { return place.contains(p); });
       if (best && covered >= least) continue;
-      best = rect;
+      best = place;
       least = covered;
     }
     if (!best) continue;

@@ -19,5 +19,7 @@ struct PointLabel {
 /// for which there is no such place is left out. Ranges of the axes, what is drawn and the size of
 /// the plot must be final.
 void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels);
+/// The same in one axis rectangle of several. Words that stand there already are kept free.
+void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels);
 
 }  // namespace triax::src

@@ -1,0 +1,211 @@
+#include "src/figures/cones_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/mechanics/axisymmetric.hpp"
+#include "src/figures/axes.hpp"
+#include "src/figures/plot_style.hpp"
+#include "src/figures/point_labels.hpp"
+#include "src/figures/shapes.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr int kWidth = 680, kHeight = 560;
+constexpr double kArrow = 1.7;  // length of a test's arrow in radii of a fan
+
+class Picture {
+ public:
+  Picture(const ConesPicture& data, StressPlane plane)
+      : data_(data), plane_(plane), plot_(make_plot(kWidth, kHeight)) {}
+
+  Drawing draw() {
+    style_axes(rect(),
+               plane_ == StressPlane::p_q ? "mean effective stress p′ (kPa)" : "√2 σ₃′ (kPa)",
+               plane_ == StressPlane::p_q ? "deviator stress q (kPa)" : "σ₁′ (kPa)");
+    name_legend();
+    legend_below(*plot_, 2);
+    find_ranges();
+    radius_ = fan_radius();
+    draw_lines();
+    for (const auto& path : data_.paths) draw_path(path);
+    for (const auto& state : data_.states) draw_fans(state);
+    for (const auto& state : data_.states) mark_state(state);
+    for (const auto& test : data_.tests) draw_test(test);
+    place_labels(*plot_, labels_);
+    return {std::move(plot_), caption()};
+  }
+
+ private:
+  QCPAxisRect& rect() { return *plot_->axisRect(); }
+  static QPen limit_pen() { return line(kInk, 1.4); }
+  static QPen instability_pen() { return line(kPurple, 1.6, Qt::DashLine); }
+  static QPen hydrostatic_pen() { return line(kGrey, 1, Qt::DashDotLine); }
+  static QPen path_pen() { return line(kBlue, 1.4); }
+  static QColor fan_fill() { return {0xF2, 0xB1, 0x8A}; }
+  static QPen fan_pen() { return line(kVermilion, 1); }
+  static QCPScatterStyle state_marker(bool stable) {
+    return {QCPScatterStyle::ssCircle, line(stable ? kGrey : kVermilion, 1),
+            stable ? QBrush(Qt::white) : QBrush(kVermilion), stable ? 4.0 : 3.0};
+  }
+  static QCPScatterStyle test_marker(bool simulated) {
+    return {QCPScatterStyle::ssCircle, line(kInk, 1.6),
+            simulated ? QBrush(Qt::white) : QBrush(kInk), 7};
+  }
+
+  QPointF kPa(const TriaxialState& state) const { return position(state, plane_) * 1e-3; }
+
+  bool has(bool stable) const {
+    return std::ranges::any_of(data_.states,
+                               [&](const auto& s) { return s.cones.empty() == stable; });
+  }
+  bool has_test(bool simulated) const {
+    return std::ranges::any_of(data_.tests,
+                               [&](const auto& t) { return t.simulated == simulated; });
+  }
+
+  // Entries only: what is drawn comes after the ranges, which depend on the legend's height.
+  void name_legend() {
+    if (has(false)) draw_area(rect(), {}, fan_fill(), fan_pen(), "cone of directions with W₂ < 0");
+    if (has(true)) draw_markers(rect(), {}, state_marker(true), "state without such directions");
+    if (!data_.paths.empty()) draw_curve(rect(), {}, path_pen(), "stress path (simulated)");
+    if (data_.limit_stress_ratio)
+      draw_curve(rect(), {}, limit_pen(),
+                 fmt::format("limit line, M = {:.2f}", *data_.limit_stress_ratio));
+    if (data_.instability_ratio)
+      draw_curve(rect(), {}, instability_pen(),
+                 fmt::format("instability line, η = {:.2f}", *data_.instability_ratio));
+    if (plane_ == StressPlane::rendulic)
+      draw_curve(rect(), {}, hydrostatic_pen(), "hydrostatic axis σ₁′ = σ₃′");
+    for (const bool simulated : {false, true})
+      if (has_test(simulated))
+        draw_markers(rect(), {}, test_marker(simulated),
+                     simulated ? "test with its increment (simulated)"
+                               : "test with its increment (recorded)");
+  }
+
+  void find_ranges() {
+    RangeOf x, y;
+    const auto add = [&](const TriaxialState& state) {
+      x.add(kPa(state).x());
+      y.add(kPa(state).y());
+    };
+    add({0, 0});
+    for (const auto& at : data_.states) add(at.state);
+    for (const auto& path : data_.paths) std::ranges::for_each(path, add);
+    for (const auto& test : data_.tests) add(test.state);
+    set_equal_ranges(rect(), x.with_margin(0.12, true), y.with_margin(0.15, true));
+    // The origin stays in its corner.
+    for (auto* axis : {plot_->xAxis, plot_->yAxis})
+      if ((axis == plot_->xAxis ? x : y).with_margin(0, true).lower >= 0)
+        axis->setRange(0, axis->range().size());
+    plot_->replot();
+  }
+
+  /// So large that fans of neighbours do not touch but those of a few states are still seen; kPa.
+  double fan_radius() const {
+    const double range = std::hypot(plot_->xAxis->range().size(), plot_->yAxis->range().size());
+    double nearest = range;
+    for (std::size_t i = 0; i < data_.states.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        if (data_.states[i].cones.empty() || data_.states[k].cones.empty()) continue;
+        const QPointF way = kPa(data_.states[i].state) - kPa(data_.states[k].state);
+        const double distance = std::hypot(way.x(), way.y());
+        if (distance > 1e-6 * range) nearest = std::min(nearest, distance);
+      }
+    return std::clamp(0.9 * nearest, 0.025 * range, 0.07 * range);
+  }
+
+  void draw_ray(const TriaxialState& towards, const QPen& pen) {
+    const QPointF way = position(towards, plane_);
+    const auto x = plot_->xAxis->range(), y = plot_->yAxis->range();
+    double length = way.x() > 0 ? x.upper / way.x() : x.upper;
+    if (way.y() > 0) length = std::min(length, y.upper / way.y());
+    if (way.y() < 0) length = std::min(length, y.lower / way.y());
+    draw_curve(rect(), {{0, 0}, way * length}, pen);
+  }
+
+  void draw_lines() {
+    if (plane_ == StressPlane::rendulic) draw_ray({1, 0}, hydrostatic_pen());
+    if (data_.instability_ratio) draw_ray({1, *data_.instability_ratio}, instability_pen());
+    if (data_.limit_stress_ratio) draw_ray({1, *data_.limit_stress_ratio}, limit_pen());
+  }
+
+  void draw_path(const std::vector<TriaxialState>& path) {
+    Points points;
+    for (const auto& state : path) points.push_back(kPa(state));
+    draw_curve(rect(), points, path_pen());
+  }
+
+  void draw_fans(const ConesAtState& at) {
+    const QPointF tip = kPa(at.state);
+    for (const auto& [from, to] : at.cones) {
+      const bool whole = to - from >= 2 * std::numbers::pi - 1e-9;
+      const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / sim::radians(2))));
+      Points points;
+      if (!whole) points.push_back(tip);
+      for (int i = 0; i <= steps; ++i)
+        points.push_back(
+            tip + radius_ * increment(std::lerp(from, to, static_cast<double>(i) / steps), plane_));
+      draw_area(rect(), points, fan_fill(), fan_pen());
+    }
+  }
+
+  void mark_state(const ConesAtState& at) {
+    draw_markers(rect(), {kPa(at.state)}, state_marker(at.cones.empty()));
+  }
+
+  void draw_test(const TestIncrement& test) {
+    const QPointF at = kPa(test.state);
+    draw_arrow(rect(), at, at + kArrow * radius_ * increment(test.angle, plane_), line(kInk, 1.8));
+    draw_markers(rect(), {at}, test_marker(test.simulated));
+    labels_.push_back({at.x(), at.y(), test.name, kInk});
+  }
+
+  std::string caption() const {
+    const auto unstable =
+        std::ranges::count_if(data_.states, [](const auto& state) { return !state.cones.empty(); });
+    auto text = fmt::format(
+        "Cones of unstable stress directions in the {} plane: {} of {} states "
+        "have directions with W₂ < 0",
+        plane_ == StressPlane::p_q ? "q-p′" : "Rendulic", unstable, data_.states.size());
+    if (!data_.tests.empty()) text += "; arrows are the stress increments of tests at collapse";
+    return text + ". " + simulated_with(data_.subject);
+  }
+
+  const ConesPicture& data_;
+  StressPlane plane_;
+  std::unique_ptr<QCustomPlot> plot_;
+  std::vector<PointLabel> labels_;
+  double radius_ = 0;  // of a fan, kPa
+};
+
+}  // namespace
+
+std::vector<sim::Sector> sectors_of(const sim::Circle& circle) {
+  std::vector<sim::Sector> sectors;
+  for (const auto& cone : circle.cones) sectors.push_back({cone.from, cone.to});
+  return sectors;
+}
+
+QPointF position(const TriaxialState& state, StressPlane plane) {
+  if (plane == StressPlane::p_q) return {state.p, state.q};
+  return {std::numbers::sqrt2 * (state.p - state.q / 3), state.p + 2 * state.q / 3};
+}
+
+QPointF increment(double angle, StressPlane plane) {
+  const QPointF unit(std::cos(angle), std::sin(angle));
+  if (plane == StressPlane::rendulic) return unit;
+  const sim::AxisymmetricStress s{unit.y(), unit.x() / std::numbers::sqrt2};
+  return {sim::mean_stress(s), sim::deviator_stress(s)};
+}
+
+Drawing cones_figure(const ConesPicture& picture, StressPlane plane) {
+  if (picture.states.empty() && picture.tests.empty()) return {};
+  return Picture(picture, plane).draw();
+}
+
+}  // namespace triax::src

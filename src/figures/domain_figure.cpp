@@ -1,0 +1,264 @@
+#include "src/figures/domain_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/mechanics/axisymmetric.hpp"
+#include "src/figures/cones_figure.hpp"
+#include "src/figures/plot_style.hpp"
+#include "src/figures/shapes.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr int kWidth = 720, kHeight = 560;
+const QColor kBeyond{0xC9, 0xC9, 0xC9};
+
+/// Light to dark, so that a print without colour shows the same order.
+QCPColorGradient colours(bool reversed, int levels) {
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  static const std::array<QColor, 4> kStops = {QColor(0xFE, 0xF0, 0xD0), QColor(0xF7, 0xC0, 0x7A),
+                                               kVermilion, QColor(0x6B, 0x24, 0x00)};
+  for (std::size_t i = 0; i < kStops.size(); ++i) {
+    const double at = static_cast<double>(i) / (kStops.size() - 1);
+    gradient.setColorStopAt(reversed ? 1 - at : at, kStops.at(i));
+  }
+  gradient.setLevelCount(levels);
+  gradient.setNanHandling(QCPColorGradient::nhNanColor);
+  gradient.setNanColor(kBeyond);
+  return gradient;
+}
+
+/// Range of the colour bar in round levels.
+struct Scale {
+  QCPRange range{0, 1};
+  int levels = 1;
+};
+
+Scale scale_of(const std::vector<sim::DomainColumn>& columns, DomainQuantity quantity) {
+  double most = 0;
+  for (const auto& column : columns)
+    for (const auto& state : column.states)
+      most = std::max(most, std::abs(domain_value(state, quantity).value_or(0)));
+  const bool opening = quantity == DomainQuantity::opening;
+  double step = opening ? 5 : 0.02;
+  for (const double factor : {2.0, 2.0, 2.5, 2.0})
+    if (most > 12 * step) step *= factor;
+  Scale scale;
+  scale.levels = std::max(1, static_cast<int>(std::ceil(most / step - 1e-9)));
+  const double end = step * scale.levels;
+  scale.range = opening ? QCPRange(0, end) : QCPRange(-end, 0);
+  return scale;
+}
+
+using Side = sim::DomainBoundary sim::DomainColumn::*;
+using Criterion = std::optional<double> sim::DomainBoundary::*;
+constexpr std::array<Side, 2> kSides = {&sim::DomainColumn::compression,
+                                        &sim::DomainColumn::extension};
+
+struct BoundaryLook {
+  Criterion criterion;
+  const char* name;
+  QPen pen;
+};
+
+std::vector<BoundaryLook> looks(const Subject& subject) {
+  return {{&sim::DomainBoundary::limit_q, "plastic limit", line(kInk, 1.4)},
+          {&sim::DomainBoundary::localisation_q, "localisation (acoustic tensor)",
+           line(kGreen, 2, Qt::DashDotLine)},
+          {&sim::DomainBoundary::isotropic_unloading_q,
+           subject.plane == sim::ProbePlane::axisymmetric ? "isotropic unloading (215.26°)"
+                                                          : "isotropic unloading (225°)",
+           line(kInk, 1.8, Qt::DashLine)},
+          {&sim::DomainBoundary::first_unstable_q, "first unstable direction", line(kBlue, 2.2)},
+          {&sim::DomainBoundary::determinant_q, "determinant (closed form)",
+           line(kPurple, 2.2, Qt::DotLine)}};
+}
+
+/// The criterion over p′ on one side, kPa; a gap where a column has none.
+Points boundary(const std::vector<sim::DomainColumn>& columns, Side side, Criterion criterion) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  Points points;
+  for (const auto& column : columns) {
+    const auto& q = column.*side.*criterion;
+    points.emplace_back(column.p * 1e-3, q ? *q * 1e-3 : kGap);
+  }
+  return points;
+}
+
+bool any_point(const Points& points) {
+  return std::ranges::any_of(points, [](const QPointF& p) { return std::isfinite(p.y()); });
+}
+
+class Map {
+ public:
+  Map(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
+      DomainQuantity quantity, const Subject& subject)
+      : grid_(grid),
+        columns_(columns),
+        quantity_(quantity),
+        subject_(subject),
+        plot_(make_plot(kWidth, kHeight)) {
+    std::ranges::sort(columns_, {}, &sim::DomainColumn::column);
+  }
+
+  Drawing draw() {
+    style_axes(rect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
+    plot_->xAxis->setRange(std::min(0.0, grid_.p_from * 1e-3), grid_.p_to * 1e-3 + half_p());
+    plot_->yAxis->setRange(grid_.q_from * 1e-3 - half_q(), grid_.q_to * 1e-3 + half_q());
+    draw_map();
+    draw_area(rect(), {}, kBeyond, line(kGrey, 0.8), "beyond the limit, or refused by the law");
+    draw_boundaries();
+    legend_below(*plot_, 2);
+    plot_->replot();
+    draw_directions();
+    return {std::move(plot_), caption()};
+  }
+
+ private:
+  QCPAxisRect& rect() { return *plot_->axisRect(); }
+  double half_p() const {
+    return grid_.columns > 1 ? (grid_.p_to - grid_.p_from) * 0.5e-3 / (grid_.columns - 1) : 0;
+  }
+  double half_q() const {
+    return grid_.rows > 1 ? (grid_.q_to - grid_.q_from) * 0.5e-3 / (grid_.rows - 1) : 0;
+  }
+
+  void draw_map() {
+    const auto scale = scale_of(columns_, quantity_);
+    auto* map = new QCPColorMap(plot_->xAxis, plot_->yAxis);
+    map->removeFromLegend();
+    map->setInterpolate(false);
+    map->setTightBoundary(false);
+    map->setAntialiased(false);
+    map->data()->setSize(grid_.columns, grid_.rows);
+    map->data()->setRange({grid_.p_from * 1e-3, grid_.p_to * 1e-3},
+                          {grid_.q_from * 1e-3, grid_.q_to * 1e-3});
+    map->data()->fillAlpha(0);
+    for (const auto& column : columns_) fill(*map->data(), column);
+    const bool opening = quantity_ == DomainQuantity::opening;
+    add_colour_bar(*map, opening ? "opening of the cones (°)" : "least normalised W₂ (–)");
+    map->setGradient(colours(!opening, scale.levels));
+    map->setDataRange(scale.range);
+  }
+
+  void fill(QCPColorMapData& data, const sim::DomainColumn& column) const {
+    const int rows = std::min(grid_.rows, static_cast<int>(column.states.size()));
+    for (int row = 0; row < rows; ++row) {
+      const auto& state = column.states[static_cast<std::size_t>(row)];
+      const auto value = domain_value(state, quantity_);
+      const bool stable = state.kind == sim::DomainStateKind::stable;
+      data.setCell(column.column, row, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+      data.setAlpha(column.column, row, stable ? 0 : 255);
+    }
+  }
+
+  void add_colour_bar(QCPColorMap& map, const char* title) {
+    auto* bar = new QCPColorScale(plot_.get());
+    plot_->plotLayout()->addElement(0, 1, bar);
+    bar->setType(QCPAxis::atRight);
+    bar->setBarWidth(14);
+    bar->axis()->setLabel(title);
+    bar->axis()->setLabelFont(title_font());
+    bar->axis()->setTickLabelFont(label_font());
+    bar->axis()->setLabelColor(kInk);
+    bar->axis()->setTickLabelColor(kInk);
+    bar->axis()->setBasePen(line(kInk, 1));
+    bar->axis()->setTickPen(line(kInk, 1));
+    bar->axis()->setSubTicks(false);
+    map.setColorScale(bar);
+    auto* group = new QCPMarginGroup(plot_.get());
+    rect().setMarginGroup(QCP::msBottom | QCP::msTop, group);
+    bar->setMarginGroup(QCP::msBottom | QCP::msTop, group);
+  }
+
+  void draw_boundaries() {
+    for (const auto& look : looks(subject_)) {
+      std::string name = look.name;
+      for (const Side side : kSides) {
+        const auto points = boundary(columns_, side, look.criterion);
+        if (!any_point(points)) continue;
+        draw_curve(rect(), points, look.pen, name);
+        name.clear();
+      }
+    }
+  }
+
+  /// A few columns of a side, evenly spread, whose first unstable direction is known.
+  std::vector<const sim::DomainColumn*> columns_with_arrows(Side side) const {
+    constexpr std::size_t kArrows = 6;
+    std::vector<const sim::DomainColumn*> known, chosen;
+    for (const auto& column : columns_)
+      if ((column.*side).first_unstable_q && (column.*side).first_unstable_angle)
+        known.push_back(&column);
+    const std::size_t count = std::min(kArrows, known.size());
+    for (std::size_t i = 0; i < count; ++i)
+      chosen.push_back(known[(2 * i + 1) * known.size() / (2 * count)]);
+    return chosen;
+  }
+
+  // The arrows have one length on the page: what they show is where they point. In plane strain an
+  // increment has a dσ₂ of its own, and the p′-q plane does not hold it.
+  void draw_directions() {
+    constexpr double kLength = 26;  // px
+    if (subject_.plane != sim::ProbePlane::axisymmetric) return;
+    const double x_unit = rect().width() / plot_->xAxis->range().size();
+    const double y_unit = rect().height() / plot_->yAxis->range().size();
+    for (const Side side : kSides)
+      for (const auto* column : columns_with_arrows(side)) {
+        const auto& at = column->*side;
+        const QPointF from(column->p * 1e-3, *at.first_unstable_q * 1e-3);
+        const QPointF way = increment(*at.first_unstable_angle, StressPlane::p_q);
+        const double pixels = std::hypot(way.x() * x_unit, way.y() * y_unit);
+        draw_arrow(rect(), from, from + way * (kLength / pixels), line(kBlue, 1.4));
+        has_directions_ = true;
+      }
+  }
+
+  std::string caption() const {
+    long unstable = 0, all = 0;
+    for (const auto& column : columns_)
+      for (const auto& state : column.states) {
+        ++all;
+        unstable += state.kind == sim::DomainStateKind::unstable ? 1 : 0;
+      }
+    return fmt::format(
+        "Bifurcation domain in the q-p′ plane: {} of {} states have a direction with W₂ < 0, "
+        "coloured by {}{}. {}",
+        unstable, all,
+        quantity_ == DomainQuantity::opening ? "the opening of their cones"
+                                             : "the least normalised W₂ of all directions",
+        has_directions_ ? "; arrows are the first unstable stress directions" : "",
+        simulated_with(subject_));
+  }
+
+  const sim::DomainGrid& grid_;
+  std::vector<sim::DomainColumn> columns_;
+  DomainQuantity quantity_;
+  const Subject& subject_;
+  std::unique_ptr<QCustomPlot> plot_;
+  bool has_directions_ = false;
+};
+
+}  // namespace
+
+std::optional<double> domain_value(const sim::DomainState& state, DomainQuantity quantity) {
+  if (state.kind != sim::DomainStateKind::unstable) return std::nullopt;
+  if (quantity == DomainQuantity::least_work) return state.least_work;
+  double opening = 0;
+  for (const auto& cone : state.cones) opening += cone.to - cone.from;
+  return sim::degrees(opening);
+}
+
+Drawing domain_figure(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
+                      DomainQuantity quantity, const Subject& subject) {
+  if (columns.empty()) return {};
+  return Map(grid, columns, quantity, subject).draw();
+}
+
+}  // namespace triax::src

@@ -1,0 +1,27 @@
+#pragma once
+// The bifurcation domain as a map of the p′-q plane (section 4 of the paper).
+#include <optional>
+#include <vector>
+
+#include "sim/stability/domain.hpp"
+#include "src/figures/drawing.hpp"
+#include "src/figures/subject.hpp"
+
+namespace triax::src {
+
+/// What colours the states of the domain.
+enum class DomainQuantity {
+  opening,     ///< of all cones of a state together, degrees
+  least_work,  ///< normalised W₂ of the least direction
+};
+
+/// The columns computed (all of the grid, or those of a piece of it) coloured inside the domain,
+/// white where stable, grey where the law has no state; on top the boundaries that are known, and
+/// arrows for the first unstable stress direction. No plot without columns.
+Drawing domain_figure(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
+                      DomainQuantity quantity, const Subject& subject);
+
+/// The value that colours a state; empty outside of the domain.
+std::optional<double> domain_value(const sim::DomainState& state, DomainQuantity quantity);
+
+}  // namespace triax::src

@@ -1,0 +1,70 @@
+#include "src/figures/polar_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/mechanics/axisymmetric.hpp"
+#include "src/figures/axes.hpp"
+#include "src/figures/plot_style.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr double kRoom = 1.24;     // of the rim's radius, for what is written around it
+constexpr double kNumbers = 1.03;  // where α is written
+constexpr double kLabelAngle =
+    75.0;  // degrees; the spoke's neighbourhood holds the circles' labels
+
+// The part of a word that points at the rim from outside.
+Qt::Alignment part_towards(const QPointF& middle, const QPointF& at) {
+  const QPointF out = at - middle;
+  const double size = std::hypot(out.x(), out.y());
+  Qt::Alignment part;
+  part |= out.x() > 0.3 * size    ? Qt::AlignLeft
+          : out.x() < -0.3 * size ? Qt::AlignRight
+                                  : Qt::AlignHCenter;
+  part |= out.y() > 0.3 * size    ? Qt::AlignBottom
+          : out.y() < -0.3 * size ? Qt::AlignTop
+                                  : Qt::AlignVCenter;
+  return part;
+}
+
+}  // namespace
+
+QPointF polar(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+Points circle_of(double radius) {
+  Points points;
+  for (int degrees = 0; degrees <= 360; degrees += 2)
+    points.push_back(polar(radius, sim::radians(degrees)));
+  return points;
+}
+
+void draw_polar_frame(QCPAxisRect& rect, const PolarFrame& frame) {
+  hide_axes(rect);
+  const QCPRange range(-kRoom * frame.radius, kRoom * frame.radius);
+  set_equal_ranges(rect, range, range);
+  for (int degrees = 0; degrees < 360; degrees += 30) {
+    const double angle = sim::radians(degrees);
+    const bool axis = degrees % 90 == 0;
+    draw_curve(rect, {{0, 0}, polar(frame.radius, angle)}, line(axis ? kGrey : kGridLine, 1));
+    const QPointF at = polar(kNumbers * frame.radius, angle);
+    write_text(rect, at, fmt::format("{}°", degrees), kInk, part_towards({0, 0}, at));
+  }
+  draw_curve(rect, circle_of(frame.radius), line(kInk, 1));
+  for (const auto& circle : frame.circles) {
+    draw_curve(rect, circle_of(circle.radius), circle.pen, circle.name);
+    if (!circle.label.empty())
+      write_text(rect, polar(circle.radius, sim::radians(kLabelAngle)), circle.label, kGrey,
+                 Qt::AlignHCenter | Qt::AlignBottom);
+  }
+  write_text(rect, polar(1.14 * frame.radius, 0), frame.x_name, kInk,
+             Qt::AlignLeft | Qt::AlignVCenter);
+  write_text(rect, polar(1.12 * frame.radius, sim::radians(90)), frame.y_name, kInk,
+             Qt::AlignHCenter | Qt::AlignBottom);
+}
+
+}  // namespace triax::src
