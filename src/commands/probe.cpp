@@ -7,7 +7,7 @@
 #include "src/commands/probe_states.hpp"
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
-#include "src/report/probe_report.hpp"
+#include "src/report/probe_figures.hpp"
 
 namespace triax::src {
 namespace {
@@ -22,9 +22,21 @@ void probe_all(const ProbeOptions& o, ProbeReport& report) {
   }
 }
 
+/// The document, the table of all probes, and each figure with its data; nothing is written before
+/// it is known that none of it would replace what was read.
 void write_files(const ProbeOptions& o, const ProbeReport& report) {
-  write_file(o.output + ".csv", probe_csv(report));
+  const auto figures = probe_figures(report);
+  std::vector<std::string> prefixes = {o.output};
+  for (const auto& figure : figures) prefixes.push_back(o.output + '_' + figure.name);
+  for (const auto& prefix : prefixes)
+    for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
+      refuse_overwriting("--output", prefix + ending, files_read(o), "what the state is read from");
   write_file(o.output + ".json", probe_json(report));
+  write_file(o.output + ".csv", to_csv(probes_data(report)));
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    write_figure(figures[i].drawing, prefixes[i + 1]);
+    write_figure_data(figures[i].data, prefixes[i + 1]);
+  }
 }
 
 void run(const ProbeOptions& o) {
@@ -32,10 +44,6 @@ void run(const ProbeOptions& o) {
   report.probing = checked_probing(o);
   check_state_options(o);
   report.material = material_of(o);
-  if (!o.output.empty())
-    for (const char* ending : {".csv", ".json"})
-      refuse_overwriting("--output", o.output + ending, files_read(o),
-                         "what the state is read from");
   if (report.probing.plane == sim::ProbePlane::plane_strain)
     probe_all<sim::Tensor>(o, report);
   else
@@ -53,8 +61,10 @@ Command probe_command() {
       .description =
           {"Takes one state of a law, imposes small increments in every direction of a plane and "
            "says in which of them second-order work is negative: the cones of unstable "
-           "directions, with edges isolated between the steps. α is measured from the √2 dσ3 axis "
-           "towards the dσ1 axis (Rendulic plane); isotropic unloading, the increment of an "
+           "directions, with edges isolated between the steps. Angles are measured from the axis "
+           "of "
+           "sqrt2 dsigma3 towards that of dsigma1 (Rendulic plane); isotropic unloading, the "
+           "increment of an "
            "undrained test at its peak of q, is at 215.26 degrees.",
            "The state is given by --p with --eta or --q, or by --stress-kPa; then the law has no "
            "memory of a reversal of shear. With --test it is that of a reading of a test in the "
@@ -70,8 +80,9 @@ Command probe_command() {
       .examples =
           {{"triax probe --material inl2/S28-general --p 70 --eta 0.60 --void-ratio 1.086 --json",
             "cones of one state as a document"},
-           {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086",
-            "several states in one table"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
+            "--step 1 --output loose",
+            "several states in one table and one circular diagram, loose_circular.svg"},
            {"triax probe --test 26 --at collapse --material inl2/S28-general",
             "a test's own increment at collapse beside the cone of the law"},
            {"triax probe --path samples/paths/icu_100.toml --every 10",
@@ -81,7 +92,8 @@ Command probe_command() {
             "plane strain, every direction printed"},
            {"triax probe --material hypoplastic/S28-MT --p 70 --eta 0.6 --void-ratio 1.0 "
             "--finite --norm-kPa 0.5 --output probes",
-            "increments of 0.5 kPa integrated, and written to probes.csv and probes.json"}},
+            "increments of 0.5 kPa integrated; probes.csv, probes.json and figures with their data "
+            "beside them"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<ProbeOptions>();
         add_probe_options(app, *o);

@@ -82,7 +82,9 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
   app.add_flag("--finite", o.finite,
                "integrate every increment of the norm instead of scaling the law's rate");
   app.add_flag("--probes", o.probes, "print every direction too");
-  app.add_option("--output", o.output, "also write PREFIX.csv and PREFIX.json")
+  app.add_option(
+         "--output", o.output,
+         "also write PREFIX.csv, PREFIX.json and the figures (SVG, PNG, PDF) with their data")
       ->type_name("PREFIX");
   add_json(app, o.json);
 }

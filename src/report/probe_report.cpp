@@ -5,26 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/records/toml_reader.hpp"
+#include "src/figures/subject.hpp"
 #include "src/output/table.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
 namespace {
-
-const char* plane_words(sim::ProbePlane plane) {
-  return plane == sim::ProbePlane::axisymmetric
-             ? "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)"
-             : "plane strain, α from dσ₃ towards dσ₁";
-}
-
-std::string probing_words(const Probing& probing) {
-  const bool stress = probing.kind == sim::ProbeKind::stress;
-  return fmt::format("{} of {:g}{} every {:g}°, {}", stress ? "stress" : "strain",
-                     stress ? probing.norm / 1e3 : probing.norm, stress ? " kPa" : "",
-                     probing.step_deg(),
-                     probing.finite ? "each increment integrated" : "by the rate at the state");
-}
 
 std::string openings(const std::vector<sim::Cone>& cones) {
   std::string words;
@@ -43,7 +29,7 @@ Table state_table(const ProbeReport& report) {
   Table table;
   if (named) table.columns.push_back({"state", Align::left});
   const std::string unloading =
-      fmt::format("W₂ at {}°", in_degrees(isotropic_unloading_angle(report.probing.plane), 2));
+      fmt::format("W₂ at {}°", in_degrees(isotropic_unloading(report.probing.plane), 2));
   for (const std::string& heading :
        {std::string("p′ (kPa)"), std::string("q (kPa)"), std::string("η"), std::string("e"),
         std::string("cones (°)"), std::string("opening (°)"), std::string("least W₂"),
@@ -144,6 +130,20 @@ std::vector<std::string> warnings_of(const ProbeReport& report) {
 
 }  // namespace
 
+std::string plane_words(sim::ProbePlane plane) {
+  return plane == sim::ProbePlane::axisymmetric
+             ? "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)"
+             : "plane strain, α from dσ₃ towards dσ₁";
+}
+
+std::string probing_words(const Probing& probing) {
+  const bool stress = probing.kind == sim::ProbeKind::stress;
+  return fmt::format("{} of {:g}{} every {:g}°, {}", stress ? "stress" : "strain",
+                     stress ? probing.norm / 1e3 : probing.norm, stress ? " kPa" : "",
+                     probing.step_deg(),
+                     probing.finite ? "each increment integrated" : "by the rate at the state");
+}
+
 std::string cones_in_words(const std::vector<sim::Cone>& cones) {
   std::string words;
   for (const auto& cone : cones)
@@ -208,35 +208,6 @@ std::string probe_text(const ProbeReport& report, bool probes) {
       out += '\n' + indented(to_text(probes_table(report, state)));
     }
   return without_controls(out);
-}
-
-std::string probe_csv(const ProbeReport& report) {
-  const bool axisymmetric = report.probing.plane == sim::ProbePlane::axisymmetric;
-  const double root = axisymmetric ? std::numbers::sqrt2 : 1;
-  const char* lateral = axisymmetric ? "radial" : "lateral";
-  std::string out =
-      fmt::format("# [test]\n# name = {}\n# origin = \"simulated\"\n## {} probes, {}\n## {}\n",
-                  lab::toml_quoted("probes of " + report.material.name),
-                  report.probing.kind == sim::ProbeKind::stress ? "stress" : "strain",
-                  on_one_line(report.material.name), probing_words(report.probing));
-  out += fmt::format(
-      "state,p_eff_kPa,q_kPa,eta,void_ratio,alpha_deg,w2_normalised,w2_Pa,axial_stress_kPa,"
-      "{0}_stress_kPa,axial_strain,{0}_strain\n",
-      lateral);
-  int count = 0;
-  for (const ProbedState& state : report.states) {
-    ++count;
-    for (const sim::Probe& probe : state.circle.probes) {
-      out += fmt::format("{},{},{},{},{},{}", count, state.p / 1e3, state.q / 1e3, state.eta(),
-                         state.void_ratio, sim::degrees(probe.angle));
-      out += probe.answered
-                 ? fmt::format(",{},{},{},{},{},{}\n", probe.normalised, probe.second_order_work,
-                               probe.stress.y() / 1e3, probe.stress.x() / root / 1e3,
-                               probe.strain.y(), probe.strain.x() / root)
-                 : ",,,,,,\n";
-    }
-  }
-  return out;
 }
 
 }  // namespace triax::src

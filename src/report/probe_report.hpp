@@ -1,5 +1,5 @@
 #pragma once
-// What stress or strain probes of states came to, as text, JSON and CSV.
+// What stress or strain probes of states came to, as text and JSON.
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +27,10 @@ std::string probe_json(const ProbeReport& report);
 /// A table of the states for people, and where a test's own increment lies; with `probes` every
 /// direction of every state besides.
 std::string probe_text(const ProbeReport& report, bool probes);
-/// Every direction of every state, behind remarks that say what it is.
-std::string probe_csv(const ProbeReport& report);
-
+/// "stress of 1 kPa every 10°, by the rate at the state".
+std::string probing_words(const Probing& probing);
+/// "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)".
+std::string plane_words(sim::ProbePlane plane);
 /// "214.86° to 237.66°" for every cone, "none" without any.
 std::string cones_in_words(const std::vector<sim::Cone>& cones);
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "lab/records/bad_input.hpp"
+#include "src/figures/subject.hpp"
 
 namespace triax::src {
 namespace {
@@ -99,11 +100,6 @@ std::vector<std::string> ProbedState::all_warnings() const {
   return all;
 }
 
-double isotropic_unloading_angle(sim::ProbePlane plane) {
-  return plane == sim::ProbePlane::axisymmetric ? sim::kIsotropicUnloading
-                                                : 1.25 * std::numbers::pi;
-}
-
 template <class Space>
 ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Space>& what,
                         const Probing& probing) {
@@ -135,7 +131,7 @@ ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Spa
     probed.memory.emplace_back(names[i], state.memory(static_cast<Eigen::Index>(i)));
   const StateProbers<Space> probers(law, state, probing);
   probed.circle = probers.circle();
-  probed.isotropic_unloading = probers.stress_probe(isotropic_unloading_angle(probing.plane));
+  probed.isotropic_unloading = probers.stress_probe(isotropic_unloading(probing.plane));
   if (what.test) {
     const auto& told = what.test->warnings;
     probed.warnings.insert(probed.warnings.end(), told.begin(), told.end());

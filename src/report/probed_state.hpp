@@ -23,9 +23,6 @@ struct Probing {
   double step_deg() const { return 360.0 / directions; }
 };
 
-/// α of dq = 0, dp′ < 0 in that plane (plane strain: of dσ₁ = dσ₃ < 0), rad.
-double isotropic_unloading_angle(sim::ProbePlane plane);
-
 /// A state to be probed, and where it comes from.
 template <class Space>
 struct StateToProbe {

@@ -10,11 +10,11 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {"simulate", "replay", "report", "query", "element", "materials"};
+const char* const kCommands[] = {"simulate", "replay", "report", "query", "element", "materials", "probe"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
-  const std::regex pattern("--[a-z][a-z-]*");
+  const std::regex pattern("--[a-z][A-Za-z-]*");
   for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i)
     options.insert(i->str());
   return options;
