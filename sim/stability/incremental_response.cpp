@@ -46,6 +46,14 @@ IncrementalResponse<Space>::IncrementalResponse(const Law<Space>& law,
 }
 
 template <class Space>
+bool IncrementalResponse<Space>::piecewise_linear() const {
+  if (law_.finite()) return false;
+  if (const auto* interpolated = std::get_if<InterpolatedForm<Space>>(&response_))
+    return !interpolated->quadratic;
+  return !std::get<StiffnessForm<Space>>(response_).nonlinear;
+}
+
+template <class Space>
 PointRate<Space> IncrementalResponse<Space>::accepted(PointRate<Space> rate) const {
   if (rate.controllable && law_.refusal(state_, rate)) rate.controllable = false;
   return rate;

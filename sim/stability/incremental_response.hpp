@@ -22,6 +22,10 @@ class IncrementalResponse {
   const PointState<Space>& state() const { return state_; }
   const Law<Space>& law() const { return law_; }
 
+  /// Whether the answer is linear within zones of directions: elasticity, elastoplasticity and
+  /// octolinear, but not INL2, hypoplasticity and laws that integrate themselves.
+  bool piecewise_linear() const;
+
   /// The rate that this stress increment brings.
   PointRate<Space> to_stress(const Vector<Space>& stress) const;
   /// The rate that this strain increment brings.
