@@ -8,6 +8,7 @@
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/report/probe_figures.hpp"
+#include "src/report/strain_paths_report.hpp"
 
 namespace triax::src {
 namespace {
@@ -22,15 +23,18 @@ void probe_all(const ProbeOptions& o, ProbeReport& report) {
   }
 }
 
+void keep_what_is_read(const ProbeOptions& o, const std::string& prefix) {
+  for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
+    refuse_overwriting("--output", prefix + ending, files_read(o), "what the state is read from");
+}
+
 /// The document, the table of all probes, and each figure with its data; nothing is written before
 /// it is known that none of it would replace what was read.
 void write_files(const ProbeOptions& o, const ProbeReport& report) {
   const auto figures = probe_figures(report);
   std::vector<std::string> prefixes = {o.output};
   for (const auto& figure : figures) prefixes.push_back(o.output + '_' + figure.name);
-  for (const auto& prefix : prefixes)
-    for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
-      refuse_overwriting("--output", prefix + ending, files_read(o), "what the state is read from");
+  for (const auto& prefix : prefixes) keep_what_is_read(o, prefix);
   write_file(o.output + ".json", probe_json(report));
   write_file(o.output + ".csv", to_csv(probes_data(report)));
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -39,7 +43,23 @@ void write_files(const ProbeOptions& o, const ProbeReport& report) {
   }
 }
 
+void run_strain_paths(const ProbeOptions& o) {
+  check_strain_path_options(o);
+  const auto material = chosen_material(o.material);
+  const auto report =
+      strain_paths(material, 1e3 * *o.p_kPa, chosen_void_ratio(o.material, material),
+                   o.strain_paths, o.axial_strain);
+  if (!o.output.empty()) {
+    keep_what_is_read(o, o.output);
+    write_figure(strain_paths_drawing(report), o.output);
+    write_file(o.output + ".csv", to_csv(strain_paths_data(report)));
+    write_file(o.output + ".json", strain_paths_json(report));
+  }
+  print(o.json ? strain_paths_json(report) : strain_paths_text(report));
+}
+
 void run(const ProbeOptions& o) {
+  if (!o.strain_paths.empty()) return run_strain_paths(o);
   ProbeReport report;
   report.probing = checked_probing(o);
   check_state_options(o);
@@ -49,7 +69,8 @@ void run(const ProbeOptions& o) {
   else
     probe_all<sim::Axisymmetric>(o, report);
   if (!o.output.empty()) write_files(o, report);
-  print(o.json ? probe_json(report) : probe_text(report, o.probes));
+  print(o.json ? probe_json(report)
+               : probe_text(report, {.probes = o.probes, .control = o.control}));
 }
 
 }  // namespace
@@ -71,6 +92,13 @@ Command probe_command() {
            "database, likewise without memory, and the direction in which the test itself was "
            "going is put beside the cones. With --path the law is driven along a path first, and "
            "remembers it.",
+           "Controllability belongs to it: the ratios R for which deps1 + 2R deps3 = 0 cannot be "
+           "held "
+           "while dsigma1 - dsigma3/R grows, the index of usual programmes, the roots of Eq. (34) "
+           "of "
+           "the paper. --strain-paths runs such paths from the isotropic state --p instead and "
+           "gives "
+           "their peaks.",
            "All of it is computed from the law and called simulated."},
       .diagnostics = {{"... refuses it: ...",
                        "the state lies beyond the law's limit surface or void ratios"},
@@ -90,6 +118,9 @@ Command probe_command() {
            {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
             "--plane plane-strain --probes",
             "plane strain, every direction printed"},
+           {"triax probe --material inl2/S28-general --p 100 --void-ratio 1.086 --strain-paths "
+            "0.7,0.8,0.9,1.0 --output fig16",
+            "proportional strain paths, with fig16.svg, .png, .pdf, .csv and .json"},
            {"triax probe --material hypoplastic/S28-MT --p 70 --eta 0.6 --void-ratio 1.0 "
             "--finite --norm-kPa 0.5 --output probes",
             "increments of 0.5 kPa integrated; probes.csv, probes.json and figures with their data "

@@ -15,6 +15,8 @@ namespace {
 constexpr double kSmallestStress_kPa = 1e-3, kLargestStress_kPa = 1e5;
 constexpr double kSmallestNorm_kPa = 1e-6, kLargestNorm_kPa = 1e4;
 constexpr double kSmallestNormStrain = 1e-10, kLargestNormStrain = 0.1;
+constexpr double kSmallestRatio = 0.01, kLargestR = 100;
+constexpr double kSmallestStrain = 1e-5, kLargestStrain = 0.5;
 constexpr double kSmallestStep_deg = 0.01, kLargestStep_deg = 45;
 
 void must_lie(const char* option, double value, double lowest, double highest) {
@@ -82,6 +84,21 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
   app.add_flag("--finite", o.finite,
                "integrate every increment of the norm instead of scaling the law's rate");
   app.add_flag("--probes", o.probes, "print every direction too");
+  app.add_option("--R", o.R,
+                 "ratios of deps1 + 2R deps3 = 0 at which control is looked at [0.1,0.2,...,3]")
+      ->type_name("R,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_flag("--control", o.control, "print controllability over R and under named controls too");
+  app.add_option("--strain-paths", o.strain_paths,
+                 "instead of probes: proportional strain paths of these R from the isotropic state "
+                 "--p")
+      ->type_name("R,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--axial-strain", o.axial_strain, "to which the strain paths go, a plain number")
+      ->type_name("STRAIN")
+      ->capture_default_str();
   app.add_option(
          "--output", o.output,
          "also write PREFIX.csv, PREFIX.json and the figures (SVG, PNG, PDF) with their data")
@@ -92,7 +109,9 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
 Probing checked_probing(const ProbeOptions& o) {
   only_with(o.norm_strain.has_value(), "--norm-strain", o.strain, "--strain");
   only_with(o.norm_kPa.has_value(), "--norm-kPa", !o.strain, "stress probes, without --strain");
+  for (const double R : o.R) must_lie("--R", R, kSmallestRatio, kLargestR);
   Probing probing;
+  if (!o.R.empty()) probing.ratios = o.R;
   probing.plane =
       o.plane == "plane-strain" ? sim::ProbePlane::plane_strain : sim::ProbePlane::axisymmetric;
   probing.kind = o.strain ? sim::ProbeKind::strain : sim::ProbeKind::stress;
@@ -107,6 +126,18 @@ Probing checked_probing(const ProbeOptions& o) {
     probing.norm = 1e3 * norm_kPa;
   }
   return probing;
+}
+
+void check_strain_path_options(const ProbeOptions& o) {
+  if (!o.p_kPa) throw lab::BadInput("--strain-paths needs --p, the isotropic state to start from");
+  must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+  for (const double R : o.strain_paths) must_lie("--strain-paths", R, kSmallestRatio, kLargestR);
+  must_lie("--axial-strain", o.axial_strain, kSmallestStrain, kLargestStrain);
+  if (!o.eta.empty() || !o.q_kPa.empty() || !o.stress_kPa.empty() || !o.test.empty() ||
+      !o.path.empty() || o.strain || o.finite || o.plane != "axisymmetric")
+    throw lab::BadInput(
+        "--strain-paths starts from the isotropic state --p alone, in axisymmetry: it takes no "
+        "other state, plane or probes");
 }
 
 void check_state_options(const ProbeOptions& o) {

@@ -30,7 +30,11 @@ struct ProbeOptions {
   double step_deg = 10;
   bool finite = false;
 
-  bool probes = false;
+  std::vector<double> R;  ///< at which control is looked at; empty: the usual ones
+  bool probes = false, control = false;
+
+  std::vector<double> strain_paths;  ///< R; another run altogether
+  double axial_strain = 0.05;
   std::string output;
   bool json = false;
 };
@@ -40,6 +44,9 @@ void add_probe_options(CLI::App& app, ProbeOptions& options);
 
 /// The probes that are asked for. Throws lab::BadInput for a number that makes no sense.
 Probing checked_probing(const ProbeOptions& options);
+
+/// Throws lab::BadInput unless the options of proportional strain paths are whole and alone.
+void check_strain_path_options(const ProbeOptions& options);
 
 /// Throws lab::BadInput unless exactly one kind of state is asked for, with all it needs and
 /// nothing that it does not.

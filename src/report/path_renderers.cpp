@@ -63,16 +63,6 @@ std::string event_words(const ReportedEvent& event) {
   return "control of " + event.what + " is lost";
 }
 
-std::string indented(const std::string& lines) {
-  std::string out = "  ";
-  for (const char c : lines) {
-    out += c;
-    if (c == '\n') out += "  ";
-  }
-  out.erase(out.size() - 2);
-  return out;
-}
-
 }  // namespace
 
 std::string path_json(const ReportedPath& path) {

@@ -7,6 +7,7 @@
 
 #include "src/figures/circular_diagram.hpp"
 #include "src/figures/cones_figure.hpp"
+#include "src/figures/control_scan_figure.hpp"
 #include "src/figures/response_envelope.hpp"
 #include "src/figures/work_over_angle.hpp"
 #include "src/report/words.hpp"
@@ -120,6 +121,26 @@ FigureData probes_data(const ProbeReport& report, const std::vector<const Probed
   return data;
 }
 
+/// Every R of these states.
+FigureData control_data(const ProbeReport& report, const std::vector<const ProbedState*>& states) {
+  FigureData data = titled(report, "control of proportional strain paths, ");
+  data.columns.insert(data.columns.end(), {{"R", ""},
+                                           {"controllable", ""},
+                                           {"index", ""},
+                                           {"mode_alpha_deg", "°"},
+                                           {"mode_w2_normalised", ""}});
+  for (const ProbedState* state : states)
+    for (const auto& at : state->control.scan) {
+      auto row = row_of(report, *state);
+      row.insert(row.end(), {at.R, at.controllable ? 1.0 : 0.0, at.index});
+      if (at.mode.answered)
+        row.insert(row.end(), {sim::degrees(at.mode.angle), at.mode.normalised});
+      row.resize(data.columns.size());
+      data.rows.push_back(std::move(row));
+    }
+  return data;
+}
+
 /// Whether two states would be drawn over each other: within 1/40 of the largest stress.
 bool close_together(const TriaxialState& a, const TriaxialState& b, double largest) {
   return std::hypot(a.p - b.p, a.q - b.q) < largest / 40;
@@ -201,6 +222,12 @@ std::vector<ProbeFigure> probe_figures(const ProbeReport& report) {
   const ProbedState& last = *drawn.back();
   add("envelope", response_envelope(last.circle, report.probing.norm, subject_of(report, {&last})),
       probes_data(report, {&last}));
+  std::vector<NamedScan> scans;
+  for (const ProbedState* state : drawn) {
+    scans.push_back({curve_name(*state, one_p), state->control.scan, {}});
+    for (const auto& root : state->control.roots) scans.back().roots.push_back(root.R);
+  }
+  add("control", control_scan_figure(scans, subject), control_data(report, drawn));
   if (report.probing.plane == sim::ProbePlane::axisymmetric &&
       report.probing.kind == sim::ProbeKind::stress) {
     const ConesPicture picture = picture_of(report, subject_of(report, all_states(report)));

@@ -101,6 +101,35 @@ Json own_json(const ProbedState& state, const Probing& probing) {
           {"nearest_edge_deg", place ? json_deg(place->to_edge) : Json(nullptr)}};
 }
 
+Json control_json(const ControlReport& control) {
+  Json scan = Json::array(), lost = Json::array(), named = Json::array(), roots = Json::array();
+  for (const auto& at : control.scan)
+    scan.push_back({{"R", at.R},
+                    {"controllable", at.controllable},
+                    {"index", json_number(at.index)},
+                    {"mode_alpha_deg", at.mode.answered ? json_deg(at.mode.angle) : Json(nullptr)},
+                    {"mode_w2_normalised", normalised(at.mode)}});
+  for (const auto& range : control.lost)
+    lost.push_back({{"from_R", range.begins ? json_number(range.from) : Json(nullptr)},
+                    {"to_R", range.ends ? json_number(range.to) : Json(nullptr)}});
+  for (const auto& at : control.named)
+    named.push_back(
+        {{"name", at.name}, {"controllable", at.controllable}, {"index", json_number(at.index)}});
+  for (const auto& root : control.roots)
+    roots.push_back({{"R", json_number(root.R)},
+                     {"alpha_deg", json_deg(root.angle)},
+                     {"failure_rule_per_kPa", json_number(1e3 * root.failure_rule)}});
+  const auto& determinant = control.symmetric_determinant;
+  return {{"scan", std::move(scan)},
+          {"searched_R", {kLeastRatio, kLargestRatio}},
+          {"lost", std::move(lost)},
+          {"named", std::move(named)},
+          {"compliance", json_text(control.compliance)},
+          {"symmetric_determinant_per_kPa2",
+           json_number(determinant ? std::optional(1e6 * *determinant) : std::nullopt)},
+          {"roots", std::move(roots)}};
+}
+
 /// Everything that is said of one state, put into `object`.
 void put_state(const ProbeReport& report, const ProbedState& state, Json& object) {
   const Probing& probing = report.probing;
@@ -118,6 +147,7 @@ void put_state(const ProbeReport& report, const ProbedState& state, Json& object
       {"in_cone",
        unloading.answered ? Json(unloading.normalised < sim::kUnstable) : Json(nullptr)}};
   object["own_increment"] = own_json(state, probing);
+  object["control"] = control_json(state.control);
   object["unanswered_directions"] = state.circle.unanswered;
   for (const sim::Probe& probe : state.circle.probes) probes.push_back(probe_json(probe, probing));
   object["probes"] = std::move(probes);

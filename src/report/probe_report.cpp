@@ -12,6 +12,8 @@
 namespace triax::src {
 namespace {
 
+bool axisymmetric(const Probing& probing) { return probing.plane == sim::ProbePlane::axisymmetric; }
+
 std::string openings(const std::vector<sim::Cone>& cones) {
   std::string words;
   for (const auto& cone : cones)
@@ -50,8 +52,7 @@ Table state_table(const ProbeReport& report) {
 }
 
 Table probes_table(const ProbeReport& report, const ProbedState& state) {
-  const bool axisymmetric = report.probing.plane == sim::ProbePlane::axisymmetric;
-  const double root = axisymmetric ? std::numbers::sqrt2 : 1;
+  const double root = axisymmetric(report.probing) ? std::numbers::sqrt2 : 1;
   Table table;
   for (const char* heading :
        {"α (°)", "W₂ norm.", "W₂ (Pa)", "dσ₁ (kPa)", "dσ₃ (kPa)", "dε₁", "dε₃"})
@@ -69,16 +70,6 @@ Table probes_table(const ProbeReport& report, const ProbedState& state) {
     table.rows.push_back(std::move(row));
   }
   return table;
-}
-
-std::string indented(const std::string& lines) {
-  std::string out = "  ";
-  for (const char c : lines) {
-    out += c;
-    if (c == '\n') out += "  ";
-  }
-  out.erase(out.size() - 2);
-  return out;
 }
 
 /// Where the test's own increment lies.
@@ -109,6 +100,18 @@ std::string test_words(const TestedState& test) {
   if (test.has_time && std::isfinite(s.time_s)) words += ", " + duration(s.time_s);
   if (std::isfinite(s.strain.axial)) words += ", ε₁ " + in_percent(s.strain.axial, 3) + " %";
   return words;
+}
+
+std::string state_heading(const ProbedState& state) {
+  return fmt::format("  {}p′ {} kPa, q {} kPa, η {}\n",
+                     state.name.empty() ? "" : on_one_line(state.name) + ": ", in_kPa(state.p, 2),
+                     in_kPa(state.q, 2), number(state.eta(), 4));
+}
+
+std::string control_text(const ControlReport& control) {
+  std::string out = indented(to_text(scan_table(control)));
+  if (!control.named.empty()) out += '\n' + indented(to_text(named_controls_table(control)));
+  return out;
 }
 
 /// Each once; of states outside the range the first and how many there are.
@@ -159,7 +162,7 @@ std::optional<std::size_t> ProbeReport::first_unstable() const {
   return static_cast<std::size_t>(found - states.begin());
 }
 
-std::string probe_text(const ProbeReport& report, bool probes) {
+std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
   const std::string title =
       on_one_line("Second-order work in every direction, " + report.material.name + " (simulated)");
   std::string out = title + '\n' + std::string(display_width(title), '=') + '\n';
@@ -190,6 +193,13 @@ std::string probe_text(const ProbeReport& report, bool probes) {
     fact("own", own_words(state));
     if (state.own && report.probing.kind == sim::ProbeKind::stress) fact("", place_words(state));
   }
+  if (report.states.size() == 1) {
+    const ProbedState& state = report.states.front();
+    fact("control",
+         fmt::format("of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}",
+                     axisymmetric(report.probing) ? "2" : "", lost_in_words(state.control)));
+    fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)", roots_in_words(state.control));
+  }
   if (report.many) {
     const auto first = report.first_unstable();
     const auto& s = report.states;
@@ -199,14 +209,12 @@ std::string probe_text(const ProbeReport& report, bool probes) {
                         : "no unstable direction at any of these states");
   }
   for (const auto& warning : warnings_of(report)) fact("warning", warning);
-  if (probes)
-    for (const ProbedState& state : report.states) {
-      if (report.states.size() > 1)
-        out += fmt::format("\n  {}p′ {} kPa, q {} kPa, η {}\n",
-                           state.name.empty() ? "" : state.name + ": ", in_kPa(state.p, 2),
-                           in_kPa(state.q, 2), number(state.eta(), 4));
-      out += '\n' + indented(to_text(probes_table(report, state)));
-    }
+  for (const ProbedState& state : report.states) {
+    if ((details.probes || details.control) && report.states.size() > 1)
+      out += '\n' + state_heading(state);
+    if (details.control) out += '\n' + control_text(state.control);
+    if (details.probes) out += '\n' + indented(to_text(probes_table(report, state)));
+  }
   return without_controls(out);
 }
 

@@ -24,9 +24,13 @@ struct ProbeReport {
 /// One JSON document; what is unknown is null. A single state is part of it; several are the list
 /// "states" of objects with the same keys.
 std::string probe_json(const ProbeReport& report);
-/// A table of the states for people, and where a test's own increment lies; with `probes` every
-/// direction of every state besides.
-std::string probe_text(const ProbeReport& report, bool probes);
+/// What a text tells of each state besides.
+struct ProbeDetails {
+  bool probes = false;   ///< every direction
+  bool control = false;  ///< controllability over R and under named controls
+};
+/// A table of the states for people, and where a test's own increment lies.
+std::string probe_text(const ProbeReport& report, const ProbeDetails& details);
 /// "stress of 1 kPa every 10°, by the rate at the state".
 std::string probing_words(const Probing& probing);
 /// "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)".

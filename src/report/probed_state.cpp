@@ -74,6 +74,10 @@ class StateProbers {
     return probe;
   }
 
+  ControlReport control(const sim::Probe& least) const {
+    return control_of(*response_, least, probing_.ratios);
+  }
+
  private:
   sim::Prober prober(sim::ProbeKind kind) const {
     return probing_.finite ? sim::make_finite_prober(law_, state_, kind, probing_.norm)
@@ -121,6 +125,7 @@ ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Spa
                      .void_ratio_outside = lab::void_ratio_outside(material, state.void_ratio),
                      .p_eff_outside = lab::p_eff_outside(material, state.p()),
                      .circle = {},
+                     .control = {},
                      .isotropic_unloading = {},
                      .test = what.test,
                      .own = {}};
@@ -131,6 +136,7 @@ ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Spa
     probed.memory.emplace_back(names[i], state.memory(static_cast<Eigen::Index>(i)));
   const StateProbers<Space> probers(law, state, probing);
   probed.circle = probers.circle();
+  probed.control = probers.control(probed.circle.least);
   probed.isotropic_unloading = probers.stress_probe(isotropic_unloading(probing.plane));
   if (what.test) {
     const auto& told = what.test->warnings;

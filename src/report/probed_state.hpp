@@ -8,6 +8,7 @@
 
 #include "lab/materials/material_library.hpp"
 #include "sim/stability/cones.hpp"
+#include "src/report/control_report.hpp"
 #include "src/report/tested_state.hpp"
 
 namespace triax::src {
@@ -19,6 +20,8 @@ struct Probing {
   double norm = 1e3;    ///< of the increments, Pa; of strain probes, strain
   int directions = 36;  ///< equal steps, refined where the sign changes
   bool finite = false;  ///< increments of that norm are integrated; else the rate is scaled to it
+
+  std::vector<double> ratios = usual_ratios();  ///< R at which control is looked at
 
   double step_deg() const { return 360.0 / directions; }
 };
@@ -47,6 +50,7 @@ struct ProbedState {
   std::optional<std::string> void_ratio_outside, p_eff_outside;
 
   sim::Circle circle;
+  ControlReport control;           ///< by the rate, whatever the probes are
   sim::Probe isotropic_unloading;  ///< a stress probe, whatever the others are
   std::optional<TestedState> test;
   /// The law's answer to a stress increment in the direction of the test's own; axisymmetric only.

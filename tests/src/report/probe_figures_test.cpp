@@ -37,10 +37,10 @@ std::set<std::string> names(const src::ProbeReport& report) {
 
 TEST_CASE("stress probes of the axisymmetric plane have all figures, others none of cones") {
   CHECK(names(report_of({0.5, 0.6})) == std::set<std::string>{"circular", "polar", "work",
-                                                              "envelope", "cones_pq",
+                                                              "envelope", "control", "cones_pq",
                                                               "cones_rendulic"});
   CHECK(names(report_of({0.6}, {.kind = sim::ProbeKind::strain, .norm = 1e-5})) ==
-        std::set<std::string>{"circular", "polar", "work", "envelope"});
+        std::set<std::string>{"circular", "polar", "work", "control", "envelope"});
   auto silent = report_of({0.6});
   for (sim::Probe& probe : silent.states[0].circle.probes) probe.answered = false;
   silent.states[0].circle.least.answered = false;

@@ -116,12 +116,12 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
   CHECK(alone["cone"].is_null());
   CHECK(alone["nearest_edge_deg"].is_null());
 
-  const std::string text = src::probe_text(with(0.6, 216), false);
+  const std::string text = src::probe_text(with(0.6, 216), {});
   CHECK(text.find("inside the cone 214.83–237.59, 1.2° within its nearest edge") !=
         std::string::npos);
   CHECK(text.find("CSU 26 (number 26, recorded) at collapse, reading 812, 41.0 s") !=
         std::string::npos);
-  CHECK(src::probe_text(with(0.6, 213), false).find("1.8° from its nearest edge") !=
+  CHECK(src::probe_text(with(0.6, 213), {}).find("1.8° from its nearest edge") !=
         std::string::npos);
 }
 
@@ -138,20 +138,20 @@ TEST_CASE("directions without an answer are null and empty, and told") {
   for (const char* key : {"w2_normalised", "w2_Pa", "stress", "strain"})
     CHECK(d["probes"][1][key].is_null());
   CHECK(d["least"]["alpha_deg"].is_null());
-  CHECK(src::probe_text(report, true).find("1 of 12 directions") != std::string::npos);
+  CHECK(src::probe_text(report, {.probes = true}).find("1 of 12 directions") != std::string::npos);
 }
 
 TEST_CASE("the text has the probes only where they are asked for") {
   const auto report = report_of({0.6});
-  CHECK(lines(src::probe_text(report, true)) >
-        lines(src::probe_text(report, false)) + report.states[0].circle.probes.size());
+  CHECK(lines(src::probe_text(report, {.probes = true})) >
+        lines(src::probe_text(report, {})) + report.states[0].circle.probes.size());
 }
 
 TEST_CASE("of many states outside the range the first is named, and how many there are") {
   auto report = report_of({0.1});
   for (const double p_kPa : {5.0, 4.0, 3.0}) report.states.push_back(state_at(p_kPa, 0.1));
   report.many = true;
-  const std::string text = src::probe_text(report, false);
+  const std::string text = src::probe_text(report, {});
   CHECK(text.find("p' is 5 kPa, outside the range 10 to 1000 kPa of inl2/S28-general, and so at 2 "
                   "more of the states") != std::string::npos);
   CHECK(text.find("p' is 4 kPa") == std::string::npos);
