@@ -39,7 +39,8 @@ std::optional<sim::PlaneCompliance> compliance_of(const sim::IncrementalResponse
                                                   const sim::Probe& least, std::string& whose) {
   const auto form = response.law().response(response.state());
   if (const auto* interpolated = std::get_if<sim::InterpolatedForm<Space>>(&form)) {
-    whose = "zone (-, -)";
+    whose = interpolated->quadratic ? "zone (-, -) of the octolinear law with these moduli"
+                                    : "zone (-, -)";
     return zone_of(*interpolated);
   }
   if (!least.answered) return std::nullopt;

@@ -20,8 +20,9 @@ struct ControlReport {
   std::vector<sim::ControlPoint> scan;
   std::vector<sim::LostControl> lost;    ///< ranges of R between kLeastRatio and kLargestRatio
   std::vector<sim::ControlIndex> named;  ///< axisymmetry only
-  /// Whose compliance Eq. (34) or (35) is written with: "zone (-, -)" of interpolated laws, else
-  /// "tangent of the least direction"; empty: there is none.
+  /// Whose compliance Eq. (34) or (35) is written with: that of zone (-, -) where there are
+  /// zones (of INL2: with its moduli), else that of the tangent of the least direction; empty:
+  /// there is none.
   std::string compliance;
   std::optional<double> symmetric_determinant;  ///< det Mˢ, 1/Pa²; below 0: two roots
   std::vector<ControlRoot> roots;               ///< by rising R

@@ -225,7 +225,11 @@ std::vector<ProbeFigure> probe_figures(const ProbeReport& report) {
   std::vector<NamedScan> scans;
   for (const ProbedState* state : drawn) {
     scans.push_back({curve_name(*state, one_p), state->control.scan, {}});
-    for (const auto& root : state->control.roots) scans.back().roots.push_back(root.R);
+    // Control is lost at the roots of Eq. (34) with the compliance of the mode's own direction.
+    for (const auto& range : state->control.lost) {
+      if (range.begins) scans.back().roots.push_back(range.from);
+      if (range.ends) scans.back().roots.push_back(range.to);
+    }
   }
   add("control", control_scan_figure(scans, subject), control_data(report, drawn));
   if (report.probing.plane == sim::ProbePlane::axisymmetric &&
