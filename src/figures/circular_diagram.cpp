@@ -13,7 +13,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620, kHeight = 680;
+constexpr int kWidth = 620, kHeight = 690;
 const double kStep = sim::radians(1);
 constexpr double kPositiveWidth = 1.6, kNegativeWidth = 2.8;
 
@@ -132,7 +132,10 @@ Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject&
   auto frame = frame_of(subject, constant + 1);
   for (double value = -constant + 0.5; value < 0.99; value += 0.5) {
     const bool zero = std::abs(value) < 1e-9;
-    frame.circles.push_back({constant + value, fmt::format("{:g}", zero ? 0 : value),
+    frame.circles.push_back({constant + value,
+                             zero        ? "0"
+                             : value < 0 ? fmt::format("−{:g}", -value)
+                                         : fmt::format("{:g}", value),
                              zero ? line(kInk, 1.2) : line(kGridLine, 1), ""});
   }
   draw_polar_frame(rect, frame);

@@ -14,7 +14,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 680, kHeight = 560;
+constexpr int kLeastWidth = 560, kWidth = 680, kLeastHeight = 380, kHeight = 640;
 constexpr double kArrow = 1.7;  // length of a test's arrow in radii of a fan
 
 class Picture {
@@ -29,10 +29,10 @@ class Picture {
     name_legend();
     legend_below(*plot_, 2);
     find_ranges();
-    radius_ = fan_radius();
+    const auto radii = fan_radii();
     draw_lines();
     for (const auto& path : data_.paths) draw_path(path);
-    for (const auto& state : data_.states) draw_fans(state);
+    for (std::size_t i = 0; i < radii.size(); ++i) draw_fans(data_.states[i], radii[i]);
     for (const auto& state : data_.states) mark_state(state);
     for (const auto& test : data_.tests) draw_test(test);
     place_labels(*plot_, labels_);
@@ -69,8 +69,8 @@ class Picture {
 
   // Entries only: what is drawn comes after the ranges, which depend on the legend's height.
   void name_legend() {
-    if (has(false)) draw_area(rect(), {}, fan_fill(), fan_pen(), "cone of directions with W₂ < 0");
-    if (has(true)) draw_markers(rect(), {}, state_marker(true), "state without such directions");
+    if (has(false)) draw_area(rect(), {}, fan_fill(), fan_pen(), "directions with W₂ < 0");
+    if (has(true)) draw_markers(rect(), {}, state_marker(true), "state without any");
     if (!data_.paths.empty()) draw_curve(rect(), {}, path_pen(), "stress path (simulated)");
     if (data_.limit_stress_ratio)
       draw_curve(rect(), {}, limit_pen(),
@@ -83,8 +83,7 @@ class Picture {
     for (const bool simulated : {false, true})
       if (has_test(simulated))
         draw_markers(rect(), {}, test_marker(simulated),
-                     simulated ? "test with its increment (simulated)"
-                               : "test with its increment (recorded)");
+                     simulated ? "increment of a simulated test" : "increment of a recorded test");
   }
 
   void find_ranges() {
@@ -97,26 +96,55 @@ class Picture {
     for (const auto& at : data_.states) add(at.state);
     for (const auto& path : data_.paths) std::ranges::for_each(path, add);
     for (const auto& test : data_.tests) add(test.state);
-    set_equal_ranges(rect(), x.with_margin(0.12, true), y.with_margin(0.15, true));
+    const auto across = x.with_margin(0.10, true), up = y.with_margin(0.12, true);
+    trim(up.size() / across.size());
+    set_equal_ranges(rect(), across, up);
     // The origin stays in its corner.
-    for (auto* axis : {plot_->xAxis, plot_->yAxis})
-      if ((axis == plot_->xAxis ? x : y).with_margin(0, true).lower >= 0)
-        axis->setRange(0, axis->range().size());
+    if (across.lower >= 0) plot_->xAxis->setRange(0, plot_->xAxis->range().size());
+    if (up.lower >= 0) plot_->yAxis->setRange(0, plot_->yAxis->range().size());
     plot_->replot();
   }
 
-  /// So large that fans of neighbours do not touch but those of a few states are still seen; kPa.
-  double fan_radius() const {
-    const double range = std::hypot(plot_->xAxis->range().size(), plot_->yAxis->range().size());
-    double nearest = range;
-    for (std::size_t i = 0; i < data_.states.size(); ++i)
-      for (std::size_t k = 0; k < i; ++k) {
-        if (data_.states[i].cones.empty() || data_.states[k].cones.empty()) continue;
-        const QPointF way = kPa(data_.states[i].state) - kPa(data_.states[k].state);
+  /// A plot as high, or as broad, as the data need where both axes have one scale.
+  void trim(double height_over_width) {
+    plot_->replot();
+    const int beside = kWidth - rect().width(), below = kHeight - rect().height();
+    const int high = static_cast<int>(rect().width() * height_over_width);
+    const int broad = static_cast<int>(rect().height() / height_over_width);
+    const int width = std::clamp(broad + beside, kLeastWidth, kWidth);
+    const int height = std::clamp(high + below, kLeastHeight, kHeight);
+    resize_plot(*plot_, width, height);
+  }
+
+  /// Of the distances from each unstable state to the nearest other, kPa; empty: one state alone.
+  std::vector<double> nearest_distances() const {
+    std::vector<double> distances;
+    for (const auto& here : data_.states) {
+      double nearest = 0;
+      for (const auto& there : data_.states) {
+        const QPointF way = kPa(here.state) - kPa(there.state);
         const double distance = std::hypot(way.x(), way.y());
-        if (distance > 1e-6 * range) nearest = std::min(nearest, distance);
+        if (there.cones.empty() || !(distance > 0)) continue;
+        nearest = nearest > 0 ? std::min(nearest, distance) : distance;
       }
-    return std::clamp(0.9 * nearest, 0.025 * range, 0.07 * range);
+      distances.push_back(nearest);
+    }
+    return distances;
+  }
+
+  /// Large where there is room, and small where neighbours would be covered; kPa, by state.
+  std::vector<double> fan_radii() {
+    const double range = std::hypot(plot_->xAxis->range().size(), plot_->yAxis->range().size());
+    // A unit of the Rendulic plane is up to √(3/2) long in the other.
+    const double reach = plane_ == StressPlane::p_q ? 0.9 / std::sqrt(1.5) : 0.9;
+    auto radii = nearest_distances();
+    auto sorted = radii;
+    std::ranges::sort(sorted);
+    const double usual = sorted.empty() ? 0 : sorted[sorted.size() / 2];
+    radius_ = usual > 0 ? std::clamp(reach * usual, 0.03 * range, 0.06 * range) : 0.06 * range;
+    for (double& radius : radii)
+      radius = radius > 0 ? std::clamp(reach * radius, 0.015 * range, radius_) : radius_;
+    return radii;
   }
 
   void draw_ray(const TriaxialState& towards, const QPen& pen) {
@@ -140,7 +168,7 @@ class Picture {
     draw_curve(rect(), points, path_pen());
   }
 
-  void draw_fans(const ConesAtState& at) {
+  void draw_fans(const ConesAtState& at, double radius) {
     const QPointF tip = kPa(at.state);
     for (const auto& [from, to] : at.cones) {
       const bool whole = to - from >= 2 * std::numbers::pi - 1e-9;
@@ -149,7 +177,7 @@ class Picture {
       if (!whole) points.push_back(tip);
       for (int i = 0; i <= steps; ++i)
         points.push_back(
-            tip + radius_ * increment(std::lerp(from, to, static_cast<double>(i) / steps), plane_));
+            tip + radius * increment(std::lerp(from, to, static_cast<double>(i) / steps), plane_));
       draw_area(rect(), points, fan_fill(), fan_pen());
     }
   }
@@ -180,7 +208,7 @@ class Picture {
   StressPlane plane_;
   std::unique_ptr<QCustomPlot> plot_;
   std::vector<PointLabel> labels_;
-  double radius_ = 0;  // of a fan, kPa
+  double radius_ = 0;  // of a fan with room around it, kPa
 };
 
 }  // namespace

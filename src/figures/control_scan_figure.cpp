@@ -22,8 +22,9 @@ void shade_lost(QCPAxisRect& rect) {
   if (y.lower >= 0) return;
   QColor fill = kVermilion;
   fill.setAlpha(35);
-  draw_area(rect, {{x.lower, 0}, {x.upper, 0}, {x.upper, y.lower}, {x.lower, y.lower}}, fill,
-            Qt::NoPen, "control lost (index < 0)");
+  auto* area = draw_area(rect, {{x.lower, 0}, {x.upper, 0}, {x.upper, y.lower}, {x.lower, y.lower}},
+                         fill, Qt::NoPen, "control lost (index < 0)");
+  lay_behind(*area);
 }
 
 std::string roots_in_words(const std::vector<NamedScan>& scans) {
@@ -55,7 +56,6 @@ Drawing control_scan_figure(const std::vector<NamedScan>& scans, const Subject& 
              "index of control (–)");
   plot->xAxis->setRange(x.with_margin(0.02, false));
   plot->yAxis->setRange(y.with_margin(0.08, false));
-  shade_lost(rect);
   draw_curve(rect, {{plot->xAxis->range().lower, 0}, {plot->xAxis->range().upper, 0}},
              line(kInk, 1));
   std::vector<PointLabel> labels;
@@ -74,6 +74,7 @@ Drawing control_scan_figure(const std::vector<NamedScan>& scans, const Subject& 
   if (!labels.empty())
     draw_markers(rect, {}, {QCPScatterStyle::ssCircle, line(kInk, 1.8), QBrush(Qt::white), 9},
                  axisymmetric ? "roots of Eq. (34)" : "roots of Eq. (35)");
+  shade_lost(rect);
   legend_below(*plot, 3);
   place_labels(*plot, labels);
   const auto roots = roots_in_words(scans);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sim/mechanics/axisymmetric.hpp"
+#include "src/figures/colour_steps.hpp"
 #include "src/figures/cones_figure.hpp"
 #include "src/figures/plot_style.hpp"
 #include "src/figures/shapes.hpp"
@@ -16,22 +17,14 @@ namespace triax::src {
 namespace {
 
 constexpr int kWidth = 720, kHeight = 560;
-const QColor kBeyond{0xC9, 0xC9, 0xC9};
 
-/// Light to dark, so that a print without colour shows the same order.
-QCPColorGradient colours(bool reversed, int levels) {
-  QCPColorGradient gradient;
-  gradient.clearColorStops();
-  static const std::array<QColor, 4> kStops = {QColor(0xFE, 0xF0, 0xD0), QColor(0xF7, 0xC0, 0x7A),
-                                               kVermilion, QColor(0x6B, 0x24, 0x00)};
-  for (std::size_t i = 0; i < kStops.size(); ++i) {
-    const double at = static_cast<double>(i) / (kStops.size() - 1);
-    gradient.setColorStopAt(reversed ? 1 - at : at, kStops.at(i));
-  }
-  gradient.setLevelCount(levels);
-  gradient.setNanHandling(QCPColorGradient::nhNanColor);
-  gradient.setNanColor(kBeyond);
-  return gradient;
+/// Light to dark away from the domain's boundary, so that a print without colour shows the same
+/// order.
+QCPColorGradient colours(DomainQuantity quantity, int levels) {
+  std::vector<QColor> stops = {QColor(0xFE, 0xF0, 0xD0), QColor(0xF7, 0xC0, 0x7A), kVermilion,
+                               QColor(0x6B, 0x24, 0x00)};
+  if (quantity == DomainQuantity::least_work) std::ranges::reverse(stops);
+  return stepped_gradient(steps_between(stops, levels));
 }
 
 /// Range of the colour bar in round levels.
@@ -112,7 +105,7 @@ class Map {
     plot_->xAxis->setRange(std::min(0.0, grid_.p_from * 1e-3), grid_.p_to * 1e-3 + half_p());
     plot_->yAxis->setRange(grid_.q_from * 1e-3 - half_q(), grid_.q_to * 1e-3 + half_q());
     draw_map();
-    draw_area(rect(), {}, kBeyond, line(kGrey, 0.8), "beyond the limit, or refused by the law");
+    draw_area(rect(), {}, kNoValue, line(kGrey, 0.8), "beyond the limit, or refused by the law");
     draw_boundaries();
     legend_below(*plot_, 2);
     plot_->replot();
@@ -139,11 +132,12 @@ class Map {
     map->data()->setSize(grid_.columns, grid_.rows);
     map->data()->setRange({grid_.p_from * 1e-3, grid_.p_to * 1e-3},
                           {grid_.q_from * 1e-3, grid_.q_to * 1e-3});
-    map->data()->fillAlpha(0);
+    map->data()->fill(0);
+    map->data()->fillAlpha(0);  // white, until a column says more
     for (const auto& column : columns_) fill(*map->data(), column);
     const bool opening = quantity_ == DomainQuantity::opening;
     add_colour_bar(*map, opening ? "opening of the cones (°)" : "least normalised W₂ (–)");
-    map->setGradient(colours(!opening, scale.levels));
+    map->setGradient(colours(quantity_, scale.levels));
     map->setDataRange(scale.range);
   }
 
@@ -153,7 +147,8 @@ class Map {
       const auto& state = column.states[static_cast<std::size_t>(row)];
       const auto value = domain_value(state, quantity_);
       const bool stable = state.kind == sim::DomainStateKind::stable;
-      data.setCell(column.column, row, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+      data.setCell(column.column, row, stable ? 0 : value.value_or(kNone));
       data.setAlpha(column.column, row, stable ? 0 : 255);
     }
   }
@@ -205,7 +200,7 @@ class Map {
   // The arrows have one length on the page: what they show is where they point. In plane strain an
   // increment has a dσ₂ of its own, and the p′-q plane does not hold it.
   void draw_directions() {
-    constexpr double kLength = 26;  // px
+    constexpr double kLength = 34;  // px
     if (subject_.plane != sim::ProbePlane::axisymmetric) return;
     const double x_unit = rect().width() / plot_->xAxis->range().size();
     const double y_unit = rect().height() / plot_->yAxis->range().size();
@@ -215,7 +210,8 @@ class Map {
         const QPointF from(column->p * 1e-3, *at.first_unstable_q * 1e-3);
         const QPointF way = increment(*at.first_unstable_angle, StressPlane::p_q);
         const double pixels = std::hypot(way.x() * x_unit, way.y() * y_unit);
-        draw_arrow(rect(), from, from + way * (kLength / pixels), line(kBlue, 1.4));
+        draw_arrow(rect(), from, from + way * (kLength / pixels), line(kInk, 1.3));
+        draw_markers(rect(), {from}, {QCPScatterStyle::ssDisc, line(kInk, 1), QBrush(kInk), 4});
         has_directions_ = true;
       }
   }

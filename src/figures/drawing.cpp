@@ -67,11 +67,15 @@ std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px) {
   need_drawing();
   auto plot = std::make_unique<QCustomPlot>();
   plot->setAttribute(Qt::WA_DontShowOnScreen);
-  plot->setGeometry(0, 0, width_px, height_px);
-  plot->setViewport(QRect(0, 0, width_px, height_px));
+  resize_plot(*plot, width_px, height_px);
   plot->setFont(label_font());
   plot->setBackground(Qt::NoBrush);
   return plot;
+}
+
+void resize_plot(QCustomPlot& plot, int width_px, int height_px) {
+  plot.setGeometry(0, 0, width_px, height_px);
+  plot.setViewport(QRect(0, 0, width_px, height_px));
 }
 
 std::string to_svg(const QCustomPlot& plot) {

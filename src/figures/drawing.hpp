@@ -21,6 +21,9 @@ void need_drawing();
 /// An empty plot of that size in the house style. Calls need_drawing().
 std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px);
 
+/// Gives a plot another size.
+void resize_plot(QCustomPlot& plot, int width_px, int height_px);
+
 /// A standalone SVG element that looks the same with any font: each text carries its length.
 std::string to_svg(const QCustomPlot& plot);
 

@@ -48,18 +48,22 @@ void add_segment(std::vector<QPointF>& points, const QPointF& from, const QPoint
   for (int i = 1; i <= steps; ++i) points.push_back(from + way * i / steps);
 }
 
-// Where the plot's graphs and curves run, in pixels; plottables without a line do not count.
+// Where the plot's graphs and curves run, in pixels. A marker without a line weighs as much as a
+// line across it.
 std::vector<QPointF> lines_of(const QCPAxisRect& axes, const QRectF& inside) {
   std::vector<QPointF> points;
   for (auto* plottable : axes.plottables()) {
     const auto* curve = qobject_cast<QCPCurve*>(plottable);
-    if (curve != nullptr && curve->lineStyle() == QCPCurve::lsNone) continue;
+    const bool markers = curve != nullptr && curve->lineStyle() == QCPCurve::lsNone;
     auto* data = plottable->interface1D();
     if (data == nullptr) continue;
     std::optional<QPointF> before;
     for (int k = 0; k < data->dataCount(); ++k) {
       const auto at = plottable->coordsToPixels(data->dataMainKey(k), data->dataMainValue(k));
-      if (before) add_segment(points, *before, at, inside);
+      if (markers)
+        points.insert(points.end(), static_cast<std::size_t>(kMarker / kLineStep), at);
+      else if (before)
+        add_segment(points, *before, at, inside);
       before = at;
     }
   }

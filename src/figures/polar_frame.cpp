@@ -11,24 +11,10 @@
 namespace triax::src {
 namespace {
 
-constexpr double kRoom = 1.24;     // of the rim's radius, for what is written around it
+constexpr double kRoom = 1.18;     // of the rim's radius, for what is written around it
 constexpr double kNumbers = 1.03;  // where α is written
 constexpr double kLabelAngle =
     75.0;  // degrees; the spoke's neighbourhood holds the circles' labels
-
-// The part of a word that points at the rim from outside.
-Qt::Alignment part_towards(const QPointF& middle, const QPointF& at) {
-  const QPointF out = at - middle;
-  const double size = std::hypot(out.x(), out.y());
-  Qt::Alignment part;
-  part |= out.x() > 0.3 * size    ? Qt::AlignLeft
-          : out.x() < -0.3 * size ? Qt::AlignRight
-                                  : Qt::AlignHCenter;
-  part |= out.y() > 0.3 * size    ? Qt::AlignBottom
-          : out.y() < -0.3 * size ? Qt::AlignTop
-                                  : Qt::AlignVCenter;
-  return part;
-}
 
 }  // namespace
 
@@ -52,7 +38,7 @@ void draw_polar_frame(QCPAxisRect& rect, const PolarFrame& frame) {
     const bool axis = degrees % 90 == 0;
     draw_curve(rect, {{0, 0}, polar(frame.radius, angle)}, line(axis ? kGrey : kGridLine, 1));
     const QPointF at = polar(kNumbers * frame.radius, angle);
-    write_text(rect, at, fmt::format("{}°", degrees), kInk, part_towards({0, 0}, at));
+    write_text(rect, at, fmt::format("{}°", degrees), kInk, part_away({0, 0}, at));
   }
   draw_curve(rect, circle_of(frame.radius), line(kInk, 1));
   for (const auto& circle : frame.circles) {
@@ -61,9 +47,10 @@ void draw_polar_frame(QCPAxisRect& rect, const PolarFrame& frame) {
       write_text(rect, polar(circle.radius, sim::radians(kLabelAngle)), circle.label, kGrey,
                  Qt::AlignHCenter | Qt::AlignBottom);
   }
-  write_text(rect, polar(1.14 * frame.radius, 0), frame.x_name, kInk,
-             Qt::AlignLeft | Qt::AlignVCenter);
-  write_text(rect, polar(1.12 * frame.radius, sim::radians(90)), frame.y_name, kInk,
+  // Below the number of its axis, and above that of the other.
+  write_text(rect, {kNumbers * frame.radius, -0.03 * frame.radius}, frame.x_name, kInk,
+             Qt::AlignLeft | Qt::AlignTop);
+  write_text(rect, {0, 1.10 * frame.radius}, frame.y_name, kInk,
              Qt::AlignHCenter | Qt::AlignBottom);
 }
 

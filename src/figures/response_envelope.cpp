@@ -115,9 +115,13 @@ class Envelope {
       });
       if (found == points_.end()) continue;
       const QPointF at = (*found).*part;
+      const auto text = fmt::format("{}°", degrees);
+      const QColor colour = found->unstable ? kVermilion : kInk;
       marks.push_back(at);
-      labels.push_back(
-          {at.x(), at.y(), fmt::format("{}°", degrees), found->unstable ? kVermilion : kInk});
+      if (part == &Point::imposed)
+        write_text(rect, 1.04 * at, text, colour, part_away({0, 0}, at));
+      else
+        labels.push_back({at.x(), at.y(), text, colour});
     }
     draw_markers(rect, marks, mark());
     draw_markers(rect, {{0, 0}}, {QCPScatterStyle::ssPlus, line(kGrey, 1), Qt::NoBrush, 8});

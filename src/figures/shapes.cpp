@@ -1,6 +1,7 @@
 #include "src/figures/shapes.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "src/figures/plot_style.hpp"
 
@@ -39,6 +40,8 @@ QCPCurve* draw_area(QCPAxisRect& rect, const Points& points, const QColor& fill,
   return area;
 }
 
+void lay_behind(QCPAbstractPlottable& plottable) { plottable.setLayer("grid"); }
+
 QCPCurve* draw_markers(QCPAxisRect& rect, const Points& points, const QCPScatterStyle& marker,
                        const std::string& name) {
   auto* markers = add_points(rect, points, name);
@@ -61,7 +64,7 @@ QCPCurve* draw_arrow(QCPAxisRect& rect, const QPointF& from, const QPointF& to, 
   auto tip = pen;
   tip.setStyle(Qt::SolidLine);
   head->setPen(tip);
-  head->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 8, 11));
+  head->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 7, 10));
   head->setClipToAxisRect(false);
   return draw_curve(rect, {from, to}, pen, name);
 }
@@ -78,6 +81,19 @@ void write_text(QCPAxisRect& rect, const QPointF& at, const std::string& text, c
   item->position->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
   item->position->setType(QCPItemPosition::ptPlotCoords);
   item->position->setCoords(at);
+}
+
+Qt::Alignment part_away(const QPointF& middle, const QPointF& at) {
+  const QPointF out = at - middle;
+  const double size = std::hypot(out.x(), out.y());
+  Qt::Alignment part;
+  part |= out.x() > 0.3 * size    ? Qt::AlignLeft
+          : out.x() < -0.3 * size ? Qt::AlignRight
+                                  : Qt::AlignHCenter;
+  part |= out.y() > 0.3 * size    ? Qt::AlignBottom
+          : out.y() < -0.3 * size ? Qt::AlignTop
+                                  : Qt::AlignVCenter;
+  return part;
 }
 
 Qt::PenStyle curve_style(std::size_t index) {

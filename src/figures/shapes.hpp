@@ -16,6 +16,8 @@ QCPCurve* draw_curve(QCPAxisRect& rect, const Points& points, const QPen& pen,
 /// A filled polygon, closed by itself.
 QCPCurve* draw_area(QCPAxisRect& rect, const Points& points, const QColor& fill, const QPen& border,
                     const std::string& name = {});
+/// Lays a plottable behind all others, on top of the grid, whenever it was drawn.
+void lay_behind(QCPAbstractPlottable& plottable);
 /// Markers without a line between them.
 QCPCurve* draw_markers(QCPAxisRect& rect, const Points& points, const QCPScatterStyle& marker,
                        const std::string& name = {});
@@ -25,6 +27,9 @@ QCPCurve* draw_arrow(QCPAxisRect& rect, const QPointF& from, const QPointF& to, 
 /// Words with that part of them at a point: Qt::AlignLeft puts them to the right of it.
 void write_text(QCPAxisRect& rect, const QPointF& at, const std::string& text, const QColor& colour,
                 Qt::Alignment part);
+
+/// The part of words beside a point that leaves them on its far side from `middle`.
+Qt::Alignment part_away(const QPointF& middle, const QPointF& at);
 
 /// Looks that tell curves apart in colour and in black and white, over and over again.
 QPen curve_pen(std::size_t index, double width = 1.8);

@@ -15,7 +15,7 @@ namespace triax::src {
 namespace {
 
 constexpr int kWidth = 960, kHeight = 480;
-constexpr double kRoomForLabels = 0.18;  // of the axis of strain, to the right of the curves
+constexpr double kRoomForLabels = 0.14;  // of the axis of strain, to the right of the curves
 
 QCPScatterStyle peak_marker() {
   return {QCPScatterStyle::ssCircle, line(kInk, 1.4), QBrush(Qt::white), 9};
@@ -53,43 +53,29 @@ void draw_paths(QCPAxisRect& rect, const std::vector<sim::StrainPath>& paths, Pl
   draw_markers(rect, unstable, unstable_marker());
 }
 
-/// Heights of labels in pixels, as near to where they are wanted as their own height allows; both
-/// in the order of the labels.
-std::vector<double> spread(const std::vector<double>& wanted, double height, double low,
-                           double high) {
-  std::vector<std::size_t> order(wanted.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::sort(order, {}, [&](std::size_t i) { return wanted[i]; });
-  std::vector<double> placed = wanted;
-  double free = low;
-  for (const auto i : order) {
-    placed[i] = std::max(wanted[i], free);
-    free = placed[i] + height;
-  }
-  double limit = high;
-  for (auto it = order.rbegin(); it != order.rend(); ++it) {
-    placed[*it] = std::min(placed[*it], limit);
-    limit = placed[*it] - height;
-  }
-  return placed;
-}
-
-/// R in a column to the right of the curves, with a thin line to the end of each.
-void label_ends(QCPAxisRect& rect, const std::vector<sim::StrainPath>& paths, double column) {
-  auto* x = rect.axis(QCPAxis::atBottom);
-  auto* y = rect.axis(QCPAxis::atLeft);
+/// R at the end of each curve that does not end where another one does, as those of paths that
+/// liquefy: for them the legend has to do.
+void label_ends(QCPAxisRect& rect, const std::vector<sim::StrainPath>& paths, Place place) {
   rect.parentPlot()->replot();
-  const double height = QFontMetricsF(label_font()).height();
-  std::vector<double> wanted;
-  for (const auto& path : paths)
-    wanted.push_back(y->coordToPixel(over_strain(path.points.back()).y()));
-  const auto placed = spread(wanted, height, rect.top() + height, rect.bottom() - height);
+  const QFontMetricsF metrics(label_font());
+  const auto pixel = [&](const sim::StrainPath& path) {
+    const QPointF end = place(path.points.back());
+    return QPointF(rect.axis(QCPAxis::atBottom)->coordToPixel(end.x()),
+                   rect.axis(QCPAxis::atLeft)->coordToPixel(end.y()));
+  };
+  std::vector<PointLabel> labels;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const QPointF at(column, y->pixelToCoord(placed[i]));
-    draw_curve(rect, {over_strain(paths[i].points.back()), at}, line(kGrey, 0.7));
-    write_text(rect, at + QPointF(0.01 * x->range().size(), 0), label_of(paths[i]),
-               curve_pen(i).color(), Qt::AlignLeft | Qt::AlignVCenter);
+    const auto text = label_of(paths[i]);
+    const double width = metrics.horizontalAdvance(QString::fromStdString(text));
+    const auto ends_at = [&](const sim::StrainPath& other) {
+      const QPointF way = pixel(other) - pixel(paths[i]);
+      return std::abs(way.x()) < width && std::abs(way.y()) < 0.8 * metrics.height();
+    };
+    if (std::ranges::count_if(paths, ends_at) > 1) continue;  // it does itself
+    const QPointF end = place(paths[i].points.back());
+    labels.push_back({end.x(), end.y(), text, curve_pen(i).color()});
   }
+  place_labels(rect, labels);
 }
 
 std::string caption_of(const std::vector<sim::StrainPath>& paths, const Subject& subject) {
@@ -113,29 +99,24 @@ Drawing strain_paths_figure(const std::vector<sim::StrainPath>& all, const Subje
   auto& right = add_axes_beside(*plot);
   style_axes(left, "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   style_axes(right, "axial strain ε₁ (%)", "σ₁′ − σ₃′/R (kPa)");
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    draw_curve(left, {}, curve_pen(i, 1.6), label_of(paths[i]));
   draw_markers(left, {}, peak_marker(), "peak of σ₁′ − σ₃′/R");
   draw_markers(left, {}, unstable_marker(), "W₂ = 0");
-  legend_below(*plot, 2);
+  legend_below(*plot, 5);
 
-  left.axis(QCPAxis::atBottom)
-      ->setRange(range_of(paths, in_stress_plane, true).with_margin(0.08, true));
-  left.axis(QCPAxis::atLeft)
-      ->setRange(range_of(paths, in_stress_plane, false).with_margin(0.08, true));
-  const auto strain = range_of(paths, over_strain, true);
-  const auto strain_range = strain.with_margin(kRoomForLabels, true);
-  right.axis(QCPAxis::atBottom)->setRange(strain_range);
-  right.axis(QCPAxis::atLeft)
-      ->setRange(range_of(paths, over_strain, false).with_margin(0.08, true));
+  const auto set_ranges = [&](QCPAxisRect& rect, Place place, double right_margin) {
+    auto x = range_of(paths, place, true).with_margin(0.08, true);
+    x.upper += right_margin * x.size();
+    rect.axis(QCPAxis::atBottom)->setRange(x);
+    rect.axis(QCPAxis::atLeft)->setRange(range_of(paths, place, false).with_margin(0.08, true));
+  };
+  set_ranges(left, in_stress_plane, 0.05);
+  set_ranges(right, over_strain, kRoomForLabels);
   draw_paths(left, paths, in_stress_plane);
   draw_paths(right, paths, over_strain);
-
-  std::vector<PointLabel> ends;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const auto end = in_stress_plane(paths[i].points.back());
-    ends.push_back({end.x(), end.y(), label_of(paths[i]), curve_pen(i).color()});
-  }
-  place_labels(left, ends);
-  label_ends(right, paths, strain_range.lower + 0.88 * strain_range.size());
+  label_ends(left, paths, in_stress_plane);
+  label_ends(right, paths, over_strain);
   return {std::move(plot), caption_of(paths, subject)};
 }
 

@@ -8,8 +8,8 @@
 namespace triax::src {
 
 /// Proportional strain paths dε₁ + 2R dε₃ = 0 (Fig. 16 of the paper): on the left q over p′, on the
-/// right σ₁′ − σ₃′/R over ε₁, with the peak of σ₁′ − σ₃′/R as a circle, W₂ = 0 as a cross and R at
-/// the end of each curve. No plot without a point.
+/// right σ₁′ − σ₃′/R over ε₁, with the peak of σ₁′ − σ₃′/R as a circle and W₂ = 0 as a cross. R is
+/// in the legend and, where the ends of the curves lie apart, beside them. No plot without a point.
 Drawing strain_paths_figure(const std::vector<sim::StrainPath>& paths, const Subject& subject);
 
 }  // namespace triax::src

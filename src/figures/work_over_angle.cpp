@@ -38,12 +38,14 @@ void shade(QCPAxisRect& rect, double from, double to, const std::string& name) {
   const auto range = rect.axis(QCPAxis::atLeft)->range();
   QColor fill = kVermilion;
   fill.setAlpha(45);
-  draw_area(rect, {{from, range.lower}, {to, range.lower}, {to, range.upper}, {from, range.upper}},
-            fill, Qt::NoPen, name);
+  auto* area = draw_area(
+      rect, {{from, range.lower}, {to, range.lower}, {to, range.upper}, {from, range.upper}}, fill,
+      Qt::NoPen, name);
+  lay_behind(*area);
 }
 
-/// A cone that passes α = 0 is shaded in two pieces. True where anything was.
-bool shade_cones(QCPAxisRect& rect, const std::vector<NamedCircle>& circles) {
+/// A cone that passes α = 0 is shaded in two pieces.
+void shade_cones(QCPAxisRect& rect, const std::vector<NamedCircle>& circles) {
   bool any = false;
   for (const auto& [name, circle] : circles)
     for (const auto& cone : circle.cones) {
@@ -53,7 +55,6 @@ bool shade_cones(QCPAxisRect& rect, const std::vector<NamedCircle>& circles) {
       if (to > kTurn) shade(rect, 0, to - kTurn, "");
       any = true;
     }
-  return any;
 }
 
 std::string cones_in_words(const std::vector<NamedCircle>& circles) {
@@ -93,17 +94,17 @@ Drawing work_over_angle(const std::vector<NamedCircle>& circles, const Subject& 
   plot->xAxis->setTicker(ticker);
   plot->xAxis->setRange(0, kTurn);
   plot->yAxis->setRange(range.with_margin(0.06, false));
-  shade_cones(rect, circles);
   draw_curve(rect, {{0, 0}, {kTurn, 0}}, line(kInk, 1));
+  for (std::size_t i = 0; i < circles.size(); ++i)
+    if (!circles[i].circle.probes.empty())
+      draw_curve(rect, curve_of(circles[i].circle.probes), curve_pen(i), circles[i].name);
+  shade_cones(rect, circles);
   if (stress) {
     const double unloading = sim::degrees(isotropic_unloading(subject.plane));
     const auto y = plot->yAxis->range();
     draw_curve(rect, {{unloading, y.lower}, {unloading, y.upper}}, line(kInk, 1, Qt::DotLine),
                fmt::format("isotropic unloading, {:.2f}°", unloading));
   }
-  for (std::size_t i = 0; i < circles.size(); ++i)
-    if (!circles[i].circle.probes.empty())
-      draw_curve(rect, curve_of(circles[i].circle.probes), curve_pen(i), circles[i].name);
   legend_below(*plot, 3);
   return {std::move(plot), fmt::format("Normalised second-order work over the direction of the "
                                        "increment; {}. {}",
