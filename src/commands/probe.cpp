@@ -58,7 +58,34 @@ void run_strain_paths(const ProbeOptions& o) {
   print(o.json ? strain_paths_json(report) : strain_paths_text(report));
 }
 
+void run_sphere(const ProbeOptions& o) {
+  SphereReport report;
+  report.probing = checked_sphere(o);
+  check_state_options(o);
+  ProbeReport found;
+  found.material = material_of(o);
+  const auto states = states_to_probe<sim::Tensor>(o, found);
+  report.material = found.material;
+  report.many = found.many;
+  report.path = found.path;
+  report.warnings = found.warnings;
+  ProgressBar bar("probes");
+  for (const auto& state : states) {
+    report.states.push_back(probe_sphere_of(report.material, state, report.probing));
+    bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
+  }
+  if (!o.output.empty()) {
+    keep_what_is_read(o, o.output);
+    write_file(o.output + ".json", sphere_json(report));
+    write_file(o.output + ".csv", to_csv(sphere_data(report)));
+    if (const Drawing drawing = sphere_drawing(report); drawing.plot)
+      write_figure(drawing, o.output);
+  }
+  print(o.json ? sphere_json(report) : sphere_text(report));
+}
+
 void run(const ProbeOptions& o) {
+  if (o.plane == "3d" && o.strain_paths.empty()) return run_sphere(o);
   if (!o.strain_paths.empty()) return run_strain_paths(o);
   ProbeReport report;
   report.probing = checked_probing(o);
@@ -118,6 +145,10 @@ Command probe_command() {
            {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
             "--plane plane-strain --probes",
             "plane strain, every direction printed"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.6 --void-ratio 1.086 --plane "
+            "3d "
+            "--step 5 --output sphere",
+            "all directions of principal increments, with a map of them"},
            {"triax probe --material inl2/S28-general --p 100 --void-ratio 1.086 --strain-paths "
             "0.7,0.8,0.9,1.0 --output fig16",
             "proportional strain paths, with fig16.svg, .png, .pdf, .csv and .json"},

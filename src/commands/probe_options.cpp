@@ -70,9 +70,9 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
                  "the state at the end of this path, with the memory that the path made")
       ->type_name("PATH.toml");
   app.add_option("--every", o.every, "along the path, at every N-th of its rows")->type_name("N");
-  app.add_option("--plane", o.plane, "directions of this plane")
-      ->check(CLI::IsMember({"axisymmetric", "plane-strain"}))
-      ->type_name("axisymmetric|plane-strain")
+  app.add_option("--plane", o.plane, "directions of this plane, or all of principal increments")
+      ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}))
+      ->type_name("axisymmetric|plane-strain|3d")
       ->capture_default_str();
   app.add_flag("--strain", o.strain, "impose strain increments instead of stress increments");
   app.add_option("--norm-kPa", o.norm_kPa, "norm of stress increments [1]")->type_name("KPA");
@@ -126,6 +126,17 @@ Probing checked_probing(const ProbeOptions& o) {
     probing.norm = 1e3 * norm_kPa;
   }
   return probing;
+}
+
+SphereProbing checked_sphere(const ProbeOptions& o) {
+  const Probing plane = checked_probing(o);
+  if (o.finite || o.control || o.probes || !o.R.empty())
+    throw lab::BadInput("--plane 3d takes no --finite, --control, --R or --probes");
+  if (plane.directions % 2 != 0 || plane.directions < 12)
+    throw lab::BadInput(fmt::format(
+        "--step {:g}: with --plane 3d 180 degrees must be a multiple of it, 6 times at least",
+        o.step_deg));
+  return {.kind = plane.kind, .norm = plane.norm, .rings = plane.directions / 2};
 }
 
 void check_strain_path_options(const ProbeOptions& o) {

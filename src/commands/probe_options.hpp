@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/commands/material_option.hpp"
-#include "src/report/probed_state.hpp"
+#include "src/report/sphere_report.hpp"
 
 namespace triax::src {
 
@@ -44,6 +44,9 @@ void add_probe_options(CLI::App& app, ProbeOptions& options);
 
 /// The probes that are asked for. Throws lab::BadInput for a number that makes no sense.
 Probing checked_probing(const ProbeOptions& options);
+
+/// The same in three dimensions.
+SphereProbing checked_sphere(const ProbeOptions& options);
 
 /// Throws lab::BadInput unless the options of proportional strain paths are whole and alone.
 void check_strain_path_options(const ProbeOptions& options);

@@ -35,7 +35,7 @@ std::vector<const ProbedState*> all_states(const ProbeReport& report) {
   return all;
 }
 
-bool all_share(const std::vector<const ProbedState*>& states, double ProbedState::*value) {
+bool all_share(const std::vector<const ProbedState*>& states, double StateHead::*value) {
   return std::ranges::all_of(states, [&](const ProbedState* s) {
     return std::abs(s->*value - states.front()->*value) <= 1e-9 * std::abs(s->*value);
   });
@@ -56,9 +56,9 @@ Subject subject_of(const ProbeReport& report, const std::vector<const ProbedStat
                   .plane = report.probing.plane,
                   .kind = report.probing.kind};
   if (states.empty()) return subject;
-  if (all_share(states, &ProbedState::p))
+  if (all_share(states, &StateHead::p))
     subject.state = fmt::format("p′ = {:.4g} kPa", states.front()->p / 1e3);
-  if (all_share(states, &ProbedState::void_ratio))
+  if (all_share(states, &StateHead::void_ratio))
     subject.state +=
         fmt::format("{}e = {:.4g}", subject.state.empty() ? "" : ", ", states.front()->void_ratio);
   if (states.size() == 1) subject.state += ", " + eta_words(*states.front());
@@ -207,7 +207,7 @@ std::vector<ProbeFigure> probe_figures(const ProbeReport& report) {
   const auto drawn = drawn_states(report);
   if (drawn.empty()) return {};
   const Subject subject = subject_of(report, drawn);
-  const bool one_p = all_share(drawn, &ProbedState::p);
+  const bool one_p = all_share(drawn, &StateHead::p);
   std::vector<NamedCircle> circles;
   for (const ProbedState* state : drawn)
     circles.push_back({curve_name(*state, one_p), state->circle});

@@ -7,6 +7,7 @@
 
 #include "src/figures/subject.hpp"
 #include "src/output/table.hpp"
+#include "src/report/simulated_head.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
@@ -114,23 +115,6 @@ std::string control_text(const ControlReport& control) {
   return out;
 }
 
-/// Each once; of states outside the range the first and how many there are.
-std::vector<std::string> warnings_of(const ProbeReport& report) {
-  std::vector<std::string> all = report.warnings;
-  for (const ProbedState& state : report.states)
-    for (const auto& warning : state.warnings)
-      if (std::ranges::find(all, warning) == all.end()) all.push_back(warning);
-  for (const auto outside : {&ProbedState::void_ratio_outside, &ProbedState::p_eff_outside}) {
-    const auto is_outside = [&](const ProbedState& s) { return (s.*outside).has_value(); };
-    const auto first = std::ranges::find_if(report.states, is_outside);
-    if (first == report.states.end()) continue;
-    const auto more = std::ranges::count_if(report.states, is_outside) - 1;
-    all.push_back(*((*first).*outside) +
-                  (more > 0 ? fmt::format(", and so at {} more of the states", more) : ""));
-  }
-  return all;
-}
-
 }  // namespace
 
 std::string plane_words(sim::ProbePlane plane) {
@@ -163,52 +147,49 @@ std::optional<std::size_t> ProbeReport::first_unstable() const {
 }
 
 std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
-  const std::string title =
-      on_one_line("Second-order work in every direction, " + report.material.name + " (simulated)");
-  std::string out = title + '\n' + std::string(display_width(title), '=') + '\n';
-  const auto fact = [&out](const char* label, const std::string& value) {
-    if (!value.empty()) out += fmt::format("  {:<12}{}\n", label, on_one_line(value));
-  };
-  fact("law", report.material.law->title);
-  fact("based on", report.material.material.based_on);
-  fact("source", report.material.source);
-  fact("range", report.material.range);
-  fact("probes", probing_words(report.probing));
-  fact("plane", plane_words(report.probing.plane));
-  fact("path", report.path);
+  std::string out = simulated_head("Second-order work in every direction", report.material);
+  out += fact("probes", probing_words(report.probing));
+  out += fact("plane", plane_words(report.probing.plane));
+  out += fact("path", report.path);
   for (const ProbedState& state : report.states)
     if (state.test) {
-      fact("test", test_words(*state.test));
-      fact("state", "σ′ and e as measured; the law's memory is that without a reversal of shear");
+      out += fact("test", test_words(*state.test));
+      out += fact("state",
+                  "σ′ and e as measured; the law's memory is that without a reversal of shear");
     }
   out += '\n' + indented(to_text(state_table(report)));
   out += "  W₂ normalised, dσ′:dε/(|dσ′||dε|); the last column is that of isotropic unloading\n\n";
   for (const ProbedState& state : report.states) {
     if (state.circle.unanswered > 0)
-      fact("no answer",
-           fmt::format("{}{} of {} directions: beyond the law's limit, or refused by it",
-                       state.name.empty() ? "" : state.name + ": ", state.circle.unanswered,
-                       report.probing.directions));
+      out += fact("no answer",
+                  fmt::format("{}{} of {} directions: beyond the law's limit, or refused by it",
+                              state.name.empty() ? "" : state.name + ": ", state.circle.unanswered,
+                              report.probing.directions));
     if (!state.test || !state.test->increment) continue;
-    fact("own", own_words(state));
-    if (state.own && report.probing.kind == sim::ProbeKind::stress) fact("", place_words(state));
+    out += fact("own", own_words(state));
+    if (state.own && report.probing.kind == sim::ProbeKind::stress)
+      out += fact("", place_words(state));
   }
   if (report.states.size() == 1) {
     const ProbedState& state = report.states.front();
-    fact("control",
-         fmt::format("of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}",
-                     axisymmetric(report.probing) ? "2" : "", lost_in_words(state.control)));
-    fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)", roots_in_words(state.control));
+    out += fact("control",
+                fmt::format("of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}",
+                            axisymmetric(report.probing) ? "2" : "", lost_in_words(state.control)));
+    out += out +=
+        fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)", roots_in_words(state.control));
   }
   if (report.many) {
     const auto first = report.first_unstable();
     const auto& s = report.states;
-    fact("first", first ? fmt::format("unstable state of these: p′ {} kPa, η {}, α {}°",
-                                      in_kPa(s[*first].p, 2), number(s[*first].eta(), 4),
-                                      in_degrees(s[*first].circle.least.angle))
-                        : "no unstable direction at any of these states");
+    out += fact("first", first ? fmt::format("unstable state of these: p′ {} kPa, η {}, α {}°",
+                                             in_kPa(s[*first].p, 2), number(s[*first].eta(), 4),
+                                             in_degrees(s[*first].circle.least.angle))
+                               : "no unstable direction at any of these states");
   }
-  for (const auto& warning : warnings_of(report)) fact("warning", warning);
+  std::vector<const StateHead*> heads;
+  for (const ProbedState& state : report.states) heads.push_back(&state);
+  for (const auto& warning : report.warnings) out += fact("warning", warning);
+  for (const auto& warning : warnings_of(heads)) out += fact("warning", warning);
   for (const ProbedState& state : report.states) {
     if ((details.probes || details.control) && report.states.size() > 1)
       out += '\n' + state_heading(state);

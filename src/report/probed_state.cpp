@@ -97,53 +97,70 @@ double turned(double angle) {
 
 }  // namespace
 
-std::vector<std::string> ProbedState::all_warnings() const {
+std::vector<std::string> StateHead::all_warnings() const {
   std::vector<std::string> all = warnings;
   for (const auto& words : {void_ratio_outside, p_eff_outside})
     if (words) all.push_back(*words);
   return all;
 }
 
+std::vector<std::string> warnings_of(const std::vector<const StateHead*>& states) {
+  std::vector<std::string> all;
+  for (const StateHead* state : states)
+    for (const auto& warning : state->warnings)
+      if (std::ranges::find(all, warning) == all.end()) all.push_back(warning);
+  for (const auto outside : {&StateHead::void_ratio_outside, &StateHead::p_eff_outside}) {
+    const auto is_outside = [&](const StateHead* s) { return (s->*outside).has_value(); };
+    const auto first = std::ranges::find_if(states, is_outside);
+    if (first == states.end()) continue;
+    const auto more = std::ranges::count_if(states, is_outside) - 1;
+    all.push_back(*((*first)->*outside) +
+                  (more > 0 ? fmt::format(", and so at {} more of the states", more) : ""));
+  }
+  return all;
+}
+
 template <class Space>
-ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Space>& what,
-                        const Probing& probing) {
+StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& what) {
   const sim::Law<Space>& law = *material.material.law<Space>();
   const sim::PointState<Space>& state = what.state;
   if (const auto objection = law.objection(state))
     throw lab::BadInput(fmt::format("{}{}: {} refuses it: {}",
                                     what.name.empty() ? "" : what.name + ", ", words(state),
                                     material.name, *objection));
-  ProbedState probed{.name = what.name,
-                     .from_path = what.from_path,
-                     .axial_strain = what.axial_strain,
-                     .stress = principal(state.stress),
-                     .p = state.p(),
-                     .q = deviator_stress(state),
-                     .void_ratio = state.void_ratio,
-                     .memory = {},
-                     .warnings = {},
-                     .void_ratio_outside = lab::void_ratio_outside(material, state.void_ratio),
-                     .p_eff_outside = lab::p_eff_outside(material, state.p()),
-                     .circle = {},
-                     .control = {},
-                     .isotropic_unloading = {},
-                     .test = what.test,
-                     .own = {}};
-  if (auto words = law.warning(state)) probed.warnings.push_back(std::move(*words));
+  StateHead head{.name = what.name,
+                 .from_path = what.from_path,
+                 .axial_strain = what.axial_strain,
+                 .stress = principal(state.stress),
+                 .p = state.p(),
+                 .q = deviator_stress(state),
+                 .void_ratio = state.void_ratio,
+                 .memory = {},
+                 .test = what.test,
+                 .warnings = {},
+                 .void_ratio_outside = lab::void_ratio_outside(material, state.void_ratio),
+                 .p_eff_outside = lab::p_eff_outside(material, state.p())};
+  if (auto warning = law.warning(state)) head.warnings.push_back(std::move(*warning));
+  if (what.test)
+    head.warnings.insert(head.warnings.end(), what.test->warnings.begin(),
+                         what.test->warnings.end());
   const auto names = law.memory_names();
   for (std::size_t i = 0; i < names.size() && static_cast<Eigen::Index>(i) < state.memory.size();
        ++i)
-    probed.memory.emplace_back(names[i], state.memory(static_cast<Eigen::Index>(i)));
-  const StateProbers<Space> probers(law, state, probing);
+    head.memory.emplace_back(names[i], state.memory(static_cast<Eigen::Index>(i)));
+  return head;
+}
+
+template <class Space>
+ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Space>& what,
+                        const Probing& probing) {
+  ProbedState probed{head_of(material, what), {}, {}, {}, {}};
+  const StateProbers<Space> probers(*material.material.law<Space>(), what.state, probing);
   probed.circle = probers.circle();
   probed.control = probers.control(probed.circle.least);
   probed.isotropic_unloading = probers.stress_probe(isotropic_unloading(probing.plane));
-  if (what.test) {
-    const auto& told = what.test->warnings;
-    probed.warnings.insert(probed.warnings.end(), told.begin(), told.end());
-    if (what.test->increment && probing.plane == sim::ProbePlane::axisymmetric)
-      probed.own = probers.stress_probe(what.test->increment->angle);
-  }
+  if (what.test && what.test->increment && probing.plane == sim::ProbePlane::axisymmetric)
+    probed.own = probers.stress_probe(what.test->increment->angle);
   return probed;
 }
 
@@ -159,6 +176,8 @@ std::optional<ConePlace> place_among(const std::vector<sim::Cone>& cones, double
   return nearest;
 }
 
+template StateHead head_of(const lab::MaterialSet&, const StateToProbe<sim::Axisymmetric>&);
+template StateHead head_of(const lab::MaterialSet&, const StateToProbe<sim::Tensor>&);
 template ProbedState probe_state(const lab::MaterialSet&, const StateToProbe<sim::Axisymmetric>&,
                                  const Probing&);
 template ProbedState probe_state(const lab::MaterialSet&, const StateToProbe<sim::Tensor>&,

@@ -36,8 +36,8 @@ struct StateToProbe {
   std::optional<TestedState> test;     ///< that the state was measured in
 };
 
-/// Answers are those of increments of the norm.
-struct ProbedState {
+/// A state that was probed, whatever the probes were.
+struct StateHead {
   std::string name;
   bool from_path = false;
   std::optional<double> axial_strain;
@@ -45,23 +45,33 @@ struct ProbedState {
   double p = 0, q = 0;  ///< Pa; q = σ₁′ − σ₃′ where σ₂′ = σ₃′, else √(3/2)|s|
   double void_ratio = 0;
   std::vector<std::pair<std::string, double>> memory;
+  std::optional<TestedState> test;
   std::vector<std::string> warnings;  ///< of the law and of the test
   /// That the state lies outside what the material's numbers are for; empty: it does not.
   std::optional<std::string> void_ratio_outside, p_eff_outside;
-
-  sim::Circle circle;
-  ControlReport control;           ///< by the rate, whatever the probes are
-  sim::Probe isotropic_unloading;  ///< a stress probe, whatever the others are
-  std::optional<TestedState> test;
-  /// The law's answer to a stress increment in the direction of the test's own; axisymmetric only.
-  std::optional<sim::Probe> own;
 
   double eta() const { return q / p; }
   std::vector<std::string> all_warnings() const;
 };
 
-/// Throws lab::BadInput with the law's words where it refuses the state. Pre-condition: the
-/// material has a law in this space, and it is that of the plane.
+/// Each warning once; of states outside the range the first, and how many there are.
+std::vector<std::string> warnings_of(const std::vector<const StateHead*>& states);
+
+/// Throws lab::BadInput with the law's words where it refuses the state. Pre-condition, here and
+/// below: the material has a law in this space.
+template <class Space>
+StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& what);
+
+/// Probed in a plane. Answers are those of increments of the norm.
+struct ProbedState : StateHead {
+  sim::Circle circle;
+  ControlReport control;           ///< by the rate, whatever the probes are
+  sim::Probe isotropic_unloading;  ///< a stress probe, whatever the others are
+  /// The law's answer to a stress increment in the direction of the test's own; axisymmetric only.
+  std::optional<sim::Probe> own;
+};
+
+/// Throws as head_of does. Pre-condition: the space is that of the plane.
 template <class Space>
 ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Space>& what,
                         const Probing& probing);
@@ -75,6 +85,8 @@ struct ConePlace {
 /// Empty where there is no cone.
 std::optional<ConePlace> place_among(const std::vector<sim::Cone>& cones, double angle);
 
+extern template StateHead head_of(const lab::MaterialSet&, const StateToProbe<sim::Axisymmetric>&);
+extern template StateHead head_of(const lab::MaterialSet&, const StateToProbe<sim::Tensor>&);
 extern template ProbedState probe_state(const lab::MaterialSet&,
                                         const StateToProbe<sim::Axisymmetric>&, const Probing&);
 extern template ProbedState probe_state(const lab::MaterialSet&, const StateToProbe<sim::Tensor>&,

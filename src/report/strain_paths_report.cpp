@@ -6,6 +6,7 @@
 #include "src/figures/strain_paths_figure.hpp"
 #include "src/output/table.hpp"
 #include "src/report/json_parts.hpp"
+#include "src/report/simulated_head.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
@@ -98,20 +99,11 @@ std::string strain_paths_json(const StrainPathsReport& report) {
 }
 
 std::string strain_paths_text(const StrainPathsReport& report) {
-  const std::string title = on_one_line("Proportional strain paths dε₁ + 2R dε₃ = 0, " +
-                                        report.material.name + " (simulated)");
-  std::string out = title + '\n' + std::string(display_width(title), '=') + '\n';
-  const auto fact = [&out](const char* label, const std::string& value) {
-    if (!value.empty()) out += fmt::format("  {:<12}{}\n", label, on_one_line(value));
-  };
-  fact("law", report.material.law->title);
-  fact("based on", report.material.material.based_on);
-  fact("source", report.material.source);
-  fact("range", report.material.range);
-  fact("start", fmt::format("p′ {} kPa, isotropic, e {}", in_kPa(report.p, 2),
-                            number(report.void_ratio, 4)));
+  std::string out = simulated_head("Proportional strain paths dε₁ + 2R dε₃ = 0", report.material);
+  out += fact("start", fmt::format("p′ {} kPa, isotropic, e {}", in_kPa(report.p, 2),
+                                   number(report.void_ratio, 4)));
   out += '\n' + indented(to_text(peaks_table(report))) + '\n';
-  for (const auto& warning : report.warnings) fact("warning", warning);
+  for (const auto& warning : report.warnings) out += fact("warning", warning);
   return without_controls(out);
 }
 

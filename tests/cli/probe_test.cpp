@@ -153,7 +153,8 @@ TEST_CASE("--output writes the document, the table and every figure with its dat
   REQUIRE(here.triax(arguments + "--output x").status == 0);
   CHECK(content(here / "x.json") == here.triax(arguments + "--json").out);
   CHECK(content(here / "x.csv").find("origin = \"simulated\"") != std::string::npos);
-  for (const char* figure : {"circular", "polar", "work", "envelope", "cones_pq", "cones_rendulic"})
+  for (const char* figure :
+       {"circular", "polar", "work", "envelope", "control", "cones_pq", "cones_rendulic"})
     for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"}) {
       INFO(figure << ending);
       CHECK(content(here / (std::string("x_") + figure + ending)).size() > 100);
@@ -162,6 +163,54 @@ TEST_CASE("--output writes the document, the table and every figure with its dat
   write(here / "p.json", content(kPath));
   CHECK(here.triax("probe --path p.json --output p").status == 2);  // it would be replaced
   CHECK(content(here / "p.json") == content(kPath));
+}
+
+TEST_CASE("control is part of the document, and of the text where it is asked for") {
+  const Workplace here;
+  const json d = document(here, kLoose + "--p 70 --eta 0.60 --R 0.5,1,2");
+  const json& control = d["control"];
+  REQUIRE(control["scan"].size() == 3);
+  CHECK(control["scan"][0]["controllable"] == false);
+  CHECK(control["scan"][2]["controllable"] == true);
+  CHECK(control["lost"][0]["from_R"].get<double>() < 0.5);
+  CHECK(control["lost"][0]["to_R"].get<double>() > 1);
+  CHECK(control["roots"].size() == 2);
+  CHECK(control["named"].size() > 3);
+  const std::string plain = here.triax(kLoose + "--p 70 --eta 0.60").out;
+  const std::string long_text = here.triax(kLoose + "--p 70 --eta 0.60 --control").out;
+  CHECK(plain.find("drained, ") == std::string::npos);
+  CHECK(long_text.find("undrained, ") != std::string::npos);
+}
+
+TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not take") {
+  const Workplace here;
+  const std::string paths = kLoose + "--p 100 --strain-paths 0.8,1.0 --axial-strain 0.02";
+  const json d = document(here, paths + " --output f");
+  REQUIRE(d["strain_paths"].size() == 2);
+  CHECK(d["strain_paths"][1]["R"] == 1.0);
+  CHECK(d["strain_paths"][1]["peak"]["q_kPa"].get<double>() == Approx(44.62).margin(0.05));
+  for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
+    CHECK(content(here / (std::string("f") + ending)).size() > 100);
+  for (const std::string bad :
+       {"--strain-paths 0.8", "--p 100 --strain-paths 0", "--p 100 --strain-paths 1 --eta 0.5",
+        "--p 100 --strain-paths 1 --plane plane-strain",
+        "--p 100 --strain-paths 1 --axial-strain 7"}) {
+    const Outcome outcome = here.triax(kLoose + bad);
+    INFO(bad << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("all directions of space: the document, and files") {
+  const Workplace here;
+  const json d = document(here, kLoose + "--p 70 --eta 0.6 --plane 3d --output s");
+  CHECK(d["probing"]["plane"] == "3d");
+  CHECK(d["unstable_regions"] == 1);
+  CHECK(d["probes"].size() == 18 * 36);
+  for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
+    CHECK(content(here / (std::string("s") + ending)).size() > 100);
+  CHECK(here.triax(kLoose + "--p 70 --eta 0.6 --plane 3d --finite").status == 2);
 }
 
 TEST_CASE("the examples of the help run") {

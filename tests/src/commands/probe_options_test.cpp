@@ -87,3 +87,25 @@ TEST_CASE("exactly one state is asked for, with what belongs to it") {
   says("--test 26 --every 2", "--every has a meaning only with --path");
   says("--path p.toml --every 0", "--every 0");
 }
+
+TEST_CASE("in three dimensions the step divides half a turn, and nothing of a plane is asked") {
+  const auto probing = src::checked_sphere(parsed("--plane 3d --step 5 --norm-kPa 2"));
+  CHECK(probing.rings == 36);
+  CHECK(probing.norm == 2000);
+  for (const char* line : {"--plane 3d --step 45", "--plane 3d --step 24", "--plane 3d --finite",
+                           "--plane 3d --control", "--plane 3d --R 1", "--plane 3d --probes"}) {
+    INFO(line);
+    CHECK_THROWS_AS(src::checked_sphere(parsed(line)), lab::BadInput);
+  }
+}
+
+TEST_CASE("strain paths start from the isotropic state alone") {
+  CHECK_NOTHROW(src::check_strain_path_options(parsed("--strain-paths 0.7,1 --p 100")));
+  for (const char* line :
+       {"--strain-paths 1", "--strain-paths 0 --p 100", "--strain-paths 1 --p 100 --eta 0.5",
+        "--strain-paths 1 --p 100 --test 26", "--strain-paths 1 --p 100 --strain",
+        "--strain-paths 1 --p 100 --plane 3d", "--strain-paths 1 --p 100 --axial-strain 2"}) {
+    INFO(line);
+    CHECK_THROWS_AS(src::check_strain_path_options(parsed(line)), lab::BadInput);
+  }
+}
