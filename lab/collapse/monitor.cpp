@@ -9,12 +9,13 @@
 #include "lab/collapse/instant.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
+#include "lab/collapse/path_sampler.hpp"
 #include "lab/collapse/verdict.hpp"
 
 namespace triax::lab {
 
 struct CollapseMonitor::Impl {
-  explicit Impl(const RecordHeader& h) : header(h), limit(h.specimen) {}
+  explicit Impl(const RecordHeader& h) : header(h), sampler(h.has_time), limit(h.specimen) {}
 
   void start_stage(const State& state);
   void watch(const State& state);
@@ -22,6 +23,7 @@ struct CollapseMonitor::Impl {
   void tell_of_descent(const CollapseMonitor& outer);
 
   const RecordHeader header;
+  PathSampler sampler;
   PathRates rates;
   DescentTracker descents;
   LossOfControl control;
@@ -31,26 +33,10 @@ struct CollapseMonitor::Impl {
   std::optional<int> stage;
   bool held_q = false;          ///< in the stage under way
   bool held_undrained = false;  ///< in any stage so far
-  double path = 0;              ///< along the axial strain, where there is no time
-  double last_strain = kMissing;
-  bool has_pore_pressure = false;
   std::int64_t watched_states = 0, points = 0;
   std::optional<double> told_onset;
   std::optional<Descent> held_descent;  ///< the first that lasted
 };
-
-namespace {
-
-bool complete(const State& s) {
-  return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial) &&
-         std::isfinite(s.volumetric_strain);
-}
-
-bool watched(const StageInfo* stage) {
-  return !stage || stage->role == StageRole::shear || stage->role == StageRole::unknown;
-}
-
-}  // namespace
 
 CollapseMonitor::CollapseMonitor(const RecordHeader& header)
     : impl_(std::make_unique<Impl>(header)) {
@@ -76,25 +62,12 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
 
 void CollapseMonitor::Impl::watch(const State& s) {
   if (!stage || *stage != s.stage) start_stage(s);
-  if (!watched(header.stage(s.stage))) return;
+  if (!is_watched(header.stage(s.stage))) return;
   if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
   ++watched_states;
   control.add(s, header.has_time);
 
-  if (!std::isnan(last_strain)) path += std::fabs(s.strain.axial - last_strain);
-  last_strain = s.strain.axial;
-  // A gap in u would be a jump to nothing; a record without any u goes on without it.
-  has_pore_pressure = has_pore_pressure || std::isfinite(s.pore_pressure);
-  if (has_pore_pressure && std::isnan(s.pore_pressure)) return;
-  PathSample sample;
-  sample.signal = {static_cast<double>(s.reading),
-                   header.has_time ? s.time_s : path,
-                   s.q,
-                   s.p_eff,
-                   s.strain.axial,
-                   s.volumetric_strain,
-                   s.pore_pressure};
-  rates.add(sample);
+  if (const auto sample = sampler.sample(s)) rates.add(*sample);
 }
 
 void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {

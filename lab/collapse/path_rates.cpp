@@ -67,7 +67,7 @@ void PathRates::add(const PathSample& sample) {
     if (!resolves(point, level)) continue;
     last_fit_ = fit;
     last_level_ = level;
-    emit(point);
+    hand_on(point);
     return;
   }
 }
@@ -143,7 +143,7 @@ PathPoint PathRates::point_at(const LocalFit& fit, int level, double offset) con
   return p;
 }
 
-void PathRates::emit(const PathPoint& point) {
+void PathRates::hand_on(const PathPoint& point) {
   if (point.reading <= last_reading_) return;
   last_reading_ = point.reading;
   if (on_point) on_point(point);
@@ -151,7 +151,7 @@ void PathRates::emit(const PathPoint& point) {
 
 void PathRates::finish() {
   if (last_level_ >= 0)
-    for (int i = 1; i <= BlockPyramid::kBlocks / 2; ++i) emit(point_at(last_fit_, last_level_, i));
+    for (int i = 1; i <= BlockPyramid::kBlocks / 2; ++i) hand_on(point_at(last_fit_, last_level_, i));
   pyramid_.clear();
   levels_ = {};
   last_level_ = -1;

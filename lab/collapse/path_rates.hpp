@@ -80,7 +80,7 @@ class PathRates {
   PathPoint point_at(const LocalFit& fit, int level, double offset) const;
   static void learn(const LocalFit& fit, Level& level);
   bool resolves(const PathPoint& point, int level) const;
-  void emit(const PathPoint& point);
+  void hand_on(const PathPoint& point);
 
   BlockPyramid pyramid_;
   std::array<Level, BlockPyramid::kLevels> levels_{};

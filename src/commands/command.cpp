@@ -3,6 +3,7 @@
 #include "src/commands/domain.hpp"
 #include "src/commands/element.hpp"
 #include "src/commands/materials.hpp"
+#include "src/commands/probe.hpp"
 #include "src/commands/query.hpp"
 #include "src/commands/replay.hpp"
 #include "src/commands/report.hpp"
@@ -13,7 +14,7 @@ namespace triax::src {
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
       simulate_command(), replay_command(),    report_command(), query_command(),
-      element_command(),  materials_command(), domain_command()};
+      element_command(),  materials_command(), probe_command(),  domain_command()};
   return all;
 }
 

@@ -105,4 +105,14 @@ std::string to_text(const Table& table) {
   return text;
 }
 
+std::string indented(const std::string& lines) {
+  std::string out = "  ";
+  for (const char c : lines) {
+    out += c;
+    if (c == '\n') out += "  ";
+  }
+  out.erase(out.size() - 2);
+  return out;
+}
+
 }  // namespace triax::src

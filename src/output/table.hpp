@@ -38,4 +38,7 @@ std::vector<std::size_t> column_widths(const Table& table);
 /// Headings, a rule and the rows, each line ended.
 std::string to_text(const Table& table);
 
+/// Each line two blanks further in; the last one is ended.
+std::string indented(const std::string& lines);
+
 }  // namespace triax::src

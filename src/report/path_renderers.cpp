@@ -3,38 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "lab/records/toml_reader.hpp"
 #include "src/output/table.hpp"
+#include "src/report/json_parts.hpp"
 #include "src/report/path_report.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kRowsOfText = 20;
-
-Json plain(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-Json text(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
 
 Json point_json(const ReportedPath& path, const ReportedPoint& at) {
   Json object;
-  object["segment"] = text(at.segment);
+  object["segment"] = json_text(at.segment);
   for (std::size_t i = 0; i < path.columns.size(); ++i)
-    object[path.columns[i]] = i < at.values.size() ? plain(at.values[i]) : Json(nullptr);
+    object[path.columns[i]] = i < at.values.size() ? json_number(at.values[i]) : Json(nullptr);
   return object;
-}
-
-Json material_json(const lab::MaterialSet& material) {
-  return {{"name", material.name},
-          {"law", material.law->name},
-          {"based_on", text(material.material.based_on)},
-          {"description", text(material.description)},
-          {"source", text(material.source)},
-          {"range", text(material.range)}};
 }
 
 std::string in_percent(const ReportedPath& path, const ReportedPoint& at, const char* column) {
@@ -77,16 +63,6 @@ std::string event_words(const ReportedEvent& event) {
   return "control of " + event.what + " is lost";
 }
 
-std::string indented(const std::string& lines) {
-  std::string out = "  ";
-  for (const char c : lines) {
-    out += c;
-    if (c == '\n') out += "  ";
-  }
-  out.erase(out.size() - 2);
-  return out;
-}
-
 }  // namespace
 
 std::string path_json(const ReportedPath& path) {
@@ -95,12 +71,12 @@ std::string path_json(const ReportedPath& path) {
                      {"origin", "simulated"},
                      {"source", path.source},
                      {"tolerance", path.tolerance}}},
-                   {"material", material_json(path.material)},
+                   {"material", json_material(path.material)},
                    {"start", point_json(path, path.start)},
                    {"outcome", path.outcome},
-                   {"culprit", text(path.culprit)},
-                   {"message", text(path.message)},
-                   {"error", plain(path.error)},
+                   {"culprit", json_text(path.culprit)},
+                   {"message", json_text(path.message)},
+                   {"error", json_number(path.error)},
                    {"peak", path.peak ? point_json(path, *path.peak) : Json(nullptr)},
                    {"last", point_json(path, path.last)}};
   Json events = Json::array();
@@ -112,7 +88,7 @@ std::string path_json(const ReportedPath& path) {
   Json rows = Json::array();
   for (const auto& row : path.rows) rows.push_back(point_json(path, row));
   document["rows"] = std::move(rows);
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_document(document);
 }
 
 std::string path_text(const ReportedPath& path) {

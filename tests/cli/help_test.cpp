@@ -11,7 +11,7 @@ using namespace triax::cli_tests;
 namespace {
 
 const char* const kCommands[] = {"simulate", "replay",    "report", "query",
-                                 "element",  "materials", "domain"};
+                                 "element",  "materials", "probe",  "domain"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;

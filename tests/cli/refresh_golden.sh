@@ -6,11 +6,14 @@ triax=${1:-build/release/triax}
 golden=tests/cli/golden
 mkdir -p "$golden"
 "$triax" --help >"$golden/help.txt"
-for command in simulate replay report query element materials domain; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
+for command in simulate replay report query element materials probe domain; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
 "$triax" query --list >"$golden/query_list.txt"
 # A lost control is status 1 by contract.
 for path in icu_100 load_beyond_limit; do
   "$triax" element "samples/paths/$path.toml" >"$golden/element_$path.txt" 2>"$golden/element_$path.err" || true
 done
+"$triax" probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 >"$golden/probe_etas.txt"
+"$triax" probe --material inl2/S28-general --p 70 --eta 0.6 --void-ratio 1.086 --probes >"$golden/probe_directions.txt"
+"$triax" probe --path samples/paths/icu_100.toml --every 25 >"$golden/probe_path.txt"
 "$triax" domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200:7 --q-kPa -120:240:19 \
   >"$golden/domain_inl2.txt"

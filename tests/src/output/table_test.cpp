@@ -29,3 +29,7 @@ TEST_CASE("a table keeps its lines whatever its cells hold") {
   const Table table{{{"a", Align::left}, {"b\n", Align::right}}, {{"x\ny", "1"}, {"\x1b", "10"}}};
   CHECK(to_text(table) == "a    b\n---  --\nx y   1\n     10\n");
 }
+
+TEST_CASE("indented: every line two blanks further in, none behind the last") {
+  CHECK(triax::src::indented("a\nb\n") == "  a\n  b\n");
+}

@@ -1,0 +1,34 @@
+#pragma once
+// From the states of a test to samples of its path.
+#include <optional>
+
+#include "lab/collapse/block_pyramid.hpp"
+#include "lab/records/record_header.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::lab {
+
+/// Whether a state holds all that second-order work needs.
+bool complete(const State& state);
+
+/// Whether second-order work is looked at in this stage: in shear, and where nobody says what a
+/// stage is for. `stage` may be null.
+bool is_watched(const StageInfo* stage);
+
+/// Gives each complete state of the watched stages its progress: time, or the path along the axial
+/// strain where the record has no time.
+class PathSampler {
+ public:
+  explicit PathSampler(bool has_time) : has_time_(has_time) {}
+  /// Empty in a gap of the pore pressure, which would be a jump to nothing; a record without any
+  /// goes on without it. Pre-condition: complete(state).
+  std::optional<PathSample> sample(const State& state);
+
+ private:
+  bool has_time_;
+  double path_ = 0;  // along the axial strain
+  double last_strain_ = kMissing;
+  bool has_pore_pressure_ = false;
+};
+
+}  // namespace triax::lab

@@ -1,0 +1,185 @@
+#include "src/commands/probe_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <cmath>
+
+#include "lab/records/bad_input.hpp"
+#include "src/commands/shared_options.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr double kSmallestStress_kPa = 1e-3, kLargestStress_kPa = 1e5;
+constexpr double kSmallestNorm_kPa = 1e-6, kLargestNorm_kPa = 1e4;
+constexpr double kSmallestNormStrain = 1e-10, kLargestNormStrain = 0.1;
+constexpr double kSmallestRatio = 0.01, kLargestR = 100;
+constexpr double kSmallestStrain = 1e-5, kLargestStrain = 0.5;
+constexpr double kSmallestStep_deg = 0.01, kLargestStep_deg = 45;
+
+void must_lie(const char* option, double value, double lowest, double highest) {
+  if (!(value >= lowest && value <= highest))
+    throw lab::BadInput(
+        fmt::format("{} {:g}: must be a number, {:g} to {:g}", option, value, lowest, highest));
+}
+
+int directions_of(double step_deg) {
+  must_lie("--step", step_deg, kSmallestStep_deg, kLargestStep_deg);
+  const double whole = std::round(360 / step_deg);
+  if (std::abs(whole * step_deg - 360) > 1e-6)
+    throw lab::BadInput(fmt::format("--step {:g}: 360 degrees must be a multiple of it, as of {:g}",
+                                    step_deg, 360 / whole));
+  return static_cast<int>(whole);
+}
+
+/// A dependent option without the one it depends on.
+void only_with(bool given, const char* option, bool with, const char* other) {
+  if (given && !with)
+    throw lab::BadInput(fmt::format("{} has a meaning only with {}", option, other));
+}
+
+}  // namespace
+
+void add_probe_options(CLI::App& app, ProbeOptions& o) {
+  add_material(app, o.material);
+  app.add_option("--p", o.p_kPa, "mean effective stress p' of the state, with --eta or --q")
+      ->type_name("KPA");
+  app.add_option("--eta", o.eta, "stress ratio q/p'; several make several states")
+      ->type_name("ETA,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--q", o.q_kPa, "deviator stress in place of --eta, negative in extension")
+      ->type_name("KPA,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--stress-kPa", o.stress_kPa,
+                 "principal effective stresses of the state, axial one first")
+      ->type_name("S1,S3 or S1,S2,S3")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--test", o.test,
+                 "the state measured in this test of the database, and where its "
+                 "own increment lies")
+      ->type_name("TEST");
+  app.add_option("--at", o.at, "where in the test: collapse, peak, end, or a reading [collapse]")
+      ->type_name("WHERE");
+  add_db(app, o.db);
+  app.add_option("--path", o.path,
+                 "the state at the end of this path, with the memory that the path made")
+      ->type_name("PATH.toml");
+  app.add_option("--every", o.every, "along the path, at every N-th of its rows")->type_name("N");
+  app.add_option("--plane", o.plane, "directions of this plane, or all of principal increments")
+      ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}))
+      ->type_name("axisymmetric|plane-strain|3d")
+      ->capture_default_str();
+  app.add_flag("--strain", o.strain, "impose strain increments instead of stress increments");
+  app.add_option("--norm-kPa", o.norm_kPa, "norm of stress increments [1]")->type_name("KPA");
+  app.add_option("--norm-strain", o.norm_strain, "norm of strain increments [1e-5]")
+      ->type_name("STRAIN");
+  app.add_option("--step", o.step_deg, "degrees between directions, refined at edges of cones")
+      ->type_name("DEG")
+      ->capture_default_str();
+  app.add_flag("--finite", o.finite,
+               "integrate every increment of the norm instead of scaling the law's rate");
+  app.add_flag("--probes", o.probes, "print every direction too");
+  app.add_option("--R", o.R,
+                 "ratios of deps1 + 2R deps3 = 0 at which control is looked at [0.1,0.2,...,3]")
+      ->type_name("R,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_flag("--control", o.control, "print controllability over R and under named controls too");
+  app.add_option("--strain-paths", o.strain_paths,
+                 "instead of probes: proportional strain paths of these R from the isotropic state "
+                 "--p")
+      ->type_name("R,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--axial-strain", o.axial_strain, "to which the strain paths go, a plain number")
+      ->type_name("STRAIN")
+      ->capture_default_str();
+  app.add_option(
+         "--output", o.output,
+         "also write PREFIX.csv, PREFIX.json and the figures (SVG, PNG, PDF) with their data")
+      ->type_name("PREFIX");
+  add_json(app, o.json);
+}
+
+Probing checked_probing(const ProbeOptions& o) {
+  only_with(o.norm_strain.has_value(), "--norm-strain", o.strain, "--strain");
+  only_with(o.norm_kPa.has_value(), "--norm-kPa", !o.strain, "stress probes, without --strain");
+  for (const double R : o.R) must_lie("--R", R, kSmallestRatio, kLargestR);
+  Probing probing;
+  if (!o.R.empty()) probing.ratios = o.R;
+  probing.plane =
+      o.plane == "plane-strain" ? sim::ProbePlane::plane_strain : sim::ProbePlane::axisymmetric;
+  probing.kind = o.strain ? sim::ProbeKind::strain : sim::ProbeKind::stress;
+  probing.directions = directions_of(o.step_deg);
+  probing.finite = o.finite;
+  if (o.strain) {
+    probing.norm = o.norm_strain.value_or(1e-5);
+    must_lie("--norm-strain", probing.norm, kSmallestNormStrain, kLargestNormStrain);
+  } else {
+    const double norm_kPa = o.norm_kPa.value_or(1);
+    must_lie("--norm-kPa", norm_kPa, kSmallestNorm_kPa, kLargestNorm_kPa);
+    probing.norm = 1e3 * norm_kPa;
+  }
+  return probing;
+}
+
+SphereProbing checked_sphere(const ProbeOptions& o) {
+  const Probing plane = checked_probing(o);
+  if (o.finite || o.control || o.probes || !o.R.empty())
+    throw lab::BadInput("--plane 3d takes no --finite, --control, --R or --probes");
+  if (plane.directions % 2 != 0 || plane.directions < 12)
+    throw lab::BadInput(fmt::format(
+        "--step {:g}: with --plane 3d 180 degrees must be a multiple of it, 6 times at least",
+        o.step_deg));
+  return {.kind = plane.kind, .norm = plane.norm, .rings = plane.directions / 2};
+}
+
+void check_strain_path_options(const ProbeOptions& o) {
+  if (!o.p_kPa) throw lab::BadInput("--strain-paths needs --p, the isotropic state to start from");
+  must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+  for (const double R : o.strain_paths) must_lie("--strain-paths", R, kSmallestRatio, kLargestR);
+  must_lie("--axial-strain", o.axial_strain, kSmallestStrain, kLargestStrain);
+  if (!o.eta.empty() || !o.q_kPa.empty() || !o.stress_kPa.empty() || !o.test.empty() ||
+      !o.path.empty() || o.strain || o.finite || o.plane != "axisymmetric")
+    throw lab::BadInput(
+        "--strain-paths starts from the isotropic state --p alone, in axisymmetry: it takes no "
+        "other state, plane or probes");
+}
+
+void check_state_options(const ProbeOptions& o) {
+  const int sources =
+      o.p_kPa.has_value() + !o.stress_kPa.empty() + !o.test.empty() + !o.path.empty();
+  if (sources != 1)
+    throw lab::BadInput(fmt::format(
+        "{}: one of --p (with --eta or --q), --stress-kPa, --test and --path says which state",
+        sources == 0 ? "no state is given" : "more than one kind of state is given"));
+  only_with(!o.eta.empty(), "--eta", o.p_kPa.has_value(), "--p");
+  only_with(!o.q_kPa.empty(), "--q", o.p_kPa.has_value(), "--p");
+  only_with(!o.at.empty(), "--at", !o.test.empty(), "--test");
+  only_with(o.every.has_value(), "--every", !o.path.empty(), "--path");
+  if (o.p_kPa) {
+    must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+    if (o.eta.empty() == o.q_kPa.empty())
+      throw lab::BadInput(o.eta.empty() ? "--p needs --eta or --q; --eta 0 is the isotropic state"
+                                        : "--eta and --q exclude each other");
+    for (const double eta : o.eta) must_lie("--eta", eta, -3, 3);
+    for (const double q : o.q_kPa) must_lie("--q", q, -kLargestStress_kPa, kLargestStress_kPa);
+  }
+  if (o.stress_kPa.size() == 1 || o.stress_kPa.size() > 3)
+    throw lab::BadInput(fmt::format("--stress-kPa has {} values: S1,S3 or S1,S2,S3 are wanted",
+                                    o.stress_kPa.size()));
+  for (const double s : o.stress_kPa)
+    must_lie("--stress-kPa", s, -kLargestStress_kPa, kLargestStress_kPa);
+  if (o.stress_kPa.size() == 3 && o.stress_kPa[1] != o.stress_kPa[2] && o.plane == "axisymmetric")
+    throw lab::BadInput(
+        "--stress-kPa with S2 and S3 that differ is no axisymmetric state: --plane plane-strain");
+  if (o.every && *o.every < 1)
+    throw lab::BadInput(fmt::format("--every {}: must be a number of rows, 1 or more", *o.every));
+}
+
+}  // namespace triax::src

@@ -1,0 +1,53 @@
+#pragma once
+// Controllability of one state: over R, under named controls, and by Eq. (34) or (35).
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/stability/controllability.hpp"
+#include "src/output/table.hpp"
+
+namespace triax::src {
+
+/// A root of Eq. (34) or (35), with the mode that it leaves free.
+struct ControlRoot {
+  double R = 0;
+  double angle = 0;         ///< α of its stress that unloads, rad in (π, 2π)
+  double failure_rule = 0;  ///< dε₁/dσ₃ of Eq. (40) or (41), 1/Pa
+};
+
+struct ControlReport {
+  std::vector<sim::ControlPoint> scan;
+  std::vector<sim::LostControl> lost;    ///< ranges of R between kLeastRatio and kLargestRatio
+  std::vector<sim::ControlIndex> named;  ///< axisymmetry only
+  /// Whose compliance Eq. (34) or (35) is written with: that of zone (-, -) where there are
+  /// zones (of INL2: with its moduli), else that of the tangent of the least direction; empty:
+  /// there is none.
+  std::string compliance;
+  std::optional<double> symmetric_determinant;  ///< det Mˢ, 1/Pa²; below 0: two roots
+  std::vector<ControlRoot> roots;               ///< by rising R
+};
+
+inline constexpr double kLeastRatio = 0.05, kLargestRatio = 5;
+
+/// R from 0.1 to 3.
+std::vector<double> usual_ratios();
+
+/// `least`: the probe with the least normalised W₂. No R may be 0.
+template <class Space>
+ControlReport control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
+                         const std::vector<double>& R);
+
+extern template ControlReport control_of(const sim::IncrementalResponse<sim::Axisymmetric>&,
+                                         const sim::Probe&, const std::vector<double>&);
+extern template ControlReport control_of(const sim::IncrementalResponse<sim::Tensor>&,
+                                         const sim::Probe&, const std::vector<double>&);
+
+/// "lost for R 0.4488 to 1.0177"; "held for R 0.05 to 5".
+std::string lost_in_words(const ControlReport& control);
+/// "R 0.2537 (α 250.3°, dε₁/dσ₃ ...)" for each root.
+std::string roots_in_words(const ControlReport& control);
+Table scan_table(const ControlReport& control);
+Table named_controls_table(const ControlReport& control);
+
+}  // namespace triax::src

@@ -1,0 +1,41 @@
+#pragma once
+// What stress or strain probes of states came to, as text and JSON.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/report/probed_state.hpp"
+
+namespace triax::src {
+
+struct ProbeReport {
+  lab::MaterialSet material;
+  Probing probing;
+  std::vector<ProbedState> states;
+  /// Several states were asked for, however many there are: a list in JSON.
+  bool many = false;
+  std::string path;                   ///< name of the path along which they lie; empty: none
+  std::vector<std::string> warnings;  ///< that are not of one state
+
+  /// The first state with an unstable direction; empty: none has one.
+  std::optional<std::size_t> first_unstable() const;
+};
+
+/// One JSON document; what is unknown is null. A single state is part of it; several are the list
+/// "states" of objects with the same keys.
+std::string probe_json(const ProbeReport& report);
+/// What a text tells of each state besides.
+struct ProbeDetails {
+  bool probes = false;   ///< every direction
+  bool control = false;  ///< controllability over R and under named controls
+};
+/// A table of the states for people, and where a test's own increment lies.
+std::string probe_text(const ProbeReport& report, const ProbeDetails& details);
+/// "stress of 1 kPa every 10°, by the rate at the state".
+std::string probing_words(const Probing& probing);
+/// "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)".
+std::string plane_words(sim::ProbePlane plane);
+/// "214.86° to 237.66°" for every cone, "none" without any.
+std::string cones_in_words(const std::vector<sim::Cone>& cones);
+
+}  // namespace triax::src
