@@ -151,7 +151,8 @@ void PathRates::hand_on(const PathPoint& point) {
 
 void PathRates::finish() {
   if (last_level_ >= 0)
-    for (int i = 1; i <= BlockPyramid::kBlocks / 2; ++i) hand_on(point_at(last_fit_, last_level_, i));
+    for (int i = 1; i <= BlockPyramid::kBlocks / 2; ++i)
+      hand_on(point_at(last_fit_, last_level_, i));
   pyramid_.clear();
   levels_ = {};
   last_level_ = -1;

@@ -175,7 +175,7 @@ std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
     out += fact("control",
                 fmt::format("of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}",
                             axisymmetric(report.probing) ? "2" : "", lost_in_words(state.control)));
-    out += out +=
+    out +=
         fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)", roots_in_words(state.control));
   }
   if (report.many) {
@@ -189,7 +189,9 @@ std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
   std::vector<const StateHead*> heads;
   for (const ProbedState& state : report.states) heads.push_back(&state);
   for (const auto& warning : report.warnings) out += fact("warning", warning);
-  for (const auto& warning : warnings_of(heads)) out += fact("warning", warning);
+  for (const auto& warning : warnings_of(heads))
+    if (std::ranges::find(report.warnings, warning) == report.warnings.end())
+      out += fact("warning", warning);
   for (const ProbedState& state : report.states) {
     if ((details.probes || details.control) && report.states.size() > 1)
       out += '\n' + state_heading(state);

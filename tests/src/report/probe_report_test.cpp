@@ -157,6 +157,17 @@ TEST_CASE("of many states outside the range the first is named, and how many the
   CHECK(text.find("p' is 4 kPa") == std::string::npos);
 }
 
+TEST_CASE("a warning of path and state alike is told once, and so is the head") {
+  auto report = report_of({0.6});
+  report.warnings = report.states[0].warnings = {"a state of its own kind"};
+  const std::string text = src::probe_text(report, {});
+  for (const std::string once : {"a state of its own kind", "Second-order work in every"}) {
+    const auto at = text.find(once);
+    REQUIRE(at != std::string::npos);
+    CHECK(text.find(once, at + 1) == std::string::npos);
+  }
+}
+
 TEST_CASE("cones in words") {
   CHECK(src::cones_in_words({}) == "none");
   const sim::Cone cone{sim::radians(10), sim::radians(20.126), {}};
