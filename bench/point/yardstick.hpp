@@ -29,6 +29,7 @@ double solution_ns() {
   double sink = 0;
   const double seconds = least_seconds(9, [&] {
     for (int i = 0; i < kSolutions; ++i) {
+      a(0, 0) += 1e-9;
       a(0, 1) += 1e-9;
       sink += a.partialPivLu().solve(b)(0);
     }

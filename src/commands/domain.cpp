@@ -238,10 +238,10 @@ Command domain_command() {
             "$SLURM_ARRAY_TASK_ID/64 --output piece_$SLURM_ARRAY_TASK_ID.json",
             "one task of an array job 1-64"},
            {"triax domain --merge piece_*.json --output loose", "all tasks put together"},
-           {"mpirun -n 8 sh -c 'triax domain --material inl2/S28-general --void-ratio 1.086 "
-            "--threads 1 --piece $((OMPI_COMM_WORLD_RANK+1))/8 --output "
-            "piece_$OMPI_COMM_WORLD_RANK.json'",
-            "the same under MPI, a process a piece"}},
+           {"triax domain --material inl2/S28-general --void-ratio 1.086 --threads 1 --piece "
+            "$((OMPI_COMM_WORLD_RANK+1))/$OMPI_COMM_WORLD_SIZE --output "
+            "piece_$OMPI_COMM_WORLD_RANK.json",
+            "the same under MPI: what mpirun -n 8 sh -c '...' is given, a process a piece"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         add_material(app, o->material);
