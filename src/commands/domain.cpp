@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "db/store.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/text.hpp"
 #include "sim/stability/domain_criteria.hpp"
@@ -15,10 +16,9 @@
 #include "src/commands/material_option.hpp"
 #include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
-#include "src/figures/domain_figure.hpp"
-#include "src/figures/figure_files.hpp"
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
+#include "src/report/domain_figures.hpp"
 #include "src/report/domain_piece.hpp"
 
 namespace triax::src {
@@ -33,6 +33,8 @@ struct Options {
   std::string piece;
   std::vector<std::string> pieces;
   std::string output;
+  std::vector<std::string> tests;
+  std::string db = "triax.db";
   bool localisation = false;
   bool json = false;
 };
@@ -177,16 +179,39 @@ ReportedDomain merge(const Options& o) {
 }
 
 /// Data, and the figure drawn from the same values.
-void write_files(const ReportedDomain& domain, const std::string& prefix) {
+void write_files(const ReportedDomain& domain, const std::vector<TestedState>& tests,
+                 const std::string& prefix) {
   write_file(prefix + ".csv", domain_states_csv(domain));
   write_file(prefix + "_boundaries.csv", domain_boundaries_csv(domain));
   write_file(prefix + ".json", domain_json(domain));
-  const sim::DomainGrid grid = domain_grid(domain.settings.grid);
-  write_figure(domain_figure(grid, domain_columns(domain), DomainQuantity::opening,
-                             {.material = domain.settings.material.name,
-                              .state = fmt::format("e = {:g}", grid.void_ratio),
-                              .plane = grid.plane}),
-               prefix);
+  write_figure(domain_map(domain), prefix);
+  for (const auto& figure : domain_cones(domain, tests)) write_named_figure(figure, prefix);
+}
+
+std::vector<std::string> files_of(const std::string& prefix) {
+  std::vector<std::string> files;
+  if (prefix.empty()) return files;
+  files.push_back(prefix + "_boundaries.csv");
+  for (const char* name : {"", "_cones_pq", "_cones_rendulic"})
+    for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
+      files.push_back(prefix + name + ending);
+  return files;
+}
+
+/// The measured increments that the figures of cones are to show.
+std::vector<TestedState> tests_on_top(const Options& o) {
+  std::vector<TestedState> tests;
+  if (o.tests.empty()) return tests;
+  if (o.output.empty() || !o.piece.empty() || o.plane != "axisymmetric")
+    throw lab::BadInput(
+        "--test is for the figures of cones: it needs --output, the "
+        "axisymmetric plane and no --piece");
+  const db::Store store(o.db);
+  // An arrow needs stresses only; a void ratio that a test does not know must not be in its way.
+  const double void_ratio = o.material.void_ratio.value_or(1);
+  for (const auto& name : o.tests)
+    tests.push_back(tested_state(store, name, "collapse", void_ratio));
+  return tests;
 }
 
 void run(const Options& o) {
@@ -195,11 +220,14 @@ void run(const Options& o) {
     const ReportedDomain columns = compute(o, piece);
     return write_file(o.output, piece_json(columns, piece.index, piece.count));
   }
-  if (!o.output.empty())
-    for (const char* ending : {".csv", "_boundaries.csv", ".json", ".svg", ".png", ".pdf"})
-      refuse_overwriting("--output", o.output + ending, o.pieces, "a piece of --merge");
+  const std::vector<TestedState> tests = tests_on_top(o);
+  for (const auto& file : files_of(o.output)) {
+    refuse_overwriting("--output", file, o.pieces, "a piece of --merge");
+    if (!o.tests.empty())
+      refuse_overwriting("--output", file, database_files(o.db), "the database");
+  }
   const ReportedDomain domain = o.pieces.empty() ? compute(o, piece) : merge(o);
-  if (!o.output.empty()) write_files(domain, o.output);
+  if (!o.output.empty()) write_files(domain, tests, o.output);
   print(o.json ? domain_json(domain) : domain_text(domain));
 }
 
@@ -238,6 +266,9 @@ Command domain_command() {
             "$SLURM_ARRAY_TASK_ID/64 --output piece_$SLURM_ARRAY_TASK_ID.json",
             "one task of an array job 1-64"},
            {"triax domain --merge piece_*.json --output loose", "all tasks put together"},
+           {"triax domain --material inl2/S28-general --void-ratio 1.1 --p-kPa 100:900:9 "
+            "--q-kPa 0:900:10 --test 27 --test 58 --output fig12",
+            "cones at some states, and the increments of two tests at collapse on top"},
            {"triax domain --material inl2/S28-general --void-ratio 1.086 --threads 1 --piece "
             "$((OMPI_COMM_WORLD_RANK+1))/$OMPI_COMM_WORLD_SIZE --output "
             "piece_$OMPI_COMM_WORLD_RANK.json",
@@ -272,9 +303,16 @@ Command domain_command() {
             ->type_name("FILE...");
         app.add_option(
                "--output", o->output,
-               "write PREFIX.csv (states), PREFIX_boundaries.csv, PREFIX.json and the figure "
-               "as PREFIX.svg, .png and .pdf; with --piece the file of the piece")
+               "write PREFIX.csv (states), PREFIX_boundaries.csv, PREFIX.json, the map as "
+               "PREFIX.svg, .png and .pdf, and the cones at some states as PREFIX_cones_pq and "
+               "PREFIX_cones_rendulic; with --piece the file of the piece")
             ->type_name("PREFIX");
+        app.add_option("--test", o->tests,
+                       "put the measured increment of this test at its collapse on the figures of "
+                       "cones; may be repeated")
+            ->type_name("TEST")
+            ->allow_extra_args(false);
+        add_db(app, o->db);
         add_json(app, o->json);
         return [o] { run(*o); };
       }};

@@ -37,10 +37,7 @@ void write_files(const ProbeOptions& o, const ProbeReport& report) {
   for (const auto& prefix : prefixes) keep_what_is_read(o, prefix);
   write_file(o.output + ".json", probe_json(report));
   write_file(o.output + ".csv", to_csv(probes_data(report)));
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    write_figure(figures[i].drawing, prefixes[i + 1]);
-    write_figure_data(figures[i].data, prefixes[i + 1]);
-  }
+  for (const auto& figure : figures) write_named_figure(figure, o.output);
 }
 
 void run_strain_paths(const ProbeOptions& o) {

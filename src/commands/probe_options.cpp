@@ -59,10 +59,11 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
       ->type_name("S1,S3 or S1,S2,S3")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--test", o.test,
-                 "the state measured in this test of the database, and where its "
-                 "own increment lies")
-      ->type_name("TEST");
+  app.add_option("--test", o.tests,
+                 "the state measured in this test of the database, and where its own increment "
+                 "lies; may be repeated")
+      ->type_name("TEST")
+      ->allow_extra_args(false);
   app.add_option("--at", o.at, "where in the test: collapse, peak, end, or a reading [collapse]")
       ->type_name("WHERE");
   add_db(app, o.db);
@@ -144,7 +145,7 @@ void check_strain_path_options(const ProbeOptions& o) {
   must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
   for (const double R : o.strain_paths) must_lie("--strain-paths", R, kSmallestRatio, kLargestR);
   must_lie("--axial-strain", o.axial_strain, kSmallestStrain, kLargestStrain);
-  if (!o.eta.empty() || !o.q_kPa.empty() || !o.stress_kPa.empty() || !o.test.empty() ||
+  if (!o.eta.empty() || !o.q_kPa.empty() || !o.stress_kPa.empty() || !o.tests.empty() ||
       !o.path.empty() || o.strain || o.finite || o.plane != "axisymmetric")
     throw lab::BadInput(
         "--strain-paths starts from the isotropic state --p alone, in axisymmetry: it takes no "
@@ -153,14 +154,14 @@ void check_strain_path_options(const ProbeOptions& o) {
 
 void check_state_options(const ProbeOptions& o) {
   const int sources =
-      o.p_kPa.has_value() + !o.stress_kPa.empty() + !o.test.empty() + !o.path.empty();
+      o.p_kPa.has_value() + !o.stress_kPa.empty() + !o.tests.empty() + !o.path.empty();
   if (sources != 1)
     throw lab::BadInput(fmt::format(
         "{}: one of --p (with --eta or --q), --stress-kPa, --test and --path says which state",
         sources == 0 ? "no state is given" : "more than one kind of state is given"));
   only_with(!o.eta.empty(), "--eta", o.p_kPa.has_value(), "--p");
   only_with(!o.q_kPa.empty(), "--q", o.p_kPa.has_value(), "--p");
-  only_with(!o.at.empty(), "--at", !o.test.empty(), "--test");
+  only_with(!o.at.empty(), "--at", !o.tests.empty(), "--test");
   only_with(o.every.has_value(), "--every", !o.path.empty(), "--path");
   if (o.p_kPa) {
     must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);

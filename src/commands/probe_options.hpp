@@ -16,7 +16,7 @@ struct ProbeOptions {
   // The state: one of these four.
   std::optional<double> p_kPa;     ///< mean effective stress, with eta or q_kPa
   std::vector<double> stress_kPa;  ///< principal effective stresses, two or three
-  std::string test;                ///< id or name in the database `db`
+  std::vector<std::string> tests;  ///< ids or names in the database `db`
   std::string path;                ///< path file
 
   std::vector<double> eta, q_kPa;  ///< several make several states

@@ -48,11 +48,10 @@ std::vector<StateToProbe<Space>> given_states(const ProbeOptions& o, const Probe
 }
 
 template <class Space>
-StateToProbe<Space> measured_state(const ProbeOptions& o, const ProbeReport& report) {
-  if (o.material.void_ratio) chosen_void_ratio(o.material, report.material);
-  const db::Store store(o.db);
+StateToProbe<Space> measured_state(const ProbeOptions& o, const ProbeReport& report,
+                                   const db::Store& store, const std::string& name) {
   TestedState test =
-      tested_state(store, o.test, o.at.empty() ? "collapse" : o.at, o.material.void_ratio);
+      tested_state(store, name, o.at.empty() ? "collapse" : o.at, o.material.void_ratio);
   const auto& [axial, radial] = test.state.effective_stress;
   const sim::Law<Space>& law = *report.material.material.law<Space>();
   return {.state = law.start(stress_of<Space>(axial, radial, radial), test.state.void_ratio),
@@ -60,6 +59,15 @@ StateToProbe<Space> measured_state(const ProbeOptions& o, const ProbeReport& rep
           .from_path = false,
           .axial_strain = {},
           .test = std::move(test)};
+}
+
+template <class Space>
+std::vector<StateToProbe<Space>> measured_states(const ProbeOptions& o, const ProbeReport& report) {
+  if (o.material.void_ratio) chosen_void_ratio(o.material, report.material);
+  const db::Store store(o.db);
+  std::vector<StateToProbe<Space>> states;
+  for (const auto& name : o.tests) states.push_back(measured_state<Space>(o, report, store, name));
+  return states;
 }
 
 /// The path in the space of the probes; axes 2 and 3 of a triaxial one stay equal as a tensor.
@@ -159,7 +167,7 @@ lab::MaterialSet material_of(const ProbeOptions& o) {
 std::vector<std::string> files_read(const ProbeOptions& o) {
   std::vector<std::string> files;
   if (!o.path.empty()) files = lab::load_path(o.path).files;
-  if (!o.test.empty()) files = database_files(o.db);
+  if (!o.tests.empty()) files = database_files(o.db);
   if (!o.material.file.empty()) files.push_back(o.material.file);
   return files;
 }
@@ -171,8 +179,8 @@ std::vector<StateToProbe<Space>> states_to_probe(const ProbeOptions& o, ProbeRep
     throw lab::BadInput(
         fmt::format("{} cannot be probed in this plane: {}", report.material.name,
                     material.no_tensor.empty() ? "it has no form for it" : material.no_tensor));
-  report.many = o.eta.size() > 1 || o.q_kPa.size() > 1 || o.every.has_value();
-  if (!o.test.empty()) return {measured_state<Space>(o, report)};
+  report.many = o.eta.size() > 1 || o.q_kPa.size() > 1 || o.tests.size() > 1 || o.every.has_value();
+  if (!o.tests.empty()) return measured_states<Space>(o, report);
   return o.path.empty() ? given_states<Space>(o, report) : driven_states<Space>(o, report);
 }
 

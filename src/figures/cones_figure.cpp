@@ -31,7 +31,9 @@ class Picture {
     find_ranges();
     const auto radii = fan_radii();
     draw_lines();
-    for (const auto& path : data_.paths) draw_path(path);
+    for (const auto& limit : data_.limits) draw_path(limit, limit_pen());
+    for (const auto& boundary : data_.boundaries) draw_path(boundary, boundary_pen());
+    for (const auto& path : data_.paths) draw_path(path, path_pen());
     for (std::size_t i = 0; i < radii.size(); ++i) draw_fans(data_.states[i], radii[i]);
     for (const auto& state : data_.states) mark_state(state);
     for (const auto& test : data_.tests) draw_test(test);
@@ -45,6 +47,7 @@ class Picture {
   static QPen instability_pen() { return line(kPurple, 1.6, Qt::DashLine); }
   static QPen hydrostatic_pen() { return line(kGrey, 1, Qt::DashDotLine); }
   static QPen path_pen() { return line(kBlue, 1.4); }
+  static QPen boundary_pen() { return line(kBlue, 1.4, Qt::DashLine); }
   static QColor fan_fill() { return {0xF2, 0xB1, 0x8A}; }
   static QPen fan_pen() { return line(kVermilion, 1); }
   static QCPScatterStyle state_marker(bool stable) {
@@ -72,6 +75,9 @@ class Picture {
     if (has(false)) draw_area(rect(), {}, fan_fill(), fan_pen(), "directions with W₂ < 0");
     if (has(true)) draw_markers(rect(), {}, state_marker(true), "state without any");
     if (!data_.paths.empty()) draw_curve(rect(), {}, path_pen(), "stress path (simulated)");
+    if (!data_.boundaries.empty())
+      draw_curve(rect(), {}, boundary_pen(), "boundary of the bifurcation domain");
+    if (!data_.limits.empty()) draw_curve(rect(), {}, limit_pen(), "plastic limit");
     if (data_.limit_stress_ratio)
       draw_curve(rect(), {}, limit_pen(),
                  fmt::format("limit line, M = {:.2f}", *data_.limit_stress_ratio));
@@ -94,7 +100,8 @@ class Picture {
     };
     add({0, 0});
     for (const auto& at : data_.states) add(at.state);
-    for (const auto& path : data_.paths) std::ranges::for_each(path, add);
+    for (const auto* lines : {&data_.paths, &data_.boundaries, &data_.limits})
+      for (const auto& states : *lines) std::ranges::for_each(states, add);
     for (const auto& test : data_.tests) add(test.state);
     const auto across = x.with_margin(0.10, true), up = y.with_margin(0.12, true);
     trim(up.size() / across.size());
@@ -162,10 +169,10 @@ class Picture {
     if (data_.limit_stress_ratio) draw_ray({1, *data_.limit_stress_ratio}, limit_pen());
   }
 
-  void draw_path(const std::vector<TriaxialState>& path) {
+  void draw_path(const std::vector<TriaxialState>& path, const QPen& pen) {
     Points points;
     for (const auto& state : path) points.push_back(kPa(state));
-    draw_curve(rect(), points, path_pen());
+    draw_curve(rect(), points, pen);
   }
 
   void draw_fans(const ConesAtState& at, double radius) {
@@ -200,7 +207,7 @@ class Picture {
         "Cones of unstable stress directions in the {} plane: {} of {} states "
         "have directions with W₂ < 0",
         plane_ == StressPlane::p_q ? "q-p′" : "Rendulic", unstable, data_.states.size());
-    if (!data_.tests.empty()) text += "; arrows are the stress increments of tests at collapse";
+    if (!data_.tests.empty()) text += "; arrows are the stress increments of tests";
     return text + ". " + simulated_with(data_.subject);
   }
 

@@ -32,9 +32,11 @@ struct TestIncrement {
 struct ConesPicture {
   Subject subject;
   std::vector<ConesAtState> states;
-  std::vector<std::vector<TriaxialState>> paths;  ///< lines through states
-  std::optional<double> limit_stress_ratio;       ///< M, of the limit line
-  std::optional<double> instability_ratio;        ///< η of the instability line
+  std::vector<std::vector<TriaxialState>> paths;       ///< lines through states
+  std::vector<std::vector<TriaxialState>> boundaries;  ///< first unstable states of a domain
+  std::vector<std::vector<TriaxialState>> limits;      ///< last states before the plastic limit
+  std::optional<double> limit_stress_ratio;            ///< M, of the limit line
+  std::optional<double> instability_ratio;             ///< η of the instability line
   std::vector<TestIncrement> tests;
 };
 

@@ -127,4 +127,9 @@ std::vector<std::string> write_figure_data(const FigureData& data, const std::st
   return {prefix + ".csv", prefix + ".json"};
 }
 
+void write_named_figure(const NamedFigure& figure, const std::string& prefix) {
+  write_figure(figure.drawing, prefix + '_' + figure.name);
+  write_figure_data(figure.data, prefix + '_' + figure.name);
+}
+
 }  // namespace triax::src

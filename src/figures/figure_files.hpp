@@ -34,6 +34,16 @@ struct FigureData {
   std::vector<std::vector<std::optional<double>>> rows;  ///< each as long as `columns`
 };
 
+/// A figure, the table behind it, and what is put behind a prefix to name their files.
+struct NamedFigure {
+  std::string name;  ///< "circular"
+  Drawing drawing;
+  FigureData data;
+};
+
+/// Writes PREFIX_NAME.svg, .png, .pdf, .csv and .json.
+void write_named_figure(const NamedFigure& figure, const std::string& prefix);
+
 /// Remarks behind "# ", one line of names, then the rows; what is unknown or not finite is empty.
 std::string to_csv(const FigureData& data);
 /// {"title", "origin", "remarks", "columns": [{"name", "unit"}], "rows": [[…]]}; what is unknown or

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace triax::src {
+namespace {
+
+constexpr QMargins kLegendMargins(50, 0, 10, 4);
+
+}  // namespace
 
 QFont label_font() {
   QFont font("DejaVu Sans");
@@ -64,6 +69,22 @@ void style_legend(QCPLegend& legend) {
   legend.setColumnSpacing(16);
 }
 
+namespace {
+
+/// Columns of the legend that the plot's width has room for, by its widest entry; at least one.
+int fitting_columns(const QCustomPlot& plot) {
+  constexpr int kBesideText = 28 + 8 + 16;  // icon, what it keeps off the text, space of columns
+  const QFontMetrics metrics(label_font());
+  int widest = 1;
+  for (int i = 0; i < plot.legend->itemCount(); ++i)
+    if (auto* item = qobject_cast<QCPPlottableLegendItem*>(plot.legend->item(i)))
+      widest = std::max(widest, metrics.horizontalAdvance(item->plottable()->name()));
+  return std::max(
+      1, (plot.width() - kLegendMargins.left() - kLegendMargins.right()) / (widest + kBesideText));
+}
+
+}  // namespace
+
 void legend_below(QCustomPlot& plot, int columns) {
   style_legend(*plot.legend);
   plot.axisRect()->insetLayout()->take(plot.legend);
@@ -71,9 +92,9 @@ void legend_below(QCustomPlot& plot, int columns) {
   const int rows = plot.plotLayout()->rowCount();
   plot.plotLayout()->addElement(rows, 0, row);
   row->addElement(0, 0, plot.legend);
-  row->setMargins(QMargins(50, 0, 10, 4));
+  row->setMargins(kLegendMargins);
   plot.plotLayout()->setRowStretchFactor(rows, 0.001);
-  plot.legend->setWrap(columns);
+  plot.legend->setWrap(std::min(columns, fitting_columns(plot)));
   plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 

@@ -25,7 +25,8 @@ QPen line(const QColor& colour, double width = 1.6, Qt::PenStyle style = Qt::Sol
 void style_axes(QCPAxisRect& rect, const std::string& x_title, const std::string& y_title);
 void style_legend(QCPLegend& legend);
 
-/// Puts the legend in its own row below the axes, in so many columns, where it can cover no data.
+/// Puts the legend in its own row below the axes, where it can cover no data, in so many columns or
+/// as many as the widest of its entries so far leaves room for.
 void legend_below(QCustomPlot& plot, int columns);
 
 /// Range from the data with a margin; never empty. Values that are not finite are ignored.

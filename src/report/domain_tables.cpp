@@ -48,16 +48,6 @@ Table boundary_table(const ReportedDomain& domain, ReportedBoundary ReportedColu
   return table;
 }
 
-std::string indented(const std::string& lines) {
-  std::string out = "  ";
-  for (const char c : lines) {
-    out += c;
-    if (c == '\n') out += "  ";
-  }
-  out.erase(out.size() - 2);
-  return out;
-}
-
 std::array<int, 4> counts(const ReportedDomain& domain) {
   std::array<int, 4> all{};
   for (const auto& column : domain.columns)

@@ -203,7 +203,7 @@ FigureData cones_data(const ProbeReport& report) {
   return data;
 }
 
-std::vector<ProbeFigure> probe_figures(const ProbeReport& report) {
+std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
   const auto drawn = drawn_states(report);
   if (drawn.empty()) return {};
   const Subject subject = subject_of(report, drawn);
@@ -211,7 +211,7 @@ std::vector<ProbeFigure> probe_figures(const ProbeReport& report) {
   std::vector<NamedCircle> circles;
   for (const ProbedState* state : drawn)
     circles.push_back({curve_name(*state, one_p), state->circle});
-  std::vector<ProbeFigure> figures;
+  std::vector<NamedFigure> figures;
   const auto add = [&](const char* name, Drawing drawing, const FigureData& data) {
     if (drawing.plot) figures.push_back({name, std::move(drawing), data});
   };

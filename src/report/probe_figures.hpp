@@ -9,18 +9,12 @@
 
 namespace triax::src {
 
-struct ProbeFigure {
-  std::string name;  ///< "circular": what is put behind a prefix
-  Drawing drawing;
-  FigureData data;
-};
-
 /// Circular and polar diagram, work over α, control over R, the response envelope of the last
 /// state, and the cones at their states with the tests' own increments (axisymmetric stress probes
 /// only). Of many states a few are drawn in one diagram, with the data of those; cones are left out
 /// where they would lie on each other, their data are those of all. Without an answered direction
 /// there is none.
-std::vector<ProbeFigure> probe_figures(const ProbeReport& report);
+std::vector<NamedFigure> probe_figures(const ProbeReport& report);
 
 /// Every direction of every state.
 FigureData probes_data(const ProbeReport& report);

@@ -145,7 +145,7 @@ TEST_CASE("what cannot be probed in the plane, or is not there, is bad input") {
   CHECK_THROWS_WITH(Asked<Axisymmetric>(along(folder, tensor)),
                     Catch::Contains("--plane plane-strain"));
   auto nowhere = given();
-  nowhere.test = "26";
+  nowhere.tests = {"26"};
   nowhere.db = folder.file("none.db");
   CHECK_THROWS_AS(Asked<Axisymmetric>(nowhere), lab::BadInput);
   auto hollow = given();
@@ -160,7 +160,7 @@ TEST_CASE("the files that are read are known, so that none is overwritten") {
   const auto options = along(folder, lab::test::kPath);
   CHECK(src::files_read(options) == std::vector<std::string>{options.path});
   auto test = given();
-  test.test = "26";
+  test.tests = {"26"};
   test.material.file = "mine.toml";
   const auto files = src::files_read(test);
   CHECK(files.front() == "triax.db");
