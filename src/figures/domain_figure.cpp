@@ -69,7 +69,7 @@ std::vector<BoundaryLook> looks(const Subject& subject) {
                                                           : "isotropic unloading (225°)",
            line(kInk, 1.8, Qt::DashLine)},
           {&sim::DomainBoundary::first_unstable_q, "first unstable direction", line(kBlue, 2.2)},
-          {&sim::DomainBoundary::determinant_q, "determinant (closed form)",
+          {&sim::DomainBoundary::determinant_q, "vanishing determinant",
            line(kPurple, 2.2, Qt::DotLine)}};
 }
 

@@ -117,7 +117,7 @@ TEST_CASE("arrows of tests start at their states; their names cover nothing") {
   CHECK(test::words_are_readable(*drawing.plot));
   CHECK(test::in_legend(*drawing.plot, "recorded"));
   CHECK(test::in_legend(*drawing.plot, "simulated"));
-  CHECK(test::contains(drawing.caption, "tests at collapse"));
+  CHECK(test::contains(drawing.caption, "increments of tests"));
 }
 
 TEST_CASE("the caption counts the states; nothing is drawn of nothing") {
