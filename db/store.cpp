@@ -90,6 +90,7 @@ struct Store::Impl {
   }
 
   std::int64_t find_one(const std::string& name);
+  std::int64_t find_by_short_name(const std::string& name);
 
   std::string path;
   SQLite::Database database;
@@ -105,11 +106,32 @@ std::int64_t Store::Impl::find_one(const std::string& name) {
                    "ORDER BY name = ?1 DESC, id DESC LIMIT 1");
   select.bind(1, name);
   select.bind(2, is_number ? id : 0);
-  if (!select.executeStep())
+  return select.executeStep() ? select.getColumn(0).getInt64() : find_by_short_name(name);
+}
+
+/// "csu_26" and "26" for "CSU 26", as long as no other name may be meant.
+std::int64_t Store::Impl::find_by_short_name(const std::string& name) {
+  Statement select(database,
+                   "SELECT id, name FROM tests "
+                   "WHERE lower(replace(name, '_', ' ')) = lower(replace(?1, '_', ' ')) "
+                   "OR substr(name, -length(?1) - 1) = ' ' || ?1 ORDER BY id DESC");
+  select.bind(1, name);
+  std::int64_t latest = 0;
+  std::string called;
+  while (select.executeStep()) {
+    const std::string other = select.getColumn(1).getString();
+    if (latest != 0 && other != called)
+      throw lab::BadInput(path, 0,
+                          "'" + name + "' may be the test '" + called + "' or '" + other +
+                              "'; give the whole name or the id");
+    if (latest == 0) latest = select.getColumn(0).getInt64();
+    called = other;
+  }
+  if (latest == 0)
     throw lab::BadInput(
         path, 0,
         "there is no test with the id or name '" + name + "'; `triax query tests` lists them");
-  return select.getColumn(0).getInt64();
+  return latest;
 }
 
 Store::Store(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}

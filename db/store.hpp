@@ -39,7 +39,9 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   /// Ids of the tests named by id or name; all, oldest first, if `names` is empty. A name that
-  /// stands for several tests means the latest. Throws lab::BadInput for one that does not exist.
+  /// stands for several tests means the latest. Where there is no such id or name, case, underscores
+  /// for blanks and the words before the last may be left out ("csu_26", "26" for "CSU 26") as long
+  /// as one name is meant. Throws lab::BadInput otherwise.
   std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
   StoredTest load(std::int64_t id) const;
 

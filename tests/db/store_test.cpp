@@ -177,3 +177,21 @@ TEST_CASE("tests are found by name, latest first, or by id") {
   CHECK_THROWS_AS(store.find({"c"}), lab::BadInput);
   CHECK_THROWS_AS(store.load(77), lab::BadInput);
 }
+
+TEST_CASE("a short name is enough where it can mean one test only") {
+  TemporaryFolder folder;
+  for (const char* name : {"ICU 42", "CSU 26", "CSU 26", "CSU 42", "a_b"}) {
+    lab::Session session;
+    db::Recorder recorder(folder.file("t.db"));
+    recorder.listen(session);
+    emit session.started(testing::raw_header(name));
+    testing::send_scans(session, 0, 2);
+    recorder.finish({});
+  }
+  const db::Store store(folder.file("t.db"));
+  CHECK(store.find({"csu_26", "26", "Icu 42", "A B"}) == std::vector<std::int64_t>{3, 3, 1, 5});
+  CHECK(store.find({"2"}) == std::vector<std::int64_t>{2});  // an id goes first
+  CHECK_THROWS_WITH(store.find({"42"}), Catch::Contains("may be the test 'CSU 42' or 'ICU 42'"));
+  for (const char* nothing : {"6", "CSU", "SU 26", "%", ""})
+    CHECK_THROWS_AS(store.find({nothing}), lab::BadInput);
+}

@@ -1,10 +1,12 @@
 // The first unstable state three ways: by probing every direction, by the determinant, and by a
-// path that is integrated through it. Each knows nothing of the others' numbers, and they agree.
+// paths that are integrated through it. A stress path follows the probed direction; a proportional
+// strain path begins far away, at an isotropic state, and knows nothing of probes.
 #include <catch2/catch.hpp>
 
 #include "sim/point/path_runner.hpp"
 #include "sim/stability/first_loss.hpp"
 #include "sim/stability/stability_determinant.hpp"
+#include "sim/stability/strain_paths.hpp"
 #include "tests/sim/stability/stability_laws.hpp"
 
 using namespace triax::sim;
@@ -78,6 +80,53 @@ TEST_CASE("probing, determinant and path integration find the same first unstabl
       CHECK(found.stress_ratio().value() ==
             Approx(by_probing(*law, found.p() / 1e3, found.void_ratio)).margin(kAgreement));
     }
+}
+
+namespace {
+
+/// Where W₂ vanishes on the path dε₁ + 2R dε₃ = 0 from 100 kPa, e = 1.086.
+StrainPathPoint loss_on_strain_path(const Law<Axisymmetric>& law, double R) {
+  const auto path = strain_path(law, law.isotropic(100e3, 1.086), R, {.axial_strain = 0.02});
+  REQUIRE(path.first_unstable);
+  return *path.first_unstable;
+}
+
+/// Direction of the failure mode dσ₁ = dσ₃/R, unloading.
+double mode(double R) { return failure_angle(ProbePlane::axisymmetric, R) + std::numbers::pi; }
+
+}  // namespace
+
+TEST_CASE("a proportional strain path loses W2 where the probe of its mode does") {
+  for (const auto& [name, law] : stability_laws())
+    for (const double R : {0.8, 0.9, 1.0, 1.1}) {
+      CAPTURE(name, R);
+      const auto lost = loss_on_strain_path(*law, R);
+      const auto work = [&](double eta) {
+        const auto state = state_at(*law, lost.p / 1e3, eta, lost.void_ratio);
+        return std::optional(stress_prober<Axisymmetric>(*law, state)(mode(R)).normalised);
+      };
+      const auto probed_eta = first_loss(work, 0.3, 1.0, kLine);
+      REQUIRE(probed_eta);
+      CHECK(lost.q / lost.p == Approx(*probed_eta).margin(kAgreement));
+    }
+}
+
+TEST_CASE("of all proportional strain paths the one with R* reaches the boundary of the domain") {
+  for (const auto& [name, law] : stability_laws()) {
+    CAPTURE(name);
+    double low = 0.55, high = 1.5;  // the mode of R lies beyond the least direction, or before it
+    for (int i = 0; i < 25; ++i) {
+      const double R = (low + high) / 2;
+      const auto lost = loss_on_strain_path(*law, R);
+      const Probe least_work = least(*law, lost.p / 1e3, lost.q / lost.p, lost.void_ratio);
+      (least_work.angle < mode(R) ? low : high) = R;
+    }
+    const auto lost = loss_on_strain_path(*law, low);
+    CHECK(lost.q / lost.p ==
+          Approx(by_probing(*law, lost.p / 1e3, lost.void_ratio)).margin(kAgreement));
+    CHECK(lost.q / lost.p ==
+          Approx(by_determinant(*law, lost.p / 1e3, lost.void_ratio).value()).margin(kAgreement));
+  }
 }
 
 // In denser sand the first unstable direction of octolinear lowers η, so that no straight path in
