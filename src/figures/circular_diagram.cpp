@@ -13,7 +13,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620, kHeight = 690;
+constexpr int kWidth = 620, kHeight = 690 + kOriginHeight;
 const double kStep = sim::radians(1);
 constexpr double kPositiveWidth = 1.6, kNegativeWidth = 2.8;
 
@@ -129,6 +129,7 @@ Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject&
   add_legend_line(rect, line(kInk, 1.2), "circle W₂ = 0");
   if (marks_unloading(subject)) add_legend_line(rect, line(kGreen, 1.4), unloading_name(subject));
   legend_below(*plot, 3);
+  origin_below(*plot, subject);
   auto frame = frame_of(subject, constant + 1);
   for (double value = -constant + 0.5; value < 0.99; value += 0.5) {
     const bool zero = std::abs(value) < 1e-9;
@@ -161,6 +162,7 @@ Drawing polar_diagram(const std::vector<NamedCircle>& circles, PolarWork work,
   add_legend(*plot, circles, "W₂ > 0", "W₂ < 0");
   if (marks_unloading(subject)) add_legend_line(rect, line(kGreen, 1.4), unloading_name(subject));
   legend_below(*plot, 3);
+  origin_below(*plot, subject);
   const double step = plain ? 0.25 : round_step(largest);
   auto frame = frame_of(subject, plain ? 1 : step * std::ceil(largest / step - 1e-9));
   for (double radius = step; radius < frame.radius * (1 - 1e-9); radius += step)

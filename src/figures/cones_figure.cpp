@@ -14,7 +14,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kLeastWidth = 560, kWidth = 680, kLeastHeight = 380, kHeight = 640;
+constexpr int kLeastWidth = 560, kWidth = 680, kLeastHeight = 400, kHeight = 640 + kOriginHeight;
 constexpr double kArrow = 1.7;  // length of a test's arrow in radii of a fan
 
 class Picture {
@@ -28,10 +28,12 @@ class Picture {
                plane_ == StressPlane::p_q ? "deviator stress q (kPa)" : "σ₁′ (kPa)");
     name_legend();
     legend_below(*plot_, 2);
+    origin_below(*plot_, data_.subject);
     find_ranges();
     const auto radii = fan_radii();
     draw_lines();
     for (const auto& limit : data_.limits) draw_path(limit, limit_pen());
+    for (const auto& states : data_.instability_lines) draw_path(states, instability_pen());
     for (const auto& boundary : data_.boundaries) draw_path(boundary, boundary_pen());
     for (const auto& path : data_.paths) draw_path(path, path_pen());
     for (std::size_t i = 0; i < radii.size(); ++i) draw_fans(data_.states[i], radii[i]);
@@ -44,7 +46,7 @@ class Picture {
  private:
   QCPAxisRect& rect() { return *plot_->axisRect(); }
   static QPen limit_pen() { return line(kInk, 1.4); }
-  static QPen instability_pen() { return line(kPurple, 1.6, Qt::DashLine); }
+  static QPen instability_pen() { return line(kPurple, 1.8, Qt::DotLine); }
   static QPen hydrostatic_pen() { return line(kGrey, 1, Qt::DashDotLine); }
   static QPen path_pen() { return line(kBlue, 1.4); }
   static QPen boundary_pen() { return line(kBlue, 1.4, Qt::DashLine); }
@@ -65,6 +67,15 @@ class Picture {
     return std::ranges::any_of(data_.states,
                                [&](const auto& s) { return s.cones.empty() == stable; });
   }
+  /// States or tests of compression (1), of extension (-1).
+  bool has_side(int sign) const {
+    const auto on_side = [&](const auto& at) { return sign * at.state.q > 0; };
+    return std::ranges::any_of(data_.states, on_side) || std::ranges::any_of(data_.tests, on_side);
+  }
+  // M is that of compression: extension has another one, which laws do not tell.
+  bool draws_limit_line() const {
+    return data_.limit_stress_ratio && data_.limits.empty() && (has_side(1) || !has_side(-1));
+  }
   bool has_test(bool simulated) const {
     return std::ranges::any_of(data_.tests,
                                [&](const auto& t) { return t.simulated == simulated; });
@@ -78,12 +89,12 @@ class Picture {
     if (!data_.boundaries.empty())
       draw_curve(rect(), {}, boundary_pen(), "boundary of the bifurcation domain");
     if (!data_.limits.empty()) draw_curve(rect(), {}, limit_pen(), "plastic limit");
-    if (data_.limit_stress_ratio)
+    if (draws_limit_line())
       draw_curve(rect(), {}, limit_pen(),
-                 fmt::format("limit line, M = {:.2f}", *data_.limit_stress_ratio));
-    if (data_.instability_ratio)
-      draw_curve(rect(), {}, instability_pen(),
-                 fmt::format("instability line, η = {:.2f}", *data_.instability_ratio));
+                 fmt::format("limit line{}, M = {:.2f}", has_side(-1) ? " in compression" : "",
+                             *data_.limit_stress_ratio));
+    if (!data_.instability_lines.empty())
+      draw_curve(rect(), {}, instability_pen(), "instability line (isotropic unloading)");
     if (plane_ == StressPlane::rendulic)
       draw_curve(rect(), {}, hydrostatic_pen(), "hydrostatic axis σ₁′ = σ₃′");
     for (const bool simulated : {false, true})
@@ -100,7 +111,8 @@ class Picture {
     };
     add({0, 0});
     for (const auto& at : data_.states) add(at.state);
-    for (const auto* lines : {&data_.paths, &data_.boundaries, &data_.limits})
+    for (const auto* lines :
+         {&data_.paths, &data_.boundaries, &data_.limits, &data_.instability_lines})
       for (const auto& states : *lines) std::ranges::for_each(states, add);
     for (const auto& test : data_.tests) add(test.state);
     const auto across = x.with_margin(0.10, true), up = y.with_margin(0.12, true);
@@ -165,8 +177,7 @@ class Picture {
 
   void draw_lines() {
     if (plane_ == StressPlane::rendulic) draw_ray({1, 0}, hydrostatic_pen());
-    if (data_.instability_ratio) draw_ray({1, *data_.instability_ratio}, instability_pen());
-    if (data_.limit_stress_ratio) draw_ray({1, *data_.limit_stress_ratio}, limit_pen());
+    if (draws_limit_line()) draw_ray({1, *data_.limit_stress_ratio}, limit_pen());
   }
 
   void draw_path(const std::vector<TriaxialState>& path, const QPen& pen) {

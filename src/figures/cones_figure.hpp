@@ -35,8 +35,11 @@ struct ConesPicture {
   std::vector<std::vector<TriaxialState>> paths;       ///< lines through states
   std::vector<std::vector<TriaxialState>> boundaries;  ///< first unstable states of a domain
   std::vector<std::vector<TriaxialState>> limits;      ///< last states before the plastic limit
-  std::optional<double> limit_stress_ratio;            ///< M, of the limit line
-  std::optional<double> instability_ratio;             ///< η of the instability line
+  /// First states of a domain that are unstable in isotropic unloading: instability lines.
+  std::vector<std::vector<TriaxialState>> instability_lines;
+  /// M, of the limit line in compression; drawn where `limits` are not known and not all states are
+  /// of extension.
+  std::optional<double> limit_stress_ratio;
   std::vector<TestIncrement> tests;
 };
 

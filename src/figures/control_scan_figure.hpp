@@ -12,11 +12,15 @@ namespace triax::src {
 struct NamedScan {
   std::string name;                     ///< "η = 0.60"
   std::vector<sim::ControlPoint> scan;  ///< by rising R
-  std::vector<double> roots;            ///< R of Eq. (34) or (35), where they are real
+  std::vector<sim::LostControl> lost;   ///< ranges of R without control, rising, apart
+
+  /// R at which control is lost or found again.
+  std::vector<double> limits() const;
 };
 
-/// Nova's index over R, a curve a state, with the line 0, below which control is lost, shaded, and
-/// the roots as rings on it. No plot without a point.
+/// Nova's index over R, a curve a state. It runs to 0 at the limits of control, which are rings,
+/// and has a gap where control is lost: there is a band in the colour of the state. No plot without
+/// a point.
 Drawing control_scan_figure(const std::vector<NamedScan>& scans, const Subject& subject);
 
 }  // namespace triax::src

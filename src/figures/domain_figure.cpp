@@ -16,7 +16,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 560;
+constexpr int kWidth = 720, kHeight = 560 + kOriginHeight;
 
 /// Light to dark away from the domain's boundary, so that a print without colour shows the same
 /// order.
@@ -58,6 +58,7 @@ struct BoundaryLook {
   Criterion criterion;
   const char* name;
   QPen pen;
+  bool dots = false;  ///< on the line that it may lie on; else a line
 };
 
 std::vector<BoundaryLook> looks(const Subject& subject) {
@@ -69,8 +70,23 @@ std::vector<BoundaryLook> looks(const Subject& subject) {
                                                           : "isotropic unloading (225°)",
            line(kInk, 1.8, Qt::DashLine)},
           {&sim::DomainBoundary::first_unstable_q, "first unstable direction", line(kBlue, 2.2)},
-          {&sim::DomainBoundary::determinant_q, "vanishing determinant",
-           line(kPurple, 2.2, Qt::DotLine)}};
+          {&sim::DomainBoundary::determinant_q, "vanishing determinant", line(kPurple, 1.4), true}};
+}
+
+QCPScatterStyle dot(const QPen& pen) {
+  return {QCPScatterStyle::ssCircle, pen, QBrush(Qt::white), 6};
+}
+
+/// Of the points known some, evenly spread: as many as can be told from each other.
+Points some_of(const Points& points) {
+  constexpr std::size_t kMost = 16;
+  Points known, some;
+  std::ranges::copy_if(points, std::back_inserter(known),
+                       [](const QPointF& p) { return std::isfinite(p.y()); });
+  const std::size_t count = std::min(kMost, known.size());
+  for (std::size_t i = 0; i < count; ++i)
+    some.push_back(known[(2 * i + 1) * known.size() / (2 * count)]);
+  return some;
 }
 
 /// The criterion over p′ on one side, kPa; a gap where a column has none.
@@ -108,6 +124,7 @@ class Map {
     draw_area(rect(), {}, kNoValue, line(kGrey, 0.8), "beyond the limit, or refused by the law");
     draw_boundaries();
     legend_below(*plot_, 2);
+    origin_below(*plot_, subject_);
     plot_->replot();
     draw_directions();
     return {std::move(plot_), caption()};
@@ -178,7 +195,10 @@ class Map {
       for (const Side side : kSides) {
         const auto points = boundary(columns_, side, look.criterion);
         if (!any_point(points)) continue;
-        draw_curve(rect(), points, look.pen, name);
+        if (look.dots)
+          draw_markers(rect(), some_of(points), dot(look.pen), name);
+        else
+          draw_curve(rect(), points, look.pen, name);
         name.clear();
       }
     }
@@ -186,7 +206,7 @@ class Map {
 
   /// A few columns of a side, evenly spread, whose first unstable direction is known.
   std::vector<const sim::DomainColumn*> columns_with_arrows(Side side) const {
-    constexpr std::size_t kArrows = 6;
+    constexpr std::size_t kArrows = 3;
     std::vector<const sim::DomainColumn*> known, chosen;
     for (const auto& column : columns_)
       if ((column.*side).first_unstable_q && (column.*side).first_unstable_angle)
@@ -200,7 +220,7 @@ class Map {
   // The arrows have one length on the page: what they show is where they point. In plane strain an
   // increment has a dσ₂ of its own, and the p′-q plane does not hold it.
   void draw_directions() {
-    constexpr double kLength = 34;  // px
+    constexpr double kLength = 24, kHead = 6;  // px
     if (subject_.plane != sim::ProbePlane::axisymmetric) return;
     const double x_unit = rect().width() / plot_->xAxis->range().size();
     const double y_unit = rect().height() / plot_->yAxis->range().size();
@@ -210,7 +230,7 @@ class Map {
         const QPointF from(column->p * 1e-3, *at.first_unstable_q * 1e-3);
         const QPointF way = increment(*at.first_unstable_angle, StressPlane::p_q);
         const double pixels = std::hypot(way.x() * x_unit, way.y() * y_unit);
-        draw_arrow(rect(), from, from + way * (kLength / pixels), line(kInk, 1.3));
+        draw_arrow(rect(), from, from + way * (kLength / pixels), line(kInk, 1.1), {}, kHead);
         draw_markers(rect(), {from}, {QCPScatterStyle::ssDisc, line(kInk, 1), QBrush(kInk), 4});
         has_directions_ = true;
       }

@@ -11,8 +11,10 @@
 namespace triax::src {
 namespace {
 
-constexpr double kMarker = 12;   // px a marker takes
-constexpr double kLineStep = 4;  // px between the points that stand for a line
+constexpr double kMarker = 12;       // px a marker takes
+constexpr double kLineStep = 4;      // px between the points that stand for a line
+constexpr std::ptrdiff_t kMuch = 4;  // points of lines under a text: it is put farther off
+constexpr std::array<double, 2> kFarther = {8, 16};  // px
 
 struct Side {
   double x, y;  // of the label's centre, in half label sizes from the point
@@ -48,26 +50,37 @@ void add_segment(std::vector<QPointF>& points, const QPointF& from, const QPoint
   for (int i = 1; i <= steps; ++i) points.push_back(from + way * i / steps);
 }
 
-// Where the plot's graphs and curves run, in pixels. A marker without a line weighs as much as a
-// line across it.
+// Where the plot's graphs and curves run, in pixels.
 std::vector<QPointF> lines_of(const QCPAxisRect& axes, const QRectF& inside) {
   std::vector<QPointF> points;
   for (auto* plottable : axes.plottables()) {
     const auto* curve = qobject_cast<QCPCurve*>(plottable);
-    const bool markers = curve != nullptr && curve->lineStyle() == QCPCurve::lsNone;
+    if (curve != nullptr && curve->lineStyle() == QCPCurve::lsNone) continue;
     auto* data = plottable->interface1D();
     if (data == nullptr) continue;
     std::optional<QPointF> before;
     for (int k = 0; k < data->dataCount(); ++k) {
       const auto at = plottable->coordsToPixels(data->dataMainKey(k), data->dataMainValue(k));
-      if (markers)
-        points.insert(points.end(), static_cast<std::size_t>(kMarker / kLineStep), at);
-      else if (before)
-        add_segment(points, *before, at, inside);
+      if (before) add_segment(points, *before, at, inside);
       before = at;
     }
   }
   return points;
+}
+
+// Of the markers that stand in the rectangle without a line between them.
+std::vector<QRectF> markers_in(const QCPAxisRect& axes) {
+  std::vector<QRectF> markers;
+  for (auto* plottable : axes.plottables()) {
+    const auto* curve = qobject_cast<QCPCurve*>(plottable);
+    if (curve == nullptr || curve->lineStyle() != QCPCurve::lsNone) continue;
+    const double size = curve->scatterStyle().size() + 2;
+    for (const auto& point : *curve->data()) {
+      const QPointF at = curve->coordsToPixels(point.key, point.value);
+      markers.emplace_back(at.x() - size / 2, at.y() - size / 2, size, size);
+    }
+  }
+  return markers;
 }
 
 // Of the words that stand in the rectangle already.
@@ -104,6 +117,8 @@ void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels) {
   const QRectF inside = rect.rect();
   const auto lines = lines_of(rect, inside);
   std::vector<QRectF> taken = words_in(rect);
+  const auto markers = markers_in(rect);
+  taken.insert(taken.end(), markers.begin(), markers.end());
   std::vector<QPointF> points;
   for (const auto& label : labels) {
     points.emplace_back(rect.axis(QCPAxis::atBottom)->coordToPixel(label.x),
@@ -116,17 +131,22 @@ void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels) {
     const double height = metrics.height();
     std::optional<QRectF> best;
     std::ptrdiff_t least = 0;
-    for (const auto& side : kSides) {
-      const QPointF centre = points[i] + QPointF(side.x * (width + kMarker + 2) / 2,
-                                                 side.y * (height + kMarker + 2) / 2);
-      const QRectF place(centre.x() - width / 2, centre.y() - height / 2, width, height);
-      if (!inside.contains(place) || !free_of(place, taken)) continue;
-      const auto covered = std::count_if(lines.begin(), lines.end(),
-                                         [&](const QPointF& p) { return place.contains(p); });
-      if (best && covered >= least) continue;
-      best = place;
-      least = covered;
-    }
+    const auto look_around = [&](double away) {
+      for (const auto& side : kSides) {
+        const QPointF centre = points[i] + QPointF(side.x * ((width + kMarker + 2) / 2 + away),
+                                                   side.y * ((height + kMarker + 2) / 2 + away));
+        const QRectF place(centre.x() - width / 2, centre.y() - height / 2, width, height);
+        if (!inside.contains(place) || !free_of(place, taken)) continue;
+        const auto covered = std::count_if(lines.begin(), lines.end(),
+                                           [&](const QPointF& p) { return place.contains(p); });
+        if (best && covered >= least) continue;
+        best = place;
+        least = covered;
+      }
+    };
+    look_around(0);
+    for (const double away : kFarther)
+      if (best && least > kMuch) look_around(away);
     if (!best) continue;
     write(plot, labels[i], best->center());
     taken.push_back(*best);

@@ -15,7 +15,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 900, kHeight = 500;
+constexpr int kWidth = 900, kHeight = 500 + kOriginHeight;
 constexpr double kMicro = 1e6, kKilo = 1e-3;  // strain in 10⁻⁶, stress in kPa
 
 QPen stable_pen() { return line(kBlue, 1.6); }
@@ -51,6 +51,7 @@ class Envelope {
     draw_curve(left, {}, unstable_pen(), "W₂ < 0");
     draw_markers(left, {}, mark(), "α every 30°");
     legend_below(*plot, 3);
+    origin_below(*plot, subject_);
     draw_side(left, &Point::imposed);
     draw_side(right, &Point::answer);
     return {std::move(plot), caption()};

@@ -51,7 +51,7 @@ QCPCurve* draw_markers(QCPAxisRect& rect, const Points& points, const QCPScatter
 }
 
 QCPCurve* draw_arrow(QCPAxisRect& rect, const QPointF& from, const QPointF& to, const QPen& pen,
-                     const std::string& name) {
+                     const std::string& name, double head_px) {
   // The head is an item of its own; the shaft is a curve, so that labels keep off it.
   auto* head = new QCPItemLine(rect.parentPlot());
   for (auto* position : {head->start, head->end}) {
@@ -64,7 +64,7 @@ QCPCurve* draw_arrow(QCPAxisRect& rect, const QPointF& from, const QPointF& to, 
   auto tip = pen;
   tip.setStyle(Qt::SolidLine);
   head->setPen(tip);
-  head->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 7, 10));
+  head->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 0.7 * head_px, head_px));
   head->setClipToAxisRect(false);
   return draw_curve(rect, {from, to}, pen, name);
 }

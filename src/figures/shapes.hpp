@@ -21,9 +21,9 @@ void lay_behind(QCPAbstractPlottable& plottable);
 /// Markers without a line between them.
 QCPCurve* draw_markers(QCPAxisRect& rect, const Points& points, const QCPScatterStyle& marker,
                        const std::string& name = {});
-/// A straight arrow with its head at `to`, ending there.
+/// A straight arrow with its head, of that length, at `to`, ending there.
 QCPCurve* draw_arrow(QCPAxisRect& rect, const QPointF& from, const QPointF& to, const QPen& pen,
-                     const std::string& name = {});
+                     const std::string& name = {}, double head_px = 10);
 /// Words with that part of them at a point: Qt::AlignLeft puts them to the right of it.
 void write_text(QCPAxisRect& rect, const QPointF& at, const std::string& text, const QColor& colour,
                 Qt::Alignment part);

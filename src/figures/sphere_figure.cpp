@@ -20,7 +20,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 520;
+constexpr int kWidth = 960, kHeight = 520 + kOriginHeight;
 constexpr int kPlaces = 241;  // across a disc
 constexpr double kRange = 1.2;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -75,6 +75,7 @@ class SphereDrawing {
     draw_curve(left, {}, axisymmetric_pen(), "axisymmetric plane");
     draw_curve(left, {}, plane_strain_pen(), "plane strain, dε₂ = 0");
     legend_below(*plot, 3);
+    origin_below(*plot, subject_);
     for (auto* rect : {&left, &right}) {
       hide_axes(*rect);
       set_equal_ranges(*rect, {-kRange, kRange}, {-kRange, kRange});
@@ -110,22 +111,44 @@ class SphereDrawing {
     });
   }
 
-  /// Component 2 of the strain's direction, by a plane through the neighbours (least squares).
-  double lateral_strain(const Eigen::Vector3d& direction) const {
-    if (subject_.kind == sim::ProbeKind::strain) return direction(1);
+  /// A value between the directions given, by a curved surface through the neighbours (least
+  /// squares); unknown where the law has no answer.
+  template <class Value>
+  double between(const Eigen::Vector3d& direction, const Value& value) const {
+    using Terms = Eigen::Matrix<double, 6, 1>;
+    using Squares = Eigen::Matrix<double, 6, 6>;
     const Eigen::Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+    Squares squares = Squares::Zero();
+    Terms sums = Terms::Zero();
+    double nearest = std::numeric_limits<double>::infinity();
+    bool answered = false;
     for (const auto& given : directions_) {
       const Eigen::Vector3d way = (given.direction - direction) / spacing_;
-      if (way.squaredNorm() > 5 || !given.answered) continue;
-      const Eigen::Vector3d terms(1, way.dot(across), way.dot(along));
-      const double weight = std::exp(-way.squaredNorm());
+      const double distance = way.squaredNorm();
+      if (distance > 5) continue;
+      if (distance < nearest) answered = given.answered;
+      nearest = std::min(nearest, distance);
+      if (!given.answered) continue;
+      const double x = way.dot(across), y = way.dot(along);
+      const Terms terms = (Terms() << 1, x, y, x * x, x * y, y * y).finished();
+      const double weight = std::exp(-distance);
       squares += weight * terms * terms.transpose();
-      sums += weight * given.response(1) / given.response.norm() * terms;
+      sums += weight * value(given) * terms;
     }
-    const Eigen::LDLT<Eigen::Matrix3d> solver(squares);
-    return solver.rcond() > 1e-6 ? solver.solve(sums)(0) : kUnknown;
+    const Eigen::LDLT<Squares> solver(squares);
+    return answered && solver.rcond() > 1e-8 ? solver.solve(sums)(0) : kUnknown;
+  }
+
+  /// Component 2 of the strain's direction.
+  double lateral_strain(const Eigen::Vector3d& direction) const {
+    if (subject_.kind == sim::ProbeKind::strain) return direction(1);
+    return between(direction, [](const SphereDirection& given) {
+      return given.response(1) / given.response.norm();
+    });
+  }
+
+  double smooth_work(const Eigen::Vector3d& direction) const {
+    return between(direction, [](const SphereDirection& given) { return given.normalised; });
   }
 
   void draw_disc(QCPAxisRect& rect, bool towards, QCPColorScale& bar) {
@@ -134,7 +157,9 @@ class SphereDrawing {
       return given.answered ? given.normalised : kUnknown;
     });
     draw_map(rect, work, bar);
-    draw_curve(rect, zero_line(work), edge_pen());
+    const Raster smooth =
+        disc(towards, [this](const auto& direction) { return smooth_work(direction); });
+    draw_curve(rect, zero_line(smooth), edge_pen());
     draw_curve(rect, {{0, -1}, {0, 1}}, axisymmetric_pen());
     const Raster lateral =
         disc(towards, [this](const auto& direction) { return lateral_strain(direction); });

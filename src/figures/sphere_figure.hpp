@@ -24,8 +24,9 @@ Eigen::Vector3d direction_at(const QPointF& place, bool towards);
 
 /// Normalised W₂ of all directions as two discs, towards the hydrostatic axis and away from it:
 /// each place has the colour of the nearest direction given, blue where W₂ > 0, vermilion where W₂
-/// < 0, grey without an answer. Drawn on top: the six half axes, the axisymmetric plane (components
-/// 2 and 3 alike), and where dε₂ = 0 (plane strain). No plot without an answered direction.
+/// < 0, grey without an answer. Drawn on top: the line W₂ = 0, interpolated between the directions,
+/// the six half axes, the axisymmetric plane (components 2 and 3 alike), and where dε₂ = 0 (plane
+/// strain). No plot without an answered direction.
 Drawing sphere_figure(const std::vector<SphereDirection>& directions, const Subject& subject);
 
 }  // namespace triax::src

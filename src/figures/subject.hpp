@@ -4,6 +4,8 @@
 
 #include "sim/stability/probe.hpp"
 
+class QCustomPlot;
+
 namespace triax::src {
 
 struct Subject {
@@ -25,5 +27,13 @@ double isotropic_unloading(sim::ProbePlane plane);
 
 /// Last sentence of a caption: "Simulated with inl2/S28-general, p′ = 70 kPa, e = 1.086."
 std::string simulated_with(const Subject& subject);
+
+/// "simulated: inl2/S28-general, p′ = 70 kPa, e = 1.086".
+std::string origin_of(const Subject& subject);
+/// Puts that as the last row of the layout, small and grey, so that a picture taken out of its
+/// report keeps its origin; in several lines where the plot is too narrow. After legend_below().
+void origin_below(QCustomPlot& plot, const Subject& subject);
+/// Height that one line of it takes, px.
+inline constexpr int kOriginHeight = 18;
 
 }  // namespace triax::src

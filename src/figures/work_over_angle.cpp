@@ -12,7 +12,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 440;
+constexpr int kWidth = 720, kHeight = 440 + kOriginHeight;
 constexpr double kTurn = 360;
 
 /// α in degrees and the value of all probes, once around; a gap where one was not answered.
@@ -106,6 +106,7 @@ Drawing work_over_angle(const std::vector<NamedCircle>& circles, const Subject& 
                fmt::format("isotropic unloading, {:.2f}°", unloading));
   }
   legend_below(*plot, 3);
+  origin_below(*plot, subject);
   return {std::move(plot), fmt::format("Normalised second-order work over the direction of the "
                                        "increment; {}. {}",
                                        cones_in_words(circles), simulated_with(subject))};

@@ -55,10 +55,12 @@ ConesPicture picture_of(const ReportedDomain& domain, const std::vector<TestedSt
   for (const auto side : {&ReportedColumn::compression, &ReportedColumn::extension}) {
     picture.boundaries.push_back(line(domain, side, &ReportedBoundary::first_unstable));
     picture.limits.push_back(line(domain, side, &ReportedBoundary::limit));
+    picture.instability_lines.push_back(line(domain, side, &ReportedBoundary::isotropic_unloading));
   }
   const auto short_line = [](const auto& states) { return states.size() < 2; };
   std::erase_if(picture.boundaries, short_line);
   std::erase_if(picture.limits, short_line);
+  std::erase_if(picture.instability_lines, short_line);
   for (const TestedState& test : tests) {
     const auto& s = test.state;
     if (test.increment)

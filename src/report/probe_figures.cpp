@@ -88,6 +88,21 @@ FigureData titled(const ProbeReport& report, const std::string& title) {
   return data;
 }
 
+/// The same with finer circles at the states that are drawn, if those probed for the report would
+/// look angular.
+ProbeReport with_smooth_circles(const ProbeReport& report) {
+  constexpr double kCoarse = 2;  // degrees
+  constexpr int kDirections = 360;
+  ProbeReport fine = report;
+  if (report.probing.step_deg() <= kCoarse) return fine;
+  fine.probing.directions = kDirections;
+  for (const ProbedState* state : drawn_states(report))
+    if (state->circle_of)
+      fine.states[static_cast<std::size_t>(state - report.states.data())].circle =
+          state->circle_of(kDirections);
+  return fine;
+}
+
 /// Number of the state in the report, and what it is.
 std::vector<std::optional<double>> row_of(const ProbeReport& report, const ProbedState& state) {
   const auto count = static_cast<double>(&state - report.states.data() + 1);
@@ -147,12 +162,8 @@ bool close_together(const TriaxialState& a, const TriaxialState& b, double large
 }
 
 ConesPicture picture_of(const ProbeReport& report, const Subject& subject) {
-  ConesPicture picture{.subject = subject,
-                       .states = {},
-                       .paths = {},
-                       .limit_stress_ratio = {},
-                       .instability_ratio = {},
-                       .tests = {}};
+  ConesPicture picture{
+      .subject = subject, .states = {}, .paths = {}, .limit_stress_ratio = {}, .tests = {}};
   if (const auto* law = report.material.material.axisymmetric.get())
     picture.limit_stress_ratio = law->limit_stress_ratio();
   double largest = 0;
@@ -204,9 +215,10 @@ FigureData cones_data(const ProbeReport& report) {
 }
 
 std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
-  const auto drawn = drawn_states(report);
+  const ProbeReport fine = with_smooth_circles(report);
+  const auto drawn = drawn_states(fine);
   if (drawn.empty()) return {};
-  const Subject subject = subject_of(report, drawn);
+  const Subject subject = subject_of(fine, drawn);
   const bool one_p = all_share(drawn, &StateHead::p);
   std::vector<NamedCircle> circles;
   for (const ProbedState* state : drawn)
@@ -215,23 +227,17 @@ std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
   const auto add = [&](const char* name, Drawing drawing, const FigureData& data) {
     if (drawing.plot) figures.push_back({name, std::move(drawing), data});
   };
-  const FigureData probes = probes_data(report, drawn);
+  const FigureData probes = probes_data(fine, drawn);
   add("circular", circular_diagram(circles, subject), probes);
   add("polar", polar_diagram(circles, PolarWork::normalised, subject), probes);
   add("work", work_over_angle(circles, subject), probes);
   const ProbedState& last = *drawn.back();
-  add("envelope", response_envelope(last.circle, report.probing.norm, subject_of(report, {&last})),
-      probes_data(report, {&last}));
+  add("envelope", response_envelope(last.circle, report.probing.norm, subject_of(fine, {&last})),
+      probes_data(fine, {&last}));
   std::vector<NamedScan> scans;
-  for (const ProbedState* state : drawn) {
-    scans.push_back({curve_name(*state, one_p), state->control.scan, {}});
-    // Control is lost at the roots of Eq. (34) with the compliance of the mode's own direction.
-    for (const auto& range : state->control.lost) {
-      if (range.begins) scans.back().roots.push_back(range.from);
-      if (range.ends) scans.back().roots.push_back(range.to);
-    }
-  }
-  add("control", control_scan_figure(scans, subject), control_data(report, drawn));
+  for (const ProbedState* state : drawn)
+    scans.push_back({curve_name(*state, one_p), state->control.scan, state->control.lost});
+  add("control", control_scan_figure(scans, subject), control_data(fine, drawn));
   if (report.probing.plane == sim::ProbePlane::axisymmetric &&
       report.probing.kind == sim::ProbeKind::stress) {
     const ConesPicture picture = picture_of(report, subject_of(report, all_states(report)));

@@ -12,8 +12,9 @@ namespace triax::src {
 /// Circular and polar diagram, work over α, control over R, the response envelope of the last
 /// state, and the cones at their states with the tests' own increments (axisymmetric stress probes
 /// only). Of many states a few are drawn in one diagram, with the data of those; cones are left out
-/// where they would lie on each other, their data are those of all. Without an answered direction
-/// there is none.
+/// where they would lie on each other, their data are those of all. Where the report's directions
+/// are more than 2° apart, diagrams around a state are drawn, and their data written, every 1°.
+/// Without an answered direction there is none.
 std::vector<NamedFigure> probe_figures(const ProbeReport& report);
 
 /// Every direction of every state.

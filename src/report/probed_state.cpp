@@ -154,9 +154,14 @@ StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& w
 template <class Space>
 ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Space>& what,
                         const Probing& probing) {
-  ProbedState probed{head_of(material, what), {}, {}, {}, {}};
+  ProbedState probed{head_of(material, what), {}, {}, {}, {}, {}};
   const StateProbers<Space> probers(*material.material.law<Space>(), what.state, probing);
   probed.circle = probers.circle();
+  probed.circle_of = [set = material.material, state = what.state, probing](int directions) {
+    Probing finer = probing;
+    finer.directions = directions;
+    return StateProbers<Space>(*set.template law<Space>(), state, finer).circle();
+  };
   probed.control = probers.control(probed.circle.least);
   probed.isotropic_unloading = probers.stress_probe(isotropic_unloading(probing.plane));
   if (what.test && what.test->increment && probing.plane == sim::ProbePlane::axisymmetric)

@@ -1,6 +1,7 @@
 #pragma once
 // One state of a law probed in every direction of a plane.
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,6 +66,8 @@ StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& w
 /// Probed in a plane. Answers are those of increments of the norm.
 struct ProbedState : StateHead {
   sim::Circle circle;
+  /// The same probes in so many directions, computed when called: for drawings.
+  std::function<sim::Circle(int directions)> circle_of;
   ControlReport control;           ///< by the rate, whatever the probes are
   sim::Probe isotropic_unloading;  ///< a stress probe, whatever the others are
   /// The law's answer to a stress increment in the direction of the test's own; axisymmetric only.

@@ -127,3 +127,44 @@ TEST_CASE("the caption counts the states; nothing is drawn of nothing") {
   REQUIRE(sectors.size() == 1);
   CHECK(sim::degrees(sectors[0].from) == Approx(215).margin(0.5));
 }
+
+TEST_CASE("M is of compression: named so beside extension, left out without compression") {
+  auto picture = one_fan();
+  CHECK(test::in_legend(*cones_figure(picture, StressPlane::p_q).plot, "limit line, M = 1.20"));
+  picture.states.push_back({{100e3, -40e3}, {}});
+  CHECK(test::in_legend(*cones_figure(picture, StressPlane::p_q).plot,
+                        "limit line in compression, M = 1.20"));
+  picture.states = {{{100e3, -40e3}, {}}};
+  CHECK_FALSE(test::in_legend(*cones_figure(picture, StressPlane::p_q).plot, "limit line"));
+}
+
+TEST_CASE("the law's own limit states are drawn in the place of M, and its instability line") {
+  auto picture = one_fan();
+  picture.limits = {{{50e3, 60e3}, {150e3, 175e3}}};
+  picture.instability_lines = {{{50e3, 28e3}, {150e3, 85e3}}};
+  const Drawing drawing = cones_figure(picture, StressPlane::p_q);
+  CHECK_FALSE(test::in_legend(*drawing.plot, "M ="));
+  CHECK(test::in_legend(*drawing.plot, "plastic limit"));
+  CHECK(test::any_has_point(*drawing.plot, 150, 175, 1e-9));
+  CHECK(test::in_legend(*drawing.plot, "instability line"));
+  CHECK(test::any_has_point(*drawing.plot, 150, 85, 1e-9));
+  CHECK_FALSE(test::in_legend(*cones_figure(one_fan(), StressPlane::p_q).plot, "instability"));
+}
+
+TEST_CASE("names of tests stand on no ring of a state") {
+  ConesPicture picture;
+  picture.subject = test::subject();
+  for (int p = 1; p <= 9; ++p)
+    for (int q = 0; q <= 9; ++q) picture.states.push_back({{100e3 * p, 100e3 * q}, {}});
+  picture.tests = {{"CSD 58", {155e3, 90e3}, sim::kIsotropicUnloading, true},
+                   {"CSU 27", {842e3, 450e3}, sim::kIsotropicUnloading, true}};
+  const Drawing drawing = cones_figure(picture, StressPlane::p_q);
+  const auto words = test::words_of(*drawing.plot);
+  CHECK(words.size() == 2);
+  drawing.plot->replot();
+  for (const auto* word : words)
+    for (const auto& at : picture.states)
+      CHECK_FALSE(test::place_of(*word).contains(
+          QPointF(drawing.plot->xAxis->coordToPixel(at.state.p * 1e-3),
+                  drawing.plot->yAxis->coordToPixel(at.state.q * 1e-3))));
+}

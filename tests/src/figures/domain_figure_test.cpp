@@ -135,3 +135,20 @@ TEST_CASE("the scale ends at round values beyond the largest, and its steps at t
   CHECK(range.lower <= -0.3);
   CHECK(range.lower > -0.36);
 }
+
+TEST_CASE("the determinant is dots on the line of the first unstable direction, so both are seen") {
+  auto all = columns();
+  for (auto& column : all) column.compression.determinant_q = column.compression.first_unstable_q;
+  const Drawing drawing = domain_figure(grid(), all, DomainQuantity::opening, subject());
+  CHECK(test::in_legend(*drawing.plot, "vanishing determinant"));
+  int dots = 0;
+  for (const auto* curve : test::curves_of(*drawing.plot))
+    if (curve->lineStyle() == QCPCurve::lsNone && curve->scatterStyle().pen().color() == kPurple)
+      for (const auto& point : *curve->data()) {
+        ++dots;
+        CHECK((point.value == 75 || point.value == 76));
+      }
+  CHECK(dots == 2);
+  CHECK(test::curves_in(*drawing.plot, kPurple).empty());
+  CHECK(test::curves_in(*drawing.plot, kBlue).size() == 1);
+}

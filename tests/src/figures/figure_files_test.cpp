@@ -76,7 +76,7 @@ TEST_CASE("a picture has two pixels a CSS pixel, a page the size of the drawing 
   const auto drawing = diagram();
   const auto image = QImage::fromData(QByteArray::fromStdString(to_png(*drawing.plot, 2)));
   CHECK(image.size() == drawing.plot->size() * 2);
-  CHECK(test::contains(to_pdf(drawing), "/MediaBox [0 0 465.000000 518"));
+  CHECK(test::contains(to_pdf(drawing), "/MediaBox [0 0 465.000000 531"));
 }
 
 TEST_CASE("the same drawing gives the same bytes, at any time") {

@@ -101,3 +101,22 @@ TEST_CASE("directions without an answer are grey; without any answer there is no
   for (auto& d : all) d.answered = false;
   CHECK_FALSE(sphere_figure(all, test::subject()).plot);
 }
+
+TEST_CASE("the line W2 = 0 runs between the directions, not along the edges of their cells") {
+  // W₂ = 0 on the cone of 30° about isotropic unloading, in directions 5.2° apart.
+  auto all = directions();
+  for (auto& d : all) d.normalised = std::cos(sim::radians(30)) + d.direction.sum() / std::sqrt(3);
+  const Drawing drawing = sphere_figure(all, test::subject());
+  int points = 0;
+  for (const auto* curve : test::curves_in(*drawing.plot, kInk)) {
+    if (curve->keyAxis() == drawing.plot->axisRect(0)->axis(QCPAxis::atBottom)) continue;
+    if (curve->dataCount() < 20 || test::has_point(*curve, 1, 0, 1e-6)) continue;  // the rim
+    for (const auto& point : *curve->data()) {
+      if (!std::isfinite(point.key)) continue;
+      ++points;
+      const double cosine = -direction_at({point.key, point.value}, false).sum() / std::sqrt(3);
+      CHECK(sim::degrees(std::acos(cosine)) == Approx(30).margin(0.3));
+    }
+  }
+  CHECK(points > 100);
+}

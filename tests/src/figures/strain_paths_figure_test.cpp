@@ -1,5 +1,7 @@
 #include "src/figures/strain_paths_figure.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "tests/src/figures/plot_contents.hpp"
@@ -30,7 +32,7 @@ bool has_word(const QCustomPlot& plot, const std::string& word) {
 
 }  // namespace
 
-TEST_CASE("both sides hold all paths, in percent and kPa, with R at the ends that lie apart") {
+TEST_CASE("both sides hold all paths, in percent and kPa, with R beside the peaks") {
   const Drawing drawing = strain_paths_figure({path(0.7, 2), path(1, 30)}, test::subject());
   REQUIRE(drawing.plot);
   CHECK(drawing.plot->axisRectCount() == 2);
@@ -42,9 +44,31 @@ TEST_CASE("both sides hold all paths, in percent and kPa, with R at the ends tha
   CHECK(test::contains(drawing.caption, "2 of 2 have a peak"));
 }
 
-TEST_CASE("where the ends meet, R is in the legend only") {
-  const Drawing drawing = strain_paths_figure({path(0.7, 0), path(1, 0)}, test::subject());
-  CHECK(test::words_of(*drawing.plot).empty());
+TEST_CASE("R stands beside the curves in the order of the peaks, apart, though all ends meet") {
+  std::vector<sim::StrainPath> paths;
+  for (const double R : {0.7, 0.8, 0.825, 0.85, 0.875, 0.9, 1.0}) paths.push_back(path(R, 0));
+  const Drawing drawing = strain_paths_figure(paths, test::subject());
+  CHECK(test::words_are_readable(*drawing.plot));
+  const auto words = test::words_of(*drawing.plot);
+  REQUIRE(words.size() == paths.size());
+  const auto place = [&](const std::string& name) {
+    const auto found =
+        std::ranges::find_if(words, [&](auto* w) { return w->text().toStdString() == name; });
+    REQUIRE(found != words.end());
+    return test::place_of(**found);
+  };
+  for (std::size_t i = 0; i + 1 < paths.size(); ++i)
+    CHECK(place(fmt::format("R = {:g}", paths[i].R)).top() >
+          place(fmt::format("R = {:g}", paths[i + 1].R)).top());
+  // No curve runs through the words.
+  const auto& right = *drawing.plot->axisRect(1);
+  for (const auto* word : words)
+    for (int k = 0; k <= 100; ++k) {
+      const double strain = 1 + 0.03 * k, stress = 40 * (1 - 0.01 * k);
+      CHECK_FALSE(test::place_of(*word).contains(
+          QPointF(right.axis(QCPAxis::atBottom)->coordToPixel(strain),
+                  right.axis(QCPAxis::atLeft)->coordToPixel(stress))));
+    }
   CHECK(test::in_legend(*drawing.plot, "R = 0.7"));
   CHECK(test::in_legend(*drawing.plot, "W₂ = 0"));
 }

@@ -1,5 +1,7 @@
 #include "src/report/probe_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
@@ -90,4 +92,27 @@ TEST_CASE("of many states a few are drawn") {
     if (figure.name == "envelope")
       for (const auto& row : figure.data.rows) CHECK(row.at(0) == 20.0);
   }
+}
+
+TEST_CASE("diagrams of coarse probes are drawn every degree, and their data say so") {
+  const auto report = report_of({0.6});
+  const auto figures = src::probe_figures(report);
+  CHECK(report.states[0].circle.probes.size() < 60);
+  CHECK(figures.at(0).data.rows.size() >= 360);
+  const auto& remarks = figures.at(0).data.remarks;
+  CHECK(std::ranges::any_of(
+      remarks, [](const auto& words) { return words.find("every 1°") != std::string::npos; }));
+  CHECK(src::probes_data(report).rows.size() == report.states[0].circle.probes.size());
+  const auto fine = report_of({0.6}, {.directions = 200});
+  CHECK(src::probe_figures(fine).at(0).data.rows.size() == fine.states[0].circle.probes.size());
+}
+
+TEST_CASE("the limits of control in the figure are those isolated by the report") {
+  const auto report = report_of({0.6});
+  REQUIRE(report.states[0].control.lost.size() == 1);
+  for (const auto& figure : src::probe_figures(report))
+    if (figure.name == "control")
+      CHECK(figure.drawing.caption.find(
+                fmt::format("R = {:.4g} and {:.4g})", report.states[0].control.lost[0].from,
+                            report.states[0].control.lost[0].to)) != std::string::npos);
 }
