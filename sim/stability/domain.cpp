@@ -10,8 +10,8 @@ namespace triax::sim {
 namespace {
 
 /// How near the end of all answers a criterion counts as met there only, as a share of q: what
-/// derivatives by differences are worth.
-constexpr double kAtEnd = 1e-6;
+/// derivatives by differences are worth, of a law that integrates itself.
+constexpr double kAtEnd = 1e-5;
 
 /// What is known of a state, and why not more.
 struct Assessed {
