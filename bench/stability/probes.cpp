@@ -12,6 +12,7 @@
 
 #include "bench/point/yardstick.hpp"
 #include "lab/materials/material_library.hpp"
+#include "sim/stability/domain_criteria.hpp"
 #include "sim/stability/domain_run.hpp"
 
 using namespace triax;
@@ -76,7 +77,9 @@ double time_domain(const lab::MaterialSet& set, sim::ProbePlane plane, int threa
   return bench::least_seconds(3, [&] {
     sim::run_domain(grid, columns,
                     [&] {
-                      return sim::DomainWorker{lab::made_anew(set), {}};
+                      sim::DomainWorker worker{lab::made_anew(set), {}};
+                      worker.criteria = sim::domain_criteria(worker.material, grid);
+                      return worker;
                     },
                     {.threads = threads, .progress = {}});
   });

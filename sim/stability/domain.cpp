@@ -9,10 +9,22 @@
 namespace triax::sim {
 namespace {
 
+/// How near the end of all answers a criterion counts as met there only, as a share of q: what
+/// derivatives by differences are worth, of a law that integrates itself.
+constexpr double kAtEnd = 1e-5;
+
 /// What is known of a state, and why not more.
 struct Assessed {
   DomainState state;
   std::string refusal;
+  bool gap = false;  ///< a direction has no answer although the law does not refuse it
+};
+
+/// Directions without an answer.
+struct Unanswered {
+  int refused = 0, missing = 0;
+  /// With refusals a missing answer may be a direction that the law was not made for as well.
+  bool at_limit() const { return missing > 0 && refused == 0; }
 };
 
 template <class Space>
@@ -23,26 +35,30 @@ class ColumnWalk {
       : law_(law), grid_(grid), criteria_(criteria) {
     result_.column = column;
     result_.p = grid.p(column);
+    has_isotropic_state_ =
+        !law_.objection(law_.start(domain_stress<Space>(result_.p, 0), grid_.void_ratio));
   }
 
   DomainColumn run() {
-    std::vector<std::string> refusals;
-    for (int row = 0; row < grid_.rows; ++row) {
-      Assessed here = assess(grid_.q(row));
-      refusals.push_back(std::move(here.refusal));
-      result_.states.push_back(std::move(here.state));
-    }
+    std::vector<Assessed> rows;
+    for (int row = 0; row < grid_.rows; ++row) rows.push_back(assess(grid_.q(row)));
     for (const double side : {1.0, -1.0}) {
-      std::vector<DomainState*> outward;
-      for (DomainState& state : result_.states)
-        if (side * state.q >= 0) outward.push_back(&state);
+      std::vector<Assessed*> outward;
+      for (Assessed& row : rows)
+        if (side * row.state.q >= 0) outward.push_back(&row);
+      if (outward.empty()) continue;
       if (side < 0) std::ranges::reverse(outward);
-      name_what_is_behind_the_limit(outward);
-      (side > 0 ? result_.compression : result_.extension) = boundary(outward);
+      std::vector<Assessed> inner = up_to(outward.front()->state.q);
+      std::vector<Assessed*> line;
+      for (Assessed& state : inner) line.push_back(&state);
+      line.insert(line.end(), outward.begin(), outward.end());
+      name_what_is_behind_the_limit(line);
+      (side > 0 ? result_.compression : result_.extension) = boundary(line);
     }
-    for (std::size_t row = 0; row < refusals.size() && result_.refusal.empty(); ++row)
-      if (result_.states[row].kind != DomainStateKind::beyond_limit)
-        result_.refusal = refusals[row];
+    for (Assessed& row : rows) {
+      if (result_.refusal.empty()) result_.refusal = std::move(row.refusal);
+      result_.states.push_back(std::move(row.state));
+    }
     return std::move(result_);
   }
 
@@ -55,7 +71,8 @@ class ColumnWalk {
     Assessed here{.state = {.q = q}};
     const auto state = law_.start(domain_stress<Space>(result_.p, q), grid_.void_ratio);
     if (const auto objection = law_.objection(state)) {
-      if (law_.at_limit(state))
+      // Where the law has no isotropic state either, what it objects to is no stress ratio.
+      if (has_isotropic_state_ && law_.at_limit(state))
         here.state.kind = DomainStateKind::beyond_limit;
       else
         here.refusal = *objection;
@@ -70,48 +87,49 @@ class ColumnWalk {
   }
 
   /// The plastic limit is one of all stresses: with dε₂ = 0 a state beyond it may still answer.
-  static bool carries_all_stresses(const IncrementalResponse<Space>& response) {
-    if constexpr (Space::kSize == 2) return true;  // the probes themselves say so
-    constexpr int kDirections = 36;
-    for (int i = 0; i < kDirections; ++i) {
-      const PlaneVector v = unit_direction(2 * std::numbers::pi * i / kDirections);
-      Vector<Space> stress;
-      if constexpr (Space::kSize == 6) stress = as_tensor(Vector<Axisymmetric>(v.y(), v.x()));
-      const auto rate = response.to_stress(stress);
-      if (!rate.controllable && rate.culprit != kRefused) return false;
+  static Unanswered of_all_stresses(const IncrementalResponse<Space>& response) {
+    Unanswered found;
+    if constexpr (Space::kSize == 6) {  // in axisymmetry the probes themselves say so
+      constexpr int kDirections = 36;
+      for (int i = 0; i < kDirections; ++i) {
+        const PlaneVector v = unit_direction(2 * std::numbers::pi * i / kDirections);
+        const auto rate = response.to_stress(as_tensor(Vector<Axisymmetric>(v.y(), v.x())));
+        if (!rate.controllable) ++(rate.culprit == kRefused ? found.refused : found.missing);
+      }
     }
-    return true;
+    return found;
   }
 
   using Shared = std::shared_ptr<const IncrementalResponse<Space>>;
 
-  bool carries_stresses(const Shared& response) const {
-    if (!carries_all_stresses(*response)) return false;
+  Unanswered unanswered(const Shared& response) const {
+    if (const Unanswered all = of_all_stresses(*response); all.at_limit()) return all;
+    Unanswered found;
     const Prober prober = make_prober(response, ProbeKind::stress);
     for (int i = 0; i < grid_.directions; ++i) {
       const Probe p = prober(2 * std::numbers::pi * i / grid_.directions);
-      if (!p.answered && !p.refused) return false;
+      if (!p.answered) ++(p.refused ? found.refused : found.missing);
     }
-    return true;
+    return found;
   }
 
   Assessed assess(double q) const {
-    return with_response(q, [this](const auto& response, Assessed& here) {
-      if (!carries_all_stresses(*response)) {
-        here.state.kind = DomainStateKind::beyond_limit;
+    return with_response(q, [this](const Shared& response, Assessed& here) {
+      DomainState& state = here.state;
+      if (of_all_stresses(*response).at_limit()) {
+        state.kind = DomainStateKind::beyond_limit;
         return;
       }
       const Circle circle = probe_circle(make_prober(response, ProbeKind::stress),
                                          {.directions = grid_.directions, .keep_probes = false});
-      DomainState& state = here.state;
       state.refused_directions = circle.refused;
       if (circle.refused > 0) here.refusal = refusal_of_direction(*response);
-      if (circle.refused == grid_.directions) return;
-      if (circle.unanswered > circle.refused) {
-        state.kind = DomainStateKind::beyond_limit;
-        return;
-      }
-      state.kind = circle.unstable() ? DomainStateKind::unstable : DomainStateKind::stable;
+      here.gap = circle.unanswered > circle.refused;
+      if (here.gap && circle.refused == 0) state.kind = DomainStateKind::beyond_limit;
+      if ((here.gap && circle.refused == 0) || circle.unanswered == grid_.directions) return;
+      state.kind = circle.unstable()       ? DomainStateKind::unstable
+                   : circle.unanswered > 0 ? DomainStateKind::unknown
+                                           : DomainStateKind::stable;
       state.least_work = circle.least.normalised;
       state.least_angle = circle.least.angle;
       for (const Cone& cone : circle.cones) state.cones.push_back({cone.from, cone.to});
@@ -138,33 +156,51 @@ class ColumnWalk {
     return found;
   }
 
-  bool within_limit(double q) const {
-    const auto look = [this](const auto& response, Assessed& here) {
-      here.state.kind =
-          carries_stresses(response) ? DomainStateKind::stable : DomainStateKind::beyond_limit;
-    };
-    return with_response(q, look).state.kind != DomainStateKind::beyond_limit;
+  /// Kind and gap of a state, without its circle.
+  Assessed standing(double q) const {
+    return with_response(q, [this](const Shared& response, Assessed& here) {
+      const Unanswered found = unanswered(response);
+      here.gap = found.missing > 0;
+      here.state.kind = found.at_limit() ? DomainStateKind::beyond_limit : DomainStateKind::unknown;
+    });
   }
 
-  static void name_what_is_behind_the_limit(const std::vector<DomainState*>& outward) {
+  /// The isotropic state and others on the way to the first row of a side, exclusive: a criterion
+  /// may be met below the grid.
+  std::vector<Assessed> up_to(double q) const {
+    constexpr double kMost = 24;
+    std::vector<Assessed> inner;
+    if (q == 0) return inner;
+    const int count =
+        static_cast<int>(std::clamp(std::ceil(std::abs(q) / row_height()), 1.0, kMost));
+    for (int i = 0; i < count; ++i) inner.push_back(assess(q * i / count));
+    return inner;
+  }
+
+  static void name_what_is_behind_the_limit(const std::vector<Assessed*>& outward) {
     bool behind = false;
-    for (DomainState* state : outward) {
-      behind = behind || state->kind == DomainStateKind::beyond_limit;
-      if (behind && state->kind == DomainStateKind::refused)
-        state->kind = DomainStateKind::beyond_limit;
+    for (Assessed* at : outward) {
+      if (behind) *at = {.state = {.q = at->state.q, .kind = DomainStateKind::beyond_limit}};
+      behind = behind || at->state.kind == DomainStateKind::beyond_limit;
     }
   }
 
-  double precision(double q) const {
-    const double row = grid_.rows > 1 ? (grid_.q_to - grid_.q_from) / (grid_.rows - 1) : 0;
-    return kDomainPrecision * std::max(std::abs(q), row);
+  double row_height() const {
+    const double height = grid_.rows > 1 ? (grid_.q_to - grid_.q_from) / (grid_.rows - 1) : 0;
+    return height > 0 ? height : std::abs(grid_.q_from);
   }
 
-  /// The last state within the limit, between one that is and one that is not.
-  double limit_between(double in, double out) const {
+  double precision(double q) const {
+    return kDomainPrecision * std::max(std::abs(q), row_height());
+  }
+
+  /// The last state that holds, between one that does and one that does not.
+  template <class Holds>
+  double last_between(double in, double out, const Holds& holds) const {
     while (std::abs(out - in) > precision(out)) {
       const double middle = in + (out - in) / 2;
-      (within_limit(middle) ? in : out) = middle;
+      if (middle == in || middle == out) break;
+      (holds(middle) ? in : out) = middle;
     }
     return in;
   }
@@ -208,34 +244,67 @@ class ColumnWalk {
         some, [&](std::size_t i) { return at(some[i]); }, at);
   }
 
-  DomainBoundary boundary(const std::vector<DomainState*>& outward) const {
+  Value limit(const std::vector<Assessed*>& outward) const {
+    Value before;
+    for (const Assessed* at : outward) {
+      if (at->state.kind == DomainStateKind::refused) break;
+      if (at->state.kind == DomainStateKind::beyond_limit)
+        return before ? Value(last_between(*before, at->state.q,
+                                           [this](double q) {
+                                             return standing(q).state.kind !=
+                                                    DomainStateKind::beyond_limit;
+                                           }))
+                      : std::nullopt;
+      before = at->state.q;
+    }
+    return std::nullopt;
+  }
+
+  /// Where, behind `before`, directions begin to have no answer: `limit` or a gap on this side of
+  /// it.
+  double end_of_answers(double before, const Assessed& beyond, const Value& limit) const {
+    const auto whole = [this](double q) {
+      const Assessed at = standing(q);
+      return !at.gap && at.state.kind != DomainStateKind::beyond_limit;
+    };
+    const bool at_limit = beyond.state.kind == DomainStateKind::beyond_limit && limit;
+    if (at_limit && whole(*limit)) return *limit;
+    return last_between(before, at_limit ? *limit : beyond.state.q, whole);
+  }
+
+  DomainBoundary boundary(const std::vector<Assessed*>& outward) const {
     DomainBoundary found;
+    found.limit_q = limit(outward);
     std::vector<double> rows;
     std::vector<Value> least;
+    Value end;
     const auto add = [&](const DomainState& state) {
       rows.push_back(state.q);
       least.push_back(state.least_work ? Value(*state.least_work - kUnstable) : std::nullopt);
     };
-    for (const DomainState* state : outward) {
-      if (state->kind == DomainStateKind::refused) break;
-      if (state->kind == DomainStateKind::beyond_limit) {
-        if (!rows.empty()) {
-          found.limit_q = limit_between(rows.back(), state->q);
-          if (*found.limit_q != rows.back()) add(assess(*found.limit_q).state);
-        }
-        break;
+    for (const Assessed* at : outward) {
+      const bool beyond = at->gap || at->state.kind == DomainStateKind::beyond_limit;
+      if (beyond && !rows.empty()) {
+        end = end_of_answers(rows.back(), *at, found.limit_q);
+        if (*end != rows.back()) add(assess(*end).state);
       }
-      add(*state);
+      if (beyond || at->state.kind == DomainStateKind::refused) break;
+      add(at->state);
     }
-    found.first_unstable_q = first_met(
-        rows, [&](std::size_t i) { return least[i]; }, [this](double q) { return least_work(q); });
+    // What is met only where answers end is that end: W₂ and determinants vanish with control.
+    const auto before_end = [&](const Value& q) {
+      const double near = kAtEnd * std::max(std::abs(end.value_or(0)), row_height());
+      return q && end && std::abs(*end - *q) <= near ? std::nullopt : q;
+    };
+    found.first_unstable_q = before_end(first_met(
+        rows, [&](std::size_t i) { return least[i]; }, [this](double q) { return least_work(q); }));
     if (found.first_unstable_q)
       found.first_unstable_angle = assess(*found.first_unstable_q).state.least_angle;
     const auto unloading = [this](double q) { return isotropic_unloading(q); };
-    found.isotropic_unloading_q = first_met(
-        rows, [&](std::size_t i) { return unloading(rows[i]); }, unloading);
-    found.determinant_q = first_met(rows, criteria_.determinant, rows.size());
-    found.localisation_q = first_met(rows, criteria_.localisation, kLocalisationRows);
+    found.isotropic_unloading_q = before_end(first_met(
+        rows, [&](std::size_t i) { return unloading(rows[i]); }, unloading));
+    found.determinant_q = before_end(first_met(rows, criteria_.determinant, rows.size()));
+    found.localisation_q = before_end(first_met(rows, criteria_.localisation, kLocalisationRows));
     return found;
   }
 
@@ -243,6 +312,7 @@ class ColumnWalk {
   const DomainGrid& grid_;
   const DomainCriteria& criteria_;
   DomainColumn result_;
+  bool has_isotropic_state_ = false;
 };
 
 double place(double from, double to, int index, int count) {

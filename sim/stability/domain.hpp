@@ -6,6 +6,7 @@
 // A state stands alone: σ′ and e, without memory of a reversal (Law::start), σ₂ = σ₃. Going away
 // from q = 0 at one p′ the criteria are met in this order by a sand: first unstable direction,
 // isotropic unloading, plastic limit.
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -32,12 +33,17 @@ struct DomainGrid {
 };
 
 enum class DomainStateKind {
-  stable,        ///< W₂ > 0 in every direction that the law answers
+  stable,        ///< W₂ > 0 in every direction
   unstable,      ///< inside the bifurcation domain
-  beyond_limit,  ///< a stress direction without an answer, or the law's objection is that of its
-                 ///< limit; behind such a state also any other objection
-  refused,       ///< the law has no meaning there for another reason
+  unknown,       ///< W₂ > 0 in the directions that the law answers, which are not all
+  beyond_limit,  ///< a stress direction without an answer where the law refuses none, the law's
+                 ///< objection is that of its limit, or the state lies behind such a one
+  refused,       ///< the law has no meaning there for another reason, or answers no direction
 };
+
+inline constexpr std::array kDomainStateKinds = {
+    DomainStateKind::stable, DomainStateKind::unstable, DomainStateKind::unknown,
+    DomainStateKind::beyond_limit, DomainStateKind::refused};
 
 struct Sector {
   double from = 0, to = 0;  ///< rad, as in Cone
@@ -52,18 +58,20 @@ struct DomainState {
   int refused_directions = 0;  ///< that the law cannot follow (Law::refusal): nothing known there
 };
 
-/// Where, going away from q = 0 at one p′, each criterion is first met; empty: not on the grid, or
-/// behind a state that is refused. Isolated between the rows, to kDomainPrecision. q = 0 itself is
-/// the answer where a criterion is met there already.
+/// Where, going away from q = 0 at one p′, each criterion is first met, also below the first row.
+/// Empty: not before the last row of that side; or behind a state that is refused, or where a
+/// direction that is not refused has no answer; or only there, as at the plastic limit. Isolated
+/// between the rows, to kDomainPrecision. q = 0 itself is the answer where a criterion is met there
+/// already. Of directions that the law refuses nothing is known.
 struct DomainBoundary {
   std::optional<double> first_unstable_q;      ///< W₂ of the least direction vanishes, Pa
   std::optional<double> first_unstable_angle;  ///< that direction, rad
   std::optional<double> isotropic_unloading_q;  ///< W₂ vanishes for dσ₁ = dσ₃ < 0. Axisymmetric:
                                                 ///< dq = 0, dp′ < 0, the ICU peak and CSD collapse
   std::optional<double> determinant_q;   ///< det of the symmetric part vanishes, in a zone that
-                                         ///< holds the direction (closed form; octolinear)
+                                         ///< holds the direction (domain_criteria.hpp)
   std::optional<double> localisation_q;  ///< det of an acoustic tensor vanishes (Rice)
-  std::optional<double> limit_q;         ///< the plastic limit
+  std::optional<double> limit_q;         ///< the plastic limit: the last state before beyond_limit
 };
 
 /// Of q, as a share of the larger of |q| and the distance of two rows.

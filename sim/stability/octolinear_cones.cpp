@@ -144,9 +144,4 @@ std::optional<double> least_determinant(const std::vector<OctolinearZone>& zones
   return least;
 }
 
-std::optional<double> first_determinant_loss(const ZonesOnLine& line, double from, double to,
-                                             const LossOptions& options) {
-  return first_loss([&line](double at) { return least_determinant(line(at)); }, from, to, options);
-}
-
 }  // namespace triax::sim

@@ -7,10 +7,9 @@
 // where ρ > |μ|; the arc is cut to the zone, which is the check that the paper asks for below Eq.
 // (39). In plane strain dσ₂ = −(N₂₁ dσ₁ + N₂₃ dσ₃)/N₂₂ belongs to the zone too: its sign cuts the
 // quadrant of (dσ₁, dσ₃) in two.
-#include <functional>
+#include <optional>
 #include <vector>
 
-#include "sim/stability/first_loss.hpp"
 #include "sim/stability/proportional_control.hpp"
 
 namespace triax::sim {
@@ -48,11 +47,5 @@ double least_work(const std::vector<OctolinearZone>& zones);
 /// Least relative_determinant (stability_determinant.hpp) of the zones that hold their own least
 /// eigenvector; empty where none does.
 std::optional<double> least_determinant(const std::vector<OctolinearZone>& zones);
-
-/// The zones of the states of a line.
-using ZonesOnLine = std::function<std::vector<OctolinearZone>(double at)>;
-/// The first state along a line at which a determinant vanishes in a zone that holds the direction.
-std::optional<double> first_determinant_loss(const ZonesOnLine& line, double from, double to,
-                                             const LossOptions& options = {});
 
 }  // namespace triax::sim

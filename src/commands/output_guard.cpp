@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
+#include <cstring>
 #include <filesystem>
 
 #include "lab/records/bad_input.hpp"
@@ -38,6 +41,34 @@ void refuse_overwriting(const std::string& option, const std::string& output,
       throw lab::BadInput(
           fmt::format("{} {}: this is {} ({}) and would be overwritten; name another file", option,
                       output, what, file));
+}
+
+std::vector<std::string> files_of_prefix(const std::string& prefix,
+                                         const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const auto& name : names)
+    for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
+      files.push_back(prefix + name + ending);
+  return files;
+}
+
+void check_targets(const std::string& option, const std::string& output,
+                   const std::vector<std::string>& targets) {
+  const auto refuse = [&](const std::string& why) {
+    throw lab::BadInput(fmt::format("{} {}: {}", option, output, why));
+  };
+  if (output.empty() || output == "-") return;
+  if (output.back() == '/') refuse("ends in '/'; a name in that folder is wanted");
+  for (const auto& target : targets) {
+    std::error_code none;
+    const fs::path file = lab::behind_links(target);
+    const auto kind = fs::status(file, none).type();
+    if (kind == fs::file_type::directory) refuse(fmt::format("{} is a folder", target));
+    if (kind == fs::file_type::character || kind == fs::file_type::fifo) continue;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (::access((folder / "").c_str(), W_OK | X_OK) != 0)
+      throw lab::WorkFailed(fmt::format("{}: cannot be written: {}", target, std::strerror(errno)));
+  }
 }
 
 }  // namespace triax::src

@@ -13,4 +13,15 @@ std::vector<std::string> database_files(const std::string& db);
 void refuse_overwriting(const std::string& option, const std::string& output,
                         const std::vector<std::string>& kept, const std::string& what);
 
+/// PREFIX with each of these names and each ending of data and figures: "x_cones.svg".
+std::vector<std::string> files_of_prefix(const std::string& prefix,
+                                         const std::vector<std::string>& names = {""});
+
+/// Finds out before anything is computed whether these files could be written at the end. Throws
+/// lab::BadInput where `output`, as the user gave it, ends in '/' or a target is a folder,
+/// lab::WorkFailed where a folder is missing or lets nothing be written in it. "-" is always
+/// possible.
+void check_targets(const std::string& option, const std::string& output,
+                   const std::vector<std::string>& targets);
+
 }  // namespace triax::src

@@ -82,6 +82,7 @@ void run_sphere(const ProbeOptions& o) {
 }
 
 void run(const ProbeOptions& o) {
+  check_targets("--output", o.output, files_of_prefix(o.output));
   if (o.plane == "3d" && o.strain_paths.empty()) return run_sphere(o);
   if (!o.strain_paths.empty()) return run_strain_paths(o);
   ProbeReport report;

@@ -17,6 +17,7 @@ namespace triax::src {
 namespace {
 
 constexpr int kWidth = 720, kHeight = 560 + kOriginHeight;
+const QColor kUnknown(0xD6, 0xE6, 0xF2);
 
 /// Light to dark away from the domain's boundary, so that a print without colour shows the same
 /// order.
@@ -122,6 +123,7 @@ class Map {
     plot_->yAxis->setRange(grid_.q_from * 1e-3 - half_q(), grid_.q_to * 1e-3 + half_q());
     draw_map();
     draw_area(rect(), {}, kNoValue, line(kGrey, 0.8), "beyond the limit, or refused by the law");
+    draw_unknown();
     draw_boundaries();
     legend_below(*plot_, 2);
     origin_below(*plot_, subject_);
@@ -163,11 +165,42 @@ class Map {
     for (int row = 0; row < rows; ++row) {
       const auto& state = column.states[static_cast<std::size_t>(row)];
       const auto value = domain_value(state, quantity_);
-      const bool stable = state.kind == sim::DomainStateKind::stable;
+      // Unknown states have a look of their own, drawn on top.
+      const bool blank =
+          state.kind == sim::DomainStateKind::stable || state.kind == sim::DomainStateKind::unknown;
       constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-      data.setCell(column.column, row, stable ? 0 : value.value_or(kNone));
-      data.setAlpha(column.column, row, stable ? 0 : 255);
+      data.setCell(column.column, row, blank ? 0 : value.value_or(kNone));
+      data.setAlpha(column.column, row, blank ? 0 : 255);
     }
+  }
+
+  /// Neither white as stable states nor grey as states without an answer.
+  void draw_unknown() {
+    auto* map = new QCPColorMap(plot_->xAxis, plot_->yAxis);
+    map->removeFromLegend();
+    map->setInterpolate(false);
+    map->setTightBoundary(false);
+    map->setAntialiased(false);
+    map->data()->setSize(grid_.columns, grid_.rows);
+    map->data()->setRange({grid_.p_from * 1e-3, grid_.p_to * 1e-3},
+                          {grid_.q_from * 1e-3, grid_.q_to * 1e-3});
+    map->data()->fill(0);
+    map->data()->fillAlpha(0);
+    bool any = false;
+    for (const auto& column : columns_)
+      for (std::size_t row = 0; row < column.states.size(); ++row)
+        if (column.states[row].kind == sim::DomainStateKind::unknown) {
+          map->data()->setAlpha(column.column, static_cast<int>(row), 255);
+          any = true;
+        }
+    QCPColorGradient one_colour;
+    one_colour.setColorStops({{0, kUnknown}, {1, kUnknown}});
+    map->setGradient(one_colour);
+    map->setDataRange({0, 1});
+    if (any)
+      draw_area(rect(), {}, kUnknown, line(kGrey, 0.8), "some directions refused, others stable");
+    else
+      plot_->removePlottable(map);
   }
 
   void add_colour_bar(QCPColorMap& map, const char* title) {

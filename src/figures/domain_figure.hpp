@@ -16,7 +16,8 @@ enum class DomainQuantity {
 };
 
 /// The columns computed (all of the grid, or those of a piece of it) coloured inside the domain,
-/// white where stable, grey where the law has no state; on top the boundaries that are known, and
+/// white where stable, pale blue where not all directions are answered and those that are are
+/// stable, grey where the law has no state; on top the boundaries that are known, and
 /// arrows for the first unstable stress direction. No plot without columns.
 Drawing domain_figure(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
                       DomainQuantity quantity, const Subject& subject);

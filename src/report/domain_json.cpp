@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "src/report/json_parts.hpp"
+
 namespace triax::src {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json plain(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-Json text(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
 
 /// "KEY": [ one element a line ]
 std::string lines(const char* key, const std::vector<std::string>& elements) {
@@ -43,25 +40,30 @@ std::string dumped(const Json& value) {
 Json material_json(const DomainSettings::Material& m) {
   Json parameters = Json::object();
   for (const auto& [key, value] : m.parameters) parameters[key] = value;
+  Json files = Json::object();
+  for (const auto& [key, value] : m.files) files[key] = value;
   return {{"name", m.name},
           {"law", m.law},
-          {"based_on", text(m.based_on)},
-          {"description", text(m.description)},
-          {"source", text(m.source)},
-          {"range", text(m.range)},
-          {"parameters", std::move(parameters)}};
+          {"based_on", json_text(m.based_on)},
+          {"description", json_text(m.description)},
+          {"source", json_text(m.source)},
+          {"range", json_text(m.range)},
+          {"parameters", std::move(parameters)},
+          {"files", std::move(files)}};
 }
 
 Json grid_json(const DomainSettings::Grid& g) {
-  return {{"p_from_kPa", g.p_from_kPa},    {"p_to_kPa", g.p_to_kPa}, {"columns", g.columns},
-          {"q_from_kPa", g.q_from_kPa},    {"q_to_kPa", g.q_to_kPa}, {"rows", g.rows},
-          {"void_ratio", g.void_ratio},    {"plane", g.plane},       {"directions", g.directions},
+  return {{"p_from_kPa", g.p_from_kPa},    {"p_to_kPa", g.p_to_kPa},
+          {"columns", g.columns},          {"q_from_kPa", g.q_from_kPa},
+          {"q_to_kPa", g.q_to_kPa},        {"rows", g.rows},
+          {"void_ratio", g.void_ratio},    {"plane", g.plane},
+          {"directions", g.directions},    {"determinant", g.determinant},
           {"localisation", g.localisation}};
 }
 
 Json mark_json(const std::optional<DomainMark>& mark) {
   if (!mark) return nullptr;
-  return {{"q_kPa", mark->q_kPa}, {"eta", mark->eta}, {"alpha_deg", plain(mark->alpha_deg)}};
+  return {{"q_kPa", mark->q_kPa}, {"eta", mark->eta}, {"alpha_deg", json_number(mark->alpha_deg)}};
 }
 
 Json boundary_json(const ReportedBoundary& boundary) {
@@ -76,8 +78,8 @@ Json state_json(const ReportedDomainState& state) {
     cones.push_back({{"from_deg", from}, {"to_deg", to}});
   return {{"q_kPa", state.q_kPa},
           {"kind", word_of(state.kind)},
-          {"w2_normalised_least", plain(state.least_work)},
-          {"alpha_deg", plain(state.least_angle_deg)},
+          {"w2_normalised_least", json_number(state.least_work)},
+          {"alpha_deg", json_number(state.least_angle_deg)},
           {"cones", std::move(cones)},
           {"refused_directions", state.refused_directions}};
 }

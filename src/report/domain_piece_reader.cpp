@@ -89,10 +89,14 @@ DomainSettings::Material read_material(const Part& part) {
                              part.text("description"),
                              part.text("source"),
                              part.text("range"),
+                             {},
                              {}};
   const Part parameters = part.part("parameters");
   for (const auto& [key, value] : part["parameters"].items())
     m.parameters.emplace_back(key, parameters.text(key.c_str()));
+  const Part files = part.part("files");
+  for (const auto& [key, value] : part["files"].items())
+    m.files.emplace_back(key, files.text(key.c_str()));
   return m;
 }
 
@@ -106,6 +110,7 @@ DomainSettings::Grid read_grid(const Part& part, const std::string& file) {
                          .void_ratio = part.number("void_ratio"),
                          .plane = part.text("plane"),
                          .directions = part.whole("directions", 8, kMostDirections),
+                         .determinant = part.flag("determinant"),
                          .localisation = part.flag("localisation")};
   check_grid(g, file + ": grid");
   return g;
@@ -124,9 +129,8 @@ ReportedBoundary read_boundary(const Part& part) {
 }
 
 sim::DomainStateKind read_kind(const Part& part) {
-  using enum sim::DomainStateKind;
   const std::string word = part.text("kind");
-  for (const auto kind : {stable, unstable, beyond_limit, refused})
+  for (const auto kind : sim::kDomainStateKinds)
     if (word == word_of(kind)) return kind;
   part.fail(fmt::format("{} is no kind of state", lab::excerpt(word)));
 }

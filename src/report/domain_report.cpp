@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+#include "src/report/domain_inputs.hpp"
+
 namespace triax::src {
 namespace {
 
@@ -94,7 +96,7 @@ std::vector<std::string> range_warnings(const lab::MaterialSet& material,
 
 DomainSettings domain_settings(const lab::MaterialSet& m, const DomainSettings::Grid& grid) {
   return {{m.name, m.law->name, m.material.based_on, m.description, m.source, m.range,
-           parameters(m.parameters)},
+           parameters(m.parameters), digests_of_files(m)},
           grid,
           range_warnings(m, grid)};
 }
@@ -136,6 +138,8 @@ std::string word_of(sim::DomainStateKind kind) {
       return "stable";
     case sim::DomainStateKind::unstable:
       return "unstable";
+    case sim::DomainStateKind::unknown:
+      return "unknown";
     case sim::DomainStateKind::beyond_limit:
       return "beyond_limit";
     case sim::DomainStateKind::refused:

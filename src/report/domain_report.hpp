@@ -16,6 +16,7 @@ struct DomainSettings {
   struct Material {
     std::string name, law, based_on, description, source, range;
     std::vector<std::pair<std::string, std::string>> parameters;  ///< in the units of their keys
+    std::vector<std::pair<std::string, std::string>> files;  ///< SHA-256 of those that they name
     bool operator==(const Material&) const = default;
   } material;
   struct Grid {
@@ -24,7 +25,8 @@ struct DomainSettings {
     double void_ratio = 0;
     std::string plane;  ///< "axisymmetric", "plane-strain"
     int directions = 0;
-    bool localisation = false;  ///< whether that criterion was looked for
+    bool determinant = false;   ///< whether this criterion was looked for
+    bool localisation = false;  ///< whether that one was
     bool operator==(const Grid&) const = default;
   } grid;
   std::vector<std::string> warnings;
@@ -77,7 +79,7 @@ std::string domain_text(const ReportedDomain& domain);
 std::string domain_states_csv(const ReportedDomain& domain);
 std::string domain_boundaries_csv(const ReportedDomain& domain);
 
-/// "stable", "unstable", "beyond_limit", "refused".
+/// "stable", "unstable", "unknown", "beyond_limit", "refused".
 std::string word_of(sim::DomainStateKind kind);
 
 }  // namespace triax::src

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "src/output/table.hpp"
 #include "src/report/domain_report.hpp"
+#include "src/report/simulated_head.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
@@ -26,47 +28,75 @@ std::vector<const ReportedColumn*> told(const ReportedDomain& domain) {
   return columns;
 }
 
+using Mark = std::optional<DomainMark> ReportedBoundary::*;
+
+struct Criterion {
+  const char* heading;  ///< of the text
+  const char* key;      ///< of the CSV
+  Mark mark;
+};
+
+/// Those that were looked for: an empty cell of them says that they were not met.
+std::vector<Criterion> criteria(const DomainSettings::Grid& grid) {
+  std::vector<Criterion> all = {
+      {"η isotropic unloading", "isotropic_unloading", &ReportedBoundary::isotropic_unloading}};
+  if (grid.determinant)
+    all.push_back({"η determinant", "determinant", &ReportedBoundary::determinant});
+  if (grid.localisation)
+    all.push_back({"η localisation", "localisation", &ReportedBoundary::localisation});
+  all.push_back({"η plastic limit", "limit", &ReportedBoundary::limit});
+  return all;
+}
+
 Table boundary_table(const ReportedDomain& domain, ReportedBoundary ReportedColumn::*side) {
-  using Mark = std::optional<DomainMark> ReportedBoundary::*;
-  std::vector<std::pair<const char*, Mark>> criteria = {
-      {"η isotropic unloading", &ReportedBoundary::isotropic_unloading},
-      {"η determinant", &ReportedBoundary::determinant},
-      {"η localisation", &ReportedBoundary::localisation},
-      {"η plastic limit", &ReportedBoundary::limit}};
-  if (!domain.settings.grid.localisation) criteria.erase(criteria.begin() + 2);
+  const auto shown = criteria(domain.settings.grid);
   Table table;
   table.columns = {
       {"p′ (kPa)", Align::right}, {"η first unstable", Align::right}, {"its α (°)", Align::right}};
-  for (const auto& [heading, mark] : criteria) table.columns.push_back({heading, Align::right});
+  for (const auto& one : shown) table.columns.push_back({one.heading, Align::right});
   for (const ReportedColumn* column : told(domain)) {
     const ReportedBoundary& b = column->*side;
     auto& row = table.rows.emplace_back();
     row = {number(column->p_eff_kPa, 1), number(eta(b.first_unstable), 4),
            number(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt, 2)};
-    for (const auto& [heading, mark] : criteria) row.push_back(number(eta(b.*mark), 4));
+    for (const auto& one : shown) row.push_back(number(eta(b.*one.mark), 4));
   }
   return table;
 }
 
-std::array<int, 4> counts(const ReportedDomain& domain) {
-  std::array<int, 4> all{};
+using Counts = std::array<int, sim::kDomainStateKinds.size()>;
+
+Counts counts(const ReportedDomain& domain) {
+  Counts all{};
   for (const auto& column : domain.columns)
     for (const auto& state : column.states) ++all[static_cast<std::size_t>(state.kind)];
   return all;
 }
 
 std::string shares(const ReportedDomain& domain) {
-  const auto of = counts(domain);
-  const double all = std::max(1, of[0] + of[1] + of[2] + of[3]);
-  return fmt::format(
-      "stable {:.1f} %, unstable {:.1f} %, beyond the limit {:.1f} %, refused {:.1f} %",
-      100 * of[0] / all, 100 * of[1] / all, 100 * of[2] / all, 100 * of[3] / all);
+  const Counts of = counts(domain);
+  const double all = std::max(1, std::accumulate(of.begin(), of.end(), 0));
+  const auto share = [&](sim::DomainStateKind kind) {
+    return 100 * of[static_cast<std::size_t>(kind)] / all;
+  };
+  using enum sim::DomainStateKind;
+  std::string words =
+      fmt::format("stable {:.1f} %, unstable {:.1f} %, ", share(stable), share(unstable));
+  if (share(unknown) > 0)
+    words += fmt::format("unknown {:.1f} % (not all directions answered), ", share(unknown));
+  return words + fmt::format("beyond the limit {:.1f} %, refused {:.1f} %", share(beyond_limit),
+                             share(refused));
+}
+
+/// As probes call it.
+std::string plane_word(const DomainSettings::Grid& grid) {
+  return grid.plane == "plane-strain" ? "plane strain" : grid.plane;
 }
 
 std::string csv_head(const ReportedDomain& domain, const std::string& columns) {
   const auto& grid = domain.settings.grid;
   return fmt::format("# origin = \"simulated\"\n# {}, void ratio {}, {}, {} directions\n{}\n",
-                     on_one_line(domain.settings.material.name), grid.void_ratio, grid.plane,
+                     on_one_line(domain.settings.material.name), grid.void_ratio, plane_word(grid),
                      grid.directions, columns);
 }
 
@@ -78,20 +108,18 @@ std::string cell(const std::optional<double>& value) {
 
 std::string domain_text(const ReportedDomain& domain) {
   const auto& [material, grid, warnings] = domain.settings;
-  const std::string title =
-      on_one_line(fmt::format("bifurcation domain of {} (simulated)", material.name));
-  std::string out = title + '\n' + std::string(display_width(title), '=') + '\n';
-  const auto fact = [&out](const char* label, const std::string& value) {
-    if (!value.empty()) out += fmt::format("  {:<12}{}\n", label, on_one_line(value));
-  };
-  fact("based on", material.based_on);
-  fact("source", material.source);
-  fact("range", material.range);
-  fact("grid", fmt::format("p′ {:g} to {:g} kPa in {} columns, q {:g} to {:g} kPa in {} rows",
-                           grid.p_from_kPa, grid.p_to_kPa, grid.columns, grid.q_from_kPa,
-                           grid.q_to_kPa, grid.rows));
-  fact("states", fmt::format("void ratio {:g}, no memory of a reversal; {}, {} stress directions",
-                             grid.void_ratio, grid.plane, grid.directions));
+  const auto* law = sim::find_law(material.law);
+  std::string out =
+      simulated_head("bifurcation domain",
+                     HeadOfMaterial{material.name, law != nullptr ? law->title : material.law,
+                                    material.based_on, material.source, material.range});
+  out +=
+      fact("grid", fmt::format("p′ {:g} to {:g} kPa in {} columns, q {:g} to {:g} kPa in {} rows",
+                               grid.p_from_kPa, grid.p_to_kPa, grid.columns, grid.q_from_kPa,
+                               grid.q_to_kPa, grid.rows));
+  out += fact("states",
+              fmt::format("void ratio {:g}, no memory of a reversal; {}, {} stress directions",
+                          grid.void_ratio, plane_word(grid), grid.directions));
   if (grid.q_to_kPa > 0)
     out += "\n  compression\n" +
            indented(to_text(boundary_table(domain, &ReportedColumn::compression)));
@@ -99,21 +127,25 @@ std::string domain_text(const ReportedDomain& domain) {
     out +=
         "\n  extension\n" + indented(to_text(boundary_table(domain, &ReportedColumn::extension)));
   out += '\n';
-  fact("states", shares(domain));
+  out += fact("states", shares(domain));
   for (const auto& column : domain.columns) {
     if (column.refusal.empty()) continue;
-    fact("refused", fmt::format("at p′ {:g} kPa first: {}", column.p_eff_kPa, column.refusal));
+    out +=
+        fact("refused", fmt::format("at p′ {:g} kPa first: {}", column.p_eff_kPa, column.refusal));
     break;
   }
-  for (const auto& warning : warnings) fact("warning", warning);
+  for (const auto& warning : warnings) out += fact("warning", warning);
   return without_controls(out);
 }
 
 std::string domain_states_csv(const ReportedDomain& domain) {
-  std::string out =
-      csv_head(domain,
-               "p_eff_kPa,q_kPa,eta,kind,w2_normalised_least,alpha_least_deg,cones,cone_1_from_deg,"
-               "cone_1_to_deg,cone_2_from_deg,cone_2_to_deg,refused_directions");
+  std::size_t widest = 2;
+  for (const auto& column : domain.columns)
+    for (const auto& state : column.states) widest = std::max(widest, state.cones_deg.size());
+  std::string columns = "p_eff_kPa,q_kPa,eta,kind,w2_normalised_least,alpha_least_deg,cones";
+  for (std::size_t i = 1; i <= widest; ++i)
+    columns += fmt::format(",cone_{0}_from_deg,cone_{0}_to_deg", i);
+  std::string out = csv_head(domain, columns + ",refused_directions");
   for (const auto& column : domain.columns)
     for (const auto& state : column.states) {
       const bool known = state.least_work.has_value();
@@ -121,7 +153,7 @@ std::string domain_states_csv(const ReportedDomain& domain) {
                          state.q_kPa / column.p_eff_kPa, word_of(state.kind));
       out += cell(state.least_work) + cell(state.least_angle_deg);
       out += known ? fmt::format(",{}", state.cones_deg.size()) : ",";
-      for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t i = 0; i < widest; ++i)
         out += i < state.cones_deg.size()
                    ? fmt::format(",{},{}", state.cones_deg[i].first, state.cones_deg[i].second)
                    : ",,";
@@ -131,10 +163,10 @@ std::string domain_states_csv(const ReportedDomain& domain) {
 }
 
 std::string domain_boundaries_csv(const ReportedDomain& domain) {
-  std::string out = csv_head(
-      domain,
-      "p_eff_kPa,side,first_unstable_q_kPa,first_unstable_alpha_deg,isotropic_unloading_q_kPa,"
-      "determinant_q_kPa,localisation_q_kPa,limit_q_kPa");
+  const auto shown = criteria(domain.settings.grid);
+  std::string columns = "p_eff_kPa,side,first_unstable_q_kPa,first_unstable_alpha_deg";
+  for (const auto& one : shown) columns += fmt::format(",{}_q_kPa", one.key);
+  std::string out = csv_head(domain, columns);
   const auto q = [](const std::optional<DomainMark>& mark) {
     return cell(mark ? std::optional(mark->q_kPa) : std::nullopt);
   };
@@ -144,7 +176,8 @@ std::string domain_boundaries_csv(const ReportedDomain& domain) {
       out += fmt::format("{},{}", column.p_eff_kPa, extension ? "extension" : "compression");
       out += q(b.first_unstable);
       out += cell(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt);
-      out += q(b.isotropic_unloading) + q(b.determinant) + q(b.localisation) + q(b.limit) + '\n';
+      for (const auto& one : shown) out += q(b.*one.mark);
+      out += '\n';
     }
   return out;
 }

@@ -13,6 +13,17 @@ const std::string kSmall =
     "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200:7 --q-kPa -120:240:19 "
     "--directions 36 ";
 
+#ifdef TRIAX_UMAT_FIXTURE
+/// A parameter file of this library; `misbehaviour` as umat_fixture.f90 numbers it.
+std::string cone(const std::string& library, int misbehaviour = 0) {
+  std::ostringstream text;
+  text << "law = \"umat\"\n[sets.cone]\numat = \"" << library
+       << "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = [20e3, 12e3, 1.2, 0.3, 5, "
+       << misbehaviour << "]\n";
+  return text.str();
+}
+#endif
+
 }  // namespace
 
 TEST_CASE("the sample domain prints what tests/cli/golden holds") {
@@ -97,6 +108,13 @@ TEST_CASE("pieces that do not belong together are one line and status 2") {
         Bad{"--merge 1.json foreign.json", "foreign.json: is no piece of a domain"},
         Bad{"--merge 1.json gone.json", "gone.json: cannot be read"},
         Bad{"--merge 1.json 2.json --void-ratio 1", "--void-ratio and --merge"},
+        Bad{"--merge 1.json 2.json --plane plane-strain", "--plane and --merge"},
+        Bad{"--merge 1.json 2.json --set hardening_factor=2", "--set and --merge"},
+        Bad{"--merge 1.json 2.json --directions 8", "--directions and --merge"},
+        Bad{"--merge 1.json 2.json --materials 1.json", "--materials and --merge"},
+        Bad{"--merge 1.json 2.json --localisation", "--localisation and --merge"},
+        Bad{"--merge 1.json 2.json --threads 2", "--threads and --merge"},
+        Bad{"--merge 1.json 2.json --piece 1/2", "--piece and --merge"},
         Bad{"--merge m.json --output m", "would be overwritten"}}) {
     const Outcome outcome = here.triax(std::string("domain ") + bad.arguments);
     INFO(bad.says << "\n" << outcome.err);
@@ -130,6 +148,10 @@ TEST_CASE("settings that make no domain are one line and status 2, and nothing i
         Bad{sand + "--piece 3/2 --output x", "I/N"},
         Bad{sand + "--piece 1 --output x", "I/N"},
         Bad{sand + "--piece 1/2", "--piece needs --output"},
+        Bad{sand + "--piece 1/2 --output x --json", "--piece and --json"},
+        Bad{sand + "--output x/", "ends in '/'"},
+        Bad{"--material norsand/S28-MT --void-ratio 1 --localisation",
+            "--localisation needs the full tensor"},
         Bad{sand + "--p-kPa 10:20:2 --piece 1/3 --output x", "only 2 columns"},
         Bad{sand + "--set hardening=1", "has no parameter"},
         Bad{"--material norsand/S28-MT-drained --void-ratio 1 --plane plane-strain",
@@ -144,19 +166,152 @@ TEST_CASE("settings that make no domain are one line and status 2, and nothing i
   }
 }
 
+TEST_CASE("what is read is not overwritten, by a domain or by a piece of one") {
+  const Workplace here;
+  const std::string set = content("lab/materials/elastic.toml");
+  REQUIRE_FALSE(set.empty());
+  const std::string small =
+      " --material elastic/Hostun-loose --void-ratio 1 --p-kPa 50:100:2 --q-kPa 0:50:3 "
+      "--directions 8 ";
+  for (const std::string arguments :
+       {"--materials y.json --output y", "--materials w.toml --piece 1/2 --output w.toml",
+        "--materials z_cones_pq.csv --output ./z"}) {
+    for (const char* file : {"y.json", "w.toml", "z_cones_pq.csv"}) write(here / file, set);
+    const Outcome outcome = here.triax("domain" + small + arguments);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("would be overwritten") != std::string::npos);
+    for (const char* file : {"y.json", "w.toml", "z_cones_pq.csv"})
+      CHECK(content(here / file) == set);
+    CHECK_FALSE(here.has("y.csv"));
+  }
+}
+
+TEST_CASE("targets that cannot be written are found before anything is computed or written") {
+  const Workplace here;
+  std::filesystem::create_directories(here / "x.pdf");
+  // So large that computing it would not end within a test.
+  const std::string large =
+      " --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800:1000 --q-kPa 0:900:4000 ";
+  const std::string state = " --material inl2/S28-general --void-ratio 1.086 --p 70 --eta 0.5 ";
+  for (const std::string& command : {"domain" + large, "probe" + state}) {
+    const Outcome folder = here.triax(command + "--output x");
+    INFO(folder.err);
+    CHECK(folder.status == 2);
+    CHECK(folder.err.find("x.pdf is a folder") != std::string::npos);
+    CHECK_FALSE(here.has("x.csv"));
+    CHECK_FALSE(here.has("x.json"));
+    const Outcome missing = here.triax(command + "--output nodir/x");
+    CHECK(missing.status == 1);
+    CHECK(missing.err.find("nodir/x.csv: cannot be written") != std::string::npos);
+    CHECK(here.triax(command + "--output here/").status == 2);
+  }
+}
+
+TEST_CASE("a domain of which the law answers no state is no result") {
+  const Workplace here;
+  const Outcome outcome = here.triax(
+      "domain --material inl2/S28-general --void-ratio 5 --p-kPa 100:200:2 --q-kPa 0:200:5 "
+      "--directions 8 --output x");
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find("answers no state of the grid") != std::string::npos);
+  CHECK(outcome.err.find("the void ratio is 5") != std::string::npos);
+  CHECK_FALSE(here.has("x.csv"));
+}
+
+TEST_CASE(
+    "pieces in plane strain with localisation are the run in one go; cones of tests are not "
+    "for them") {
+  const Workplace here;
+  const std::string small =
+      "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 50:150:3 --q-kPa 0:120:7 "
+      "--directions 16 --plane plane-strain --localisation ";
+  CHECK(here.triax(small + "--output whole").status == 0);
+  for (const std::string piece : {"1", "2"})
+    CHECK(here.triax(small + "--piece " + piece + "/2 --output " + piece + ".json").status == 0);
+  const Outcome merged = here.triax("domain --merge 1.json 2.json --output m");
+  CHECK(merged.status == 0);
+  CHECK(merged.out.find("η localisation") != std::string::npos);
+  CHECK(merged.out.find("plane strain") != std::string::npos);
+  for (const char* ending : {".csv", "_boundaries.csv", ".json"})
+    CHECK((content(here / (std::string("m") + ending)) ==
+           content(here / (std::string("whole") + ending))));
+  REQUIRE(here.triax("simulate " + source("samples/programmes/icu_6.toml")).status == 0);
+  const Outcome test = here.triax("domain --merge 1.json 2.json --test 1 --output t");
+  CHECK(test.status == 2);
+  CHECK(test.err.find("the pieces of --merge are of plane-strain") != std::string::npos);
+  CHECK_FALSE(here.has("t.csv"));
+}
+
+TEST_CASE("a run that is killed on the way leaves nothing") {
+  const Workplace here;
+  const std::string large =
+      " domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800:400 --q-kPa "
+      "0:900:1000 ";
+  for (const std::string last : {"--output x", "--piece 1/2 --output x.json"}) {
+    const std::string command = "cd '" + (here / ".").string() + "' && { " TRIAX_PROGRAM + large +
+                                last + " >/dev/null 2>&1 & sleep 1; kill -9 $!; wait $!; }";
+    const int status = std::system(command.c_str());
+    CHECK(WEXITSTATUS(status) == 128 + 9);
+    CHECK(std::filesystem::is_empty(here / "."));
+  }
+}
+
 #ifdef TRIAX_UMAT_FIXTURE
 TEST_CASE("a UMAT has a domain too, in a worker process for every thread") {
   const Workplace here;
-  write(here / "cone.toml", "law = \"umat\"\n[sets.cone]\numat = \"" TRIAX_UMAT_FIXTURE
-                            "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = [20e3, "
-                            "12e3, 1.2, 0.3, 5, 0]\n");
-  const std::string cone =
+  write(here / "cone.toml", cone(TRIAX_UMAT_FIXTURE));
+  const std::string domain =
       "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120:3 "
       "--q-kPa 0:60:3 --directions 8 --json --threads ";
-  const Outcome one = here.triax(cone + "1");
+  const Outcome one = here.triax(domain + "1");
   INFO(one.err);
   REQUIRE(one.status == 0);
-  CHECK((here.triax(cone + "3").out == one.out));
+  CHECK((here.triax(domain + "3").out == one.out));
   for (const auto& state : json::parse(one.out)["states"]) CHECK(state["kind"] == "stable");
+}
+
+TEST_CASE("a UMAT that misbehaves everywhere is status 1 with its words, and nothing is written") {
+  // A null pointer, STOP, a stress and a state that are no numbers.
+  for (const int misbehaviour : {1, 2, 4, 10}) {
+    const Workplace here;
+    write(here / "cone.toml", cone(TRIAX_UMAT_FIXTURE, misbehaviour));
+    const Outcome outcome = here.triax(
+        "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120:2 "
+        "--q-kPa 0:60:2 --directions 8 --output x");
+    INFO(misbehaviour << ": " << outcome.err);
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.empty());
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(outcome.err.find("answers no state of the grid") != std::string::npos);
+    CHECK_FALSE(here.has("x.csv"));
+  }
+}
+
+TEST_CASE("pieces of UMAT libraries that differ do not merge") {
+  const Workplace here;
+  write(here / "cone.toml", cone("own.so"));
+  const auto piece = [&](const char* index) {
+    return here.triax(std::string("domain --materials cone.toml --material umat/cone --void-ratio "
+                                  "0.8 --p-kPa 80:120:2 --q-kPa 0:60:2 --directions 8 --piece ") +
+                      index + "/2 --output " + index + ".json");
+  };
+  std::filesystem::copy_file(TRIAX_UMAT_FIXTURE, here / "own.so");
+  CHECK(piece("1").status == 0);
+  // Bytes behind its end do not change what a library does; its digest they do.
+  write(here / "own.so", content(here / "own.so") + "x");
+  CHECK(piece("2").status == 0);
+  const Outcome merged = here.triax("domain --merge 1.json 2.json");
+  CHECK(merged.status == 2);
+  CHECK(merged.err.find("material files") != std::string::npos);
+  CHECK(piece("1").status == 0);
+  CHECK(here.triax("domain --merge 1.json 2.json").status == 0);
+  // No column for a criterion that a law without tangents has not.
+  CHECK(here.triax("domain --merge 1.json 2.json").out.find("determinant") == std::string::npos);
+  // The library is not overwritten either.
+  CHECK(here.triax("domain --materials cone.toml --material umat/cone --void-ratio 0.8 --piece 1/1 "
+                   "--output own.so")
+            .status == 2);
 }
 #endif

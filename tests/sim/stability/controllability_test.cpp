@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/stability/octolinear_cones.hpp"
+#include "tests/sim/stability/first_loss.hpp"
 #include "tests/sim/stability/stability_laws.hpp"
 
 using namespace triax::sim;
@@ -24,7 +25,7 @@ double lost_at(const Law<Axisymmetric>& law, const std::string& name) {
              [&](double eta) {
                const auto all =
                    control_indices(response_at(law, 70, eta, 1.086), triaxial_controls());
-               return named(all, name).controllable ? 1.0 : 0.0;
+               return named(all, name).controllable ? 1.0 : -1.0;
              },
              0.1, 1, {.steps = 18})
       .value_or(0);

@@ -6,7 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "tests/sim/materials/interpolated_laws.hpp"
+#include "sim/stability/domain_criteria.hpp"
+#include "tests/sim/stability/domain_laws.hpp"
 
 using namespace triax::sim;
 using namespace triax::sim::test;
@@ -59,7 +60,9 @@ TEST_CASE("the number of threads does not show in a single bit") {
   const auto run = [](int threads) {
     return run_domain(kGrid, all_columns(),
                       [] {
-                        return DomainWorker{material(), {}};
+                        DomainWorker worker{interpolated(Interpolation::inl2, kInl2), {}};
+                        worker.criteria = domain_criteria(worker.material, kGrid, true);
+                        return worker;
                       },
                       {.threads = threads, .progress = {}});
   };
@@ -71,7 +74,10 @@ TEST_CASE("the number of threads does not show in a single bit") {
     for (std::size_t i = 0; i < one.size(); ++i) CHECK(numbers(many[i]) == numbers(one[i]));
   }
   // And every column is what it is alone.
-  CHECK(numbers(one[4]) == numbers(domain_column(material(), kGrid, 4)));
+  const Material alone = interpolated(Interpolation::inl2, kInl2);
+  CHECK(numbers(one[4]) ==
+        numbers(domain_column(alone, kGrid, 4, domain_criteria(alone, kGrid, true))));
+  CHECK(one[4].compression.determinant_q);
 }
 
 TEST_CASE("each thread gets a material of its own, and no more threads than columns are started") {

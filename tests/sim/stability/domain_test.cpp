@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/point/point_driver.hpp"
 #include "sim/stability/domain_criteria.hpp"
 #include "tests/sim/stability/domain_laws.hpp"
 
@@ -47,14 +48,24 @@ void check_against_probes(const Law<Axisymmetric>& law) {
         CHECK_FALSE(state.least_work);
         continue;
       }
-      const Circle c = circle(law, found.p, state.q, 1.086);
-      CHECK((state.kind == DomainStateKind::unstable) == c.unstable());
-      CHECK(*state.least_work == c.least.normalised);
-      CHECK(*state.least_angle == c.least.angle);
-      REQUIRE(state.cones.size() == c.cones.size());
-      for (std::size_t i = 0; i < c.cones.size(); ++i) {
-        CHECK(state.cones[i].from == c.cones[i].from);
-        CHECK(state.cones[i].to == c.cones[i].to);
+      // Another way to the same numbers: control of both stresses by the point's own solver.
+      const auto work = [&](double angle) {
+        const PlaneVector v = unit_direction(angle);
+        return point_rate(law, alone, MixedControl<Axisymmetric>::stresses({v.y(), v.x()}))
+            .normalised_work();
+      };
+      double least = 1;
+      for (int i = 0; i < g.directions; ++i)
+        least = std::min(least, work(2 * std::numbers::pi * i / g.directions));
+      REQUIRE(state.least_work);
+      CHECK(*state.least_work <= least + 1e-12);
+      CHECK(*state.least_work > least - 2e-2);  // a step of 4 degrees at most away
+      CHECK(work(*state.least_angle) == Approx(*state.least_work).margin(1e-10));
+      CHECK((state.kind == DomainStateKind::unstable) == !state.cones.empty());
+      if (state.cones.empty()) CHECK(least > kUnstable);
+      for (const Sector& cone : state.cones) {
+        CHECK(work((cone.from + cone.to) / 2) < 0);
+        for (const double edge : {cone.from, cone.to}) CHECK(work(edge) == Approx(0).margin(1e-8));
       }
     }
   }
@@ -80,7 +91,7 @@ constexpr double kSine = 0.5;  // of kThirtyDegrees
 
 }  // namespace
 
-TEST_CASE("grids of INL2 and octolinear agree with single probes to the bit") {
+TEST_CASE("grids of INL2 and octolinear agree with the solver of mixed control") {
   check_against_probes(inl2());
   check_against_probes(octo());
 }
@@ -206,6 +217,89 @@ TEST_CASE("in plane strain the limit is still that of all stresses") {
   REQUIRE(plane_strain.compression.limit_q);
   CHECK(*plane_strain.compression.limit_q ==
         Approx(*axisymmetric.compression.limit_q).epsilon(1e-8));
+}
+
+TEST_CASE(
+    "a state of which a law refuses directions is unknown, and its gaps are no plastic limit") {
+  const NorSand law(nerlerk_drained());
+  DomainGrid g = grid(0, 280, 15);
+  g.void_ratio = 0.8;
+  const auto column = domain_column(law, g, 1);
+  bool gap = false;
+  for (const DomainState& state : column.states) {
+    INFO("q " << state.q);
+    CHECK(state.kind != DomainStateKind::stable);
+    CHECK(state.kind != DomainStateKind::beyond_limit);
+    if (state.kind != DomainStateKind::unknown) continue;
+    CHECK(state.refused_directions > 0);
+    REQUIRE(state.least_work);
+    CHECK(*state.least_work > kUnstable);
+    CHECK(state.cones.empty());
+    const Circle c = circle(law, column.p, state.q, 0.8);
+    gap = gap || c.unanswered > c.refused;
+  }
+  CHECK(gap);
+  CHECK_FALSE(column.compression.limit_q);
+}
+
+namespace {
+
+/// Elastic, at its limit between two stress ratios and fine again behind.
+class Islands : public Elastic<Axisymmetric> {
+ public:
+  Islands() : Elastic(elasticity()) {}
+  std::optional<std::string> objection(const State& s) const override {
+    if (at_limit(s)) return "too steep";
+    return Elastic::objection(s);
+  }
+  bool at_limit(const State& s) const override {
+    return s.q() > 0.47 * s.p() && s.q() < 0.96 * s.p();
+  }
+};
+
+/// Octolinear without a meaning at this void ratio, whatever its limit says.
+class NoVoidRatio : public Elastic<Axisymmetric> {
+ public:
+  NoVoidRatio() : Elastic(elasticity()) {}
+  std::optional<std::string> objection(const State&) const override { return "too loose"; }
+  bool at_limit(const State&) const override { return true; }
+};
+
+}  // namespace
+
+TEST_CASE("nothing behind the limit is stable, whatever the law answers there") {
+  const auto column = domain_column(Islands(), grid(0, 150, 16), 1);
+  REQUIRE(column.compression.limit_q);
+  CHECK(*column.compression.limit_q == Approx(0.47 * column.p).epsilon(1e-8));
+  for (const DomainState& state : column.states) {
+    const bool beyond = state.q > 0.47 * column.p;
+    CHECK(state.kind == (beyond ? DomainStateKind::beyond_limit : DomainStateKind::stable));
+    CHECK(state.least_work.has_value() == !beyond);
+  }
+}
+
+TEST_CASE("an objection that the isotropic state raises too is not that of the limit") {
+  const auto column = domain_column(NoVoidRatio(), grid(0, 150, 4), 1);
+  for (const DomainState& state : column.states) CHECK(state.kind == DomainStateKind::refused);
+  CHECK(column.refusal == "too loose");
+}
+
+TEST_CASE("boundaries below the first row are found, of a grid that lies beyond the limit too") {
+  const auto law = inl2();
+  const auto whole = domain_column(law, grid(0, 130, 14), 1);
+  for (const double from_kPa : {60.0, 100.0, 125.0}) {
+    const auto above = domain_column(law, grid(from_kPa, 300, 9), 1);
+    REQUIRE(above.compression.first_unstable_q);
+    CHECK(*above.compression.first_unstable_q ==
+          Approx(*whole.compression.first_unstable_q).epsilon(1e-8));
+    CHECK(*above.compression.isotropic_unloading_q ==
+          Approx(*whole.compression.isotropic_unloading_q).epsilon(1e-9));
+    CHECK(*above.compression.limit_q == Approx(*whole.compression.limit_q).epsilon(1e-9));
+    CHECK_FALSE(above.extension.first_unstable_q);  // no row on that side
+  }
+  const auto beyond = domain_column(law, grid(250, 300, 3), 1);
+  for (const DomainState& state : beyond.states) CHECK(state.kind == DomainStateKind::beyond_limit);
+  CHECK(beyond.compression.limit_q);
 }
 
 TEST_CASE("what a law refuses is told as that, with its words, and ends the search") {

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "sim/point/path_runner.hpp"
-#include "sim/stability/first_loss.hpp"
 #include "sim/stability/stability_determinant.hpp"
 #include "sim/stability/strain_paths.hpp"
+#include "tests/sim/stability/first_loss.hpp"
 #include "tests/sim/stability/stability_laws.hpp"
 
 using namespace triax::sim;

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/sim/materials/random_tensors.hpp"
+#include "tests/sim/stability/first_loss.hpp"
 #include "tests/sim/stability/random_compliances.hpp"
 #include "tests/sim/stability/stability_laws.hpp"
 
@@ -176,7 +177,8 @@ TEST_CASE("the zeros of a zone are the roots of Eq. 34 whose direction lies in i
 
 TEST_CASE("the boundary by the determinant is where the first probe is unstable") {
   const auto line = [](double eta) { return zones_at(70, eta, 1.086); };
-  const auto by_determinant = first_determinant_loss(line, 0, 1);
+  const auto by_determinant =
+      first_loss([&](double eta) { return least_determinant(line(eta)); }, 0, 1);
   const auto by_work = first_loss([&](double eta) { return least_work(line(eta)); }, 0, 1);
   REQUIRE(by_determinant);
   REQUIRE(by_work);
@@ -188,7 +190,7 @@ TEST_CASE("the boundary by the determinant is where the first probe is unstable"
   const Quadratic f = control_quadratic(zone.compliance);
   CHECK(std::abs(f.discriminant()) < 1e-9 * f.b * f.b);
   CHECK(zone.contains(failure_angle(ProbePlane::axisymmetric, f.double_root()) + std::numbers::pi));
-  CHECK_FALSE(first_determinant_loss(line, 0, 0.4));
+  CHECK_FALSE(first_loss([&](double eta) { return least_determinant(line(eta)); }, 0, 0.4));
 }
 
 TEST_CASE("a state whose N22 is negative on one side has no zones for some directions") {
@@ -215,7 +217,8 @@ TEST_CASE("the boundary in plane strain, by the determinant of Ps and by the lea
     const auto s = material.start(as_tensor(state_at(octo(), 70, eta, 1.086).stress), 1.086);
     return octolinear_zones(std::get<InterpolatedForm<Tensor>>(material.response(s)));
   };
-  const auto by_determinant = first_determinant_loss(line, 0.05, 1);
+  const auto by_determinant =
+      first_loss([&](double eta) { return least_determinant(line(eta)); }, 0.05, 1);
   const auto by_work = first_loss([&](double eta) { return least_work(line(eta)); }, 0.05, 1);
   REQUIRE(by_determinant);
   REQUIRE(by_work);

@@ -6,6 +6,7 @@
 
 #include "sim/materials/elastic.hpp"
 #include "sim/stability/octolinear_cones.hpp"
+#include "tests/sim/stability/first_loss.hpp"
 #include "tests/sim/stability/random_compliances.hpp"
 #include "tests/sim/stability/stability_laws.hpp"
 

@@ -37,3 +37,27 @@ TEST_CASE("an output is refused under every name of a kept file, and only then")
   CHECK_FALSE(refused("", path("a.db")));
   std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("targets are looked at before the work: folders, missing folders, a name that is none") {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("triax_targets_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder / "x.svg");
+  const auto check = [&](const std::string& prefix) {
+    const std::string output = (folder / prefix).string();
+    src::check_targets("--output", output, src::files_of_prefix(output, {"", "_cones"}));
+  };
+  CHECK_NOTHROW(check("y"));
+  CHECK_THROWS_WITH(check("x"), Contains("x.svg is a folder"));
+  CHECK_THROWS_AS(check("x"), lab::BadInput);
+  CHECK_THROWS_AS(check("none/y"), lab::WorkFailed);
+  CHECK_THROWS_AS(check("x.svg/"), lab::BadInput);
+  CHECK_NOTHROW(src::check_targets("--output", "-", {"-"}));
+  CHECK_NOTHROW(src::check_targets("--output", "", {".csv"}));
+  CHECK_NOTHROW(src::check_targets("--output", "/dev/null", {"/dev/null"}));
+  std::filesystem::create_symlink("none/there", folder / "z.csv");
+  CHECK_THROWS_AS(check("z"), lab::WorkFailed);
+  const auto files = src::files_of_prefix("p", {"", "_cones"});
+  CHECK(files.size() == 10);
+  CHECK(files.back() == "p_cones.pdf");
+  std::filesystem::remove_all(folder);
+}

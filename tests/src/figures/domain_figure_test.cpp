@@ -87,6 +87,24 @@ TEST_CASE("unstable states are coloured, stable ones left white, those beyond th
   CHECK(test::contains(drawing.caption, "4 of 12 states"));
 }
 
+TEST_CASE("states of which not all directions are answered look neither stable nor refused") {
+  auto all = columns();
+  const Drawing without = domain_figure(grid(), all, DomainQuantity::opening, subject());
+  CHECK_FALSE(test::in_legend(*without.plot, "some directions refused"));
+  all[0].states[1].kind = unknown;
+  all[0].states[1].least_work = 0.3;
+  const Drawing drawing = domain_figure(grid(), all, DomainQuantity::opening, subject());
+  CHECK(test::in_legend(*drawing.plot, "some directions refused"));
+  std::vector<QCPColorMap*> maps;
+  for (int i = 0; i < drawing.plot->plottableCount(); ++i)
+    if (auto* map = qobject_cast<QCPColorMap*>(drawing.plot->plottable(i))) maps.push_back(map);
+  REQUIRE(maps.size() == 2);
+  CHECK(maps[0]->data()->alpha(0, 1) == 0);
+  CHECK(maps[1]->data()->alpha(0, 1) == 255);
+  CHECK(maps[1]->data()->alpha(0, 0) == 0);
+  CHECK(maps[1]->data()->alpha(1, 1) == 0);
+}
+
 TEST_CASE("columns of a piece are put in their places; the rest stays white") {
   auto piece = columns();
   piece.erase(piece.begin());

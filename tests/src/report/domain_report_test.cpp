@@ -87,6 +87,37 @@ TEST_CASE("what a law refuses is told with its words; a set out of its range is 
   CHECK_THAT(settings.warnings[0], Contains("void ratio is 1.4"));
 }
 
+TEST_CASE("a state of which not all directions are answered has a word and a share of its own") {
+  ReportedDomain domain = sample_domain();
+  CHECK_THAT(domain_text(domain), !Contains("unknown"));
+  for (auto& state : domain.columns[0].states) state.kind = sim::DomainStateKind::unknown;
+  CHECK_THAT(domain_text(domain), Contains("unknown 33.3 %"));
+  CHECK_THAT(domain_states_csv(domain), Contains(",unknown,"));
+  CHECK(nlohmann::json::parse(domain_json(domain))["states"][0]["kind"] == "unknown");
+}
+
+TEST_CASE("every cone is in the table, as many columns as the widest state needs") {
+  ReportedDomain domain = sample_domain();
+  CHECK_THAT(domain_states_csv(domain), !Contains("cone_3"));
+  domain.columns[0].states[0].least_work = -0.1;
+  domain.columns[0].states[0].cones_deg = {{1, 2}, {3, 4}, {5, 6.5}};
+  const std::string csv = domain_states_csv(domain);
+  CHECK_THAT(csv, Contains("cone_3_from_deg,cone_3_to_deg,refused_directions"));
+  CHECK_THAT(csv, Contains(",3,1,2,3,4,5,6.5,"));
+}
+
+TEST_CASE("a criterion that was not looked for has no column, one that was not met an empty cell") {
+  ReportedDomain domain = sample_domain();
+  for (const bool determinant : {false, true}) {
+    domain.settings.grid.determinant = determinant;
+    CHECK((domain_text(domain).find("η determinant") != std::string::npos) == determinant);
+    CHECK((domain_boundaries_csv(domain).find("determinant_q_kPa") != std::string::npos) ==
+          determinant);
+  }
+  CHECK_THAT(domain_text(domain), !Contains("localisation"));
+  CHECK_THAT(domain_boundaries_csv(domain), !Contains("localisation"));
+}
+
 TEST_CASE("the tables have a line a state and a line a boundary, of equal numbers of cells") {
   const ReportedDomain domain = sample_domain();
   for (const auto& [csv, lines] : {std::pair(domain_states_csv(domain), 3 + 3 * 12),
