@@ -46,7 +46,7 @@ Drawing control_scan_figure(const std::vector<NamedScan>& scans, const Subject& 
   for (const auto& scan : scans)
     for (const auto& point : scan.scan) {
       x.add(point.R);
-      y.add(point.index);
+      if (point.index) y.add(*point.index);
     }
   if (x.empty()) return {};
   y.add(0);
@@ -62,7 +62,7 @@ Drawing control_scan_figure(const std::vector<NamedScan>& scans, const Subject& 
   for (std::size_t i = 0; i < scans.size(); ++i) {
     Points points, roots;
     for (const auto& point : scans[i].scan)
-      if (std::isfinite(point.index)) points.emplace_back(point.R, point.index);
+      if (point.index) points.emplace_back(point.R, *point.index);
     draw_curve(rect, points, curve_pen(i), scans[i].name);
     for (const double root : scans[i].roots) {
       if (!plot->xAxis->range().contains(root)) continue;
