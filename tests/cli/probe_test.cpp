@@ -39,7 +39,7 @@ TEST_CASE("the cones of INL2 at p' = 70 kPa, e = 1.086 are the printed ones on h
   const json d = document(here, kLoose + "--p 70 --eta 0.55,0.60,0.70,0.80 --step 0.5");
   REQUIRE(d["states"].size() == 4);
   CHECK(d["states"][0]["cones"].empty());
-  CHECK(d["first_unstable_state"] == 1);
+  CHECK(d["first_unstable_state"]["eta"].get<double>() == Approx(0.6));
   const double printed[][2] = {{0, 0}, {215, 237.5}, {208, 248.5}, {205.5, 255.5}};
   for (std::size_t i = 1; i < 4; ++i) {
     const json& state = d["states"][i];
@@ -69,7 +69,7 @@ TEST_CASE("the document of one state has the keys of the contract") {
        {"p_eff_kPa", "q_kPa", "eta", "void_ratio", "axial_stress_kPa", "radial_stress_kPa"})
     CHECK(d["state"][key].is_number());
   CHECK(d["probing"] == json::parse(R"({"kind": "stress", "plane": "axisymmetric", "norm_kPa": 1.0,
-    "norm_strain": null, "step_deg": 10.0, "finite": false})"));
+    "norm_strain": null, "step_deg": 10.0, "finite": false, "norms": "full"})"));
   for (const char* key :
        {"from_deg", "to_deg", "opening_deg", "strongest_deg", "w2_normalised_least"})
     CHECK(d["cones"][0][key].is_number());
@@ -129,6 +129,9 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
       {"--p 70 --eta 0.6 --set poisson_ratio=2", "poisson_ratio"},
       {"--p 70 --eta 0.6 --void-ratio 99", ""},
       {"--path gone.toml", "gone.toml"},
+      {"--p 70 --eta 0.6,,0.7", "0.6,,0.7"},
+      {"--p 70 --eta 0.6 --axial-strain 0.1", "--axial-strain"},
+      {"--p 70 --eta 0.6 --conditions 'q_kPa = 1'", "two conditions"},
   };
   for (const auto& [arguments, says] : all) {
     const Workplace here;
@@ -225,3 +228,60 @@ TEST_CASE("the examples of the help run") {
     CHECK(outcome.status == 0);
   }
 }
+
+TEST_CASE("along a path the first unstable state lies between rows, and the last row is there") {
+  const Workplace here;
+  const json one = document(here, "probe --path " + kPath + " --every 25");
+  const json other = document(here, "probe --path " + kPath + " --every 40");
+  for (const char* key : {"p_eff_kPa", "q_kPa", "eta", "axial_strain", "alpha_deg"})
+    CHECK(one["first_unstable_state"][key].get<double>() ==
+          Approx(other["first_unstable_state"][key].get<double>()).epsilon(1e-6));
+  CHECK(one["states"].back()["state"]["axial_strain"] ==
+        other["states"].back()["state"]["axial_strain"]);
+}
+
+TEST_CASE(
+    "conditions in the words of path files have an index, and a culprit where control is lost") {
+  const Workplace here;
+  const std::string asked =
+      " --conditions 'q_kPa = 1, axial_strain + 2*radial_strain = 0' "
+      "--conditions 'axial_strain = 0.01, axial_strain + 2*radial_strain = 0'";
+  const json d = document(here, kLoose + "--p 70 --eta 0.65" + asked);
+  const json& conditions = d["control"]["conditions"];
+  REQUIRE(conditions.size() == 2);
+  CHECK(conditions[0]["controllable"] == false);
+  CHECK(conditions[0]["culprit"] == "q_kPa");
+  CHECK(conditions[0]["index"].is_null());
+  CHECK(conditions[1]["controllable"] == true);
+  CHECK(conditions[1]["index"].get<double>() > 0);
+  CHECK(here.triax(kLoose + "--p 70 --eta 0.65" + asked).out.find("q_kPa cannot be held") !=
+        std::string::npos);
+}
+
+#ifdef TRIAX_UMAT_FIXTURE
+TEST_CASE("a UMAT that crashes answers nothing: its words, no lost control, and status 1") {
+  const Workplace here;
+  const auto probe = [&](int misbehaviour, const std::string& rest) {
+    write(here / "cone.toml", "law = \"umat\"\n[sets.cone]\numat = \"" TRIAX_UMAT_FIXTURE
+                              "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = "
+                              "[20e3, 12e3, 1.2, 0.3, 5, " +
+                                  std::to_string(misbehaviour) + "]\n");
+    return here.triax(
+        "probe --materials cone.toml --material umat/cone --void-ratio 0.8 --p 100 "
+        "--eta 0.3 --step 30 --json" +
+        rest);
+  };
+  const Outcome sound = probe(0, "");
+  CHECK(sound.status == 0);
+  CHECK(json::parse(sound.out)["refusal"].is_null());
+  const Outcome crash = probe(1, "");
+  INFO(crash.err);
+  CHECK(crash.status == 1);
+  CHECK(crash.err.find("SIGSEGV") != std::string::npos);
+  const json d = json::parse(crash.out);
+  CHECK(d["control"]["lost"].empty());
+  CHECK(d["refused_directions"] == d["unanswered_directions"]);
+  CHECK(d["refusal"].get<std::string>().find("SIGSEGV") != std::string::npos);
+  CHECK_FALSE(d["warnings"].empty());
+}
+#endif
