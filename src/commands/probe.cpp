@@ -143,6 +143,9 @@ Command probe_command() {
       .examples =
           {{"triax probe --material inl2/S28-general --p 70 --eta 0.60 --void-ratio 1.086 --json",
             "cones of one state as a document"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.65 --void-ratio 1.086 "
+            "--conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
+            "Nova's index of any pair of conditions, here of an undrained test by load"},
            {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
             "--step 1 --output loose",
             "several states in one table and one circular diagram, loose_circular.svg"},

@@ -128,7 +128,8 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
   app.add_option("--path", o.path,
                  "the state at the end of this path, with the memory that the path made")
       ->type_name("PATH.toml");
-  app.add_option("--every", o.every, "along the path, at every N-th of its rows")->type_name("N");
+  app.add_option("--every", o.every, "along the path, at every N-th of its rows and the last")
+      ->type_name("N");
   app.add_option("--plane", o.plane, "directions of this plane, or all of principal increments")
       ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}))
       ->type_name("axisymmetric|plane-strain|3d")

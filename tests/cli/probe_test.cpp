@@ -101,6 +101,15 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   const std::string text = here.triax(probe).out;
   CHECK(text.find("ICU 6 (number 1, simulated) at collapse, reading ") != std::string::npos);
   CHECK(text.find("the cone ") != std::string::npos);
+  // 0.2 degrees from the edge, with a standard error of 0.8.
+  CHECK(own["certain"] == false);
+  CHECK(text.find("on the edge of the cone") != std::string::npos);
+  const json space = document(here, probe + "--plane 3d --step 15");
+  CHECK(space["own_increment"]["alpha_deg"] == own["alpha_deg"]);
+  CHECK(space["own_increment"]["w2_normalised_law"].get<double>() ==
+        Approx(own["w2_normalised_law"].get<double>()).margin(1e-9));
+  CHECK(here.triax(probe + "--plane 3d --step 15").out.find("of the law 0.002") !=
+        std::string::npos);
 
   for (const auto& [arguments, says] : std::vector<std::pair<std::string, std::string>>{
            {"--at 99999999", "they go from 0 to"},
@@ -203,6 +212,14 @@ TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not
     CHECK(outcome.status == 2);
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
   }
+}
+
+TEST_CASE("the norms of normalised work are told: in the plane in plane strain, else full") {
+  const Workplace here;
+  const std::string plane = kLoose + "--p 70 --eta 0.4 --plane ";
+  CHECK(document(here, plane + "plane-strain")["probing"]["norms"] == "plane");
+  CHECK(document(here, plane + "3d --step 15")["probing"]["norms"] == "full");
+  CHECK(here.triax(plane + "plane-strain").out.find("norms in the plane") != std::string::npos);
 }
 
 TEST_CASE("all directions of space: the document, and files") {

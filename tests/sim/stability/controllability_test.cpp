@@ -36,6 +36,25 @@ double lost_at(const Law<Axisymmetric>& law, const std::string& name) {
       .value_or(0);
 }
 
+/// Elasticity that integrates itself and has no answer where the specimen gets wider.
+class OneSided : public Law<Axisymmetric> {
+ public:
+  bool finite() const override { return true; }
+  State start(const Vector<Axisymmetric>& stress, double void_ratio) const override {
+    return {stress, void_ratio, Memory::Zero(1)};
+  }
+  void response(const State&, Response<Axisymmetric>&) const override {}
+  FiniteStep<Axisymmetric> integrate(const State& from,
+                                     const Vector<Axisymmetric>& strain) const override {
+    FiniteStep<Axisymmetric> step;
+    step.state = from;
+    step.tangent << 30e6, 10e6, 10e6, 40e6;
+    if (strain(1) < 0) step.failure = "too wide";
+    step.state.stress += step.tangent * strain;
+    return step;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("octolinear loses control at the roots of Eq. 34 in the zone that holds the mode") {
@@ -169,7 +188,8 @@ TEST_CASE("in extension control is lost where sigma1 - sigma3/R falls, at the ed
     REQUIRE(circle.cones.size() == 1);
     ++looked_at;
     const auto& cone = circle.cones[0];
-    const auto lost = lost_control(IncrementalResponse<Axisymmetric>(*law, state), 0.05, 20, 800).lost;
+    const auto lost =
+        lost_control(IncrementalResponse<Axisymmetric>(*law, state), 0.05, 20, 800).lost;
     REQUIRE(lost.size() == 1);
     CHECK(lost[0].sense == ControlSense::unloading);
     CHECK(lost[0].from == Approx(ratio_of(ProbePlane::axisymmetric, cone.to)).epsilon(1e-6));
@@ -202,4 +222,18 @@ TEST_CASE("in compression it is lost where sigma1 - sigma3/R grows; the index is
   REQUIRE(point.matrix);
   CHECK(point.matrix->determinant < 0);
   CHECK(point.matrix->entries.determinant() == Approx(point.matrix->determinant).epsilon(1e-9));
+}
+
+TEST_CASE("a law that fails in some directions has lost no control there") {
+  const OneSided law;
+  const IncrementalResponse<Axisymmetric> response(law, law.start({100e3, 100e3}, 0.8));
+  const auto search = lost_control(response, 0.05, 5, 100);
+  CHECK(search.lost.empty());
+  CHECK(search.unanswered > 50);
+  CHECK(search.unanswered < search.asked);
+  const auto point = scan_control(response, {1})[0];
+  CHECK(point.loading.state == ControlState::unanswered);
+  CHECK(point.unloading.held());
+  CHECK_FALSE(point.controllable);
+  CHECK_FALSE(point.index);
 }
