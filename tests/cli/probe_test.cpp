@@ -278,20 +278,21 @@ TEST_CASE(
 #ifdef TRIAX_UMAT_FIXTURE
 TEST_CASE("a UMAT that crashes answers nothing: its words, no lost control, and status 1") {
   const Workplace here;
-  const auto probe = [&](int misbehaviour, const std::string& rest) {
-    write(here / "cone.toml", "law = \"umat\"\n[sets.cone]\numat = \"" TRIAX_UMAT_FIXTURE
-                              "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = "
-                              "[20e3, 12e3, 1.2, 0.3, 5, " +
-                                  std::to_string(misbehaviour) + "]\n");
+  const auto probe = [&](const char* misbehaviour) {
+    std::string set =
+        "law = \"umat\"\n[sets.cone]\numat = \"" TRIAX_UMAT_FIXTURE
+        "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = [20e3, 12e3, 1.2, 0.3, 5, ";
+    set += misbehaviour;
+    set += "]\n";
+    write(here / "cone.toml", set);
     return here.triax(
-        "probe --materials cone.toml --material umat/cone --void-ratio 0.8 --p 100 "
-        "--eta 0.3 --step 30 --json" +
-        rest);
+        "probe --materials cone.toml --material umat/cone --void-ratio 0.8 --p 100 --eta 0.3 "
+        "--step 30 --json");
   };
-  const Outcome sound = probe(0, "");
+  const Outcome sound = probe("0");
   CHECK(sound.status == 0);
   CHECK(json::parse(sound.out)["refusal"].is_null());
-  const Outcome crash = probe(1, "");
+  const Outcome crash = probe("1");
   INFO(crash.err);
   CHECK(crash.status == 1);
   CHECK(crash.err.find("SIGSEGV") != std::string::npos);
