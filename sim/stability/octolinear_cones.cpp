@@ -83,17 +83,6 @@ std::vector<UnstableSector> joined(std::vector<UnstableSector> sectors) {
 
 }  // namespace
 
-std::vector<double> OctolinearZone::zeros() const {
-  const Arc arc = unstable_arc(compliance.matrix);
-  std::vector<double> inside;
-  if (arc.half == 0) return inside;
-  for (int turn = -1; turn <= 2; ++turn)
-    for (const double side : {-arc.half, arc.half})
-      if (const double angle = arc.centre + turn * kPi + side; contains(angle))
-        inside.push_back(angle);
-  return inside;
-}
-
 std::vector<OctolinearZone> octolinear_zones(const InterpolatedForm<Axisymmetric>& form) {
   std::vector<OctolinearZone> zones;
   for (int i = 0; i < 4; ++i) {

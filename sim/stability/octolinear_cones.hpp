@@ -20,8 +20,6 @@ struct OctolinearZone {
   PlaneCompliance compliance;
 
   bool contains(double angle) const { return angle >= from && angle <= to; }
-  /// Directions in it along which W₂ vanishes: those of the roots of Eqs. (34), (35) in the zone.
-  std::vector<double> zeros() const;
 };
 
 /// In the order of α. Pre-condition: the form is octolinear.

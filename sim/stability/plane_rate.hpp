@@ -13,6 +13,16 @@ inline constexpr ProbePlane kPlane =
 inline PlaneVector in_plane(const Vector<Axisymmetric>& v) { return rendulic(v); }
 inline PlaneVector in_plane(const Vector<Tensor>& v) { return {v(2), v(0)}; }
 
+/// The control that imposes an increment of the plane (Pa, or strain); in plane strain all other
+/// strains are kept at zero.
+template <class Space>
+MixedControl<Space> plane_control(ProbeKind kind, const PlaneVector& increment);
+/// Adds to `control` that all strains out of the plane are kept at zero.
+void hold_plane_strain(MixedControl<Tensor>& control);
+
+/// An increment and what answered it, as a probe in the direction α.
+Probe probe_of(double angle, bool answered, const PlaneVector& stress, const PlaneVector& strain);
+
 /// The rate that a stress increment of 1 Pa in the direction α brings.
 PointRate<Axisymmetric> stress_rate(const IncrementalResponse<Axisymmetric>& response,
                                     double angle);

@@ -116,8 +116,4 @@ double failure_angle(ProbePlane plane, double R) {
   return angle_of({PlaneCompliance{plane, {}}.weight() * R, 1});
 }
 
-double failure_ratio(ProbePlane plane, double angle) {
-  return std::cos(angle) / (std::sin(angle) * PlaneCompliance{plane, {}}.weight());
-}
-
 }  // namespace triax::sim

@@ -84,7 +84,5 @@ double failure_rule(const PrincipalModuli& moduli, double R);     ///< Eq. (41),
 /// Direction of the mode's stress, dσ₁ = dσ₃/R with dσ₁ > 0: α in (0, π). The one that unloads is
 /// π beyond; only that in the zone of the compliance has a meaning.
 double failure_angle(ProbePlane plane, double R);
-/// The R whose mode this direction is, cot α/c; infinite at dσ₁ = 0.
-double failure_ratio(ProbePlane plane, double angle);
 
 }  // namespace triax::sim

@@ -1,11 +1,10 @@
 #include "sim/stability/sphere.hpp"
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <stdexcept>
 #include <utility>
-
-#include "sim/stability/cones.hpp"
 
 namespace triax::sim {
 namespace {
@@ -48,37 +47,108 @@ PointRate<Tensor> answer(const IncrementalResponse<Tensor>& response, ProbeKind 
   return kind == ProbeKind::stress ? response.to_stress(direction) : response.to_strain(direction);
 }
 
-/// Connected regions of unstable cells: cells are neighbours along both angles, the azimuth is
-/// periodic, and the cells of the first and of the last ring meet in a pole.
-int regions(const Sphere& sphere) {
-  const int n = sphere.sectors;
-  std::vector<bool> seen(sphere.probes.size(), false);
-  const auto open = [&](int cell) {
-    const auto i = static_cast<std::size_t>(cell);
-    return is_unstable(sphere.probes[i]) && !seen[i];
-  };
-  int count = 0;
-  for (int first = 0; first < sphere.rings * n; ++first) {
-    if (!open(first)) continue;
-    ++count;
-    std::vector<int> waiting{first};
-    const auto reach = [&](int cell) {
-      if (!open(cell)) return;
-      seen[static_cast<std::size_t>(cell)] = true;
-      waiting.push_back(cell);
-    };
-    seen[static_cast<std::size_t>(first)] = true;
-    while (!waiting.empty()) {
-      const int cell = waiting.back(), ring = cell / n, sector = cell % n;
-      waiting.pop_back();
-      reach(ring * n + (sector + 1) % n);
-      reach(ring * n + (sector + n - 1) % n);
-      if (ring > 0) reach(cell - n);
-      if (ring + 1 < sphere.rings) reach(cell + n);
-      if (ring == 0 || ring + 1 == sphere.rings) reach(ring * n + (sector + n / 2) % n);
-    }
+/// The cells of a sphere that was probed at their centres.
+class Cells {
+ public:
+  explicit Cells(const Sphere& sphere)
+      : sphere_(sphere), step_(kPi / sphere.rings), unstable_(sphere.probes.size()) {
+    for (std::size_t i = 0; i < unstable_.size(); ++i) unstable_[i] = is_unstable(sphere.probes[i]);
   }
-  return count;
+
+  int count() const { return sphere_.rings * sphere_.sectors; }
+  bool unstable(int cell) const { return unstable_[static_cast<std::size_t>(cell)]; }
+
+  /// Solid angle of a cell, or of a part of it in polar angle, over 4π.
+  double share(int ring, double from = 0, double to = 1) const {
+    return (std::cos((ring + from) * step_) - std::cos((ring + to) * step_)) /
+           (2 * sphere_.sectors);
+  }
+
+  int cell_of(const SphereProbe& probe) const {
+    const int ring = std::min(static_cast<int>(probe.polar / step_), sphere_.rings - 1);
+    return at(ring, static_cast<int>(std::lround(probe.azimuth / step_)));
+  }
+
+  /// The azimuth is periodic; beyond the first and the last ring lies the cell across the pole.
+  int at(int ring, int sector) const {
+    const int n = sphere_.sectors;
+    if (ring < 0 || ring >= sphere_.rings) {
+      ring = std::clamp(ring, 0, sphere_.rings - 1);
+      sector += n / 2;
+    }
+    return ring * n + (sector % n + n) % n;
+  }
+
+  /// The eight around a cell.
+  std::array<int, 8> around(int cell) const {
+    const int ring = cell / sphere_.sectors, sector = cell % sphere_.sectors;
+    return {at(ring - 1, sector),     at(ring + 1, sector),     at(ring, sector - 1),
+            at(ring, sector + 1),     at(ring - 1, sector - 1), at(ring - 1, sector + 1),
+            at(ring + 1, sector - 1), at(ring + 1, sector + 1)};
+  }
+
+  /// Cells that the boundary of the unstable directions may cross: those with a neighbour of the
+  /// other kind, and those about the least direction, which may lie in a cone within one cell.
+  std::vector<bool> at_boundary() const {
+    std::vector<bool> marked(unstable_.size(), false);
+    const auto mark = [&](int cell) { marked[static_cast<std::size_t>(cell)] = true; };
+    for (int cell = 0; cell < count(); ++cell)
+      for (const int other : around(cell))
+        if (unstable(cell) != unstable(other)) mark(cell);
+    if (sphere_.unstable() && !unstable(cell_of(sphere_.least))) {
+      mark(cell_of(sphere_.least));
+      for (const int other : around(cell_of(sphere_.least))) mark(other);
+    }
+    return marked;
+  }
+
+  /// Connected regions of unstable cells; neighbours share a side, or a pole.
+  int regions() const {
+    std::vector<bool> open = unstable_;
+    int count = 0;
+    for (int first = 0; first < this->count(); ++first) {
+      if (!open[static_cast<std::size_t>(first)]) continue;
+      ++count;
+      std::vector<int> waiting{first};
+      while (!waiting.empty()) {
+        const int cell = waiting.back();
+        waiting.pop_back();
+        if (!open[static_cast<std::size_t>(cell)]) continue;
+        open[static_cast<std::size_t>(cell)] = false;
+        const auto near = around(cell);
+        waiting.insert(waiting.end(), near.begin(), near.begin() + 4);
+      }
+    }
+    return count;
+  }
+
+ private:
+  const Sphere& sphere_;
+  double step_;
+  std::vector<bool> unstable_;
+};
+
+double unstable_share(const IncrementalResponse<Tensor>& response, ProbeKind kind,
+                      const Sphere& sphere, const Cells& cells) {
+  constexpr int kParts = 6;
+  const double step = kPi / sphere.rings;
+  const auto cut = cells.at_boundary();
+  double share = 0;
+  for (int cell = 0; cell < cells.count(); ++cell) {
+    const int ring = cell / sphere.sectors, sector = cell % sphere.sectors;
+    if (!cut[static_cast<std::size_t>(cell)]) {
+      if (cells.unstable(cell)) share += cells.share(ring);
+      continue;
+    }
+    for (int i = 0; i < kParts; ++i)
+      for (int j = 0; j < kParts; ++j) {
+        const double polar = (ring + (i + 0.5) / kParts) * step;
+        const double azimuth = (sector - 0.5 + (j + 0.5) / kParts) * step;
+        if (is_unstable(probe_direction(response, kind, sphere_direction(polar, azimuth))))
+          share += cells.share(ring, 1.0 * i / kParts, (i + 1.0) / kParts) / kParts;
+      }
+  }
+  return share;
 }
 
 }  // namespace
@@ -113,14 +183,11 @@ Sphere probe_sphere(const IncrementalResponse<Tensor>& response, ProbeKind kind,
   if (rings < 6) throw std::invalid_argument("a sphere needs at least 6 rings of directions");
   Sphere sphere{.rings = rings, .sectors = 2 * rings};
   const double step = kPi / rings;
-  double unstable_area = 0, area = 0;
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < sphere.sectors; ++j) {
       const double polar = (i + 0.5) * step;
       const auto probe = probe_direction(response, kind, sphere_direction(polar, j * step));
-      area += std::sin(polar);
       if (!probe.answered) ++sphere.unanswered;
-      if (is_unstable(probe)) unstable_area += std::sin(polar);
       if (value(probe.answered, probe.normalised) <
           value(sphere.least.answered, sphere.least.normalised))
         sphere.least = probe;
@@ -134,8 +201,9 @@ Sphere probe_sphere(const IncrementalResponse<Tensor>& response, ProbeKind kind,
         });
     sphere.least = probe_direction(response, kind, direction);
   }
-  sphere.unstable_share = unstable_area / area;
-  sphere.cones = regions(sphere);
+  const Cells cells(sphere);
+  sphere.unstable_share = unstable_share(response, kind, sphere, cells);
+  sphere.regions = std::max(cells.regions(), sphere.unstable() ? 1 : 0);
   return sphere;
 }
 

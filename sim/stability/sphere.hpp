@@ -4,7 +4,7 @@
 // axes included.
 #include <vector>
 
-#include "sim/stability/probe.hpp"
+#include "sim/stability/cones.hpp"
 
 namespace triax::sim {
 
@@ -32,10 +32,11 @@ struct Sphere {
   int rings = 0, sectors = 0;       ///< cells in polar angle and in azimuth
   std::vector<SphereProbe> probes;  ///< at the centres of the cells, ring after ring
   SphereProbe least;                ///< the direction of least normalised W₂, refined
-  double unstable_share = 0;        ///< solid angle with W₂ < 0 over 4π, by whole cells
-  int cones = 0;                    ///< connected regions of cells with W₂ < 0
+  /// Solid angle with W₂ < 0 over 4π, by cells, those at its boundary cut into 6 × 6.
+  double unstable_share = 0;
+  int regions = 0;  ///< connected ones of cells with W₂ < 0, one if only `least` is in it
   int unanswered = 0;
-  bool unstable() const { return least.answered && least.normalised < -1e-12; }
+  bool unstable() const { return least.answered && least.normalised < kUnstable; }
 };
 
 /// `rings` at least 6; twice as many sectors.

@@ -1,7 +1,9 @@
 #include "src/commands/probe.hpp"
 
+#include <algorithm>
 #include <memory>
 
+#include "lab/records/bad_input.hpp"
 #include "src/commands/output_guard.hpp"
 #include "src/commands/probe_options.hpp"
 #include "src/commands/probe_states.hpp"
@@ -19,6 +21,8 @@ void probe_all(const ProbeOptions& o, ProbeReport& report) {
   ProgressBar bar("probes");
   for (const auto& state : states) {
     report.states.push_back(probe_state(report.material, state, report.probing));
+    if (!report.isolated && !state.passed.empty())
+      report.isolated = first_unstable(report.material, state.passed, report.probing);
     bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
   }
 }
@@ -45,7 +49,7 @@ void run_strain_paths(const ProbeOptions& o) {
   const auto material = chosen_material(o.material);
   const auto report =
       strain_paths(material, 1e3 * *o.p_kPa, chosen_void_ratio(o.material, material),
-                   o.strain_paths, o.axial_strain);
+                   o.strain_paths, o.axial_strain.value_or(kUsualAxialStrain));
   if (!o.output.empty()) {
     keep_what_is_read(o, o.output);
     write_figure(strain_paths_drawing(report), o.output);
@@ -79,6 +83,8 @@ void run_sphere(const ProbeOptions& o) {
       write_figure(drawing, o.output);
   }
   print(o.json ? sphere_json(report) : sphere_text(report));
+  if (std::ranges::none_of(report.states, [](const auto& s) { return s.sphere.least.answered; }))
+    throw lab::WorkFailed("the law answers in no direction");
 }
 
 void run(const ProbeOptions& o) {
@@ -96,6 +102,11 @@ void run(const ProbeOptions& o) {
   if (!o.output.empty()) write_files(o, report);
   print(o.json ? probe_json(report)
                : probe_text(report, {.probes = o.probes, .control = o.control}));
+  if (!report.any_answer())
+    throw lab::WorkFailed("the law answers in no direction" +
+                          (report.states.empty() || report.states.front().refusal.empty()
+                               ? ""
+                               : ": " + report.states.front().refusal));
 }
 
 }  // namespace
@@ -133,6 +144,9 @@ Command probe_command() {
       .examples =
           {{"triax probe --material inl2/S28-general --p 70 --eta 0.60 --void-ratio 1.086 --json",
             "cones of one state as a document"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.65 --void-ratio 1.086 "
+            "--conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
+            "Nova's index of any pair of conditions, here of an undrained test by load"},
            {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
             "--step 1 --output loose",
             "several states in one table and one circular diagram, loose_circular.svg"},

@@ -10,6 +10,9 @@
 
 namespace triax::src {
 
+/// To which strain paths go unless something else is asked for.
+inline constexpr double kUsualAxialStrain = 0.05;
+
 struct ProbeOptions {
   MaterialOptions material;
 
@@ -27,14 +30,15 @@ struct ProbeOptions {
   std::string plane = "axisymmetric";
   bool strain = false;
   std::optional<double> norm_kPa, norm_strain;
-  double step_deg = 10;
+  std::optional<double> step_deg;  ///< empty: 10
   bool finite = false;
 
   std::vector<double> R;  ///< at which control is looked at; empty: the usual ones
   bool probes = false, control = false;
+  std::vector<std::string> conditions;  ///< pairs, as they were written
 
-  std::vector<double> strain_paths;  ///< R; another run altogether
-  double axial_strain = 0.05;
+  std::vector<double> strain_paths;    ///< R; another run altogether
+  std::optional<double> axial_strain;  ///< empty: kUsualAxialStrain
   std::string output;
   bool json = false;
 };

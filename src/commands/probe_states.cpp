@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "db/store.hpp"
 #include "lab/paths/path_reader.hpp"
 #include "lab/records/bad_input.hpp"
@@ -145,12 +147,19 @@ std::vector<StateToProbe<Space>> driven_states(const ProbeOptions& o, ProbeRepor
     return states;
   }
   std::size_t refused = 0;
-  for (std::size_t i = 0; i < run.rows.size(); i += static_cast<std::size_t>(*o.every)) {
+  const std::size_t every = static_cast<std::size_t>(*o.every), rows = run.rows.size();
+  std::vector<PassedRow<Space>> passed;
+  for (std::size_t i = 0; i < rows; ++i) {
     auto state = state_at(run.rows[i]);
-    if (law.objection(state.state))
-      ++refused;
-    else
-      states.push_back(std::move(state));
+    const bool wanted = i % every == 0 || i + 1 == rows;
+    if (law.objection(state.state)) {
+      if (wanted) ++refused;
+      continue;
+    }
+    passed.push_back({state.state, run.rows[i].strain});
+    if (!wanted) continue;
+    state.passed = std::exchange(passed, {passed.back()});
+    states.push_back(std::move(state));
   }
   if (refused > 0)
     report.warnings.push_back(

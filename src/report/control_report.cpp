@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "sim/stability/proportional_control.hpp"
+#include "sim/stability/plane_rate.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
@@ -21,19 +21,6 @@ sim::PlaneCompliance zone_of(const sim::InterpolatedForm<Tensor>& form) {
   return sim::plane_compliance(sim::principal_moduli(sim::zone_compliance(form, sim::ZoneSigns{})));
 }
 
-sim::PointRate<Axisymmetric> rate_of(const sim::IncrementalResponse<Axisymmetric>& response,
-                                     const sim::PlaneVector& stress) {
-  return response.to_stress({stress.y(), stress.x()});
-}
-sim::PointRate<Tensor> rate_of(const sim::IncrementalResponse<Tensor>& response,
-                               const sim::PlaneVector& stress) {
-  sim::MixedControl<Tensor> control;
-  control.stress(0, 0) = control.stress(2, 2) = 1;
-  control.increment << stress.y(), 0, stress.x(), 0, 0, 0;
-  for (const int fixed : {1, 3, 4, 5}) control.strain(fixed, fixed) = 1;
-  return response.to(control);
-}
-
 template <class Space>
 std::optional<sim::PlaneCompliance> compliance_of(const sim::IncrementalResponse<Space>& response,
                                                   const sim::Probe& least, std::string& whose) {
@@ -44,10 +31,22 @@ std::optional<sim::PlaneCompliance> compliance_of(const sim::IncrementalResponse
     return zone_of(*interpolated);
   }
   if (!least.answered) return std::nullopt;
-  const auto rate = rate_of(response, least.stress.normalized());
+  const auto rate = sim::stress_rate(response, sim::angle_of(least.stress));
   if (!rate.controllable) return std::nullopt;
   whose = "tangent of the least direction";
   return sim::plane_compliance(response, rate);
+}
+
+const char* words_of(sim::ControlState state) {
+  switch (state) {
+    case sim::ControlState::held:
+      return "held";
+    case sim::ControlState::lost:
+      return "lost";
+    case sim::ControlState::unanswered:
+      break;
+  }
+  return "no answer";
 }
 
 std::string unit_free(double value) { return fmt::format("{:.4g}", value); }
@@ -62,12 +61,18 @@ std::vector<double> usual_ratios() {
 
 template <class Space>
 ControlReport control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
-                         const std::vector<double>& R) {
+                         const std::vector<double>& R,
+                         const std::vector<sim::NamedControl>& conditions) {
   ControlReport report;
   report.scan = sim::scan_control(response, R);
-  report.lost = sim::lost_control(response, kLeastRatio, kLargestRatio);
-  if constexpr (Space::kSize == 2)
+  auto search = sim::lost_control(response, kLeastRatio, kLargestRatio);
+  report.lost = std::move(search.lost);
+  report.asked = search.asked;
+  report.unanswered = search.unanswered;
+  if constexpr (Space::kSize == 2) {
     report.named = sim::control_indices(response, sim::triaxial_controls());
+    report.conditions = sim::control_indices(response, conditions);
+  }
   const auto compliance = compliance_of(response, least, report.compliance);
   if (!compliance) {
     report.compliance.clear();
@@ -81,18 +86,40 @@ ControlReport control_of(const sim::IncrementalResponse<Space>& response, const 
 }
 
 template ControlReport control_of(const sim::IncrementalResponse<Axisymmetric>&, const sim::Probe&,
-                                  const std::vector<double>&);
+                                  const std::vector<double>&,
+                                  const std::vector<sim::NamedControl>&);
 template ControlReport control_of(const sim::IncrementalResponse<Tensor>&, const sim::Probe&,
-                                  const std::vector<double>&);
+                                  const std::vector<double>&,
+                                  const std::vector<sim::NamedControl>&);
+
+const char* sense_words(sim::ControlSense sense) {
+  return sense == sim::ControlSense::loading ? "loading" : "unloading";
+}
 
 std::string lost_in_words(const ControlReport& control) {
+  if (control.asked > 0 && control.unanswered == control.asked) return "unknown, no R was answered";
+  const auto beyond = [](bool isolated, double R, double end, const char* word) {
+    if (isolated) return std::string();
+    return R == end ? fmt::format(" (and {})", word) : fmt::format(" (no answer {})", word);
+  };
   std::string words;
-  for (const auto& [from, to, begins, ends] : control.lost)
-    words += fmt::format("{}{}{} to {}{}", words.empty() ? "lost for R " : ", ", unit_free(from),
-                         begins ? "" : " (and below)", unit_free(to), ends ? "" : " (and above)");
-  return words.empty()
-             ? fmt::format("held for R {} to {}", unit_free(kLeastRatio), unit_free(kLargestRatio))
-             : words;
+  for (const auto sense : {sim::ControlSense::loading, sim::ControlSense::unloading}) {
+    std::string ranges;
+    for (const auto& at : control.lost)
+      if (at.sense == sense)
+        ranges += fmt::format("{}{}{} to {}{}", ranges.empty() ? "" : ", ", unit_free(at.from),
+                              beyond(at.begins, at.from, kLeastRatio, "below"), unit_free(at.to),
+                              beyond(at.ends, at.to, kLargestRatio, "above"));
+    if (!ranges.empty())
+      words +=
+          fmt::format("{}{} lost for R {}", words.empty() ? "" : "; ", sense_words(sense), ranges);
+  }
+  if (words.empty())
+    words = fmt::format("held for R {} to {}, loading and unloading", unit_free(kLeastRatio),
+                        unit_free(kLargestRatio));
+  if (control.unanswered > 0)
+    words += fmt::format("; no answer to {} of {} controls", control.unanswered, control.asked);
+  return words;
 }
 
 std::string roots_in_words(const ControlReport& control) {
@@ -106,14 +133,14 @@ std::string roots_in_words(const ControlReport& control) {
 
 Table scan_table(const ControlReport& control) {
   Table table;
-  table.columns = {{"R", Align::right},
-                   {"control", Align::left},
-                   {"index", Align::right},
-                   {"mode α (°)", Align::right},
+  table.columns = {{"R", Align::right},           {"loading", Align::left},
+                   {"index", Align::right},       {"unloading", Align::left},
+                   {"index", Align::right},       {"mode α (°)", Align::right},
                    {"its W₂ norm.", Align::right}};
   for (const auto& at : control.scan)
     table.rows.push_back(
-        {unit_free(at.R), at.controllable ? "held" : "lost", number(at.index, 4),
+        {unit_free(at.R), words_of(at.loading.state), number(at.loading.index, 4),
+         words_of(at.unloading.state), number(at.unloading.index, 4),
          in_degrees(at.mode.answered ? std::optional(at.mode.angle) : std::nullopt),
          number(at.mode.answered ? std::optional(at.mode.normalised) : std::nullopt, 4)});
   return table;
@@ -123,8 +150,19 @@ Table named_controls_table(const ControlReport& control) {
   Table table;
   table.columns = {{"programme", Align::left}, {"control", Align::left}, {"index", Align::right}};
   for (const auto& at : control.named)
-    table.rows.push_back({at.name, at.controllable ? "held" : "lost", number(at.index, 4)});
+    table.rows.push_back({at.name, words_of(at.answer.state), number(at.answer.index, 4)});
   return table;
+}
+
+std::string condition_words(const sim::ControlIndex& at) {
+  std::string words = at.name + ": " + words_of(at.answer.state);
+  if (at.answer.index) words += ", index " + number(at.answer.index, 4);
+  if (!at.culprit.empty()) words += ", " + at.culprit + " cannot be held";
+  return words;
+}
+
+std::string state_name(sim::ControlState state) {
+  return state == sim::ControlState::unanswered ? "unanswered" : words_of(state);
 }
 
 }  // namespace triax::src

@@ -18,8 +18,10 @@ struct ControlRoot {
 
 struct ControlReport {
   std::vector<sim::ControlPoint> scan;
-  std::vector<sim::LostControl> lost;    ///< ranges of R between kLeastRatio and kLargestRatio
-  std::vector<sim::ControlIndex> named;  ///< axisymmetry only
+  std::vector<sim::LostControl> lost;         ///< ranges of R between kLeastRatio and kLargestRatio
+  int asked = 0, unanswered = 0;              ///< controls of that search, of both senses
+  std::vector<sim::ControlIndex> named;       ///< axisymmetry only
+  std::vector<sim::ControlIndex> conditions;  ///< that were asked for; axisymmetry only
   /// Whose compliance Eq. (34) or (35) is written with: that of zone (-, -) where there are
   /// zones (of INL2: with its moduli), else that of the tangent of the least direction; empty:
   /// there is none.
@@ -36,14 +38,23 @@ std::vector<double> usual_ratios();
 /// `least`: the probe with the least normalised W₂. No R may be 0.
 template <class Space>
 ControlReport control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
-                         const std::vector<double>& R);
+                         const std::vector<double>& R,
+                         const std::vector<sim::NamedControl>& conditions = {});
 
 extern template ControlReport control_of(const sim::IncrementalResponse<sim::Axisymmetric>&,
-                                         const sim::Probe&, const std::vector<double>&);
+                                         const sim::Probe&, const std::vector<double>&,
+                                         const std::vector<sim::NamedControl>&);
 extern template ControlReport control_of(const sim::IncrementalResponse<sim::Tensor>&,
-                                         const sim::Probe&, const std::vector<double>&);
+                                         const sim::Probe&, const std::vector<double>&,
+                                         const std::vector<sim::NamedControl>&);
 
-/// "lost for R 0.4488 to 1.0177"; "held for R 0.05 to 5".
+/// "loading" where σ₁′ − σ₃′/R grows.
+const char* sense_words(sim::ControlSense sense);
+/// "held", "lost" or "unanswered".
+std::string state_name(sim::ControlState state);
+/// "q_kPa = 1, axial_strain = 0: lost, axial_strain cannot be held".
+std::string condition_words(const sim::ControlIndex& at);
+/// "loading lost for R 0.4488 to 1.0177"; "held for R 0.05 to 5, loading and unloading".
 std::string lost_in_words(const ControlReport& control);
 /// "R 0.2537 (α 250.3°, dε₁/dσ₃ ...)" for each root.
 std::string roots_in_words(const ControlReport& control);

@@ -214,6 +214,26 @@ FigureData cones_data(const ProbeReport& report) {
   return data;
 }
 
+namespace {
+
+/// Ranges of R in which one of the senses is lost, rising and apart.
+std::vector<sim::LostControl> lost_in_a_sense(const ControlReport& control) {
+  auto ranges = control.lost;
+  std::ranges::sort(ranges, {}, &sim::LostControl::from);
+  std::vector<sim::LostControl> apart;
+  for (const auto& range : ranges) {
+    if (apart.empty() || range.from > apart.back().to) {
+      apart.push_back(range);
+    } else if (range.to > apart.back().to) {
+      apart.back().to = range.to;
+      apart.back().ends = range.ends;
+    }
+  }
+  return apart;
+}
+
+}  // namespace
+
 std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
   const ProbeReport fine = with_smooth_circles(report);
   const auto drawn = drawn_states(fine);
@@ -236,7 +256,8 @@ std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
       probes_data(fine, {&last}));
   std::vector<NamedScan> scans;
   for (const ProbedState* state : drawn)
-    scans.push_back({curve_name(*state, one_p), state->control.scan, state->control.lost});
+    scans.push_back(
+        {curve_name(*state, one_p), state->control.scan, lost_in_a_sense(state->control)});
   add("control", control_scan_figure(scans, subject), control_data(fine, drawn));
   if (report.probing.plane == sim::ProbePlane::axisymmetric &&
       report.probing.kind == sim::ProbeKind::stress) {

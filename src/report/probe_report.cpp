@@ -43,7 +43,8 @@ Table state_table(const ProbeReport& report) {
     if (named) row.push_back(state.name);
     const sim::Probe& least = state.circle.least;
     row.insert(row.end(), {in_kPa(state.p, 2), in_kPa(state.q, 2), number(state.eta(), 4),
-                           number(state.void_ratio, 4), cones_in_words(state.circle.cones),
+                           number(state.void_ratio, 4),
+                           cones_in_words(state.circle, report.probing.directions),
                            openings(state.circle.cones), normalised(least),
                            in_degrees(least.answered ? std::optional(least.angle) : std::nullopt),
                            normalised(state.isotropic_unloading)});
@@ -83,13 +84,37 @@ std::string own_words(const ProbedState& state) {
   return words;
 }
 
-std::string place_words(const ProbedState& state) {
-  const auto place = place_among(state.circle.cones, state.test->increment->angle);
-  if (!place) return "the law has no cone at this state";
+std::string place_words(const ProbedState& state, int directions) {
+  const lab::MeasuredIncrement& own = *state.test->increment;
+  const auto place = place_among(state.circle.cones, own.angle);
+  if (!place) return "cones of the law at this state: " + cones_in_words(state.circle, directions);
+  const std::string cone = cones_in_words({state.circle.cones[place->cone]});
+  if (!place->certain(own.angle_error))
+    return fmt::format("on the edge of the cone {} within its error, {}° {}", cone,
+                       in_degrees(place->to_edge, 1), place->inside ? "inside" : "outside");
   return fmt::format("{} the cone {}, {}° {} its nearest edge",
-                     place->inside ? "inside" : "outside",
-                     cones_in_words({state.circle.cones[place->cone]}),
-                     in_degrees(place->to_edge, 1), place->inside ? "within" : "from");
+                     place->inside ? "inside" : "outside", cone, in_degrees(place->to_edge, 1),
+                     place->inside ? "within" : "from");
+}
+
+std::string closed_form_words(const std::vector<sim::UnstableSector>& sectors) {
+  std::string words;
+  for (const auto& sector : sectors)
+    words += fmt::format("{}{}–{}", words.empty() ? "" : ", ", in_degrees(sector.from, 2),
+                         in_degrees(sector.to, 2));
+  return words.empty() ? "none" : words;
+}
+
+std::string first_words(const ProbeReport& report) {
+  const auto first = report.first_unstable();
+  const bool on_path = !report.path.empty();
+  if (!first)
+    return fmt::format("no unstable direction at any of these {}", on_path ? "rows" : "states");
+  return fmt::format("unstable state {}: p′ {} kPa, q {} kPa, η {}, e {}{}, α {}°",
+                     on_path ? "of the path" : "of these by |η|", in_kPa(first->p, 2),
+                     in_kPa(first->q, 2), number(first->eta(), 4), number(first->void_ratio, 4),
+                     first->axial_strain ? ", ε₁ " + in_percent(first->axial_strain, 4) + " %" : "",
+                     in_degrees(first->angle));
 }
 
 std::string test_words(const TestedState& test) {
@@ -103,11 +128,13 @@ std::string test_words(const TestedState& test) {
   return words;
 }
 
-std::string state_heading(const ProbedState& state) {
-  return fmt::format("  {}p′ {} kPa, q {} kPa, η {}\n",
+std::string state_words(const ProbedState& state) {
+  return fmt::format("{}p′ {} kPa, q {} kPa, η {}",
                      state.name.empty() ? "" : on_one_line(state.name) + ": ", in_kPa(state.p, 2),
                      in_kPa(state.q, 2), number(state.eta(), 4));
 }
+
+std::string state_heading(const ProbedState& state) { return "  " + state_words(state) + '\n'; }
 
 std::string control_text(const ControlReport& control) {
   std::string out = indented(to_text(scan_table(control)));
@@ -139,11 +166,38 @@ std::string cones_in_words(const std::vector<sim::Cone>& cones) {
   return words.empty() ? "none" : words;
 }
 
-std::optional<std::size_t> ProbeReport::first_unstable() const {
-  const auto found =
-      std::ranges::find_if(states, [](const ProbedState& s) { return s.circle.unstable(); });
-  if (found == states.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - states.begin());
+std::string cones_in_words(const sim::Circle& circle, int directions) {
+  if (!circle.cones.empty() || circle.unanswered == 0) return cones_in_words(circle.cones);
+  if (!circle.least.answered || circle.unanswered >= directions) return "unknown";
+  return fmt::format("none in the {} answered", directions - circle.unanswered);
+}
+
+std::string unanswered_words(const ProbedState& state, int directions) {
+  const int refused = state.circle.refused, beyond = state.circle.unanswered - refused;
+  std::string words;
+  if (beyond > 0) words = fmt::format("{} beyond the law's limit", beyond);
+  if (refused > 0)
+    words += fmt::format("{}{} refused by the law{}{}", words.empty() ? "" : ", ", refused,
+                         state.refusal.empty() ? "" : ": ", state.refusal);
+  return words.empty() ? words : fmt::format("of {} directions {}", directions, words);
+}
+
+bool ProbeReport::has_first() const {
+  return many && std::ranges::none_of(states, [](const auto& s) { return s.test.has_value(); });
+}
+
+std::optional<FirstUnstable> ProbeReport::first_unstable() const {
+  if (!has_first() || !path.empty()) return isolated;
+  const ProbedState* first = nullptr;
+  for (const ProbedState& state : states)
+    if (state.circle.unstable() &&
+        (first == nullptr || std::abs(state.eta()) < std::abs(first->eta())))
+      first = &state;
+  return first == nullptr ? std::nullopt : std::optional(first->as_first());
+}
+
+bool ProbeReport::any_answer() const {
+  return std::ranges::any_of(states, [](const auto& s) { return s.circle.least.answered; });
 }
 
 std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
@@ -158,34 +212,37 @@ std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
                   "σ′ and e as measured; the law's memory is that without a reversal of shear");
     }
   out += '\n' + indented(to_text(state_table(report)));
-  out += "  W₂ normalised, dσ′:dε/(|dσ′||dε|); the last column is that of isotropic unloading\n\n";
+  out += fmt::format(
+      "  W₂ normalised, dσ′:dε/(|dσ′||dε|){}; the last column is that of isotropic "
+      "unloading{}\n\n",
+      axisymmetric(report.probing) ? "" : ", norms in the plane",
+      report.probing.kind == sim::ProbeKind::strain ? ", a stress increment by the rate" : "");
   for (const ProbedState& state : report.states) {
     if (state.circle.unanswered > 0)
-      out += fact("no answer",
-                  fmt::format("{}{} of {} directions: beyond the law's limit, or refused by it",
-                              state.name.empty() ? "" : state.name + ": ", state.circle.unanswered,
-                              report.probing.directions));
+      out += fact("no answer", (state.name.empty() ? "" : state.name + ": ") +
+                                   unanswered_words(state, report.probing.directions));
+    if (state.closed_form)
+      out += fact("closed form", (state.name.empty() ? "" : state.name + ": ") + "cones " +
+                                     closed_form_words(*state.closed_form));
     if (!state.test || !state.test->increment) continue;
     out += fact("own", own_words(state));
     if (state.own && report.probing.kind == sim::ProbeKind::stress)
-      out += fact("", place_words(state));
+      out += fact("", place_words(state, report.probing.directions));
   }
   if (report.states.size() == 1) {
     const ProbedState& state = report.states.front();
+    const std::string by = report.probing.finite ? "by the rate, " : "";
     out += fact("control",
-                fmt::format("of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}",
+                fmt::format("{}of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}", by,
                             axisymmetric(report.probing) ? "2" : "", lost_in_words(state.control)));
-    out +=
-        fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)", roots_in_words(state.control));
+    out += fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)",
+                by + roots_in_words(state.control));
   }
-  if (report.many) {
-    const auto first = report.first_unstable();
-    const auto& s = report.states;
-    out += fact("first", first ? fmt::format("unstable state of these: p′ {} kPa, η {}, α {}°",
-                                             in_kPa(s[*first].p, 2), number(s[*first].eta(), 4),
-                                             in_degrees(s[*first].circle.least.angle))
-                               : "no unstable direction at any of these states");
-  }
+  for (const ProbedState& state : report.states)
+    for (const auto& at : state.control.conditions)
+      out += fact("conditions", (report.states.size() > 1 ? state_words(state) + ": " : "") +
+                                    condition_words(at));
+  if (report.has_first()) out += fact("first", first_words(report));
   std::vector<const StateHead*> heads;
   for (const ProbedState& state : report.states) heads.push_back(&state);
   for (const auto& warning : report.warnings) out += fact("warning", warning);

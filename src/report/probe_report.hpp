@@ -17,8 +17,15 @@ struct ProbeReport {
   std::string path;                   ///< name of the path along which they lie; empty: none
   std::vector<std::string> warnings;  ///< that are not of one state
 
-  /// The first state with an unstable direction; empty: none has one.
-  std::optional<std::size_t> first_unstable() const;
+  /// Along a path: between its rows; empty: none there.
+  std::optional<FirstUnstable> isolated;
+
+  /// Whether a first unstable state has a meaning: of states of a list or of a path, not of tests.
+  bool has_first() const;
+  /// That of the path; of other states the unstable one with the least |η|. Empty: none.
+  std::optional<FirstUnstable> first_unstable() const;
+  /// Whether any direction of any state has an answer.
+  bool any_answer() const;
 };
 
 /// One JSON document; what is unknown is null. A single state is part of it; several are the list
@@ -35,7 +42,12 @@ std::string probe_text(const ProbeReport& report, const ProbeDetails& details);
 std::string probing_words(const Probing& probing);
 /// "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)".
 std::string plane_words(sim::ProbePlane plane);
-/// "214.86° to 237.66°" for every cone, "none" without any.
+/// "214.86–237.66" for every cone, "none" without any.
 std::string cones_in_words(const std::vector<sim::Cone>& cones);
+/// The same of a circle with so many steps: without a cone, "unknown" where none was answered, and
+/// "none in the 30 answered" where not all were.
+std::string cones_in_words(const sim::Circle& circle, int directions);
+/// "3 beyond the law's limit, 2 refused by it (its words)"; empty where all are answered.
+std::string unanswered_words(const ProbedState& state, int directions);
 
 }  // namespace triax::src

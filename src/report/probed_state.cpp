@@ -7,10 +7,15 @@
 #include <memory>
 
 #include "lab/records/bad_input.hpp"
+#include "sim/point/point_driver.hpp"
+#include "sim/stability/plane_rate.hpp"
 #include "src/figures/subject.hpp"
 
 namespace triax::src {
 namespace {
+
+/// To which the first unstable state is isolated, of the part between two rows of a path.
+constexpr double kPartOfRow = 1e-9;
 
 /// Of cone edges by increments that are integrated: their round-off is that of the driver.
 constexpr double kFinitePrecision = 1e-6;
@@ -75,10 +80,42 @@ class StateProbers {
   }
 
   ControlReport control(const sim::Probe& least) const {
-    return control_of(*response_, least, probing_.ratios);
+    return control_of(*response_, least, probing_.ratios, probing_.conditions);
+  }
+
+  /// Empty unless the law is octolinear and the probes are of stress.
+  std::optional<std::vector<sim::UnstableSector>> closed_form() const {
+    const auto* form = std::get_if<sim::InterpolatedForm<Space>>(&response_->response());
+    if (form == nullptr || form->quadratic || probing_.kind != sim::ProbeKind::stress)
+      return std::nullopt;
+    if constexpr (Space::kSize == 6)
+      if (!sim::answers_in_plane_strain(*form)) return std::nullopt;
+    return sim::unstable_sectors(sim::octolinear_zones(*form));
+  }
+
+  /// The words on the first direction that is refused.
+  std::string refusal(const sim::Circle& circle) const {
+    for (const sim::Probe& probe : circle.probes)
+      if (probe.refused)
+        if (auto words = why_refused(probe.angle)) return *words;
+    return {};
   }
 
  private:
+  std::optional<std::string> why_refused(double angle) const {
+    const sim::PlaneVector direction = sim::unit_direction(angle);
+    const auto unit = sim::plane_control<Space>(probing_.kind, direction);
+    if (!law_.finite() && !probing_.finite)
+      return law_.refusal(state_, sim::point_rate(law_, state_, unit));
+    const double small = probing_.kind == sim::ProbeKind::stress ? 1 : 1e-7;
+    const auto step = sim::advance_point(
+        law_, state_,
+        sim::plane_control<Space>(probing_.kind,
+                                  (probing_.finite ? probing_.norm : small) * direction));
+    if (step.message.empty()) return std::nullopt;
+    return step.message;
+  }
+
   sim::Prober prober(sim::ProbeKind kind) const {
     return probing_.finite ? sim::make_finite_prober(law_, state_, kind, probing_.norm)
                            : sim::make_prober(response_, kind);
@@ -151,10 +188,15 @@ StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& w
   return head;
 }
 
+FirstUnstable ProbedState::as_first() const {
+  return {p, q, void_ratio, axial_strain, circle.least.angle};
+}
+
 template <class Space>
 ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Space>& what,
                         const Probing& probing) {
-  ProbedState probed{head_of(material, what), {}, {}, {}, {}, {}};
+  ProbedState probed;
+  static_cast<StateHead&>(probed) = head_of(material, what);
   const StateProbers<Space> probers(*material.material.law<Space>(), what.state, probing);
   probed.circle = probers.circle();
   probed.circle_of = [set = material.material, state = what.state, probing](int directions) {
@@ -166,7 +208,75 @@ ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Spa
   probed.isotropic_unloading = probers.stress_probe(isotropic_unloading(probing.plane));
   if (what.test && what.test->increment && probing.plane == sim::ProbePlane::axisymmetric)
     probed.own = probers.stress_probe(what.test->increment->angle);
+  probed.closed_form = probers.closed_form();
+  if (probed.circle.refused == 0) return probed;
+  probed.refusal = probers.refusal(probed.circle);
+  if (material.material.law<Space>()->finite())
+    probed.warnings.push_back(fmt::format("the law fails in {} of {} directions{}{}",
+                                          probed.circle.refused, probing.directions,
+                                          probed.refusal.empty() ? "" : ": ", probed.refusal));
   return probed;
+}
+
+namespace {
+
+/// Circles of one probing, without their probes.
+template <class Space>
+std::optional<sim::Probe> unstable_least(const sim::Law<Space>& law,
+                                         const sim::PointState<Space>& state,
+                                         const Probing& probing) {
+  if (law.objection(state)) return std::nullopt;
+  const auto prober =
+      probing.finite
+          ? sim::make_finite_prober(law, state, probing.kind, probing.norm)
+          : sim::make_prober(std::make_shared<const sim::IncrementalResponse<Space>>(law, state),
+                             probing.kind);
+  sim::CircleOptions options{.directions = probing.directions, .keep_probes = false};
+  if (probing.finite) options.precision = kFinitePrecision;
+  const sim::Circle circle = sim::probe_circle(prober, options);
+  return circle.unstable() ? std::optional(circle.least) : std::nullopt;
+}
+
+template <class Space>
+FirstUnstable found_at(const PassedRow<Space>& row, const sim::Probe& least) {
+  return {row.state.p(), deviator_stress(row.state), row.state.void_ratio, row.strain(0),
+          least.angle};
+}
+
+/// What `part` of the strain increment from one row to the next makes of the earlier; empty where
+/// it does not arrive there.
+template <class Space>
+std::optional<PassedRow<Space>> between(const sim::Law<Space>& law, const PassedRow<Space>& from,
+                                        const PassedRow<Space>& to, double part) {
+  const sim::Vector<Space> strain = part * (to.strain - from.strain);
+  auto step = sim::advance_point(law, from.state, sim::MixedControl<Space>::strains(strain));
+  if (step.outcome != sim::StepOutcome::accepted) return std::nullopt;
+  return PassedRow<Space>{std::move(step.state), from.strain + strain};
+}
+
+}  // namespace
+
+template <class Space>
+std::optional<FirstUnstable> first_unstable(const lab::MaterialSet& material,
+                                            const std::vector<PassedRow<Space>>& rows,
+                                            const Probing& probing) {
+  const sim::Law<Space>& law = *material.material.law<Space>();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto least = unstable_least(law, rows[i].state, probing);
+    if (!least) continue;
+    auto found = found_at(rows[i], *least);
+    double stable = 0, unstable = 1;
+    while (i > 0 && unstable - stable > kPartOfRow) {
+      const double middle = (stable + unstable) / 2;
+      const auto state = between(law, rows[i - 1], rows[i], middle);
+      if (!state) break;
+      const auto there = unstable_least(law, state->state, probing);
+      if (there) found = found_at(*state, *there);
+      (there ? unstable : stable) = middle;
+    }
+    return found;
+  }
+  return std::nullopt;
 }
 
 std::optional<ConePlace> place_among(const std::vector<sim::Cone>& cones, double angle) {
@@ -187,5 +297,10 @@ template ProbedState probe_state(const lab::MaterialSet&, const StateToProbe<sim
                                  const Probing&);
 template ProbedState probe_state(const lab::MaterialSet&, const StateToProbe<sim::Tensor>&,
                                  const Probing&);
+template std::optional<FirstUnstable> first_unstable(
+    const lab::MaterialSet&, const std::vector<PassedRow<sim::Axisymmetric>>&, const Probing&);
+template std::optional<FirstUnstable> first_unstable(const lab::MaterialSet&,
+                                                     const std::vector<PassedRow<sim::Tensor>>&,
+                                                     const Probing&);
 
 }  // namespace triax::src

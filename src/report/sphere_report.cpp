@@ -45,6 +45,27 @@ Json direction_json(const sim::FreeProbe& probe) {
   return components;
 }
 
+Json own_json(const ProbedSphere& state) {
+  if (!state.own) return nullptr;
+  const lab::MeasuredIncrement& own = *state.test->increment;
+  return {{"alpha_deg", json_deg(own.angle)},
+          {"alpha_error_deg", json_deg(own.angle_error)},
+          {"polar_deg", json_deg(state.own->polar)},
+          {"azimuth_deg", json_deg(state.own->azimuth)},
+          {"w2_normalised_measured", json_number(own.normalised)},
+          {"w2_normalised_error", json_number(own.normalised_error)},
+          {"w2_normalised_law", normalised(state.own->answered, state.own->normalised)}};
+}
+
+std::string own_words(const ProbedSphere& state) {
+  const lab::MeasuredIncrement& own = *state.test->increment;
+  return fmt::format(
+      "{}: α {}° ± {}° of the Rendulic plane, measured W₂ {} ± {}, of the law {}", state.name,
+      in_degrees(own.angle, 1), in_degrees(own.angle_error, 1), number(own.normalised, 3),
+      number(own.normalised_error, 3),
+      number(state.own->answered ? std::optional(state.own->normalised) : std::nullopt, 3));
+}
+
 void put_state(const SphereReport& report, const ProbedSphere& state, Json& object) {
   const sim::Sphere& sphere = state.sphere;
   object["state"] = state_json(state);
@@ -54,10 +75,11 @@ void put_state(const SphereReport& report, const ProbedSphere& state, Json& obje
       {"direction", sphere.least.answered ? vector_json(sphere.least.direction, 1) : Json(nullptr)},
       {"w2_normalised", normalised(sphere.least.answered, sphere.least.normalised)}};
   object["unstable_share"] = sphere.unstable_share;
-  object["unstable_regions"] = sphere.cones;
+  object["unstable_regions"] = sphere.regions;
   object["least_of_all_components"] = {
       {"direction", state.least.answered ? direction_json(state.least) : Json(nullptr)},
       {"w2_normalised", normalised(state.least.answered, state.least.normalised)}};
+  object["own_increment"] = own_json(state);
   object["unanswered_directions"] = sphere.unanswered;
   Json probes = Json::array();
   for (const auto& probe : sphere.probes) probes.push_back(probe_json(probe, report.probing));
@@ -77,7 +99,7 @@ Table state_table(const SphereReport& report) {
     table.rows.push_back(
         {state.name.empty() ? fmt::format("{}", ++count) : state.name, in_kPa(state.p, 2),
          in_kPa(state.q, 2), number(state.eta(), 4), number(state.void_ratio, 4),
-         in_percent(state.sphere.unstable_share, 2), fmt::format("{}", state.sphere.cones),
+         in_percent(state.sphere.unstable_share, 2), fmt::format("{}", state.sphere.regions),
          number(least.answered ? std::optional(least.normalised) : std::nullopt, 4),
          least.answered
              ? fmt::format("{}, {}, {}", number(d(0), 3), number(d(1), 3), number(d(2), 3))
@@ -98,10 +120,16 @@ std::string probing_words(const SphereProbing& probing) {
 
 ProbedSphere probe_sphere_of(const lab::MaterialSet& material,
                              const StateToProbe<sim::Tensor>& what, const SphereProbing& probing) {
-  ProbedSphere probed{head_of(material, what), {}, {}};
+  ProbedSphere probed{head_of(material, what), {}, {}, {}};
   const sim::IncrementalResponse<sim::Tensor> response(*material.material.tensor, what.state);
   probed.sphere = sim::probe_sphere(response, probing.kind, probing.rings);
   probed.least = sim::least_of_all_directions(response, probing.kind, probed.sphere.least);
+  if (what.test && what.test->increment) {
+    const double angle = what.test->increment->angle,
+                 radial = std::cos(angle) / std::numbers::sqrt2;
+    probed.own =
+        sim::probe_direction(response, sim::ProbeKind::stress, {std::sin(angle), radial, radial});
+  }
   return probed;
 }
 
@@ -115,7 +143,8 @@ std::string sphere_json(const SphereReport& report) {
                      {"norm_kPa", stress ? json_kPa(report.probing.norm) : Json(nullptr)},
                      {"norm_strain", stress ? Json(nullptr) : Json(report.probing.norm)},
                      {"step_deg", 180.0 / report.probing.rings},
-                     {"finite", false}}},
+                     {"finite", false},
+                     {"norms", "full"}}},
                    {"path", json_text(report.path)}};
   Json warnings = report.warnings;
   if (!report.many && report.states.size() == 1) {
@@ -144,6 +173,8 @@ std::string sphere_text(const SphereReport& report) {
   out +=
       "  directions of principal increments along the axes of the state; the last column is over\n"
       "  all six components, rotations of the axes included\n\n";
+  for (const ProbedSphere& state : report.states)
+    if (state.own) out += fact("own", own_words(state));
   std::vector<const StateHead*> heads;
   for (const ProbedSphere& state : report.states) heads.push_back(&state);
   for (const auto& warning : report.warnings) out += fact("warning", warning);

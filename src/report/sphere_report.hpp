@@ -20,6 +20,8 @@ struct SphereProbing {
 struct ProbedSphere : StateHead {
   sim::Sphere sphere;    ///< answers to increments of norm 1, by the rate
   sim::FreeProbe least;  ///< over all six components
+  /// The law's answer in the direction of a test's own stress increment; of unit norm, by the rate.
+  std::optional<sim::SphereProbe> own;
 };
 
 ProbedSphere probe_sphere_of(const lab::MaterialSet& material,

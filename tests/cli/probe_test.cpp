@@ -39,7 +39,7 @@ TEST_CASE("the cones of INL2 at p' = 70 kPa, e = 1.086 are the printed ones on h
   const json d = document(here, kLoose + "--p 70 --eta 0.55,0.60,0.70,0.80 --step 0.5");
   REQUIRE(d["states"].size() == 4);
   CHECK(d["states"][0]["cones"].empty());
-  CHECK(d["first_unstable_state"] == 1);
+  CHECK(d["first_unstable_state"]["eta"].get<double>() == Approx(0.6));
   const double printed[][2] = {{0, 0}, {215, 237.5}, {208, 248.5}, {205.5, 255.5}};
   for (std::size_t i = 1; i < 4; ++i) {
     const json& state = d["states"][i];
@@ -69,7 +69,7 @@ TEST_CASE("the document of one state has the keys of the contract") {
        {"p_eff_kPa", "q_kPa", "eta", "void_ratio", "axial_stress_kPa", "radial_stress_kPa"})
     CHECK(d["state"][key].is_number());
   CHECK(d["probing"] == json::parse(R"({"kind": "stress", "plane": "axisymmetric", "norm_kPa": 1.0,
-    "norm_strain": null, "step_deg": 10.0, "finite": false})"));
+    "norm_strain": null, "step_deg": 10.0, "finite": false, "norms": "full"})"));
   for (const char* key :
        {"from_deg", "to_deg", "opening_deg", "strongest_deg", "w2_normalised_least"})
     CHECK(d["cones"][0][key].is_number());
@@ -101,6 +101,15 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   const std::string text = here.triax(probe).out;
   CHECK(text.find("ICU 6 (number 1, simulated) at collapse, reading ") != std::string::npos);
   CHECK(text.find("the cone ") != std::string::npos);
+  // 0.2 degrees from the edge, with a standard error of 0.8.
+  CHECK(own["certain"] == false);
+  CHECK(text.find("on the edge of the cone") != std::string::npos);
+  const json space = document(here, probe + "--plane 3d --step 15");
+  CHECK(space["own_increment"]["alpha_deg"] == own["alpha_deg"]);
+  CHECK(space["own_increment"]["w2_normalised_law"].get<double>() ==
+        Approx(own["w2_normalised_law"].get<double>()).margin(1e-9));
+  CHECK(here.triax(probe + "--plane 3d --step 15").out.find("of the law 0.002") !=
+        std::string::npos);
 
   for (const auto& [arguments, says] : std::vector<std::pair<std::string, std::string>>{
            {"--at 99999999", "they go from 0 to"},
@@ -129,6 +138,9 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
       {"--p 70 --eta 0.6 --set poisson_ratio=2", "poisson_ratio"},
       {"--p 70 --eta 0.6 --void-ratio 99", ""},
       {"--path gone.toml", "gone.toml"},
+      {"--p 70 --eta 0.6,,0.7", "0.6,,0.7"},
+      {"--p 70 --eta 0.6 --axial-strain 0.1", "--axial-strain"},
+      {"--p 70 --eta 0.6 --conditions 'q_kPa = 1'", "two conditions"},
   };
   for (const auto& [arguments, says] : all) {
     const Workplace here;
@@ -202,6 +214,14 @@ TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not
   }
 }
 
+TEST_CASE("the norms of normalised work are told: in the plane in plane strain, else full") {
+  const Workplace here;
+  const std::string plane = kLoose + "--p 70 --eta 0.4 --plane ";
+  CHECK(document(here, plane + "plane-strain")["probing"]["norms"] == "plane");
+  CHECK(document(here, plane + "3d --step 15")["probing"]["norms"] == "full");
+  CHECK(here.triax(plane + "plane-strain").out.find("norms in the plane") != std::string::npos);
+}
+
 TEST_CASE("all directions of space: the document, and files") {
   const Workplace here;
   const json d = document(here, kLoose + "--p 70 --eta 0.6 --plane 3d --output s");
@@ -225,3 +245,61 @@ TEST_CASE("the examples of the help run") {
     CHECK(outcome.status == 0);
   }
 }
+
+TEST_CASE("along a path the first unstable state lies between rows, and the last row is there") {
+  const Workplace here;
+  const json one = document(here, "probe --path " + kPath + " --every 25");
+  const json other = document(here, "probe --path " + kPath + " --every 40");
+  for (const char* key : {"p_eff_kPa", "q_kPa", "eta", "axial_strain", "alpha_deg"})
+    CHECK(one["first_unstable_state"][key].get<double>() ==
+          Approx(other["first_unstable_state"][key].get<double>()).epsilon(1e-6));
+  CHECK(one["states"].back()["state"]["axial_strain"] ==
+        other["states"].back()["state"]["axial_strain"]);
+}
+
+TEST_CASE(
+    "conditions in the words of path files have an index, and a culprit where control is lost") {
+  const Workplace here;
+  const std::string asked =
+      " --conditions 'q_kPa = 1, axial_strain + 2*radial_strain = 0' "
+      "--conditions 'axial_strain = 0.01, axial_strain + 2*radial_strain = 0'";
+  const json d = document(here, kLoose + "--p 70 --eta 0.65" + asked);
+  const json& conditions = d["control"]["conditions"];
+  REQUIRE(conditions.size() == 2);
+  CHECK(conditions[0]["controllable"] == false);
+  CHECK(conditions[0]["culprit"] == "q_kPa");
+  CHECK(conditions[0]["index"].is_null());
+  CHECK(conditions[1]["controllable"] == true);
+  CHECK(conditions[1]["index"].get<double>() > 0);
+  CHECK(here.triax(kLoose + "--p 70 --eta 0.65" + asked).out.find("q_kPa cannot be held") !=
+        std::string::npos);
+}
+
+#ifdef TRIAX_UMAT_FIXTURE
+TEST_CASE("a UMAT that crashes answers nothing: its words, no lost control, and status 1") {
+  const Workplace here;
+  const auto probe = [&](const char* misbehaviour) {
+    std::string set =
+        "law = \"umat\"\n[sets.cone]\numat = \"" TRIAX_UMAT_FIXTURE
+        "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = [20e3, 12e3, 1.2, 0.3, 5, ";
+    set += misbehaviour;
+    set += "]\n";
+    write(here / "cone.toml", set);
+    return here.triax(
+        "probe --materials cone.toml --material umat/cone --void-ratio 0.8 --p 100 --eta 0.3 "
+        "--step 30 --json");
+  };
+  const Outcome sound = probe("0");
+  CHECK(sound.status == 0);
+  CHECK(json::parse(sound.out)["refusal"].is_null());
+  const Outcome crash = probe("1");
+  INFO(crash.err);
+  CHECK(crash.status == 1);
+  CHECK(crash.err.find("SIGSEGV") != std::string::npos);
+  const json d = json::parse(crash.out);
+  CHECK(d["control"]["lost"].empty());
+  CHECK(d["refused_directions"] == d["unanswered_directions"]);
+  CHECK(d["refusal"].get<std::string>().find("SIGSEGV") != std::string::npos);
+  CHECK_FALSE(d["warnings"].empty());
+}
+#endif

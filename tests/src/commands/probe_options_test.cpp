@@ -86,6 +86,8 @@ TEST_CASE("exactly one state is asked for, with what belongs to it") {
   says("--stress-kPa 100,60 --at peak", "--at has a meaning only with --test");
   says("--test 26 --every 2", "--every has a meaning only with --path");
   says("--path p.toml --every 0", "--every 0");
+  says("--p 70 --eta 0.5 --axial-strain 0.1", "--axial-strain has a meaning only with");
+  says("--p 70 --eta 0.5 --R 1", "--R has a meaning only with --control, --output or --json");
 }
 
 TEST_CASE("in three dimensions the step divides half a turn, and nothing of a plane is asked") {
@@ -104,8 +106,37 @@ TEST_CASE("strain paths start from the isotropic state alone") {
   for (const char* line :
        {"--strain-paths 1", "--strain-paths 0 --p 100", "--strain-paths 1 --p 100 --eta 0.5",
         "--strain-paths 1 --p 100 --test 26", "--strain-paths 1 --p 100 --strain",
-        "--strain-paths 1 --p 100 --plane 3d", "--strain-paths 1 --p 100 --axial-strain 2"}) {
+        "--strain-paths 1 --p 100 --plane 3d", "--strain-paths 1 --p 100 --probes",
+        "--strain-paths 1 --p 100 --control", "--strain-paths 1 --p 100 --R 1",
+        "--strain-paths 1 --p 100 --step 5", "--strain-paths 1 --p 100 --norm-kPa 1",
+        "--strain-paths 1 --p 100 --every 2", "--strain-paths 1 --p 100 --axial-strain 2"}) {
     INFO(line);
     CHECK_THROWS_AS(src::check_strain_path_options(parsed(line)), lab::BadInput);
+  }
+}
+
+TEST_CASE("a number left out of a list is told") {
+  CHECK_THROWS_WITH(parsed("--p 70 --eta 0.6,,0.7"), Contains("0.6,,0.7"));
+  CHECK_THROWS_WITH(parsed("--p 70 --eta 0.6,"), Contains("--eta"));
+  CHECK_THROWS_WITH(parsed("--p 70 --eta 0.6,x"), Contains("0.6,x"));
+  CHECK(parsed("--p 70 --eta 0.6 --eta 0.7").eta == std::vector<double>{0.6, 0.7});
+}
+
+TEST_CASE("conditions of control are two, in the words of path files") {
+  const auto parsed_conditions = [](const std::string& text) {
+    src::ProbeOptions options;
+    options.conditions = {text};
+    return src::checked_probing(options).conditions;
+  };
+  const auto conditions = parsed_conditions("q_kPa = 1, axial_strain + 2*radial_strain = 0");
+  REQUIRE(conditions.size() == 1);
+  const auto& undrained = sim::triaxial_controls()[0].control;
+  CHECK((conditions[0].control.stress.row(0) * 1e3).isApprox(undrained.stress.row(0)));
+  CHECK(conditions[0].control.strain.row(1).isApprox(undrained.strain.row(1)));
+  CHECK(conditions[0].conditions[0] == "q_kPa");
+  for (const char* bad : {"q_kPa = 1", "q_kPa = 1, p_kPa = 0, axial_strain = 0", "q_kPa = 1, what",
+                          "q_kPa = 0, axial_strain = 0", ""}) {
+    INFO(bad);
+    CHECK_THROWS_AS(parsed_conditions(bad), lab::BadInput);
   }
 }

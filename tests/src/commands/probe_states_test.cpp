@@ -99,7 +99,13 @@ TEST_CASE("every N-th row of a path, from its start; as a tensor the same stress
   options.every = 2;
   const Asked<Axisymmetric> triaxial(options);
   CHECK(triaxial.report.many);
-  CHECK(triaxial.states.size() == static_cast<std::size_t>(rows / 2 + 1));
+  CHECK(triaxial.states.size() == static_cast<std::size_t>(rows / 2 + 1 + rows % 2));
+  options.every = 3;  // does not divide the rows: the last one is there all the same
+  const Asked<Axisymmetric> thirds(options);
+  CHECK(thirds.states.back().axial_strain == triaxial.states.back().axial_strain);
+  CHECK(thirds.states.back().axial_strain == Approx(0.02));
+  CHECK(thirds.states[1].passed.size() == 4);
+  options.every = 2;
   CHECK(triaxial.states[0].axial_strain == 0.0);
   const Asked<Tensor> tensor(options);
   REQUIRE(tensor.states.size() == triaxial.states.size());

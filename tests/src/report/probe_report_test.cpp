@@ -53,7 +53,11 @@ TEST_CASE("one state is part of the document, several are a list with the same k
   CHECK_FALSE(one.contains("states"));
   CHECK_FALSE(two.contains("cones"));
   REQUIRE(two["states"].size() == 2);
-  CHECK(two["first_unstable_state"] == 1);
+  const json& first = two["first_unstable_state"];
+  CHECK(first["eta"].get<double>() == Approx(0.6));
+  CHECK(first["p_eff_kPa"].get<double>() == Approx(70));
+  CHECK(first["alpha_deg"] == one["least"]["alpha_deg"]);
+  CHECK(first["axial_strain"].is_null());
   for (const char* key : {"state", "cones", "least", "isotropic_unloading", "own_increment",
                           "unanswered_directions", "probes"}) {
     INFO(key);
@@ -119,6 +123,13 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
   const std::string text = src::probe_text(with(0.6, 216), {});
   CHECK(text.find("inside the cone 214.83–237.59, 1.2° within its nearest edge") !=
         std::string::npos);
+  CHECK(inside["certain"] == true);
+  // 0.5 degrees from the edge, with a standard error of 0.57.
+  CHECK(own(0.6, 215.3)["in_cone"] == true);
+  CHECK(own(0.6, 215.3)["certain"] == false);
+  CHECK(src::probe_text(with(0.6, 215.3), {})
+            .find("on the edge of the cone 214.83–237.59 within its error, 0.5° inside") !=
+        std::string::npos);
   CHECK(text.find("CSU 26 (number 26, recorded) at collapse, reading 812, 41.0 s") !=
         std::string::npos);
   CHECK(src::probe_text(with(0.6, 213), {}).find("1.8° from its nearest edge") !=
@@ -138,7 +149,15 @@ TEST_CASE("directions without an answer are null and empty, and told") {
   for (const char* key : {"w2_normalised", "w2_Pa", "stress", "strain"})
     CHECK(d["probes"][1][key].is_null());
   CHECK(d["least"]["alpha_deg"].is_null());
-  CHECK(src::probe_text(report, {.probes = true}).find("1 of 12 directions") != std::string::npos);
+  CHECK(src::probe_text(report, {}).find("of 12 directions 1 beyond the law's limit") !=
+        std::string::npos);
+  CHECK(src::probe_text(report, {}).find("unknown") != std::string::npos);
+  circle.refused = 1;
+  report.states[0].refusal = "its own words";
+  CHECK(src::probe_text(report, {}).find("of 12 directions 1 refused by the law: its own words") !=
+        std::string::npos);
+  CHECK(json::parse(src::probe_json(report))["refusal"] == "its own words");
+  CHECK(json::parse(src::probe_json(report))["refused_directions"] == 1);
 }
 
 TEST_CASE("the text has the probes only where they are asked for") {
@@ -169,7 +188,74 @@ TEST_CASE("a warning of path and state alike is told once, and so is the head") 
 }
 
 TEST_CASE("cones in words") {
-  CHECK(src::cones_in_words({}) == "none");
+  CHECK(src::cones_in_words(std::vector<sim::Cone>{}) == "none");
   const sim::Cone cone{sim::radians(10), sim::radians(20.126), {}};
-  CHECK(src::cones_in_words({cone, cone}) == "10.00–20.13, 10.00–20.13");
+  CHECK(src::cones_in_words(std::vector{cone, cone}) == "10.00–20.13, 10.00–20.13");
+}
+
+TEST_CASE("without a cone the words say how many directions were answered") {
+  sim::Circle circle;
+  circle.least.answered = true;
+  CHECK(src::cones_in_words(circle, 36) == "none");
+  circle.unanswered = 6;
+  CHECK(src::cones_in_words(circle, 36) == "none in the 30 answered");
+  circle.unanswered = 36;
+  circle.least.answered = false;
+  CHECK(src::cones_in_words(circle, 36) == "unknown");
+}
+
+TEST_CASE("the first unstable state of a list is that of least |eta|, in whatever order") {
+  const auto report = report_of({0.8, 0.6, 0.3, 0.7});
+  const auto first = report.first_unstable();
+  REQUIRE(first);
+  CHECK(first->eta() == Approx(0.6));
+  CHECK(src::probe_text(report, {}).find("unstable state of these by |η|: p′ 70.00 kPa, q 42.00") !=
+        std::string::npos);
+  auto tests = report;
+  for (auto& state : tests.states) state.test = tested(3.7);
+  CHECK_FALSE(tests.first_unstable());
+  CHECK(src::probe_text(tests, {}).find("unstable state") == std::string::npos);
+  CHECK_FALSE(json::parse(src::probe_json(tests)).contains("first_unstable_state"));
+}
+
+TEST_CASE("control is marked as that of the rate where increments are integrated") {
+  const auto finite = report_of({0.6}, {.norm = 100, .directions = 12, .finite = true});
+  CHECK(src::probe_text(finite, {}).find("by the rate, of dε₁ + 2R dε₃") != std::string::npos);
+  CHECK(src::probe_text(finite, {}).find("by the rate, R ") != std::string::npos);
+  const json d = json::parse(src::probe_json(finite));
+  CHECK(d["control"]["by"] == "rate");
+  CHECK(d["isotropic_unloading"]["by"] == "integrated increment");
+  const auto strain = report_of({0.6}, {.kind = sim::ProbeKind::strain, .norm = 1e-5});
+  CHECK(src::probe_text(strain, {}).find("unloading, a stress increment by the rate") !=
+        std::string::npos);
+}
+
+TEST_CASE("the matrix of Eq. (32) of every R, with its determinant and the failure rule") {
+  const json d = json::parse(src::probe_json(report_of({0.65})));
+  for (const auto& at : d["control"]["scan"]) {
+    const auto& m = at["matrix"];
+    REQUIRE(m.is_object());
+    const double a = m["stress_by_axial_strain_kPa"], b = m["stress_by_radial_stress_over_R"],
+                 c = m["strain_by_axial_strain"], e = m["strain_by_radial_stress_over_R_per_kPa"];
+    const double determinant = m["determinant"];
+    CHECK(a * e - b * c == Approx(determinant).margin(1e-9));
+    CHECK((determinant < 0) == (at["mode_w2_normalised"].get<double>() < 0));
+    CHECK(at["loading"]["index"].is_null() == (at["loading"]["control"] == "lost"));
+  }
+}
+
+TEST_CASE("an octolinear law has its cones in closed form beside the probed ones") {
+  src::ProbeReport report;
+  report.material = lab::find_material("octolinear/S28-general");
+  src::StateToProbe<sim::Axisymmetric> what;
+  what.state = report.material.material.axisymmetric->start(
+      sim::components(sim::AxisymmetricStress{98e3, 56e3}), 1.086);
+  report.states = {src::probe_state(report.material, what, report.probing)};
+  const json d = json::parse(src::probe_json(report));
+  REQUIRE(d["cones_closed_form"].size() == 1);
+  for (const char* edge : {"from_deg", "to_deg"})
+    CHECK(d["cones_closed_form"][0][edge].get<double>() ==
+          Approx(d["cones"][0][edge].get<double>()).epsilon(1e-9));
+  CHECK(src::probe_text(report, {}).find("closed form") != std::string::npos);
+  CHECK(json::parse(src::probe_json(report_of({0.6})))["cones_closed_form"].is_null());
 }

@@ -4,6 +4,7 @@
 
 #include "lab/records/bad_input.hpp"
 #include "sim/materials/law.hpp"
+#include "sim/point/point_driver.hpp"
 
 using namespace triax;
 using sim::Axisymmetric;
@@ -149,4 +150,34 @@ TEST_CASE("where an angle lies among cones") {
   check(6.1, true, 1, 0.1);
   check(0.1, true, 1, 6.6 - 2 * std::numbers::pi - 0.1);  // beyond a turn
   check(0.5, false, 1, 0.5 - (6.6 - 2 * std::numbers::pi));
+}
+
+TEST_CASE("the first unstable state of a path is isolated between its rows") {
+  const auto set = lab::find_material("inl2/S28-general");
+  const auto& law = *set.material.axisymmetric;
+  // Undrained shear by displacement, in a few coarse rows.
+  std::vector<src::PassedRow<Axisymmetric>> coarse;
+  src::PassedRow<Axisymmetric> row{loose<Axisymmetric>(set, 100, 0).state, {0, 0}};
+  for (int i = 0; i < 6; ++i) {
+    coarse.push_back(row);
+    const auto control = sim::MixedControl<Axisymmetric>::strain_path(0.002);
+    const auto step = sim::advance_point(law, row.state, control);
+    row = {step.state, row.strain + step.strain_increment};
+  }
+  const auto found = src::first_unstable(set, coarse, {});
+  REQUIRE(found);
+  CHECK(found->axial_strain > 0.0);
+  CHECK(found->eta() > 0.5);
+  CHECK(found->eta() < 0.62);
+  // A little before it no direction is unstable: integrated from the start.
+  for (const double part : {1 - 1e-5, 1 + 1e-5}) {
+    const auto step = sim::advance_point(
+        law, coarse[0].state,
+        sim::MixedControl<Axisymmetric>::strain_path(part * *found->axial_strain));
+    src::StateToProbe<Axisymmetric> there;
+    there.state = step.state;
+    CHECK(src::probe_state(set, there, {}).circle.unstable() == (part > 1));
+  }
+  coarse.resize(1);
+  CHECK_FALSE(src::first_unstable(set, coarse, {}));
 }
