@@ -21,10 +21,9 @@ const QColor kUnknown(0xD6, 0xE6, 0xF2);
 
 /// Light to dark away from the domain's boundary, so that a print without colour shows the same
 /// order.
-QCPColorGradient colours(DomainQuantity quantity, int levels) {
-  std::vector<QColor> stops = {QColor(0xFE, 0xF0, 0xD0), QColor(0xF7, 0xC0, 0x7A), kVermilion,
-                               QColor(0x6B, 0x24, 0x00)};
-  if (quantity == DomainQuantity::least_work) std::ranges::reverse(stops);
+QCPColorGradient colours(int levels) {
+  const std::vector<QColor> stops = {QColor(0xFE, 0xF0, 0xD0), QColor(0xF7, 0xC0, 0x7A), kVermilion,
+                                     QColor(0x6B, 0x24, 0x00)};
   return stepped_gradient(steps_between(stops, levels));
 }
 
@@ -34,19 +33,16 @@ struct Scale {
   int levels = 1;
 };
 
-Scale scale_of(const std::vector<sim::DomainColumn>& columns, DomainQuantity quantity) {
+Scale scale_of(const std::vector<sim::DomainColumn>& columns) {
   double most = 0;
   for (const auto& column : columns)
-    for (const auto& state : column.states)
-      most = std::max(most, std::abs(domain_value(state, quantity).value_or(0)));
-  const bool opening = quantity == DomainQuantity::opening;
-  double step = opening ? 5 : 0.02;
+    for (const auto& state : column.states) most = std::max(most, domain_value(state).value_or(0));
+  double step = 5;
   for (const double factor : {2.0, 2.0, 2.5, 2.0})
     if (most > 12 * step) step *= factor;
   Scale scale;
   scale.levels = std::max(1, static_cast<int>(std::ceil(most / step - 1e-9)));
-  const double end = step * scale.levels;
-  scale.range = opening ? QCPRange(0, end) : QCPRange(-end, 0);
+  scale.range = QCPRange(0, step * scale.levels);
   return scale;
 }
 
@@ -108,12 +104,8 @@ bool any_point(const Points& points) {
 class Map {
  public:
   Map(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
-      DomainQuantity quantity, const Subject& subject)
-      : grid_(grid),
-        columns_(columns),
-        quantity_(quantity),
-        subject_(subject),
-        plot_(make_plot(kWidth, kHeight)) {
+      const Subject& subject)
+      : grid_(grid), columns_(columns), subject_(subject), plot_(make_plot(kWidth, kHeight)) {
     std::ranges::sort(columns_, {}, &sim::DomainColumn::column);
   }
 
@@ -142,7 +134,7 @@ class Map {
   }
 
   void draw_map() {
-    const auto scale = scale_of(columns_, quantity_);
+    const auto scale = scale_of(columns_);
     auto* map = new QCPColorMap(plot_->xAxis, plot_->yAxis);
     map->removeFromLegend();
     map->setInterpolate(false);
@@ -154,9 +146,8 @@ class Map {
     map->data()->fill(0);
     map->data()->fillAlpha(0);  // white, until a column says more
     for (const auto& column : columns_) fill(*map->data(), column);
-    const bool opening = quantity_ == DomainQuantity::opening;
-    add_colour_bar(*map, opening ? "opening of the cones (°)" : "least normalised W₂ (–)");
-    map->setGradient(colours(quantity_, scale.levels));
+    add_colour_bar(*map, "opening of the cones (°)");
+    map->setGradient(colours(scale.levels));
     map->setDataRange(scale.range);
   }
 
@@ -164,7 +155,7 @@ class Map {
     const int rows = std::min(grid_.rows, static_cast<int>(column.states.size()));
     for (int row = 0; row < rows; ++row) {
       const auto& state = column.states[static_cast<std::size_t>(row)];
-      const auto value = domain_value(state, quantity_);
+      const auto value = domain_value(state);
       // Unknown states have a look of their own, drawn on top.
       const bool blank =
           state.kind == sim::DomainStateKind::stable || state.kind == sim::DomainStateKind::unknown;
@@ -278,17 +269,13 @@ class Map {
       }
     return fmt::format(
         "Bifurcation domain in the q-p′ plane: {} of {} states have a direction with W₂ < 0, "
-        "coloured by {}{}. {}",
-        unstable, all,
-        quantity_ == DomainQuantity::opening ? "the opening of their cones"
-                                             : "the least normalised W₂ of all directions",
-        has_directions_ ? "; arrows are the first unstable stress directions" : "",
+        "coloured by the opening of their cones{}. {}",
+        unstable, all, has_directions_ ? "; arrows are the first unstable stress directions" : "",
         simulated_with(subject_));
   }
 
   const sim::DomainGrid& grid_;
   std::vector<sim::DomainColumn> columns_;
-  DomainQuantity quantity_;
   const Subject& subject_;
   std::unique_ptr<QCustomPlot> plot_;
   bool has_directions_ = false;
@@ -296,18 +283,17 @@ class Map {
 
 }  // namespace
 
-std::optional<double> domain_value(const sim::DomainState& state, DomainQuantity quantity) {
+std::optional<double> domain_value(const sim::DomainState& state) {
   if (state.kind != sim::DomainStateKind::unstable) return std::nullopt;
-  if (quantity == DomainQuantity::least_work) return state.least_work;
   double opening = 0;
   for (const auto& cone : state.cones) opening += cone.to - cone.from;
   return sim::degrees(opening);
 }
 
 Drawing domain_figure(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
-                      DomainQuantity quantity, const Subject& subject) {
+                      const Subject& subject) {
   if (columns.empty()) return {};
-  return Map(grid, columns, quantity, subject).draw();
+  return Map(grid, columns, subject).draw();
 }
 
 }  // namespace triax::src

@@ -9,20 +9,15 @@
 
 namespace triax::src {
 
-/// What colours the states of the domain.
-enum class DomainQuantity {
-  opening,     ///< of all cones of a state together, degrees
-  least_work,  ///< normalised W₂ of the least direction
-};
-
 /// The columns computed (all of the grid, or those of a piece of it) coloured inside the domain,
 /// white where stable, pale blue where not all directions are answered and those that are are
 /// stable, grey where the law has no state; on top the boundaries that are known, and
 /// arrows for the first unstable stress direction. No plot without columns.
 Drawing domain_figure(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
-                      DomainQuantity quantity, const Subject& subject);
+                      const Subject& subject);
 
-/// The value that colours a state; empty outside of the domain.
-std::optional<double> domain_value(const sim::DomainState& state, DomainQuantity quantity);
+/// What colours a state: the opening of all its cones together, degrees; empty outside of the
+/// domain.
+std::optional<double> domain_value(const sim::DomainState& state);
 
 }  // namespace triax::src

@@ -102,7 +102,7 @@ FigureData data_of(const ReportedDomain& domain, const ConesPicture& picture) {
 
 Drawing domain_map(const ReportedDomain& domain) {
   return domain_figure(domain_grid(domain.settings.grid), domain_columns(domain),
-                       DomainQuantity::opening, subject_of(domain));
+                       subject_of(domain));
 }
 
 std::vector<NamedFigure> domain_cones(const ReportedDomain& domain,

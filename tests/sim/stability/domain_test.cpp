@@ -278,6 +278,19 @@ TEST_CASE("nothing behind the limit is stable, whatever the law answers there") 
   }
 }
 
+TEST_CASE("a criterion that is met only where the limit is, is not met before it") {
+  DomainCriteria criteria;
+  const auto met_at = [](double eta) {
+    return [eta](double p, double q) { return std::optional(eta * p - q); };
+  };
+  criteria.determinant = met_at(0.47 * (1 - 1e-7));
+  criteria.localisation = met_at(0.46);
+  const auto column = domain_column(Islands(), grid(0, 150, 16), 1, criteria).compression;
+  REQUIRE(column.limit_q);
+  CHECK_FALSE(column.determinant_q);
+  CHECK(column.localisation_q.has_value());
+}
+
 TEST_CASE("an objection that the isotropic state raises too is not that of the limit") {
   const auto column = domain_column(NoVoidRatio(), grid(0, 150, 4), 1);
   for (const DomainState& state : column.states) CHECK(state.kind == DomainStateKind::refused);

@@ -64,17 +64,16 @@ Subject subject() { return {"inl2/S28-general", "e = 1.086"}; }
 
 }  // namespace
 
-TEST_CASE("the value of a state is the sum of its cones in degrees, or its least work") {
+TEST_CASE("the value of a state is the sum of its cones in degrees") {
   const auto all = columns();
   const auto& states = all[0].states;
-  CHECK_FALSE(domain_value(states[1], DomainQuantity::opening));
-  CHECK(*domain_value(states[3], DomainQuantity::opening) == Approx(sim::degrees(0.4)));
-  CHECK(*domain_value(states[3], DomainQuantity::least_work) == Approx(-0.3));
-  CHECK_FALSE(domain_value(states[5], DomainQuantity::least_work));
+  CHECK_FALSE(domain_value(states[1]));
+  CHECK(*domain_value(states[3]) == Approx(sim::degrees(0.4)));
+  CHECK_FALSE(domain_value(states[5]));
 }
 
 TEST_CASE("unstable states are coloured, stable ones left white, those beyond the limit grey") {
-  const Drawing drawing = domain_figure(grid(), columns(), DomainQuantity::opening, subject());
+  const Drawing drawing = domain_figure(grid(), columns(), subject());
   REQUIRE(drawing.plot);
   auto& data = *map_of(*drawing.plot).data();
   CHECK(data.alpha(0, 1) == 0);
@@ -89,11 +88,11 @@ TEST_CASE("unstable states are coloured, stable ones left white, those beyond th
 
 TEST_CASE("states of which not all directions are answered look neither stable nor refused") {
   auto all = columns();
-  const Drawing without = domain_figure(grid(), all, DomainQuantity::opening, subject());
+  const Drawing without = domain_figure(grid(), all, subject());
   CHECK_FALSE(test::in_legend(*without.plot, "some directions refused"));
   all[0].states[1].kind = unknown;
   all[0].states[1].least_work = 0.3;
-  const Drawing drawing = domain_figure(grid(), all, DomainQuantity::opening, subject());
+  const Drawing drawing = domain_figure(grid(), all, subject());
   CHECK(test::in_legend(*drawing.plot, "some directions refused"));
   std::vector<QCPColorMap*> maps;
   for (int i = 0; i < drawing.plot->plottableCount(); ++i)
@@ -108,16 +107,16 @@ TEST_CASE("states of which not all directions are answered look neither stable n
 TEST_CASE("columns of a piece are put in their places; the rest stays white") {
   auto piece = columns();
   piece.erase(piece.begin());
-  const Drawing drawing = domain_figure(grid(), piece, DomainQuantity::least_work, subject());
+  const Drawing drawing = domain_figure(grid(), piece, subject());
   auto& data = *map_of(*drawing.plot).data();
   CHECK(data.alpha(0, 3) == 0);
-  CHECK(data.cell(1, 3) == Approx(-0.3));
+  CHECK(data.cell(1, 3) == Approx(sim::degrees(0.4)));
   CHECK(test::contains(drawing.caption, "2 of 6 states"));
-  CHECK_FALSE(domain_figure(grid(), {}, DomainQuantity::opening, subject()).plot);
+  CHECK_FALSE(domain_figure(grid(), {}, subject()).plot);
 }
 
 TEST_CASE("boundaries run through their q in kPa; only what is known is drawn and named") {
-  const Drawing drawing = domain_figure(grid(), columns(), DomainQuantity::opening, subject());
+  const Drawing drawing = domain_figure(grid(), columns(), subject());
   CHECK(test::any_has_point(*drawing.plot, 100, 75, 1e-9));
   CHECK(test::any_has_point(*drawing.plot, 200, 76, 1e-9));
   CHECK(test::any_has_point(*drawing.plot, 200, 180, 1e-9));
@@ -128,7 +127,7 @@ TEST_CASE("boundaries run through their q in kPa; only what is known is drawn an
 }
 
 TEST_CASE("arrows start on the boundary and point along the first unstable direction") {
-  const Drawing drawing = domain_figure(grid(), columns(), DomainQuantity::opening, subject());
+  const Drawing drawing = domain_figure(grid(), columns(), subject());
   int arrows = 0;
   for (int i = 0; i < drawing.plot->itemCount(); ++i)
     if (const auto* arrow = qobject_cast<QCPItemLine*>(drawing.plot->item(i))) {
@@ -139,19 +138,14 @@ TEST_CASE("arrows start on the boundary and point along the first unstable direc
   CHECK(arrows == 2);
   auto plane_strain = subject();
   plane_strain.plane = sim::ProbePlane::plane_strain;
-  const Drawing other = domain_figure(grid(), columns(), DomainQuantity::opening, plane_strain);
+  const Drawing other = domain_figure(grid(), columns(), plane_strain);
   CHECK_FALSE(test::contains(other.caption, "arrows"));
   CHECK(test::contains(other.caption, "plane strain"));
 }
 
 TEST_CASE("the scale ends at round values beyond the largest, and its steps at their ends") {
-  const Drawing opening = domain_figure(grid(), columns(), DomainQuantity::opening, subject());
+  const Drawing opening = domain_figure(grid(), columns(), subject());
   CHECK(map_of(*opening.plot).dataRange() == QCPRange(0, 25));  // 22.9°
-  const Drawing work = domain_figure(grid(), columns(), DomainQuantity::least_work, subject());
-  const auto range = map_of(*work.plot).dataRange();
-  CHECK(range.upper == 0);
-  CHECK(range.lower <= -0.3);
-  CHECK(range.lower > -0.36);
 }
 
 TEST_CASE("the determinant is dots on the line of the first unstable direction, so both are seen") {
