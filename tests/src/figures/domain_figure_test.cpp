@@ -151,7 +151,7 @@ TEST_CASE("the scale ends at round values beyond the largest, and its steps at t
 TEST_CASE("the determinant is dots on the line of the first unstable direction, so both are seen") {
   auto all = columns();
   for (auto& column : all) column.compression.determinant_q = column.compression.first_unstable_q;
-  const Drawing drawing = domain_figure(grid(), all, DomainQuantity::opening, subject());
+  const Drawing drawing = domain_figure(grid(), all, subject());
   CHECK(test::in_legend(*drawing.plot, "vanishing determinant"));
   int dots = 0;
   for (const auto* curve : test::curves_of(*drawing.plot))

@@ -57,7 +57,7 @@ std::vector<Drawing> every_kind() {
   all.push_back(cones_figure({.subject = subject, .states = {{{70e3, 42e3}, sectors_of(circle)}}},
                              StressPlane::p_q));
   all.push_back(sphere_figure({{{1, 0, 0}, {1, 0, 0}, true, 1}}, subject));
-  all.push_back(domain_figure(grid, {column}, DomainQuantity::opening, subject));
+  all.push_back(domain_figure(grid, {column}, subject));
   all.push_back(strain_paths_figure({path}, subject));
   return all;
 }
