@@ -133,8 +133,8 @@ class Map {
     return grid_.rows > 1 ? (grid_.q_to - grid_.q_from) * 0.5e-3 / (grid_.rows - 1) : 0;
   }
 
-  void draw_map() {
-    const auto scale = scale_of(columns_);
+  /// A map of the grid's cells, all of them transparent.
+  QCPColorMap* add_map() {
     auto* map = new QCPColorMap(plot_->xAxis, plot_->yAxis);
     map->removeFromLegend();
     map->setInterpolate(false);
@@ -144,7 +144,13 @@ class Map {
     map->data()->setRange({grid_.p_from * 1e-3, grid_.p_to * 1e-3},
                           {grid_.q_from * 1e-3, grid_.q_to * 1e-3});
     map->data()->fill(0);
-    map->data()->fillAlpha(0);  // white, until a column says more
+    map->data()->fillAlpha(0);
+    return map;
+  }
+
+  void draw_map() {
+    const auto scale = scale_of(columns_);
+    auto* map = add_map();
     for (const auto& column : columns_) fill(*map->data(), column);
     add_colour_bar(*map, "opening of the cones (°)");
     map->setGradient(colours(scale.levels));
@@ -167,16 +173,7 @@ class Map {
 
   /// Neither white as stable states nor grey as states without an answer.
   void draw_unknown() {
-    auto* map = new QCPColorMap(plot_->xAxis, plot_->yAxis);
-    map->removeFromLegend();
-    map->setInterpolate(false);
-    map->setTightBoundary(false);
-    map->setAntialiased(false);
-    map->data()->setSize(grid_.columns, grid_.rows);
-    map->data()->setRange({grid_.p_from * 1e-3, grid_.p_to * 1e-3},
-                          {grid_.q_from * 1e-3, grid_.q_to * 1e-3});
-    map->data()->fill(0);
-    map->data()->fillAlpha(0);
+    auto* map = add_map();
     bool any = false;
     for (const auto& column : columns_)
       for (std::size_t row = 0; row < column.states.size(); ++row)

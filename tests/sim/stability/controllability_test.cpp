@@ -30,7 +30,7 @@ double lost_at(const Law<Axisymmetric>& law, const std::string& name) {
   return first_loss(
              [&](double eta) {
                const auto all =
-                   control_indices(response_at(law, 70, eta, 1.086), triaxial_controls());
+                   control_indices(*response_at(law, 70, eta, 1.086), triaxial_controls());
                return named(all, name).answer.held() ? 1.0 : -1.0;
              },
              0.1, 1, {.steps = 18})
@@ -61,7 +61,7 @@ class OneSided : public Law<Axisymmetric> {
 TEST_CASE("octolinear loses control at the roots of Eq. 34 in the zone that holds the mode") {
   const auto material = octo();
   for (const double eta : {0.56, 0.6, 0.7, 0.8}) {
-    const auto response = response_at(material, 70, eta, 1.086);
+    const auto response = *response_at(material, 70, eta, 1.086);
     const auto zones = octolinear_zones(moduli(material, state_at(material, 70, eta, 1.086)));
     std::vector<double> expected;
     for (const auto& cone : unstable_sectors(zones))
@@ -81,7 +81,7 @@ TEST_CASE("octolinear loses control at the roots of Eq. 34 in the zone that hold
     for (const double outside : {expected[0] * (1 - 1e-5), expected[1] * (1 + 1e-5)})
       CHECK(scan_control(response, {outside})[0].controllable);
   }
-  CHECK(lost_control(response_at(material, 70, 0.4, 1.086), 0.05, 3).lost.empty());
+  CHECK(lost_control(*response_at(material, 70, 0.4, 1.086), 0.05, 3).lost.empty());
 }
 
 TEST_CASE("any law loses control at the edges of its cone, the roots of Eq. 34 of that tangent") {
@@ -114,7 +114,7 @@ TEST_CASE("any law loses control at the edges of its cone, the roots of Eq. 34 o
 
 TEST_CASE("a scan tells what can be controlled, how far from loss, and the mode") {
   const auto material = inl2();
-  const auto response = response_at(material, 70, 0.62, 1.086);
+  const auto response = *response_at(material, 70, 0.62, 1.086);
   const auto scan = scan_control(response, {0.1, 0.5, 1.0, 2.0});
   REQUIRE(scan.size() == 4);
   for (const ControlPoint& point : scan) {
@@ -170,7 +170,7 @@ TEST_CASE(
     CHECK(lost_at(*law, "dq = 0, dεv < 0") == Approx(eta).margin(1e-6));
     // Under displacement, or stress alone, the state goes on.
     const auto beyond =
-        control_indices(response_at(*law, 70, eta + 0.01, 1.086), triaxial_controls());
+        control_indices(*response_at(*law, 70, eta + 0.01, 1.086), triaxial_controls());
     CHECK(named(beyond, "undrained, dε1 > 0").answer.held());
     CHECK(named(beyond, "dq = 0, dp′ < 0").answer.held());
     CHECK(named(beyond, "drained, dσ1 > 0, dσ3 = 0").answer.held());
@@ -209,7 +209,7 @@ TEST_CASE("in extension control is lost where sigma1 - sigma3/R falls, at the ed
 
 TEST_CASE("in compression it is lost where sigma1 - sigma3/R grows; the index is nowhere noise") {
   const auto material = sanisand();
-  const auto response = response_at(material, 70, 0.62, 1.086);
+  const auto response = *response_at(material, 70, 0.62, 1.086);
   const auto search = lost_control(response, 0.05, 5, 100);
   REQUIRE(search.lost.size() == 1);
   CHECK(search.lost[0].sense == ControlSense::loading);

@@ -34,7 +34,7 @@ double by_probing(const Law<Axisymmetric>& law, double p_kPa, double e) {
 
 std::optional<double> by_determinant(const Law<Axisymmetric>& law, double p_kPa, double e) {
   const auto determinant = [&](double eta) -> std::optional<double> {
-    const auto d = stability_determinant(response_at(law, p_kPa, eta, e));
+    const auto d = stability_determinant(*response_at(law, p_kPa, eta, e));
     return d ? std::optional(d->value) : std::nullopt;
   };
   return first_loss(determinant, 0.05, 1.2, kLine);

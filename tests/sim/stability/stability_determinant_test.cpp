@@ -59,7 +59,7 @@ TEST_CASE("the relative determinant has the sign of the least eigenvalue") {
 TEST_CASE("H is half the second derivative of W2 in every direction, and W2 its quadratic form") {
   for (const auto& [name, law] : stability_laws()) {
     INFO(name);
-    const auto response = response_at(*law, 70, 0.45, 1.086);
+    const auto response = *response_at(*law, 70, 0.45, 1.086);
     int answered = 0;
     for (double angle = 0.1; angle < 6.28; angle += 0.37) {
       const auto h = half_hessian(response, angle);
@@ -118,14 +118,14 @@ TEST_CASE("the determinant vanishes where the first probe is unstable, in its di
                                        {.steps = 15, .precision = 1e-9});
     const auto by_determinant = first_loss(
         [&law = law](double eta) -> std::optional<double> {
-          const auto d = stability_determinant(response_at(*law, 70, eta, 1.086));
+          const auto d = stability_determinant(*response_at(*law, 70, eta, 1.086));
           return d ? std::optional(d->value) : std::nullopt;
         },
         0.05, 0.8, {.steps = 15, .precision = 1e-9});
     REQUIRE(by_probing);
     REQUIRE(by_determinant);
     CHECK(*by_determinant == Approx(*by_probing).margin(1e-7));
-    const auto there = stability_determinant(response_at(*law, 70, *by_determinant, 1.086));
+    const auto there = stability_determinant(*response_at(*law, 70, *by_determinant, 1.086));
     CHECK(std::remainder(there->angle - least(*by_probing).angle, 2 * std::numbers::pi) ==
           Approx(0).margin(1e-3));
   }

@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/stability/cones.hpp"
-#include "tests/sim/materials/hypoplastic_sets.hpp"
-#include "tests/sim/materials/interpolated_laws.hpp"
+#include "tests/sim/stability/stability_states.hpp"
 
 // The laws that the tests of stability compare, with sets like S28.
 namespace triax::sim::test {
@@ -25,11 +23,6 @@ inline std::vector<NamedLaw> stability_laws() {
           {"octolinear", std::make_shared<Interpolated<Axisymmetric>>(octo())},
           {"SANISAND", std::make_shared<Sanisand<Axisymmetric>>(sanisand())},
           {"hypoplastic", std::make_shared<Hypoplastic<Axisymmetric>>(hypoplastic())}};
-}
-
-inline IncrementalResponse<Axisymmetric> response_at(const Law<Axisymmetric>& law, double p_kPa,
-                                                     double eta, double e) {
-  return {law, state_at(law, p_kPa, eta, e)};
 }
 
 template <class Space>
