@@ -19,13 +19,13 @@ constexpr double kArrow = 1.7;  // length of a test's arrow in radii of a fan
 
 class Picture {
  public:
-  Picture(const ConesPicture& data, StressPlane plane)
+  Picture(const ConesPicture& data, StressAxes plane)
       : data_(data), plane_(plane), plot_(make_plot(kWidth, kHeight)) {}
 
   Drawing draw() {
     style_axes(rect(),
-               plane_ == StressPlane::p_q ? "mean effective stress p′ (kPa)" : "√2 σ₃′ (kPa)",
-               plane_ == StressPlane::p_q ? "deviator stress q (kPa)" : "σ₁′ (kPa)");
+               plane_ == StressAxes::p_q ? "mean effective stress p′ (kPa)" : "√2 σ₃′ (kPa)",
+               plane_ == StressAxes::p_q ? "deviator stress q (kPa)" : "σ₁′ (kPa)");
     name_legend();
     legend_below(*plot_, 2);
     origin_below(*plot_, data_.subject);
@@ -95,7 +95,7 @@ class Picture {
                              *data_.limit_stress_ratio));
     if (!data_.instability_lines.empty())
       draw_curve(rect(), {}, instability_pen(), "instability line (isotropic unloading)");
-    if (plane_ == StressPlane::rendulic)
+    if (plane_ == StressAxes::rendulic)
       draw_curve(rect(), {}, hydrostatic_pen(), "hydrostatic axis σ₁′ = σ₃′");
     for (const bool simulated : {false, true})
       if (has_test(simulated))
@@ -155,7 +155,7 @@ class Picture {
   std::vector<double> fan_radii() {
     const double range = std::hypot(plot_->xAxis->range().size(), plot_->yAxis->range().size());
     // A unit of the Rendulic plane is up to √(3/2) long in the other.
-    const double reach = plane_ == StressPlane::p_q ? 0.9 / std::sqrt(1.5) : 0.9;
+    const double reach = plane_ == StressAxes::p_q ? 0.9 / std::sqrt(1.5) : 0.9;
     auto radii = nearest_distances();
     auto sorted = radii;
     std::ranges::sort(sorted);
@@ -176,7 +176,7 @@ class Picture {
   }
 
   void draw_lines() {
-    if (plane_ == StressPlane::rendulic) draw_ray({1, 0}, hydrostatic_pen());
+    if (plane_ == StressAxes::rendulic) draw_ray({1, 0}, hydrostatic_pen());
     if (draws_limit_line()) draw_ray({1, *data_.limit_stress_ratio}, limit_pen());
   }
 
@@ -217,13 +217,13 @@ class Picture {
     auto text = fmt::format(
         "Cones of unstable stress directions in the {} plane: {} of {} states "
         "have directions with W₂ < 0",
-        plane_ == StressPlane::p_q ? "q-p′" : "Rendulic", unstable, data_.states.size());
+        plane_ == StressAxes::p_q ? "q-p′" : "Rendulic", unstable, data_.states.size());
     if (!data_.tests.empty()) text += "; arrows are the stress increments of tests";
     return text + ". " + simulated_with(data_.subject);
   }
 
   const ConesPicture& data_;
-  StressPlane plane_;
+  StressAxes plane_;
   std::unique_ptr<QCustomPlot> plot_;
   std::vector<PointLabel> labels_;
   double radius_ = 0;  // of a fan with room around it, kPa
@@ -237,19 +237,19 @@ std::vector<sim::Sector> sectors_of(const sim::Circle& circle) {
   return sectors;
 }
 
-QPointF position(const TriaxialState& state, StressPlane plane) {
-  if (plane == StressPlane::p_q) return {state.p, state.q};
+QPointF position(const TriaxialState& state, StressAxes plane) {
+  if (plane == StressAxes::p_q) return {state.p, state.q};
   return {std::numbers::sqrt2 * (state.p - state.q / 3), state.p + 2 * state.q / 3};
 }
 
-QPointF increment(double angle, StressPlane plane) {
+QPointF increment(double angle, StressAxes plane) {
   const QPointF unit(std::cos(angle), std::sin(angle));
-  if (plane == StressPlane::rendulic) return unit;
+  if (plane == StressAxes::rendulic) return unit;
   const sim::AxisymmetricStress s{unit.y(), unit.x() / std::numbers::sqrt2};
   return {sim::mean_stress(s), sim::deviator_stress(s)};
 }
 
-Drawing cones_figure(const ConesPicture& picture, StressPlane plane) {
+Drawing cones_figure(const ConesPicture& picture, StressAxes plane) {
   if (picture.states.empty() && picture.tests.empty()) return {};
   return Picture(picture, plane).draw();
 }

@@ -249,7 +249,7 @@ class Map {
       for (const auto* column : columns_with_arrows(side)) {
         const auto& at = column->*side;
         const QPointF from(column->p * 1e-3, *at.first_unstable_q * 1e-3);
-        const QPointF way = increment(*at.first_unstable_angle, StressPlane::p_q);
+        const QPointF way = increment(*at.first_unstable_angle, StressAxes::p_q);
         const double pixels = std::hypot(way.x() * x_unit, way.y() * y_unit);
         draw_arrow(rect(), from, from + way * (kLength / pixels), line(kInk, 1.1), {}, kHead);
         draw_markers(rect(), {from}, {QCPScatterStyle::ssDisc, line(kInk, 1), QBrush(kInk), 4});

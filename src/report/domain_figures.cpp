@@ -110,8 +110,8 @@ std::vector<NamedFigure> domain_cones(const ReportedDomain& domain,
   std::vector<NamedFigure> figures;
   if (domain_grid(domain.settings.grid).plane != sim::ProbePlane::axisymmetric) return figures;
   const ConesPicture picture = picture_of(domain, tests);
-  for (const auto& [name, plane] : {std::pair("cones_pq", StressPlane::p_q),
-                                    std::pair("cones_rendulic", StressPlane::rendulic)})
+  for (const auto& [name, plane] :
+       {std::pair("cones_pq", StressAxes::p_q), std::pair("cones_rendulic", StressAxes::rendulic)})
     if (Drawing drawing = cones_figure(picture, plane); drawing.plot)
       figures.push_back({name, std::move(drawing), data_of(domain, picture)});
   return figures;

@@ -263,8 +263,8 @@ std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
       report.probing.kind == sim::ProbeKind::stress) {
     const ConesPicture picture = picture_of(report, subject_of(report, all_states(report)));
     const FigureData cones = cones_data(report);
-    add("cones_pq", cones_figure(picture, StressPlane::p_q), cones);
-    add("cones_rendulic", cones_figure(picture, StressPlane::rendulic), cones);
+    add("cones_pq", cones_figure(picture, StressAxes::p_q), cones);
+    add("cones_rendulic", cones_figure(picture, StressAxes::rendulic), cones);
   }
   return figures;
 }

@@ -45,6 +45,8 @@ void check_below(const Parameters& p, double limit_compression, double limit_ext
   for (int i = 0; i < 6; ++i)
     check_stable(triaxial, full, random.uniform(20, 800),
                  random.uniform(-limit_extension, limit_compression), random.uniform(0.6, 1.1));
+  for (const double eta : {0.0, 0.999 * limit_compression, -0.999 * limit_extension})
+    check_stable(triaxial, full, 100, eta, 0.8);
 }
 
 }  // namespace
