@@ -61,8 +61,8 @@ class Refinement {
     const auto circle = static_cast<std::ptrdiff_t>(probes_.size());
     probes_.insert(probes_.end(), found.begin(), found.end());
     std::ranges::inplace_merge(probes_, probes_.begin() + circle, {}, &Probe::angle);
-    const auto twice = std::ranges::unique(probes_, {}, &Probe::angle);
-    probes_.erase(twice.begin(), twice.end());
+    const auto same = [](const Probe& a, const Probe& b) { return a.angle == b.angle; };
+    probes_.erase(std::unique(probes_.begin(), probes_.end(), same), probes_.end());
   }
 
   /// Wherever neighbours differ, inserts the last direction on the side that `wanted` names.
