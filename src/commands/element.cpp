@@ -33,7 +33,8 @@ lab::PathDescription described(const Options& o) {
                                          ? lab::describe_incremental_driver(o.path, settings)
                                          : lab::load_path(o.path);
   // The material first: parameters are changed in the one that is meant.
-  std::ranges::stable_partition(settings, [](const auto& one) { return one.first == "material"; });
+  std::stable_partition(settings.begin(), settings.end(),
+                        [](const auto& one) { return one.first == "material"; });
   for (const auto& [key, value] : settings) lab::change_setting(description, key, value);
   lab::check_start(description);
   return description;
