@@ -269,7 +269,8 @@ TEST_CASE("a UMAT has a domain too, in a worker process for every thread") {
   INFO(one.err);
   REQUIRE(one.status == 0);
   CHECK((here.triax(domain + "3").out == one.out));
-  for (const auto& state : json::parse(one.out)["states"]) CHECK(state["kind"] == "stable");
+  const json document = json::parse(one.out);
+  for (const auto& state : document["states"]) CHECK(state["kind"] == "stable");
 }
 
 TEST_CASE("a UMAT that misbehaves everywhere is status 1 with its words, and nothing is written") {

@@ -130,7 +130,7 @@ TEST_CASE("conditions of control are two, in the words of path files") {
   };
   const auto conditions = parsed_conditions("q_kPa = 1, axial_strain + 2*radial_strain = 0");
   REQUIRE(conditions.size() == 1);
-  const auto& undrained = sim::triaxial_controls()[0].control;
+  const auto undrained = sim::triaxial_controls()[0].control;
   CHECK((conditions[0].control.stress.row(0) * 1e3).isApprox(undrained.stress.row(0)));
   CHECK(conditions[0].control.strain.row(1).isApprox(undrained.strain.row(1)));
   CHECK(conditions[0].conditions[0] == "q_kPa");
