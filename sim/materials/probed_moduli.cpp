@@ -1,5 +1,6 @@
 #include "sim/materials/probed_moduli.hpp"
 
+#include "sim/materials/on_yield.hpp"
 #include "sim/point/control_solver.hpp"
 
 namespace triax::sim {
@@ -33,9 +34,7 @@ bool ProbedModuli<Space>::probe(const State& state, Matrix<Tensor>& plus,
   base_->settle(at, (1U << mechanisms) - 1);
   at.stress = as_tensor(state.stress);
   base_->response(at, response);
-  unsigned standing = 0;
-  for (int k = 0; k < mechanisms; ++k)
-    if (base_->yield_distance(at, k) >= -kOnYield) standing |= 1U << k;
+  const unsigned standing = mechanisms_on_yield(*base_, at, mechanisms);
   plus.setZero();
   for (int j = 0; j < Tensor::kSize; ++j)
     for (const double sign : {1.0, -1.0}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/materials/on_yield.hpp"
 #include "sim/point/finite_driver.hpp"
 
 namespace triax::sim {
@@ -54,10 +55,7 @@ double PointDriver<Space>::typical_modulus(const PointState<Space>& state) {
 /// The mechanisms at whose yield surface the state stands.
 template <class Space>
 unsigned PointDriver<Space>::on_yield(const PointState<Space>& state) const {
-  unsigned set = 0;
-  for (int k = 0; k < mechanisms_; ++k)
-    if (law_.yield_distance(state, k) >= -kOnYield) set |= 1U << k;
-  return set;
+  return mechanisms_on_yield(law_, state, mechanisms_);
 }
 
 template <class Space>

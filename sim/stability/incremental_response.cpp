@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "sim/materials/on_yield.hpp"
 #include "sim/point/finite_driver.hpp"
 
 namespace triax::sim {
@@ -13,14 +14,6 @@ std::optional<Matrix<Space>> inverse(const Matrix<Space>& m) {
   const Eigen::PartialPivLU<Matrix<Space>> lu(m);
   if (!(lu.rcond() > 1e-13)) return std::nullopt;
   return lu.inverse();
-}
-
-template <class Space>
-unsigned on_yield(const Law<Space>& law, const PointState<Space>& state, int mechanisms) {
-  unsigned set = 0;
-  for (int k = 0; k < mechanisms; ++k)
-    if (law.yield_distance(state, k) >= -kOnYield) set |= 1U << k;
-  return set;
 }
 
 }  // namespace
@@ -37,8 +30,9 @@ IncrementalResponse<Space>::IncrementalResponse(const Law<Space>& law,
   }
   const int mechanisms = std::get<StiffnessForm<Space>>(response_).mechanisms;
   if (mechanisms > 0) {
-    law_.settle(state_, on_yield(law_, state_, mechanisms));
-    branch_.on_yield = on_yield(law_, state_, mechanisms);  // settling may name them anew
+    law_.settle(state_, mechanisms_on_yield(law_, state_, mechanisms));
+    branch_.on_yield =
+        mechanisms_on_yield(law_, state_, mechanisms);  // settling may name them anew
     law_.response(state_, response_);
   }
   modulus_ =
