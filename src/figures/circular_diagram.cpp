@@ -17,18 +17,18 @@ constexpr int kWidth = 620, kHeight = 690 + kOriginHeight;
 const double kStep = sim::radians(1);
 constexpr double kPositiveWidth = 1.6, kNegativeWidth = 2.8;
 
-/// Least and largest value of the answered probes of all circles.
+/// Least and largest normalised work of the answered probes of all circles.
 struct Extremes {
   double least = 0, largest = 0;
   bool any = false;
 };
 
-Extremes extremes(const std::vector<NamedCircle>& circles, const ProbeValue& value) {
+Extremes extremes(const std::vector<NamedCircle>& circles) {
   Extremes found;
   for (const auto& [name, circle] : circles)
     for (const auto& probe : circle.probes) {
       if (!probe.answered) continue;
-      const double v = value(probe);
+      const double v = probe.normalised;
       found.least = found.any ? std::min(found.least, v) : v;
       found.largest = found.any ? std::max(found.largest, v) : v;
       found.any = true;
@@ -38,24 +38,10 @@ Extremes extremes(const std::vector<NamedCircle>& circles, const ProbeValue& val
 
 double normalised(const sim::Probe& probe) { return probe.normalised; }
 
-double per_volume(const sim::Probe& probe, sim::ProbeKind kind) {
-  // The work goes with the square of the increment's norm.
-  const bool of_stress = kind == sim::ProbeKind::stress;
-  const double scale = of_stress ? 1e3 / probe.stress.norm() : 1e-4 / probe.strain.norm();
-  return probe.second_order_work * scale * scale;
-}
-
-/// A step of 1, 2 or 5 times a power of ten, of which about four make `range`.
-double round_step(double range) {
-  const double power = std::pow(10, std::floor(std::log10(range / 4)));
-  const double part = range / 4 / power;
-  return power * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10);
-}
-
 void draw_circles(QCPAxisRect& rect, const std::vector<NamedCircle>& circles,
-                  const ProbeValue& value, const std::function<double(double)>& radius) {
+                  const std::function<double(double)>& radius) {
   for (std::size_t i = 0; i < circles.size(); ++i)
-    for (const auto& run : signed_runs(circles[i].circle.probes, value, kStep)) {
+    for (const auto& run : signed_runs(circles[i].circle.probes, normalised, kStep)) {
       Points points;
       for (const auto& [angle, v] : run.points) points.push_back(polar(radius(v), angle));
       draw_curve(rect, points,
@@ -115,12 +101,12 @@ std::string named(const std::vector<NamedCircle>& circles) {
 
 double circular_constant(const std::vector<NamedCircle>& circles) {
   constexpr double kMultiple = 0.5, kClear = 0.3;
-  const double least = std::min(0.0, extremes(circles, normalised).least);
+  const double least = std::min(0.0, extremes(circles).least);
   return kMultiple * std::max(1.0, std::ceil((kClear - least) / kMultiple - 1e-9));
 }
 
 Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject& subject) {
-  const auto range = extremes(circles, normalised);
+  const auto range = extremes(circles);
   if (!range.any) return {};
   const double constant = circular_constant(circles);
   auto plot = make_plot(kWidth, kHeight);
@@ -141,42 +127,32 @@ Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject&
   }
   draw_polar_frame(rect, frame);
   mark_unloading(rect, subject, frame.radius);
-  draw_circles(rect, circles, normalised, [&](double value) { return value + constant; });
+  draw_circles(rect, circles, [&](double value) { return value + constant; });
   return {std::move(plot),
           fmt::format("Circular diagram of the normalised second-order work{}: the radius is "
                       "W₂/(|dσ| |dε|) + {:g}, so that W₂ < 0 lies within the circle W₂ = 0. {}",
                       named(circles), constant, simulated_with(subject))};
 }
 
-Drawing polar_diagram(const std::vector<NamedCircle>& circles, PolarWork work,
-                      const Subject& subject) {
-  const bool plain = work == PolarWork::normalised;
-  const ProbeValue value =
-      plain ? ProbeValue(normalised)
-            : [kind = subject.kind](const sim::Probe& p) { return per_volume(p, kind); };
-  const auto range = extremes(circles, value);
-  const double largest = std::max(-range.least, range.largest);
-  if (!range.any || !(largest > 0)) return {};
+Drawing polar_diagram(const std::vector<NamedCircle>& circles, const Subject& subject) {
+  const auto range = extremes(circles);
+  if (!range.any || !(std::max(-range.least, range.largest) > 0)) return {};
   auto plot = make_plot(kWidth, kHeight);
   auto& rect = *plot->axisRect();
   add_legend(*plot, circles, "W₂ > 0", "W₂ < 0");
   if (marks_unloading(subject)) add_legend_line(rect, line(kGreen, 1.4), unloading_name(subject));
   legend_below(*plot, 3);
   origin_below(*plot, subject);
-  const double step = plain ? 0.25 : round_step(largest);
-  auto frame = frame_of(subject, plain ? 1 : step * std::ceil(largest / step - 1e-9));
-  for (double radius = step; radius < frame.radius * (1 - 1e-9); radius += step)
-    frame.circles.push_back({radius, fmt::format("{:.6g}", radius), line(kGridLine, 1), ""});
+  auto frame = frame_of(subject, 1);
+  for (const double radius : {0.25, 0.5, 0.75})
+    frame.circles.push_back({radius, fmt::format("{:g}", radius), line(kGridLine, 1), ""});
   draw_polar_frame(rect, frame);
   mark_unloading(rect, subject, frame.radius);
-  draw_circles(rect, circles, value, [](double v) { return std::abs(v); });
-  const std::string quantity =
-      plain ? "normalised second-order work |W₂|/(|dσ| |dε|)"
-            : fmt::format("second-order work |W₂| in J/m³ of increments of {}",
-                          subject.kind == sim::ProbeKind::stress ? "1 kPa" : "strain 10⁻⁴");
+  draw_circles(rect, circles, [](double v) { return std::abs(v); });
   return {std::move(plot),
-          fmt::format("Polar diagram of the {}{}; the rim is at {:.6g}. {}", quantity,
-                      named(circles), frame.radius, simulated_with(subject))};
+          fmt::format("Polar diagram of the normalised second-order work |W₂|/(|dσ| |dε|){}; the "
+                      "rim is at 1. {}",
+                      named(circles), simulated_with(subject))};
 }
 
 }  // namespace triax::src

@@ -24,13 +24,8 @@ double circular_constant(const std::vector<NamedCircle>& circles);
 /// has no answer. No plot without an answered probe.
 Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject& subject);
 
-enum class PolarWork {
-  normalised,  ///< W₂/(|dσ| |dε|), in [−1, 1]
-  per_volume,  ///< W₂ of an increment of 1 kPa, or of strain 10⁻⁴, in J/m³
-};
-
-/// Radius |W₂| in the direction α: blue where W₂ > 0, vermilion and bolder where W₂ < 0.
-Drawing polar_diagram(const std::vector<NamedCircle>& circles, PolarWork work,
-                      const Subject& subject);
+/// Radius |W₂|/(|dσ| |dε|) in the direction α: blue where W₂ > 0, vermilion and bolder where W₂ <
+/// 0.
+Drawing polar_diagram(const std::vector<NamedCircle>& circles, const Subject& subject);
 
 }  // namespace triax::src

@@ -249,7 +249,7 @@ std::vector<NamedFigure> probe_figures(const ProbeReport& report) {
   };
   const FigureData probes = probes_data(fine, drawn);
   add("circular", circular_diagram(circles, subject), probes);
-  add("polar", polar_diagram(circles, PolarWork::normalised, subject), probes);
+  add("polar", polar_diagram(circles, subject), probes);
   add("work", work_over_angle(circles, subject), probes);
   const ProbedState& last = *drawn.back();
   add("envelope", response_envelope(last.circle, report.probing.norm, subject_of(fine, {&last})),

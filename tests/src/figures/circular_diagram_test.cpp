@@ -92,36 +92,17 @@ TEST_CASE("one unit is as long on both axes, and the whole circle is within them
 
 TEST_CASE("the polar diagram has the size of W2 as radius and its sign as colour") {
   const auto circle = test::invented_circle([](double a) { return std::cos(a); });
-  const Drawing plain = polar_diagram({{"", circle}}, PolarWork::normalised, test::subject());
+  const Drawing plain = polar_diagram({{"", circle}}, test::subject());
   REQUIRE(plain.plot);
   const auto negative = test::curves_in(*plain.plot, kVermilion);
   REQUIRE(negative.size() == 1);
   CHECK(test::has_point(*negative[0], -1, 0, 1e-9));
-  // W₂ of 1 kPa: the probes have that norm, and 0.1 Pa is 0.1 J/m³.
-  const Drawing volume = polar_diagram({{"", circle}}, PolarWork::per_volume, test::subject());
-  CHECK(test::has_point(*test::curves_in(*volume.plot, kVermilion)[0], -0.1, 0, 1e-9));
-  CHECK(test::contains(volume.caption, "J/m³ of increments of 1 kPa"));
-  auto strain = test::subject();
-  strain.kind = sim::ProbeKind::strain;
-  CHECK(test::contains(polar_diagram({{"", circle}}, PolarWork::per_volume, strain).caption,
-                       "strain 10⁻⁴"));
-}
-
-TEST_CASE("the work goes with the square of the norm: rates of 1 Pa give the same polar diagram") {
-  auto circle = test::invented_circle([](double a) { return 1.5 + std::cos(a); });
-  for (auto& probe : circle.probes) {
-    probe.stress *= 1e-3;
-    probe.strain *= 1e-3;
-    probe.second_order_work *= 1e-6;
-  }
-  const Drawing drawing = polar_diagram({{"", circle}}, PolarWork::per_volume, test::subject());
-  CHECK(test::any_has_point(*drawing.plot, 0.25, 0, 1e-9));
 }
 
 TEST_CASE("nothing answered, nothing drawn") {
   auto circle = test::invented_circle([](double) { return 1.0; });
   for (auto& probe : circle.probes) probe.answered = false;
   CHECK_FALSE(circular_diagram({{"", circle}}, test::subject()).plot);
-  CHECK_FALSE(polar_diagram({{"", circle}}, PolarWork::normalised, test::subject()).plot);
+  CHECK_FALSE(polar_diagram({{"", circle}}, test::subject()).plot);
   CHECK_FALSE(circular_diagram({}, test::subject()).plot);
 }

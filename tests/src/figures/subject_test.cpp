@@ -50,7 +50,7 @@ std::vector<Drawing> every_kind() {
   path.points = {{0, 0, 100e3, 0, 1, 0}, {0.01, 40e3, 75e3, 40e3, 1, 0}};
   std::vector<Drawing> all;
   all.push_back(circular_diagram(circles, subject));
-  all.push_back(polar_diagram(circles, PolarWork::normalised, subject));
+  all.push_back(polar_diagram(circles, subject));
   all.push_back(work_over_angle(circles, subject));
   all.push_back(response_envelope(circle, 1e3, subject));
   all.push_back(control_scan_figure({{"", {{1, true, 0.4, {}, {}}}, {}}}, subject));
