@@ -161,16 +161,24 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(work[0].window_readings == 51);
 }
 
-TEST_CASE("tests are found by name, latest first, or by id") {
-  TemporaryFolder folder;
-  for (const char* name : {"a", "b", "a", "1"}) {
+namespace {
+
+void record_tests(const std::string& path, const std::vector<std::string>& names) {
+  for (const auto& name : names) {
     lab::Session session;
-    db::Recorder recorder(folder.file("t.db"));
+    db::Recorder recorder(path);
     recorder.listen(session);
     emit session.started(testing::raw_header(name));
     testing::send_scans(session, 0, 2);
     recorder.finish({});
   }
+}
+
+}  // namespace
+
+TEST_CASE("tests are found by name, latest first, or by id") {
+  TemporaryFolder folder;
+  record_tests(folder.file("t.db"), {"a", "b", "a", "1"});
   const db::Store store(folder.file("t.db"));
   CHECK(store.find({}) == std::vector<std::int64_t>{1, 2, 3, 4});
   CHECK(store.find({"a", "b", "2", "1"}) == std::vector<std::int64_t>{3, 2, 2, 4});
@@ -180,14 +188,7 @@ TEST_CASE("tests are found by name, latest first, or by id") {
 
 TEST_CASE("a short name is enough where it can mean one test only") {
   TemporaryFolder folder;
-  for (const char* name : {"ICU 42", "CSU 26", "CSU 26", "CSU 42", "a_b"}) {
-    lab::Session session;
-    db::Recorder recorder(folder.file("t.db"));
-    recorder.listen(session);
-    emit session.started(testing::raw_header(name));
-    testing::send_scans(session, 0, 2);
-    recorder.finish({});
-  }
+  record_tests(folder.file("t.db"), {"ICU 42", "CSU 26", "CSU 26", "CSU 42", "a_b"});
   const db::Store store(folder.file("t.db"));
   CHECK(store.find({"csu_26", "26", "Icu 42", "A B"}) == std::vector<std::int64_t>{3, 3, 1, 5});
   CHECK(store.find({"2"}) == std::vector<std::int64_t>{2});  // an id goes first
