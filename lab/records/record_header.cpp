@@ -30,7 +30,8 @@ constexpr auto kRoles = std::to_array<std::pair<StageRole, std::string_view>>(
      {StageRole::saturation, "saturation"},
      {StageRole::b_check, "b_check"},
      {StageRole::consolidation, "consolidation"},
-     {StageRole::shear, "shear"}});
+     {StageRole::shear, "shear"},
+     {StageRole::hold, "hold"}});
 constexpr auto kDrainages = std::to_array<std::pair<Drainage, std::string_view>>(
     {{Drainage::unknown, "unknown"}, {Drainage::open, "open"}, {Drainage::closed, "closed"}});
 constexpr auto kControls = std::to_array<std::pair<AxialControl, std::string_view>>(

@@ -10,10 +10,12 @@
 namespace triax::lab {
 
 enum class Origin { recorded, simulated };
-enum class StageRole { unknown, saturation, b_check, consolidation, shear };
+/// `hold`: nothing is asked of the specimen (safe state, operator's pause) and nothing is judged.
+enum class StageRole { unknown, saturation, b_check, consolidation, shear, hold };
 enum class Drainage { unknown, open, closed };
 /// What the programme prescribes on the axis: the control parameters in Nova's sense.
-/// `displacement` also stands for a strain path; `constant_q` holds q while p' changes (CSD, CSU).
+/// `displacement` also stands for a strain path; `load` for any force (dead load, spring, constant
+/// stress ratio); `constant_q` holds q while p' changes (CSD, CSU).
 enum class AxialControl { unknown, displacement, load, constant_q };
 
 std::string_view to_string(Origin origin);
@@ -30,6 +32,7 @@ struct StageInfo {
   StageRole role = StageRole::unknown;
   Drainage drainage = Drainage::unknown;
   AxialControl control = AxialControl::unknown;
+  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0 is prescribed, Eq. (28)
 };
 
 /// The specimen as built, SI; what the record does not say is empty, never guessed.
@@ -47,6 +50,18 @@ struct SpecimenInfo {
   std::string material;
 };
 
+/// What a simulated specimen did when its load could not be carried any longer.
+struct RunAwayTruth {
+  double start_s = 0;                   ///< test time at which equilibrium was lost
+  double largest_kinetic_energy_j = 0;  ///< of the moving mass
+  double largest_at_s = 0;              ///< test time
+  // 2 E_c = −W2, Eq. (5), over the first resolved increment after the start
+  std::optional<double> kinetic_energy_j;
+  std::optional<double> second_order_work_j;
+  std::optional<double> end_s;  ///< test time; empty: still running when the test ended
+  std::string end;              ///< "new equilibrium", "end of travel"; empty: still running
+};
+
 /// When and where a simulated specimen itself lost sustainability; no instrument sees this.
 struct Truth {
   bool lost_sustainability = false;
@@ -55,6 +70,7 @@ struct Truth {
   std::optional<double> q_pa;
   std::optional<double> p_eff_pa;
   std::optional<double> pore_pressure_pa;
+  std::vector<RunAwayTruth> run_aways;
 };
 
 struct Warning {
