@@ -23,6 +23,13 @@ constexpr auto kKeys = std::to_array<EndQuantityKey>({
     {"volumetric_strain_pct", volumetric_strain, 1e-2, -50, 50},
     {"axial_displacement_mm", axial_displacement, 1e-3, -1e3, 1e3},
     {"axial_force_N", axial_force, 1, -1e6, 1e6},
+    {"effective_axial_stress_kPa", effective_axial_stress, 1e3, -100, 1e5},
+    {"effective_radial_stress_kPa", effective_radial_stress, 1e3, -100, 1e5},
+    {"void_ratio", void_ratio, 1, 0, 20},
+    {"back_volume_mm3", back_volume, 1e-9, -1e9, 1e9},
+    {"volume_rate_mm3_per_min", volume_rate, 1e-9 / 60, 0, 1e9},
+    {"axial_rate_mm_per_min", axial_rate, 1e-3 / 60, 0, 1e6},
+    {"b_value", b_value, 1, 0, 1.5},
 });
 
 }  // namespace

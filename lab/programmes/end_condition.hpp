@@ -5,9 +5,9 @@
 
 namespace triax::lab {
 
-/// What a stage's end can depend on. Values are those of the specimen itself at a scan; strains
-/// count from the start of the first shear stage (of the test before that), time from the start of
-/// the stage.
+/// What a stage's end can depend on. Values are what the instruments say, reduced as in a report:
+/// strains count from the start of the first shear stage (of a consolidation stage before that),
+/// time from the start of the stage.
 enum class EndQuantity {
   time,
   cell_pressure,
@@ -21,8 +21,15 @@ enum class EndQuantity {
   volumetric_strain,
   axial_displacement,
   axial_force,
+  effective_axial_stress,
+  effective_radial_stress,
+  void_ratio,
+  back_volume,   ///< into the specimen
+  volume_rate,   ///< |dV_b/dt| over the last half minute
+  axial_rate,    ///< |dδ/dt| over the last half minute
+  b_value,       ///< Δu/Δσ_c since the start of the stage, once σ_c has moved by 5 kPa
 };
-inline constexpr int kEndQuantityCount = 12;
+inline constexpr int kEndQuantityCount = 19;
 
 /// A quantity as programmes write it: key with its unit, and the values that it can take at all.
 struct EndQuantityKey {

@@ -21,22 +21,45 @@ namespace triax::lab {
 /// No pressure of a programme is above 100 MPa.
 inline constexpr double kLargestPressure_kPa = 1e5;
 
-/// What the axis does in a stage. `free`: no piston, q = 0 exactly, the cap follows the specimen.
-enum class AxialAction { free, displacement, load, constant_q };
+/// What the axis does in a stage.
+enum class AxialAction {
+  free,          ///< no piston: q = 0, the cap follows the specimen
+  hold,          ///< the crosshead stands
+  displacement,  ///< the crosshead moves at a velocity
+  spring,        ///< the same through a spring (Servant et al. 2005)
+  load,          ///< the cylinder's servo follows a force
+  dead_load,     ///< masses on the piston: the force stays, whatever the specimen does
+  constant_q,    ///< the servo follows q times the current area
+  stress_ratio,  ///< the servo follows η p′: anisotropic consolidation
+};
+/// Whether the cylinder (or masses), not the crosshead, moves the cap.
+bool by_force(AxialAction action);
 
 struct Stage {
   std::string name;
   StageRole role = StageRole::unknown;
   bool valve_open = true;
   AxialAction axial = AxialAction::free;
-  double axial_rate_m_per_s = 0;    ///< displacement
-  double load_rate_n_per_s = 0;     ///< load
-  std::optional<double> held_q_pa;  ///< constant_q; empty: q as it is when the stage starts
+  double axial_rate_m_per_s = 0;         ///< displacement, spring: of the crosshead
+  double spring_stiffness_n_per_m = 0;   ///< spring
+  double load_rate_n_per_s = 0;          ///< load
+  std::optional<double> held_q_pa;       ///< constant_q; empty: q as it is when the stage starts
+  double held_stress_ratio = 0;          ///< stress_ratio
+  std::optional<double> strain_path_R;   ///< dε₁ + 2R dε₃ = 0: the back controller follows in volume
+  double load_step_n = 0;                ///< perturbation at the start, of a stage by force
+  double impulse_n_s = 0;                ///< the same, given to the moving mass
   PressureDemand cell;
   PressureDemand back;
   std::vector<EndCondition> end;  ///< any of them
   double time_limit_s = 0;        ///< by then the end must have been reached
   std::int64_t line = 0;          ///< of the programme's file
+};
+
+/// What somebody does at the panel, at a test time.
+struct OperatorAction {
+  enum class Kind { hold, resume, abort };
+  Kind kind = Kind::hold;
+  double at_s = 0;
 };
 
 struct Programme {
@@ -59,6 +82,7 @@ struct Programme {
   PressureController back_controller;
   LoadingFrame frame;
   std::vector<Stage> stages;
+  std::vector<OperatorAction> operator_actions;  ///< in the order of time
 };
 
 }  // namespace triax::lab

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "lab/programmes/operator_reader.hpp"
 #include "lab/programmes/stage_reader.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/toml_reader.hpp"
@@ -155,6 +156,7 @@ Programme read_programme(std::string_view toml_text, const std::string& file) {
   const TomlTable specimen = root.required_table("specimen");
   const TomlTable rig = root.required_table("rig");
   const auto stages = root.tables("stages");
+  programme.operator_actions = read_operator(root.tables("operator"));
   root.finish();
   read_test(test, programme);
   read_specimen(specimen, programme);

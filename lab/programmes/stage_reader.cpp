@@ -15,9 +15,13 @@ constexpr double kKpaPerMin = 1e3 / 60;
 
 constexpr auto kActions = std::to_array<std::pair<std::string_view, AxialAction>>(
     {{"free", AxialAction::free},
+     {"hold", AxialAction::hold},
      {"displacement", AxialAction::displacement},
+     {"spring", AxialAction::spring},
      {"load", AxialAction::load},
-     {"constant_q", AxialAction::constant_q}});
+     {"dead_load", AxialAction::dead_load},
+     {"constant_q", AxialAction::constant_q},
+     {"stress_ratio", AxialAction::stress_ratio}});
 
 AxialAction read_action(const TomlTable& table) {
   const std::string word = table.required_text("axial");
@@ -35,20 +39,50 @@ double nonzero(const TomlTable& table, std::string_view key) {
   return value;
 }
 
+double read_velocity(const TomlTable& table, const LoadingFrame& frame) {
+  const double velocity = nonzero(table, "axial_rate_mm_per_min") * 1e-3 / 60;
+  if (!gives(frame, velocity))
+    table.fail("axial_rate_mm_per_min",
+               fmt::format("the frame gives {:g} to {:g} mm/min", frame.slowest_m_per_s * 6e4,
+                           frame.fastest_m_per_s * 6e4));
+  return velocity;
+}
+
+void read_perturbation(const TomlTable& table, Stage& stage) {
+  stage.load_step_n = table.number("load_step_N", {.at_least = -1e5, .at_most = 1e5}).value_or(0);
+  stage.impulse_n_s = table.number("impulse_N_s", {.at_least = -1e3, .at_most = 1e3}).value_or(0);
+}
+
 void read_axis(const TomlTable& table, const LoadingFrame& frame, Stage& stage) {
   stage.axial = read_action(table);
-  if (stage.axial == AxialAction::displacement) {
-    stage.axial_rate_m_per_s = nonzero(table, "axial_rate_mm_per_min") * 1e-3 / 60;
-    if (!gives(frame, stage.axial_rate_m_per_s))
-      table.fail("axial_rate_mm_per_min",
-                 fmt::format("the frame gives {:g} to {:g} mm/min", frame.slowest_m_per_s * 6e4,
-                             frame.fastest_m_per_s * 6e4));
-  } else if (stage.axial == AxialAction::load) {
-    stage.load_rate_n_per_s = nonzero(table, "load_rate_N_per_min") / 60;
-  } else if (stage.axial == AxialAction::constant_q) {
-    if (const auto q = table.number(
-            "held_q_kPa", {.at_least = -kLargestPressure_kPa, .at_most = kLargestPressure_kPa}))
-      stage.held_q_pa = 1e3 * *q;
+  if (by_force(stage.axial)) read_perturbation(table, stage);
+  switch (stage.axial) {
+    case AxialAction::spring:
+      stage.spring_stiffness_n_per_m =
+          1e3 * table.required_number("spring_stiffness_N_per_mm", {.above = 0, .at_most = 1e7});
+      stage.axial_rate_m_per_s = read_velocity(table, frame);
+      break;
+    case AxialAction::displacement:
+      stage.axial_rate_m_per_s = read_velocity(table, frame);
+      stage.strain_path_R = table.number("strain_path_R", {.at_least = 0.05, .at_most = 20});
+      break;
+    case AxialAction::load:
+      stage.load_rate_n_per_s = nonzero(table, "load_rate_N_per_min") / 60;
+      break;
+    case AxialAction::constant_q:
+      if (const auto q = table.number(
+              "held_q_kPa", {.at_least = -kLargestPressure_kPa, .at_most = kLargestPressure_kPa}))
+        stage.held_q_pa = 1e3 * *q;
+      break;
+    case AxialAction::stress_ratio:
+      // q/p' lies between those of σ₁' = 0 and σ₃' = 0.
+      stage.held_stress_ratio =
+          table.required_number("held_stress_ratio", {.at_least = -1.49, .at_most = 2.99});
+      break;
+    case AxialAction::free:
+    case AxialAction::hold:
+    case AxialAction::dead_load:
+      break;
   }
 }
 
@@ -98,6 +132,13 @@ bool reachable(const EndCondition& end, const PressureDemand& demand, double sta
   if (demand.rate_pa_per_s > 0) high = demand.target_pa.value_or(controller.range_pa);
   if (demand.rate_pa_per_s < 0) low = demand.target_pa.value_or(0);
   return end.above ? *end.above <= high : *end.below >= low;
+}
+
+void check_strain_path(const TomlTable& table, const Stage& stage) {
+  if (!stage.valve_open)
+    table.fail("strain_path_R", "needs drainage = \"open\": the back controller drives the volume");
+  if (stage.back.rate_pa_per_s != 0)
+    table.fail("back_rate_kPa_per_min", "the back controller cannot follow strain_path_R as well");
 }
 
 EndCondition read_end(const TomlTable& table) {
@@ -157,8 +198,9 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   const std::string role = table.required_text("role");
   const auto known_role = stage_role_from(role);
   if (!known_role || *known_role == StageRole::unknown)
-    table.fail("role", fmt::format("{} is none; known: saturation, b_check, consolidation, shear",
-                                   excerpt(role)));
+    table.fail("role",
+               fmt::format("{} is none; known: saturation, b_check, consolidation, shear, hold",
+                           excerpt(role)));
   stage.role = *known_role;
   const std::string drainage = table.required_text("drainage");
   if (drainage != "open" && drainage != "closed")
@@ -167,6 +209,7 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   read_axis(table, programme.frame, stage);
   stage.cell = read_demand(table, "cell", programme.cell_controller, cell_pa);
   stage.back = read_demand(table, "back", programme.back_controller, back_pa);
+  if (stage.strain_path_R) check_strain_path(table, stage);
   stage.time_limit_s =
       60 * table.number("time_limit_min", {.above = 0, .at_most = 1e5}).value_or(1440);
   const auto ends = table.tables("end");

@@ -2,7 +2,10 @@
 // Where readings come from: a file (recorded), a specimen from sim/ (virtual) or instruments
 // (remote). All three look the same from here on.
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "lab/collapse/test_summary.hpp"
 #include "lab/records/reading.hpp"
 #include "lab/records/record_header.hpp"
 
@@ -24,6 +27,10 @@ class BackEnd {
   virtual double progress() const = 0;
   /// What the specimen itself did, complete once next() has returned false; only simulations know.
   virtual std::optional<Truth> truth() const { return std::nullopt; }
+  /// What happened to the rig itself since the last call: held, safe state, run-away.
+  virtual std::vector<Event> events() { return {}; }
+  /// Ends the test in an orderly way, where there is something to end.
+  virtual void abort(const std::string& /*reason*/) {}
 };
 
 }  // namespace triax::lab

@@ -52,6 +52,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
     pace.wait_for(reading.time_s);
     if (stage != reading.stage) emit happened(stage_event(back_end.header(), reading));
     stage = reading.stage;
+    for (const Event& event : back_end.events()) emit happened(event);
     const State state = reduction.reduce(reading);
     emit scanned(reading, state);
     monitor.watch(state);
@@ -61,6 +62,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
       if (now >= next_progress) next_progress = now + std::chrono::milliseconds(50);
     }
   }
+  for (const Event& event : back_end.events()) emit happened(event);
   summary.collapse = monitor.finish();
   summary.peak = monitor.peak();
   summary.consolidation = reduction.consolidation();

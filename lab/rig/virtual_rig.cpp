@@ -7,56 +7,19 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lab/devices/noise.hpp"
 #include "lab/records/bad_input.hpp"
+#include "lab/rig/axis_control.hpp"
+#include "lab/rig/rig_header.hpp"
+#include "lab/rig/run_away_log.hpp"
+#include "lab/rig/supervision.hpp"
 #include "lab/rig/truth_watch.hpp"
 
 namespace triax::lab {
 namespace {
 
-/// Longest tick.
-constexpr double kTick_s = 0.25;
-
-AxialControl control_of(AxialAction action) {
-  switch (action) {
-    case AxialAction::displacement:
-      return AxialControl::displacement;
-    case AxialAction::constant_q:
-      return AxialControl::constant_q;
-    case AxialAction::free:
-    case AxialAction::load:
-      return AxialControl::load;
-  }
-  return AxialControl::unknown;
-}
-
-RecordHeader make_header(const Programme& programme, std::uint64_t seed) {
-  RecordHeader h;
-  h.name = programme.name;
-  h.origin = Origin::simulated;
-  h.programme = programme.type;
-  h.source = programme.source;
-  h.seed = seed;
-  h.specimen.height_m = programme.specimen.height_m;
-  h.specimen.diameter_m = programme.specimen.diameter_m;
-  h.specimen.void_ratio = programme.void_ratio;
-  h.specimen.specific_gravity = programme.specific_gravity;
-  h.specimen.material = programme.material.name;
-  if (const auto limit = programme.material.material.axisymmetric->limit_stress_ratio())
-    h.specimen.limit_friction_angle_rad = sim::mobilised_friction_angle(*limit);
-  int number = 1;
-  for (const Stage& stage : programme.stages)
-    h.stages.push_back({number++, stage.name, stage.role,
-                        stage.valve_open ? Drainage::open : Drainage::closed,
-                        control_of(stage.axial)});
-  for (const auto& row : quantities().first(kRawQuantityCount)) h.columns.push_back(row.quantity);
-  return h;
-}
-
-sim::Specimen make_specimen(const Programme& programme) {
+Plant make_plant(const Programme& programme) {
   try {
-    return {programme.material.material.axisymmetric, programme.specimen, programme.void_ratio,
-            programme.initial_effective_stress_pa, programme.initial_back_pressure_pa};
+    return Plant(programme);
   } catch (const std::invalid_argument& error) {
     throw BadInput(programme.source, 0, error.what());
   }
@@ -65,141 +28,194 @@ sim::Specimen make_specimen(const Programme& programme) {
 }  // namespace
 
 struct VirtualRig::Impl {
+  enum class Mode { running, held, safe };
+
   Impl(const Programme& p, std::uint64_t used_seed)
       : programme(p),
-        seed(used_seed),
-        header(make_header(p, used_seed)),
-        specimen(make_specimen(p)),
-        state(specimen.start()),
-        back_pressure(p.initial_back_pressure_pa) {}
+        header(rig_header(p, used_seed)),
+        plant(make_plant(p)),
+        instruments(p, used_seed),
+        seen(header),
+        supervision(p) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
-  double time_in_stage() const {
-    return static_cast<double>(number - stage_start) * programme.scan_interval_s;
-  }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
   void warn_once(bool& done, const std::string& text) {
     if (!std::exchange(done, true)) warn(text);
   }
+  void tell(const std::string& kind, const std::string& detail) {
+    events.push_back({.reading = number, .time_s = time_s, .kind = kind, .detail = detail});
+  }
 
+  void look();
   void begin_stage();
-  double value_of(EndQuantity quantity) const;
-  bool end_met() const;
-  bool next_stage();
-  double wanted_force(double ahead_s) const;
-  bool tick(double time_s, double dt_s);
+  bool met(const EndCondition& end) const;
+  bool stage_over();
+  void act_as_operator();
+  void go(Mode next, const std::string& kind, const std::string& detail);
+  PressureDemand pressure_demand(const PressureDemand& staged) const;
+  std::optional<double> outflow(double dt_s) const;
+  PlantDemand demand(double dt_s);
+  void supervise(double dt_s);
+  bool tick(double dt_s);
+  bool survived(const sim::SpecimenStep& step);
   bool advance_to_next_scan();
-  void scan(Reading& reading);
-  double true_channel(Quantity quantity) const;
+  void check_ranges();
 
   Programme programme;
-  std::uint64_t seed;
   RecordHeader header;
-  sim::Specimen specimen;
-  sim::SpecimenState state;
-  double back_pressure;
+  Plant plant;
+  Instruments instruments;
+  Seen seen;
+  Supervision supervision;
+  AxisControl axis;
   TruthWatch watch;
+  RunAwayLog run_aways;
+  std::vector<Event> events;
 
-  std::int64_t number = -1;  ///< of the last reading
+  Reading reading;            ///< the latest look
+  double time_s = 0;
+  std::int64_t number = -1;   ///< of the last scan
   std::size_t stage_index = 0;
-  std::int64_t stage_start = 0;  ///< reading at which the stage began
-  double force_at_stage_start = 0;
-  double held_q = 0;
-  std::optional<double> shear_height, shear_volume;  ///< at the start of the first shear stage
+  Mode mode = Mode::running;
+  int safe_readings = 0;
+  std::size_t next_action = 0;
+  PlantDemand before;  ///< of the last tick
+  std::optional<double> shear_height;  ///< at the start of the first shear stage
+  /// As seen when the stage began, for a strain path.
+  double path_height = 0, path_volume = 0, path_back_volume = 0;
   std::array<double, kEndQuantityCount> at_stage_start{};
   bool finished = false;
   std::array<bool, kRawQuantityCount> saturation_warned{};
   bool cavitation_warned = false, accuracy_warned = false;
 };
 
+void VirtualRig::Impl::look() {
+  reading = Reading();
+  reading.number = number;
+  reading.time_s = time_s;
+  reading.stage = mode == Mode::running ? static_cast<int>(stage_index) + 1
+                                        : static_cast<int>(programme.stages.size()) + 1;
+  instruments.look(plant, time_s, reading);
+  seen.take(reading);
+}
+
 void VirtualRig::Impl::begin_stage() {
-  stage_start = std::max<std::int64_t>(number, 0);
-  force_at_stage_start = specimen.axial_force(state);
-  held_q = stage().held_q_pa.value_or(state.material.q());
+  seen.begin_stage();
+  const sim::SpecimenState& specimen = plant.state().specimen;
+  axis.begin_stage(stage(), seen, plant.specimen().axial_force(specimen));
+  supervision.begin_stage(stage());
+  before = {};
+  path_height = programme.specimen.height_m - seen[Quantity::axial_displacement];
+  path_volume = seen.state().area_m2 * path_height;
+  path_back_volume = seen[Quantity::back_volume];
   if (stage().role == StageRole::shear && !shear_height) {
-    shear_height = state.height_m;
-    shear_volume = specimen.volume_m3(state);
-    for (const auto& outside : {void_ratio_outside(programme.material, state.material.void_ratio),
-                                p_eff_outside(programme.material, state.material.p())})
+    shear_height = specimen.height_m;
+    for (const auto& outside :
+         {void_ratio_outside(programme.material, specimen.material.void_ratio),
+          p_eff_outside(programme.material, specimen.material.p())})
       if (outside) warn("at the start of shear " + *outside);
   }
   for (int i = 0; i < kEndQuantityCount; ++i)
-    at_stage_start[static_cast<std::size_t>(i)] = value_of(static_cast<EndQuantity>(i));
+    at_stage_start[static_cast<std::size_t>(i)] = seen.value(static_cast<EndQuantity>(i));
 }
 
-double VirtualRig::Impl::value_of(EndQuantity quantity) const {
-  const double height_0 = shear_height.value_or(programme.specimen.height_m);
-  switch (quantity) {
-    case EndQuantity::time:
-      return time_in_stage();
-    case EndQuantity::cell_pressure:
-      return state.cell_pressure;
-    case EndQuantity::back_pressure:
-      return back_pressure;
-    case EndQuantity::pore_pressure:
-      return state.pore_pressure;
-    case EndQuantity::pore_pressure_lag:
-      return std::abs(state.pore_pressure - back_pressure);
-    case EndQuantity::deviator_stress:
-      return state.material.q();
-    case EndQuantity::mean_effective_stress:
-      return state.material.p();
-    case EndQuantity::stress_ratio:
-      return state.material.q() / state.material.p();
-    case EndQuantity::axial_strain:
-      return 1 - state.height_m / height_0;
-    case EndQuantity::volumetric_strain:
-      return 1 - specimen.volume_m3(state) /
-                     shear_volume.value_or(specimen.volume_m3(specimen.start()));
-    case EndQuantity::axial_displacement:
-      return programme.specimen.height_m - state.height_m;
-    case EndQuantity::axial_force:
-      return specimen.axial_force(state);
+/// A pressure that is the target of the stage's own ramp counts as reached when its controller has
+/// come to it, whatever an offset of the transducer says.
+bool VirtualRig::Impl::met(const EndCondition& end) const {
+  const double bound = end.above.value_or(end.below.value_or(0));
+  if (end.quantity == EndQuantity::cell_pressure && stage().cell.target_pa == bound)
+    return end.met(plant.state().cell.asked_pa);
+  if (end.quantity == EndQuantity::back_pressure && stage().back.target_pa == bound)
+    return end.met(plant.state().back.asked_pa);
+  return seen.met(end);
+}
+
+/// True where the stage is over and none follows, or it may not go on.
+bool VirtualRig::Impl::stage_over() {
+  if (mode == Mode::safe) return ++safe_readings > kSafeReadings;
+  if (mode == Mode::held) return false;
+  if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
+    if (stage_index + 1 >= programme.stages.size()) return true;
+    ++stage_index;
+    begin_stage();
+    return false;
   }
-  return 0;
-}
-
-bool VirtualRig::Impl::end_met() const {
-  return std::ranges::any_of(stage().end,
-                             [&](const EndCondition& e) { return e.met(value_of(e.quantity)); });
-}
-
-bool VirtualRig::Impl::next_stage() {
-  if (stage_index + 1 >= programme.stages.size()) return false;
-  ++stage_index;
-  begin_stage();
+  if (seen.stage_time_s() < stage().time_limit_s) return false;
+  warn(fmt::format("stage \"{}\" did not reach its end within {:g} min; the test ended there",
+                   stage().name, stage().time_limit_s / 60));
   return true;
 }
 
-double VirtualRig::Impl::wanted_force(double ahead_s) const {
-  if (stage().axial == AxialAction::load)
-    return force_at_stage_start + stage().load_rate_n_per_s * (time_in_stage() + ahead_s);
-  return held_q * specimen.area_m2(state);
+void VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string& detail) {
+  if (mode == next || mode == Mode::safe) return;
+  const bool resumed = next == Mode::running;
+  mode = next;
+  tell(kind, detail);
+  if (next == Mode::safe)
+    warn(fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s, stage().name,
+                     detail));
+  if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
 }
 
-/// One tick of the rig; false when the test cannot go on.
-bool VirtualRig::Impl::tick(double time_s, double dt_s) {
-  sim::SpecimenBoundary boundary;
-  boundary.valve_open = stage().valve_open;
-  const double cell_next =
-      process(programme.cell_controller, state.cell_pressure, stage().cell, dt_s);
-  const double back_next = process(programme.back_controller, back_pressure, stage().back, dt_s);
-  boundary.cell_pressure_rate = (cell_next - state.cell_pressure) / dt_s;
-  boundary.back_pressure = back_pressure;
-  boundary.back_pressure_rate = (back_next - back_pressure) / dt_s;
-  if (stage().axial == AxialAction::free) {
-    boundary.axial = sim::SpecimenBoundary::Axial::deviator_stress;
-    // What an earlier stage left on the piston comes off within this tick.
-    boundary.axial_rate = -state.material.q() / dt_s;
-  } else if (stage().axial == AxialAction::displacement) {
-    boundary.axial_rate = stage().axial_rate_m_per_s;
-  } else {
-    const double ahead_s = time_s - static_cast<double>(number) * programme.scan_interval_s;
-    boundary.axial = sim::SpecimenBoundary::Axial::servo;
-    boundary.servo = {wanted_force(ahead_s + dt_s), programme.frame.servo_gain_m_per_s_per_n,
-                      programme.frame.fastest_m_per_s};
+void VirtualRig::Impl::act_as_operator() {
+  for (; next_action < programme.operator_actions.size(); ++next_action) {
+    const OperatorAction& action = programme.operator_actions[next_action];
+    if (action.at_s > time_s) return;
+    if (action.kind == OperatorAction::Kind::hold) go(Mode::held, "held", "by the operator");
+    if (action.kind == OperatorAction::Kind::resume)
+      go(Mode::running, "resumed", "by the operator");
+    if (action.kind == OperatorAction::Kind::abort)
+      go(Mode::safe, "aborted", "aborted by the operator");
   }
-  const sim::SpecimenStep step = specimen.advance(state, boundary, dt_s);
+}
+
+/// Flow out of the specimen that keeps dε₁ + 2R dε₃ = 0 in natural strains: V = V₀ (H/H₀)^(1 − 1/R).
+std::optional<double> VirtualRig::Impl::outflow(double dt_s) const {
+  if (!stage().strain_path_R || mode != Mode::running) return std::nullopt;
+  const double height = programme.specimen.height_m - seen[Quantity::axial_displacement] -
+                        stage().axial_rate_m_per_s * dt_s;
+  const double wanted =
+      path_volume * std::pow(height / path_height, 1 - 1 / *stage().strain_path_R);
+  const double volume = path_volume + seen[Quantity::back_volume] - path_back_volume;
+  return (volume - wanted) / dt_s;
+}
+
+PlantDemand VirtualRig::Impl::demand(double dt_s) {
+  PlantDemand d;
+  d.valve_open = stage().valve_open;
+  if (mode != Mode::running) {
+    // Without a piston there is nothing to lock.
+    if (stage().axial != AxialAction::free) d.axis.kind = AxisDemand::Kind::crosshead;
+    return d;
+  }
+  d.cell = stage().cell;
+  d.back = stage().back;
+  d.outflow_m3_per_s = outflow(dt_s);
+  d.axis = axis.demand(seen, plant.next_cell_pa(d.cell, dt_s), dt_s);
+  return d;
+}
+
+void VirtualRig::Impl::supervise(double dt_s) {
+  for (const std::string& note : supervision.notes()) {
+    warn(note);
+    tell("device_fault", note);
+  }
+  if (mode != Mode::running) return;
+  Asked asked;
+  asked.force_n = axis.wanted_force_n();
+  asked.valve_open = before.valve_open;
+  asked.back_by_volume = before.outflow_m3_per_s.has_value();
+  asked.cell_pa = plant.state().cell.asked_pa;
+  asked.back_pa = plant.state().back.asked_pa;
+  if (before.axis.spring_n_per_m == 0) asked.crosshead_velocity = before.axis.velocity_m_per_s;
+  if (const auto reason =
+          supervision.look(reading, seen, asked, instruments, plant.state(), dt_s))
+    go(Mode::safe, "safe_state", *reason);
+}
+
+/// False where the test cannot go on after this step.
+bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
   if (step.outcome == sim::StepOutcome::failed) {
     // A test that has readings is kept: the law may end where the specimen is liquefied.
     if (!step.law_ended || number <= 0)
@@ -213,108 +229,98 @@ bool VirtualRig::Impl::tick(double time_s, double dt_s) {
     warn_once(accuracy_warned, fmt::format("from {:.6g} s on the integration of the law is less "
                                            "accurate than asked for",
                                            time_s));
-  watch.watch(time_s, dt_s, state, step, stage().role == StageRole::shear,
-              shear_height.value_or(programme.specimen.height_m));
   if (step.outcome == sim::StepOutcome::lost_control) {
-    warn(
-        fmt::format("stage \"{}\" ended at {:.6g} s: the specimen does not allow what was asked "
-                    "(q = {:.4g} kPa, p' = {:.4g} kPa)",
-                    stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
-                    step.state.material.p() / 1e3));
+    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the specimen does not allow what was asked "
+                     "(q = {:.4g} kPa, p' = {:.4g} kPa)",
+                     stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
+                     step.state.material.p() / 1e3));
     return false;
   }
-  state = step.state;
-  state.cell_pressure = cell_next;
-  back_pressure = back_next;
-  if (state.pore_pressure < 0)
+  if (step.state.pore_pressure < 0)
     warn_once(cavitation_warned,
-              fmt::format("pore pressure below 0 from {:.6g} s on: cavitation is "
-                          "not modelled",
+              fmt::format("pore pressure below 0 from {:.6g} s on: cavitation is not modelled",
                           time_s));
-  if (programme.specimen.height_m - state.height_m > programme.frame.travel_m) {
-    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the frame's travel of {:g} mm is used up",
-                     stage().name, time_s, programme.frame.travel_m * 1e3));
-    return false;
-  }
   return true;
+}
+
+/// One tick of the rig; false when the test cannot go on.
+bool VirtualRig::Impl::tick(double dt_s) {
+  act_as_operator();
+  supervise(dt_s);
+  before = demand(dt_s);
+  const sim::SpecimenState start = plant.state().specimen;
+  const sim::SpecimenStep& step = plant.advance(before, time_s, dt_s);
+  if (step.outcome != sim::StepOutcome::failed)
+    watch.watch(time_s, dt_s, start, step,
+                stage().role == StageRole::shear && mode == Mode::running,
+                shear_height.value_or(programme.specimen.height_m));
+  if (!survived(step)) return false;
+  time_s += dt_s;
+  if (mode == Mode::running) seen.add_stage_time(dt_s);
+  if (const std::string news = run_aways.watch(time_s, step.state); !news.empty())
+    tell("run_away", news);
+  if (programme.specimen.height_m - step.state.height_m < programme.frame.travel_m) return true;
+  warn(fmt::format("stage \"{}\" ended at {:.6g} s: the frame's travel of {:g} mm is used up",
+                   stage().name, time_s, programme.frame.travel_m * 1e3));
+  return false;
 }
 
 bool VirtualRig::Impl::advance_to_next_scan() {
   const double interval = programme.scan_interval_s;
   const auto ticks = static_cast<int>(std::ceil(interval / kTick_s - 1e-9));
-  const double start = static_cast<double>(number) * interval;
-  const double dt = interval / ticks;
-  for (int i = 0; i < ticks; ++i)
-    if (!tick(start + i * dt, dt)) return false;
+  for (int i = 0; i < ticks; ++i) {
+    if (i > 0) look();
+    if (!tick(interval / ticks)) return false;
+  }
+  time_s = static_cast<double>(number + 1) * interval;
   return true;
 }
 
-double VirtualRig::Impl::true_channel(Quantity quantity) const {
-  switch (quantity) {
-    case Quantity::axial_displacement:
-      return programme.specimen.height_m - state.height_m;
-    case Quantity::axial_force:
-      return specimen.axial_force(state);
-    case Quantity::cell_pressure:
-      return state.cell_pressure;
-    case Quantity::back_pressure:
-      return back_pressure;
-    case Quantity::pore_pressure:
-      return state.pore_pressure;
-    case Quantity::back_volume:
-      return -state.drained_volume_m3;
-    case Quantity::cell_volume:
-      return specimen.volume_m3(specimen.start()) - specimen.volume_m3(state);
-    default:
-      return kMissing;
-  }
-}
-
-void VirtualRig::Impl::scan(Reading& reading) {
-  reading = Reading();
-  reading.number = number;
-  reading.time_s = static_cast<double>(number) * programme.scan_interval_s;
-  reading.stage = static_cast<int>(stage_index) + 1;
-  for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
-    const auto& row = quantities()[i];
-    const Transducer& transducer = programme.transducers[i];
-    const double normal =
-        transducer.noise_rms > 0 ? standard_normal(seed, i, static_cast<std::uint64_t>(number)) : 0;
-    const TransducerReading r = read(transducer, true_channel(row.quantity), normal);
-    if (r.saturated)
+void VirtualRig::Impl::check_ranges() {
+  for (std::size_t i = 0; i < kRawQuantityCount; ++i)
+    if (const auto& row = quantities()[i]; instruments.saturated(row.quantity))
       warn_once(saturation_warned[i],
                 fmt::format("{} went out of its range of {:g} {} at {:.6g} s", row.name,
-                            transducer.range, row.unit, reading.time_s));
-    reading[row.quantity] = r.si;
-  }
+                            programme.transducers[i].range, row.unit, time_s));
 }
 
 VirtualRig::VirtualRig(const Programme& programme, std::optional<std::uint64_t> seed)
     : impl_(std::make_unique<Impl>(programme, seed.value_or(programme.seed))) {
   if (programme.stages.empty()) throw BadInput(programme.source, 0, "the programme has no stage");
-  impl_->begin_stage();
 }
 VirtualRig::~VirtualRig() = default;
 
 const RecordHeader& VirtualRig::header() const { return impl_->header; }
-std::optional<Truth> VirtualRig::truth() const { return impl_->watch.truth(); }
-const sim::SpecimenState& VirtualRig::specimen_state() const { return impl_->state; }
+const sim::SpecimenState& VirtualRig::specimen_state() const {
+  return impl_->plant.state().specimen;
+}
+
+std::optional<Truth> VirtualRig::truth() const {
+  Truth truth = impl_->watch.truth();
+  truth.run_aways = impl_->run_aways.all();
+  return truth;
+}
+
+std::vector<Event> VirtualRig::events() { return std::exchange(impl_->events, {}); }
+
+void VirtualRig::hold() { impl_->go(Impl::Mode::held, "held", "from outside"); }
+void VirtualRig::resume() { impl_->go(Impl::Mode::running, "resumed", "from outside"); }
+void VirtualRig::abort(const std::string& reason) {
+  impl_->go(Impl::Mode::safe, "aborted", reason);
+}
 
 bool VirtualRig::next(Reading& reading) {
   Impl& rig = *impl_;
   if (rig.finished) return false;
   if (rig.number >= 0) {
-    const bool late = rig.time_in_stage() >= rig.stage().time_limit_s;
-    const bool met = rig.end_met();
-    if (!met && late)
-      rig.warn(
-          fmt::format("stage \"{}\" did not reach its end within {:g} min; the test ended there",
-                      rig.stage().name, rig.stage().time_limit_s / 60));
-    rig.finished = (met && !rig.next_stage()) || (!met && late) || !rig.advance_to_next_scan();
+    rig.finished = rig.stage_over() || !rig.advance_to_next_scan();
     if (rig.finished) return false;
   }
   ++rig.number;
-  rig.scan(reading);
+  rig.look();
+  if (rig.number == 0) rig.begin_stage();
+  rig.check_ranges();
+  reading = rig.reading;
   return true;
 }
 
@@ -325,7 +331,8 @@ double VirtualRig::progress() const {
   for (const EndCondition& end : rig.stage().end) {
     const double start = rig.at_stage_start[static_cast<std::size_t>(end.quantity)];
     const double way = (end.above ? *end.above : *end.below) - start;
-    if (way != 0) done = std::max(done, (rig.value_of(end.quantity) - start) / way);
+    const double share = (rig.seen.value(end.quantity) - start) / way;
+    if (std::isfinite(share)) done = std::max(done, share);
   }
   return (static_cast<double>(rig.stage_index) + std::clamp(done, 0.0, 1.0)) /
          static_cast<double>(rig.programme.stages.size());

@@ -1,21 +1,23 @@
 #pragma once
-// The rig with a specimen from sim/ instead of instruments on a bench.
+// The rig with a specimen from sim/ instead of instruments on a bench: plant, instruments, and the
+// software that runs the stages, which knows readings only (seen.hpp).
 //
-// Between scans the specimen is advanced in ticks, and a wanted force is set anew at each. Stages
-// end at scans, on the specimen's true values; the reading at which an end is met is the last of
-// its stage. Transducers then make a reading of the true values; noise depends only on seed,
-// channel and number of the reading. Time is number × interval. Everything is held in a few values:
-// memory does not grow with the test.
+// Between scans the plant is advanced in ticks of at most kTick_s. At the start of each the
+// instruments are looked at, the supervision has its say, the loops ask for what the stage wants.
+// A stage ends at a scan; the reading at which an end is met is the last of its stage. Time is
+// number × interval. Everything is held in a few values: memory does not grow with the test.
 //
-// Channels: axial displacement and back volume count from the start of the test; axial force is
-// that of an internal load cell, F = q A; cell volume is the water that follows the specimen's
-// change of volume (the piston displaces none).
+// Channels: axial displacement and volumes count from the start of the test; axial force is that of
+// an internal load cell, above the cell pressure; volumes are what the controllers' pistons pushed
+// out, into specimen and cell.
 //
-// Not modelled yet: membrane, inertia, stiffness of frame and load cell, cavitation (warned of when
-// the pore pressure turns negative), incomplete saturation.
+// Held or in its safe state the rig locks the crosshead and holds both pressures, in a stage of its
+// own (the last of the header) of which nothing is judged. After a hold the test goes on where it
+// was; the safe state ends it after kSafeReadings.
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "lab/programmes/programme.hpp"
 #include "lab/rig/back_end.hpp"
@@ -24,19 +26,30 @@ namespace triax::lab {
 
 class VirtualRig : public BackEnd {
  public:
+  static constexpr double kTick_s = 0.25;
+  static constexpr int kSafeReadings = 10;
+
   /// `seed` replaces the programme's own. Throws BadInput if the programme was built by hand with
   /// values that its reader would refuse.
   explicit VirtualRig(const Programme& programme, std::optional<std::uint64_t> seed = {});
   ~VirtualRig() override;
 
   const RecordHeader& header() const override;
-  /// A stage that does not reach its end, the end of the frame's travel and a control that the
-  /// specimen does not allow end the test with a warning in the header; a state that the law cannot
-  /// describe throws WorkFailed.
+  /// A stage that does not reach its end, the end of the travel and a control that the specimen
+  /// does not allow end the test with a warning in the header; a device that fails leads to the
+  /// safe state. A state that the law cannot describe ends it too, or throws WorkFailed before the
+  /// second reading.
   bool next(Reading& reading) override;
   double progress() const override;
-  /// See TruthWatch.
+  /// See TruthWatch and RunAwayLog.
   std::optional<Truth> truth() const override;
+  /// What happened to the rig since the last call.
+  std::vector<Event> events() override;
+
+  /// Pauses, goes on, or leads to the safe state, from the next tick on.
+  void hold();
+  void resume();
+  void abort(const std::string& reason) override;
 
   /// True state of the specimen at the last reading, which no instrument sees.
   const sim::SpecimenState& specimen_state() const;

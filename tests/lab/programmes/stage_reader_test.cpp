@@ -75,3 +75,24 @@ TEST_CASE("a pressure demand has a rate that its controller has") {
   CHECK_THAT(complaint("axial = \"free\"\nback_rate_kPa_per_min = 1e6\n" + kEnd),
              Contains("at most"));
 }
+
+TEST_CASE("every way of moving the axis has its own keys") {
+  for (const char* good :
+       {"axial = \"hold\"\n", "axial = \"dead_load\"\nimpulse_N_s = 0.05\n",
+        "axial = \"load\"\nload_rate_N_per_min = 5\nload_step_N = 1\n",
+        "axial = \"spring\"\naxial_rate_mm_per_min = 0.1\nspring_stiffness_N_per_mm = 50\n",
+        "axial = \"stress_ratio\"\nheld_stress_ratio = 0.5\n",
+        "axial = \"displacement\"\naxial_rate_mm_per_min = 0.1\nstrain_path_R = 0.8\n"})
+    CHECK(complaint(good + kEnd) == "accepted");
+  CHECK_THAT(complaint("axial = \"spring\"\naxial_rate_mm_per_min = 0.1\n" + kEnd),
+             Contains("spring_stiffness_N_per_mm is missing"));
+  CHECK_THAT(complaint("axial = \"stress_ratio\"\nheld_stress_ratio = 3\n" + kEnd),
+             Contains("held_stress_ratio"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0.1\nload_step_N = 1\n" +
+                       kEnd),
+             Contains("unknown key 'load_step_N'"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0.1\nstrain_path_R = "
+                       "0.8\nback_rate_kPa_per_min = 1\n" +
+                       kEnd),
+             Contains("cannot follow strain_path_R as well"));
+}

@@ -1,0 +1,64 @@
+#include "lab/rig/axis_control.hpp"
+
+#include <utility>
+
+namespace triax::lab {
+
+void AxisControl::begin_stage(const Stage& stage, const Seen& seen, double true_force_n) {
+  *this = AxisControl();
+  stage_ = stage;
+  force_at_start_ = seen[Quantity::axial_force];
+  dead_force_ = true_force_n + stage.load_step_n;
+  held_q_ = stage.held_q_pa.value_or(seen.state().q);
+  if (by_force(stage.axial)) wanted_ = force_at_start_;
+  trim_ = true_force_n - force_at_start_;
+}
+
+void AxisControl::resume(const Seen& seen, double true_force_n) {
+  trim_ = true_force_n - seen[Quantity::axial_force];
+}
+
+double AxisControl::wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const {
+  switch (stage_.axial) {
+    case AxialAction::load:
+      return force_at_start_ + stage_.load_step_n +
+             stage_.load_rate_n_per_s * (seen.stage_time_s() + dt_s);
+    case AxialAction::constant_q:
+      return held_q_ * seen.next_area_m2() + stage_.load_step_n;
+    case AxialAction::stress_ratio: {
+      const double eta = stage_.held_stress_ratio;
+      const double radial = next_cell_pa - seen[Quantity::pore_pressure];
+      return eta * radial / (1 - eta / 3) * seen.next_area_m2() + stage_.load_step_n;
+    }
+    default:
+      return force_at_start_;
+  }
+}
+
+AxisDemand AxisControl::demand(const Seen& seen, double next_cell_pa, double dt_s) {
+  AxisDemand d;
+  const bool first = std::exchange(first_, false);
+  if (stage_.axial == AxialAction::free) return d;
+  if (!by_force(stage_.axial)) {
+    d.kind = AxisDemand::Kind::crosshead;
+    d.velocity_m_per_s = stage_.axial_rate_m_per_s;
+    d.spring_n_per_m = stage_.spring_stiffness_n_per_m;
+    return d;
+  }
+  d.kind = AxisDemand::Kind::force;
+  d.dead = stage_.axial == AxialAction::dead_load;
+  if (first) {
+    d.impulse_n_s = stage_.impulse_n_s;
+    d.perturbed = stage_.impulse_n_s != 0 || stage_.load_step_n != 0;
+  }
+  if (d.dead) {
+    d.force_n = dead_force_;
+    return d;
+  }
+  if (!first) trim_ += kTrim_per_s * dt_s * (*wanted_ - seen[Quantity::axial_force]);
+  wanted_ = wanted_force(seen, next_cell_pa, dt_s);
+  d.force_n = *wanted_ + trim_;
+  return d;
+}
+
+}  // namespace triax::lab

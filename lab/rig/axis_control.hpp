@@ -1,0 +1,40 @@
+#pragma once
+// The control loop of the axis: from the stage and what was seen to what the axis is asked for.
+//
+//   load          F = F at the start + rate · t
+//   constant_q    F = q A                      A: from the readings, expected at the end of the tick
+//   stress_ratio  F = η σ₃′/(1 − η/3) A        σ₃′: cell pressure asked for, less the pore pressure
+//   dead_load     F as it is (the masses are chosen so)
+// A servo adds to its demand what the load cell says is missing, at kTrim_per_s, so that a wrong
+// load cell gives a wrong force.
+#include "lab/rig/plant.hpp"
+#include "lab/rig/seen.hpp"
+
+namespace triax::lab {
+
+class AxisControl {
+ public:
+  static constexpr double kTrim_per_s = 0.05;
+
+  /// A new stage takes over from what is; `true_force_n` is what stands on the piston.
+  void begin_stage(const Stage& stage, const Seen& seen, double true_force_n);
+  /// Goes on after a pause, from the force that stands on the piston then.
+  void resume(const Seen& seen, double true_force_n);
+  /// For the tick from now to dt later; `next_cell_pa` is the cell pressure asked for then.
+  AxisDemand demand(const Seen& seen, double next_cell_pa, double dt_s);
+  /// What the servo is to bring the load cell to; empty where nothing follows a force.
+  std::optional<double> wanted_force_n() const { return wanted_; }
+
+ private:
+  double wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const;
+
+  Stage stage_;
+  double force_at_start_ = 0;  ///< as read
+  double dead_force_ = 0;      ///< as it is
+  double held_q_ = 0;
+  double trim_ = 0;
+  bool first_ = true;
+  std::optional<double> wanted_;
+};
+
+}  // namespace triax::lab

@@ -1,0 +1,67 @@
+#include "lab/rig/rig_header.hpp"
+
+#include "sim/mechanics/axisymmetric.hpp"
+
+namespace triax::lab {
+namespace {
+
+AxialControl control_of(AxialAction action) {
+  switch (action) {
+    case AxialAction::hold:
+    case AxialAction::displacement:
+      return AxialControl::displacement;
+    case AxialAction::constant_q:
+      return AxialControl::constant_q;
+    case AxialAction::free:
+    case AxialAction::spring:
+    case AxialAction::load:
+    case AxialAction::dead_load:
+    case AxialAction::stress_ratio:
+      return AxialControl::load;
+  }
+  return AxialControl::unknown;
+}
+
+template <class Number>
+std::optional<Number> unless_zero(Number value) {
+  return value == 0 ? std::nullopt : std::optional(value);
+}
+
+}  // namespace
+
+RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
+  RecordHeader h;
+  h.name = programme.name;
+  h.origin = Origin::simulated;
+  h.programme = programme.type;
+  h.source = programme.source;
+  h.seed = seed;
+  h.specimen.height_m = programme.specimen.height_m;
+  h.specimen.diameter_m = programme.specimen.diameter_m;
+  h.specimen.void_ratio = programme.void_ratio;
+  h.specimen.specific_gravity = programme.specific_gravity;
+  h.specimen.membrane_thickness_m = unless_zero(programme.specimen.membrane_thickness_m);
+  h.specimen.membrane_modulus_pa = unless_zero(programme.specimen.membrane_modulus_pa);
+  h.specimen.material = programme.material.name;
+  if (const auto limit = programme.material.material.axisymmetric->limit_stress_ratio())
+    h.specimen.limit_friction_angle_rad = sim::mobilised_friction_angle(*limit);
+  int number = 1;
+  for (const Stage& stage : programme.stages)
+    h.stages.push_back({.number = number++,
+                        .name = stage.name,
+                        .role = stage.role,
+                        .drainage = stage.valve_open ? Drainage::open : Drainage::closed,
+                        .control = control_of(stage.axial),
+                        .strain_path_R = stage.strain_path_R});
+  h.stages.push_back({.number = number,
+                      .name = "held",
+                      .role = StageRole::hold,
+                      .drainage = Drainage::unknown,
+                      .control = AxialControl::displacement,
+                      .strain_path_R = {}});
+  for (const auto& row : quantities().first(kRawQuantityCount)) h.columns.push_back(row.quantity);
+  for (const Fault& fault : programme.faults) h.warnings.push_back({0, describe(fault)});
+  return h;
+}
+
+}  // namespace triax::lab

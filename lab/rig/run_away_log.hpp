@@ -1,0 +1,26 @@
+#pragma once
+// Run-aways of the virtual specimen, for the truth of the test.
+#include <vector>
+
+#include "lab/records/record_header.hpp"
+#include "sim/specimen/specimen.hpp"
+
+namespace triax::lab {
+
+class RunAwayLog {
+ public:
+  /// More than so many are not kept: a specimen that slips again and again.
+  static constexpr std::size_t kMost = 100;
+
+  /// The state after the tick that ended at `time_s`. Returns a sentence where a run-away began or
+  /// ended in it, else nothing.
+  std::string watch(double time_s, const sim::SpecimenState& state);
+  const std::vector<RunAwayTruth>& all() const { return all_; }
+
+ private:
+  std::vector<RunAwayTruth> all_;
+  int seen_ = 0;         ///< number of run-aways that the specimen had at the last tick
+  bool running_ = false;
+};
+
+}  // namespace triax::lab
