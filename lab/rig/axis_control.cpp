@@ -52,10 +52,11 @@ AxisDemand AxisControl::demand(const Seen& seen, double next_cell_pa, double dt_
     d.perturbed = stage_.impulse_n_s != 0 || stage_.load_step_n != 0;
   }
   if (d.dead) {
-    d.force_n = dead_force_;
+    d.start_force_n = d.force_n = dead_force_;
     return d;
   }
   if (!first) trim_ += kTrim_per_s * dt_s * (*wanted_ - seen[Quantity::axial_force]);
+  d.start_force_n = *wanted_ + trim_;
   wanted_ = wanted_force(seen, next_cell_pa, dt_s);
   d.force_n = *wanted_ + trim_;
   return d;

@@ -17,8 +17,8 @@ void Instruments::look(const Plant& plant, double time_s, Reading& reading) {
     const Quantity channel = quantities()[i].quantity;
     const TransducerReading seen = triax::lab::look(
         transducers_[i], states_[i], plant.true_value(channel), time_s, seed_, i);
-    saturated_[i] = seen.saturated;
     reading[channel] = faults_[i].pass(seen.si, time_s);
+    saturated_[i] = seen.saturated || faults_[i].saturated();
   }
 }
 

@@ -8,10 +8,6 @@ namespace {
 
 constexpr double kGravity = 9.80665;  // m/s²
 
-bool has(const std::vector<Fault>& faults, FaultKind kind) {
-  return std::ranges::any_of(faults, [kind](const Fault& f) { return f.kind == kind; });
-}
-
 /// Stiffness of springs in series; 0 stands for a rigid one.
 double in_series(double a, double b) {
   if (a == 0) return b;
@@ -24,13 +20,6 @@ double given_volume(const PressureController& controller, const ControllerState&
   return state.given_volume_m3 - (controller.fluid_compliance_m3_per_pa == 0 ? inflow_m3 : 0);
 }
 
-ControllerState start_of(const PressureController& controller, double pressure_pa) {
-  ControllerState s;
-  s.pressure_pa = s.asked_pa = pressure_pa;
-  s.held_volume_m3 = controller.start_volume_m3;
-  return s;
-}
-
 }  // namespace
 
 Plant::Plant(const Programme& p)
@@ -41,15 +30,8 @@ Plant::Plant(const Programme& p)
       specimen_(p.material.material.axisymmetric, p.specimen, p.void_ratio,
                 p.initial_effective_stress_pa, p.initial_back_pressure_pa) {
   state_.specimen = specimen_.start();
-  state_.cell = start_of(cell_controller_, state_.specimen.cell_pressure);
-  state_.back = start_of(back_controller_, p.initial_back_pressure_pa);
-}
-
-std::vector<Fault> Plant::active(const char* device, double time_s) const {
-  std::vector<Fault> found;
-  for (const Fault& fault : faults_)
-    if (fault.device == device && fault.active(time_s)) found.push_back(fault);
-  return found;
+  state_.cell = at_rest(cell_controller_, state_.specimen.cell_pressure);
+  state_.back = at_rest(back_controller_, p.initial_back_pressure_pa);
 }
 
 sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, double dt_s,
@@ -71,7 +53,9 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
     if (demand.dead) drive.mass_kg += std::max(0.0, cylinder_force_n) / kGravity;
     return drive;
   }
-  const double velocity = has(faults, FaultKind::stuck) ? 0 : demand.velocity_m_per_s;
+  const double velocity = holds(faults, FaultKind::stuck)
+                              ? 0
+                              : given_velocity(frame_, demand.velocity_m_per_s);
   const double stiffness = in_series(frame_.stiffness_n_per_m, demand.spring_n_per_m);
   drive.kind = stiffness > 0 ? Kind::force : Kind::rigid;
   drive.velocity_m_per_s = velocity;
@@ -82,18 +66,18 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
 }
 
 const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s, double dt_s) {
-  const auto cell_faults = active("cell_controller", time_s);
-  const auto back_faults = active("back_controller", time_s);
-  const auto frame_faults = active("frame", time_s);
-  const auto valve_faults = active("valve", time_s);
+  const auto cell_faults = active_faults(faults_, "cell_controller", time_s);
+  const auto back_faults = active_faults(faults_, "back_controller", time_s);
+  const auto frame_faults = active_faults(faults_, "frame", time_s);
+  const auto valve_faults = active_faults(faults_, "valve", time_s);
   PlantState next = state_;
   triax::lab::advance(cell_controller_, next.cell, demand.cell, cell_inflow_m3_, dt_s, cell_faults);
 
   sim::SpecimenBoundary boundary;
   boundary.cell_pressure_rate_pa_per_s =
       (next.cell.pressure_pa - state_.specimen.cell_pressure) / dt_s;
-  const bool open = (demand.valve_open || has(valve_faults, FaultKind::does_not_close)) &&
-                    !has(valve_faults, FaultKind::does_not_open);
+  const bool open = (demand.valve_open || holds(valve_faults, FaultKind::does_not_close)) &&
+                    !holds(valve_faults, FaultKind::does_not_open);
   double outflow = demand.outflow_m3_per_s.value_or(0);
   if (demand.outflow_m3_per_s) {
     double pushed = -outflow;
@@ -118,9 +102,10 @@ const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s
     next.cylinder_force_n = force;  // so that it takes over without a jump
   } else if (demand.axis.dead) {
     next.cylinder_force_n = demand.axis.force_n;
-  } else if (!has(frame_faults, FaultKind::stuck)) {
-    next.cylinder_force_n =
-        followed(frame_, state_.cylinder_force_n, demand.axis.force_n, dt_s);
+  } else if (!holds(frame_faults, FaultKind::stuck)) {
+    ForceCylinderState cylinder{state_.cylinder_force_n};
+    triax::lab::advance(frame_, cylinder, demand.axis.start_force_n, demand.axis.force_n, dt_s);
+    next.cylinder_force_n = cylinder.force_n;
   }
   boundary.axis = axis(demand.axis, next.cylinder_force_n, dt_s, frame_faults);
 

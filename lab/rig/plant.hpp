@@ -21,7 +21,8 @@ struct AxisDemand {
   Kind kind = Kind::free;
   double velocity_m_per_s = 0;  ///< crosshead
   double spring_n_per_m = 0;    ///< crosshead: of a spring between it and the cap; 0: none
-  double force_n = 0;           ///< force: wanted at the end of the tick
+  double start_force_n = 0;     ///< force: wanted at the start of the tick
+  double force_n = 0;           ///< force: wanted at its end
   bool dead = false;            ///< force: masses on the piston, which no servo has to follow
   bool perturbed = false;       ///< with inertia from the start of the tick
   double impulse_n_s = 0;
@@ -58,7 +59,6 @@ class Plant {
  private:
   sim::AxialDrive axis(const AxisDemand& demand, double cylinder_force_n, double dt_s,
                        const std::vector<Fault>& active) const;
-  std::vector<Fault> active(const char* device, double time_s) const;
 
   std::vector<Fault> faults_;
   PressureController cell_controller_, back_controller_;

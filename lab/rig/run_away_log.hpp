@@ -19,8 +19,9 @@ class RunAwayLog {
 
  private:
   std::vector<RunAwayTruth> all_;
-  int seen_ = 0;         ///< number of run-aways that the specimen had at the last tick
+  int seen_ = 0;  ///< run-aways that the specimen had had at the last tick
   bool running_ = false;
+  bool follows_ = false;  ///< the one under way is kept
 };
 
 }  // namespace triax::lab
