@@ -8,4 +8,8 @@ namespace triax::lab {
 /// other.
 double standard_normal(std::uint64_t seed, std::uint64_t stream, std::uint64_t number);
 
+/// The same for a number that is uniform over 0 to 1, both excluded. Of the same arguments it is
+/// not independent of standard_normal.
+double standard_uniform(std::uint64_t seed, std::uint64_t stream, std::uint64_t number);
+
 }  // namespace triax::lab

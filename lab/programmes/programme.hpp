@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/devices/fault.hpp"
 #include "lab/devices/loading_frame.hpp"
 #include "lab/devices/pressure_controller.hpp"
 #include "lab/devices/transducer.hpp"
@@ -81,6 +82,7 @@ struct Programme {
   PressureController cell_controller;
   PressureController back_controller;
   LoadingFrame frame;
+  std::vector<Fault> faults;  ///< of all devices, in the order of the file
   std::vector<Stage> stages;
   std::vector<OperatorAction> operator_actions;  ///< in the order of time
 };
