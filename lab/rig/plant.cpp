@@ -1,7 +1,9 @@
 #include "lab/rig/plant.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "lab/devices/force_cylinder.hpp"
+#include "lab/records/reading.hpp"
 
 namespace triax::lab {
 namespace {
@@ -56,7 +58,9 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
   const double velocity = holds(faults, FaultKind::stuck)
                               ? 0
                               : given_velocity(frame_, demand.velocity_m_per_s);
-  const double stiffness = in_series(frame_.stiffness_n_per_m, demand.spring_n_per_m);
+  const double stiffness = in_series(
+      in_series(frame_.stiffness_n_per_m, frame_.load_cell_stiffness_n_per_m),
+      demand.spring_n_per_m);
   drive.kind = stiffness > 0 ? Kind::force : Kind::rigid;
   drive.velocity_m_per_s = velocity;
   drive.force_n = force;
@@ -135,7 +139,6 @@ double Plant::true_value(Quantity channel) const {
   const auto& s = state_.specimen;
   switch (channel) {
     case Quantity::axial_displacement: {
-      // The transducer stands outside: it sees the load cell's own shortening as well.
       const double load_cell = frame_.load_cell_stiffness_n_per_m;
       const double shortening = load_cell > 0 ? specimen_.axial_force(s) / load_cell : 0;
       return specimen_.start().height_m - s.height_m + shortening;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lab/devices/fault.hpp"
-#include "lab/devices/force_cylinder.hpp"
 #include "lab/devices/pressure_controller.hpp"
 #include "lab/programmes/programme.hpp"
 #include "sim/specimen/specimen.hpp"
