@@ -2,9 +2,9 @@
 // The control loop of the axis: from the stage and what was seen to what the axis is asked for.
 //
 //   load          F = F at the start + rate · t
-//   constant_q    F = q A                      A: from the readings, expected at the end of the tick
-//   stress_ratio  F = η σ₃′/(1 − η/3) A        σ₃′: cell pressure asked for, less the pore pressure
-//   dead_load     F as it is (the masses are chosen so)
+//   constant_q    F = q A                      A: from the readings, expected at the end of the
+//   tick stress_ratio  F = η σ₃′/(1 − η/3) A        σ₃′: cell pressure asked for, less the pore
+//   pressure dead_load     F as it is (the masses are chosen so)
 // A servo adds to its demand what the load cell says is missing, at kTrim_per_s, so that a wrong
 // load cell gives a wrong force.
 #include "lab/rig/plant.hpp"

@@ -15,8 +15,8 @@ Instruments::Instruments(const Programme& programme, std::uint64_t seed)
 void Instruments::look(const Plant& plant, double time_s, Reading& reading) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     const Quantity channel = quantities()[i].quantity;
-    const TransducerReading seen = triax::lab::look(
-        transducers_[i], states_[i], plant.true_value(channel), time_s, seed_, i);
+    const TransducerReading seen =
+        triax::lab::look(transducers_[i], states_[i], plant.true_value(channel), time_s, seed_, i);
     reading[channel] = faults_[i].pass(seen.si, time_s);
     saturated_[i] = seen.saturated || faults_[i].saturated();
   }

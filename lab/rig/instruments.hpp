@@ -1,5 +1,6 @@
 #pragma once
-// The transducers of the rig with their faults: from the plant's true values to what a logger reads.
+// The transducers of the rig with their faults: from the plant's true values to what a logger
+// reads.
 #include <array>
 #include <vector>
 

@@ -55,12 +55,11 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
     if (demand.dead) drive.mass_kg += std::max(0.0, cylinder_force_n) / kGravity;
     return drive;
   }
-  const double velocity = holds(faults, FaultKind::stuck)
-                              ? 0
-                              : given_velocity(frame_, demand.velocity_m_per_s);
-  const double stiffness = in_series(
-      in_series(frame_.stiffness_n_per_m, frame_.load_cell_stiffness_n_per_m),
-      demand.spring_n_per_m);
+  const double velocity =
+      holds(faults, FaultKind::stuck) ? 0 : given_velocity(frame_, demand.velocity_m_per_s);
+  const double stiffness =
+      in_series(in_series(frame_.stiffness_n_per_m, frame_.load_cell_stiffness_n_per_m),
+                demand.spring_n_per_m);
   drive.kind = stiffness > 0 ? Kind::force : Kind::rigid;
   drive.velocity_m_per_s = velocity;
   drive.force_n = force;
@@ -120,9 +119,9 @@ const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s
   next.specimen.cell_pressure = next.cell.pressure_pa;
   const double before = specimen_.volume_m3(state_.specimen);
   cell_inflow_m3_ = specimen_.volume_m3(step_.state) - before;
-  back_inflow_m3_ = demand.outflow_m3_per_s ? 0
-                                            : step_.state.drained_volume_m3 -
-                                                  state_.specimen.drained_volume_m3;
+  back_inflow_m3_ = demand.outflow_m3_per_s
+                        ? 0
+                        : step_.state.drained_volume_m3 - state_.specimen.drained_volume_m3;
   if (demand.axis.kind != AxisDemand::Kind::force)
     next.cylinder_force_n = specimen_.axial_force(next.specimen);
   state_ = std::move(next);

@@ -111,8 +111,7 @@ std::optional<std::string> Supervision::full_or_empty(const PlantState& devices)
   for (const auto& [name, state] :
        {std::pair{"cell", &devices.cell}, std::pair{"back", &devices.back}})
     if (state->full || state->empty)
-      return fmt::format("the {}-pressure controller is {}", name,
-                         state->full ? "full" : "empty");
+      return fmt::format("the {}-pressure controller is {}", name, state->full ? "full" : "empty");
   return std::nullopt;
 }
 
@@ -128,8 +127,9 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const Instrumen
     }
     silent_s_[i] += dt_s;
     if (silent_s_[i] < kDeaf_s) continue;
-    const std::string what = fmt::format(
-        "{} {}", name_of(channel), missing ? "gives no readings" : "stands at the end of its range");
+    const std::string what =
+        fmt::format("{} {}", name_of(channel),
+                    missing ? "gives no readings" : "stands at the end of its range");
     if (needs(channel)) return what;
     if (!std::exchange(told_[i], true))
       notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i]));
@@ -168,9 +168,10 @@ std::optional<std::string> Supervision::standing(const Seen& seen, const Asked& 
     force_off_s_ = off ? force_off_s_ + dt_s : 0;
     const bool stands = std::fabs(displacement - *force_off_at_) < 0.2e-3;
     if (force_off_s_ >= kAstray_s / 4 && stands)
-      return fmt::format("the load cell reads {:.1f} N where {:.1f} N were asked for, and the cap "
-                         "stands",
-                         seen[Quantity::axial_force], *asked.force_n);
+      return fmt::format(
+          "the load cell reads {:.1f} N where {:.1f} N were asked for, and the cap "
+          "stands",
+          seen[Quantity::axial_force], *asked.force_n);
   }
   if (!way_start_) way_start_ = displacement;
   asked_way_ += asked.crosshead_velocity * dt_s;
@@ -191,9 +192,10 @@ void Supervision::watch_valve(const Seen& seen, const Asked& asked) {
   }
   if (valve_told_ || std::fabs(volume - *volume_start_) < kShare * volume_m3_) return;
   valve_told_ = true;
-  notes_.push_back(fmt::format("water flows although the valve is closed ({:.0f} mm3 since it was): "
-                               "it does not close, or there is a leak",
-                               (volume - *volume_start_) * 1e9));
+  notes_.push_back(
+      fmt::format("water flows although the valve is closed ({:.0f} mm3 since it was): "
+                  "it does not close, or there is a leak",
+                  (volume - *volume_start_) * 1e9));
 }
 
 }  // namespace triax::lab

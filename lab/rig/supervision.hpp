@@ -6,11 +6,10 @@
 //
 // Looked for, beyond what the channels' health tells:
 //   a transducer without a reading, or at the end of its range, for kDeaf_s
-//   a force that stays away from what the servo wants although the cap stands: in a collapse it moves
-//   a pressure that stays away from what its controller was asked for
-//   a crosshead that was asked to move and a displacement that does not
-//   a controller that is full or empty; a load above the frame's limit (emergency stop)
-//   water that flows although the valve is closed (reported)
+//   a force that stays away from what the servo wants although the cap stands: in a collapse it
+//   moves a pressure that stays away from what its controller was asked for a crosshead that was
+//   asked to move and a displacement that does not a controller that is full or empty; a load above
+//   the frame's limit (emergency stop) water that flows although the valve is closed (reported)
 #include <array>
 #include <optional>
 #include <string>
@@ -23,17 +22,17 @@ namespace triax::lab {
 
 /// What the rig asked for at a look, beside what it then saw.
 struct Asked {
-  std::optional<double> force_n;     ///< that the servo follows
-  double crosshead_velocity = 0;     ///< m/s; only where nothing lies between crosshead and cap
-  double cell_pa = 0, back_pa = 0;   ///< set points
+  std::optional<double> force_n;    ///< that the servo follows
+  double crosshead_velocity = 0;    ///< m/s; only where nothing lies between crosshead and cap
+  double cell_pa = 0, back_pa = 0;  ///< set points
   bool back_by_volume = false;
   bool valve_open = true;
 };
 
 class Supervision {
  public:
-  static constexpr double kDeaf_s = 3;         ///< a channel may be silent for so long
-  static constexpr double kAstray_s = 60;      ///< a controlled quantity may be off for so long
+  static constexpr double kDeaf_s = 3;     ///< a channel may be silent for so long
+  static constexpr double kAstray_s = 60;  ///< a controlled quantity may be off for so long
 
   explicit Supervision(const Programme& programme);
 
@@ -59,7 +58,7 @@ class Supervision {
   std::array<double, kRawQuantityCount> silent_s_{};  ///< since when a channel says nothing
   std::array<bool, kRawQuantityCount> told_{};
   double force_off_s_ = 0, cell_off_s_ = 0, back_off_s_ = 0;
-  double asked_way_ = 0;                 ///< of the crosshead since the stage began, m
+  double asked_way_ = 0;  ///< of the crosshead since the stage began, m
   std::optional<double> way_start_, volume_start_, force_off_at_;
   bool valve_told_ = false, above_limit_ = false;
   std::vector<std::string> notes_;

@@ -73,14 +73,14 @@ struct VirtualRig::Impl {
   RunAwayLog run_aways;
   std::vector<Event> events;
 
-  Reading reading;            ///< the latest look
+  Reading reading;  ///< the latest look
   double time_s = 0;
-  std::int64_t number = -1;   ///< of the last scan
+  std::int64_t number = -1;  ///< of the last scan
   std::size_t stage_index = 0;
   Mode mode = Mode::running;
   int safe_readings = 0;
   std::size_t next_action = 0;
-  PlantDemand before;  ///< of the last tick
+  PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
   /// As seen when the stage began, for a strain path.
   double path_height = 0, path_volume = 0, path_back_volume = 0;
@@ -170,7 +170,8 @@ void VirtualRig::Impl::act_as_operator() {
   }
 }
 
-/// Flow out of the specimen that keeps dε₁ + 2R dε₃ = 0 in natural strains: V = V₀ (H/H₀)^(1 − 1/R).
+/// Flow out of the specimen that keeps dε₁ + 2R dε₃ = 0 in natural strains: V = V₀ (H/H₀)^(1 −
+/// 1/R).
 std::optional<double> VirtualRig::Impl::outflow(double dt_s) const {
   if (!stage().strain_path_R || mode != Mode::running) return std::nullopt;
   const double height = programme.specimen.height_m - seen[Quantity::axial_displacement] -
@@ -209,8 +210,7 @@ void VirtualRig::Impl::supervise(double dt_s) {
   asked.cell_pa = plant.state().cell.asked_pa;
   asked.back_pa = plant.state().back.asked_pa;
   if (before.axis.spring_n_per_m == 0) asked.crosshead_velocity = before.axis.velocity_m_per_s;
-  if (const auto reason =
-          supervision.look(reading, seen, asked, instruments, plant.state(), dt_s))
+  if (const auto reason = supervision.look(reading, seen, asked, instruments, plant.state(), dt_s))
     go(Mode::safe, "safe_state", *reason);
 }
 
@@ -230,16 +230,17 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
                                            "accurate than asked for",
                                            time_s));
   if (step.outcome == sim::StepOutcome::lost_control) {
-    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the specimen does not allow what was asked "
-                     "(q = {:.4g} kPa, p' = {:.4g} kPa)",
-                     stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
-                     step.state.material.p() / 1e3));
+    warn(
+        fmt::format("stage \"{}\" ended at {:.6g} s: the specimen does not allow what was asked "
+                    "(q = {:.4g} kPa, p' = {:.4g} kPa)",
+                    stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
+                    step.state.material.p() / 1e3));
     return false;
   }
   if (step.state.pore_pressure < 0)
-    warn_once(cavitation_warned,
-              fmt::format("pore pressure below 0 from {:.6g} s on: cavitation is not modelled",
-                          time_s));
+    warn_once(
+        cavitation_warned,
+        fmt::format("pore pressure below 0 from {:.6g} s on: cavitation is not modelled", time_s));
   return true;
 }
 

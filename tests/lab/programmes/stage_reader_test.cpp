@@ -88,9 +88,9 @@ TEST_CASE("every way of moving the axis has its own keys") {
              Contains("spring_stiffness_N_per_mm is missing"));
   CHECK_THAT(complaint("axial = \"stress_ratio\"\nheld_stress_ratio = 3\n" + kEnd),
              Contains("held_stress_ratio"));
-  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0.1\nload_step_N = 1\n" +
-                       kEnd),
-             Contains("unknown key 'load_step_N'"));
+  CHECK_THAT(
+      complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0.1\nload_step_N = 1\n" + kEnd),
+      Contains("unknown key 'load_step_N'"));
   CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0.1\nstrain_path_R = "
                        "0.8\nback_rate_kPa_per_min = 1\n" +
                        kEnd),

@@ -1,0 +1,105 @@
+#include "lab/rig/axis_control.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/rig_header.hpp"
+#include "tests/lab/programmes/programme_text.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+constexpr double kArea = 0.07 * 0.07 * 3.14159265358979323846 / 4;
+
+Seen seen_with(double force_n, double pore_pa = 300e3) {
+  Seen seen(rig_header(read_programme(test::programme_text(), "p.toml"), 1));
+  Reading r;
+  r.time_s = 0;
+  for (std::size_t i = 0; i < kRawQuantityCount; ++i) r.si[i] = 0;
+  r[Quantity::axial_force] = force_n;
+  r[Quantity::cell_pressure] = 400e3;
+  r[Quantity::pore_pressure] = pore_pa;
+  seen.take(r);
+  seen.begin_stage();
+  return seen;
+}
+
+AxisControl started(const Stage& stage, const Seen& seen, double true_force_n) {
+  AxisControl axis;
+  axis.begin_stage(stage, seen, true_force_n);
+  return axis;
+}
+
+}  // namespace
+
+TEST_CASE("a load starts from what stands on the piston and rises at its rate") {
+  Stage stage;
+  stage.axial = AxialAction::load;
+  stage.load_rate_n_per_s = 2;
+  Seen seen = seen_with(100);
+  AxisControl axis = started(stage, seen, 100);
+  CHECK(axis.demand(seen, 400e3, 0.5).force_n == Approx(101).epsilon(1e-12));
+  seen.add_stage_time(0.5);
+  CHECK(axis.demand(seen, 400e3, 0.5).start_force_n > 100.9);
+}
+
+TEST_CASE("a servo believes its load cell: an offset makes a wrong force, without a jump") {
+  Stage stage;
+  stage.axial = AxialAction::load;
+  Seen seen = seen_with(100);
+  AxisControl axis = started(stage, seen, 90);  // reads 10 N too much
+  CHECK(axis.demand(seen, 400e3, 1).force_n == Approx(90));
+  const Seen less = seen_with(95);
+  axis.demand(less, 400e3, 1);
+  CHECK(axis.demand(less, 400e3, 1).force_n ==
+        Approx(90 + 2 * 5 * AxisControl::kTrim_per_s).epsilon(1e-9));
+  CHECK(axis.wanted_force_n() == 100.0);
+}
+
+TEST_CASE(
+    "a held q asks for q times the area, a stress ratio for its q at the next cell pressure") {
+  Stage stage;
+  stage.axial = AxialAction::constant_q;
+  stage.held_q_pa = 50e3;
+  const Seen seen = seen_with(0);
+  CHECK(started(stage, seen, 0).demand(seen, 400e3, 1).force_n == Approx(50e3 * kArea));
+  stage.axial = AxialAction::stress_ratio;
+  stage.held_stress_ratio = 0.5;
+  const double q = started(stage, seen, 0).demand(seen, 420e3, 1).force_n / kArea;
+  CHECK(q / (120e3 + q / 3) == Approx(0.5));
+}
+
+TEST_CASE("a dead load keeps the true force, and a perturbation comes once") {
+  Stage stage;
+  stage.axial = AxialAction::dead_load;
+  stage.load_step_n = 3;
+  stage.impulse_n_s = 0.1;
+  const Seen seen = seen_with(100);
+  AxisControl axis = started(stage, seen, 97);
+  const AxisDemand first = axis.demand(seen, 400e3, 1);
+  CHECK(first.dead);
+  CHECK(first.force_n == 100);
+  CHECK(first.perturbed);
+  CHECK(first.impulse_n_s == 0.1);
+  const AxisDemand second = axis.demand(seen, 400e3, 1);
+  CHECK(second.force_n == 100);
+  CHECK_FALSE(second.perturbed);
+  CHECK(second.impulse_n_s == 0);
+  CHECK_FALSE(axis.wanted_force_n() == 97.0);
+}
+
+TEST_CASE("crosshead and free piston ask for no force") {
+  Stage stage;
+  stage.axial = AxialAction::spring;
+  stage.axial_rate_m_per_s = 1e-6;
+  stage.spring_stiffness_n_per_m = 5e4;
+  const Seen seen = seen_with(100);
+  const AxisDemand spring = started(stage, seen, 100).demand(seen, 400e3, 1);
+  CHECK(spring.kind == AxisDemand::Kind::crosshead);
+  CHECK(spring.velocity_m_per_s == 1e-6);
+  CHECK(spring.spring_n_per_m == 5e4);
+  stage.axial = AxialAction::free;
+  CHECK(started(stage, seen, 100).demand(seen, 400e3, 1).kind == AxisDemand::Kind::free);
+}

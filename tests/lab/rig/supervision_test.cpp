@@ -1,0 +1,143 @@
+#include "lab/rig/supervision.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/rig_header.hpp"
+#include "tests/lab/programmes/programme_text.hpp"
+
+using namespace triax::lab;
+using Catch::Contains;
+
+namespace {
+
+/// A stage under supervision, look after look, with readings that a test may spoil.
+class Watch {
+ public:
+  explicit Watch(const Stage& stage, double load_limit_n = 0)
+      : programme_(read_programme(test::programme_text(), "p.toml")),
+        plant_(programme_),
+        instruments_(programme_, 1),
+        seen_(rig_header(programme_, 1)),
+        supervision_((programme_.frame.load_limit_n = load_limit_n, programme_)) {
+    asked.cell_pa = 400e3;
+    asked.back_pa = 300e3;
+    instruments_.look(plant_, 0, reading);
+    reading.time_s = 0;
+    seen_.take(reading);
+    supervision_.begin_stage(stage);
+  }
+
+  /// So many looks, a second apart; the first reason for the safe state, "" without one.
+  std::string look(int times) {
+    for (int i = 0; i < times; ++i) {
+      reading.time_s += 1;
+      seen_.take(reading);
+      const auto reason = supervision_.look(reading, seen_, asked, instruments_, devices, 1);
+      for (auto& note : supervision_.notes()) notes += note + "\n";
+      if (reason) return *reason;
+    }
+    return {};
+  }
+
+  Reading reading;
+  Asked asked;
+  PlantState devices;
+  std::string notes;
+
+ private:
+  Programme programme_;
+  Plant plant_;
+  Instruments instruments_;
+  Seen seen_;
+  Supervision supervision_;
+};
+
+Stage load_stage() {
+  Stage stage;
+  stage.axial = AxialAction::load;
+  stage.end = {{EndQuantity::time, 1e4, {}}};
+  return stage;
+}
+
+Stage crosshead_stage() {
+  Stage stage;
+  stage.axial = AxialAction::displacement;
+  stage.end = {{EndQuantity::axial_strain, 0.1, {}}};
+  return stage;
+}
+
+}  // namespace
+
+TEST_CASE("a healthy rig is left alone") {
+  Watch w(load_stage());
+  w.asked.force_n = 0;
+  CHECK(w.look(200).empty());
+  CHECK(w.notes.empty());
+}
+
+TEST_CASE("a load cell that falls silent stops a stage by load, and is only told of in another") {
+  Watch load(load_stage());
+  load.reading[Quantity::axial_force] = kMissing;
+  CHECK(load.look(2).empty());
+  CHECK_THAT(load.look(2), Contains("axial_force gives no readings"));
+  Watch crosshead(crosshead_stage());
+  crosshead.reading[Quantity::axial_force] = kMissing;
+  CHECK(crosshead.look(20).empty());
+  CHECK_THAT(crosshead.notes, Contains("axial_force gives no readings from 1 s on"));
+}
+
+TEST_CASE("a force that does not come while the cap stands is a failure; a collapse is none") {
+  Watch standing(load_stage());
+  standing.asked.force_n = 100;
+  CHECK_THAT(standing.look(30), Contains("100.0 N were asked for"));
+  Watch collapsing(load_stage());
+  collapsing.asked.force_n = 100;
+  std::string reason;
+  for (int i = 0; i < 60 && reason.empty(); ++i) {
+    collapsing.reading[Quantity::axial_displacement] += 0.1e-3;
+    reason = collapsing.look(1);
+  }
+  CHECK(reason.empty());
+}
+
+TEST_CASE("a pressure that does not follow its controller's set point") {
+  Watch w(crosshead_stage());
+  w.asked.cell_pa = 410e3;
+  CHECK(w.look(50).empty());
+  CHECK_THAT(w.look(20), Contains("the cell pressure reads 400.0 kPa where 410.0 kPa"));
+  Watch by_volume(crosshead_stage());
+  by_volume.asked.back_pa = 400e3;
+  by_volume.asked.back_by_volume = true;
+  CHECK(by_volume.look(200).empty());
+}
+
+TEST_CASE("a crosshead that moves and a displacement that does not") {
+  Watch w(crosshead_stage());
+  w.asked.crosshead_velocity = 1e-5;
+  CHECK_THAT(w.look(100), Contains("the displacement reads 0.000 mm"));
+}
+
+TEST_CASE("a controller at its end, and the emergency stop, which a spike does not set off") {
+  Watch w(crosshead_stage());
+  w.devices.back.empty = true;
+  CHECK_THAT(w.look(1), Contains("back-pressure controller is empty"));
+  Watch stop(crosshead_stage(), 500);
+  stop.reading[Quantity::axial_force] = 600;
+  CHECK(stop.look(1).empty());
+  stop.reading[Quantity::axial_force] = 0;
+  CHECK(stop.look(1).empty());
+  stop.reading[Quantity::axial_force] = 600;
+  CHECK_THAT(stop.look(2), Contains("emergency stop"));
+}
+
+TEST_CASE("water that flows through a closed valve is told of once") {
+  Watch w(crosshead_stage());
+  w.asked.valve_open = false;
+  CHECK(w.look(2).empty());
+  w.reading[Quantity::back_volume] = -400e-9;
+  CHECK(w.look(5).empty());
+  CHECK_THAT(w.notes, Contains("water flows although the valve is closed (-400 mm3"));
+  CHECK(w.notes.find("closed") == w.notes.rfind("closed"));
+}
