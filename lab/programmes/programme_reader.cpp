@@ -1,21 +1,16 @@
 #include "lab/programmes/programme_reader.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <filesystem>
 
+#include "lab/programmes/fault_reader.hpp"
 #include "lab/programmes/operator_reader.hpp"
+#include "lab/programmes/rig_reader.hpp"
 #include "lab/programmes/stage_reader.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {
-
-constexpr Bounds kPositive{.above = 0};
-constexpr Bounds kPressure_kPa{.above = 0, .at_most = kLargestPressure_kPa};
-constexpr Bounds kNotNegative{.at_least = 0};
 
 void read_test(const TomlTable& table, Programme& programme) {
   programme.name = table.required_text("name");
@@ -30,6 +25,21 @@ std::vector<MaterialSet> user_materials(const std::string& name, Programme& prog
   const auto path = std::filesystem::path(programme.source).parent_path() / name;
   programme.files.push_back(path.string());
   return read_materials(read_text_file(path.string()), path.string());
+}
+
+void read_membrane(const TomlTable& table, sim::SpecimenProperties& specimen) {
+  const auto thickness = table.number("membrane_thickness_mm", {.above = 0, .at_most = 20});
+  const auto modulus = table.number("membrane_modulus_kPa", {.above = 0, .at_most = 1e6});
+  if (thickness.has_value() != modulus.has_value())
+    table.fail(thickness ? "membrane_thickness_mm" : "membrane_modulus_kPa",
+               std::string("needs ") +
+                   (thickness ? "membrane_modulus_kPa" : "membrane_thickness_mm") +
+                   " beside it: the membrane's stiffness is their product");
+  specimen.membrane_thickness_m = 1e-3 * thickness.value_or(0);
+  specimen.membrane_modulus_pa = 1e3 * modulus.value_or(0);
+  specimen.membrane_penetration_m =
+      1e-3 *
+      table.number("membrane_penetration_mm3_per_mm2", {.at_least = 0, .at_most = 10}).value_or(0);
 }
 
 void read_specimen(const TomlTable& table, Programme& programme) {
@@ -49,100 +59,15 @@ void read_specimen(const TomlTable& table, Programme& programme) {
   programme.void_ratio = table.required_number("void_ratio", {.at_least = 0.05, .at_most = 20});
   programme.initial_effective_stress_pa =
       1e3 * table.required_number("initial_effective_stress_kPa", {.at_least = 1, .at_most = 1e4});
+  read_membrane(table, programme.specimen);
+  programme.specimen.saturation =
+      table.number("saturation", {.at_least = 0.5, .at_most = 1}).value_or(1);
   programme.specific_gravity = table.number("specific_gravity", {.at_least = 1, .at_most = 10});
   table.finish();
   const auto& law = *programme.material.material.axisymmetric;
   if (const auto objection =
           law.objection(law.isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
     table.fail("void_ratio", *objection);
-}
-
-Transducer read_transducer(const TomlTable& table, Quantity quantity) {
-  Transducer t;
-  const std::string unit(info(quantity).unit);
-  // The load cell is spoken of in newtons, although its column is in kN.
-  const bool force = quantity == Quantity::axial_force;
-  const std::string spoken = force ? "N" : unit;
-  const double scale = force ? 1e-3 : 1;
-  t.unit = *sim::find_unit(unit);
-  const bool pressure = t.unit.dimension == sim::find_unit("kPa")->dimension;
-  const Bounds& range = pressure ? kPressure_kPa : kPositive;
-  t.range = scale * table.number("range_" + spoken, range).value_or(0);
-  t.step = scale * table.number("resolution_" + spoken, kNotNegative).value_or(0);
-  t.noise_rms = scale * table.number("noise_" + spoken, kNotNegative).value_or(0);
-  t.offset = scale * table.number("offset_" + spoken).value_or(0);
-  const auto bits = table.integer("bits", 4, 32);
-  if (bits) {
-    if (t.range == 0) table.fail("bits", fmt::format("needs range_{} beside it", spoken));
-    if (t.step > 0) table.fail("bits", fmt::format("give either bits or resolution_{}", spoken));
-    t.step = converter_step(t.range, static_cast<int>(*bits));
-  }
-  if (t.range > 0 && t.step > t.range)
-    table.fail("resolution_" + spoken, "is coarser than the range");
-  table.finish();
-  return t;
-}
-
-void read_transducers(const std::optional<TomlTable>& table, Programme& programme) {
-  for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
-    const auto& row = quantities()[i];
-    programme.transducers[i].unit = *sim::find_unit(row.unit);
-    if (!table) continue;
-    if (auto one = table->table(row.name))
-      programme.transducers[i] = read_transducer(*one, row.quantity);
-  }
-  if (table) table->finish();
-}
-
-PressureController read_controller(const std::optional<TomlTable>& table) {
-  PressureController c{.range_pa = 3e6, .rate_limit_pa_per_s = 10e3};
-  if (!table) return c;
-  c.range_pa = 1e3 * table->number("range_kPa", kPressure_kPa).value_or(c.range_pa / 1e3);
-  c.rate_limit_pa_per_s =
-      1e3 / 60 *
-      table->number("rate_limit_kPa_per_min", kPositive).value_or(c.rate_limit_pa_per_s * 60 / 1e3);
-  table->finish();
-  return c;
-}
-
-LoadingFrame read_frame(const std::optional<TomlTable>& table) {
-  constexpr double kMmPerMin = 1e-3 / 60;
-  LoadingFrame f{.slowest_m_per_s = 0.00001 * kMmPerMin,
-                 .fastest_m_per_s = 5.99999 * kMmPerMin,
-                 .travel_m = 0.05,
-                 .servo_gain_m_per_s_per_n = 6 * kMmPerMin};
-  if (!table) return f;
-  const auto set = [&](const char* key, double scale, double& member) {
-    if (const auto value = table->number(key, kPositive)) member = *value * scale;
-  };
-  set("slowest_mm_per_min", kMmPerMin, f.slowest_m_per_s);
-  set("fastest_mm_per_min", kMmPerMin, f.fastest_m_per_s);
-  set("travel_mm", 1e-3, f.travel_m);
-  set("servo_gain_mm_per_min_per_N", kMmPerMin, f.servo_gain_m_per_s_per_n);
-  if (f.slowest_m_per_s > f.fastest_m_per_s)
-    table->fail("slowest_mm_per_min", "is above fastest_mm_per_min");
-  table->finish();
-  return f;
-}
-
-void read_rig(const TomlTable& table, Programme& programme) {
-  programme.cell_controller = read_controller(table.table("cell_controller"));
-  programme.back_controller = read_controller(table.table("back_controller"));
-  programme.frame = read_frame(table.table("frame"));
-  const double highest =
-      std::min(programme.back_controller.range_pa,
-               programme.cell_controller.range_pa - programme.initial_effective_stress_pa) /
-      1e3;
-  programme.initial_back_pressure_pa =
-      1e3 * table.required_number("back_pressure_kPa", {.at_least = 0, .at_most = highest});
-  if (const auto modulus = table.number("water_bulk_modulus_GPa", kPositive))
-    programme.specimen.water_compressibility = 1e-9 / *modulus;
-  programme.specimen.system_compliance =
-      1e-12 * table.number("system_compliance_mm3_per_kPa", kNotNegative).value_or(0);
-  programme.specimen.drainage_resistance =
-      1e12 * table.number("drainage_resistance_kPa_s_per_mm3", kNotNegative).value_or(0);
-  read_transducers(table.table("transducers"), programme);
-  table.finish();
 }
 
 }  // namespace
@@ -157,10 +82,12 @@ Programme read_programme(std::string_view toml_text, const std::string& file) {
   const TomlTable rig = root.required_table("rig");
   const auto stages = root.tables("stages");
   programme.operator_actions = read_operator(root.tables("operator"));
+  const auto faults = root.tables("faults");
   root.finish();
   read_test(test, programme);
   read_specimen(specimen, programme);
   read_rig(rig, programme);
+  for (const TomlTable& fault : faults) programme.faults.push_back(read_fault(fault, programme));
   if (stages.empty()) throw BadInput(file, 0, "no stage is given; write [[stages]]");
   double cell_pa = programme.initial_back_pressure_pa + programme.initial_effective_stress_pa;
   double back_pa = programme.initial_back_pressure_pa;

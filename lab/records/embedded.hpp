@@ -16,5 +16,7 @@ struct EmbeddedFile {
 extern const std::span<const EmbeddedFile> kShippedDialects;
 /// lab/materials/*.toml (parameter sets of the laws in sim/materials)
 extern const std::span<const EmbeddedFile> kShippedMaterials;
+/// lab/devices/instruments/*.toml (sets of instruments for the rig of a programme)
+extern const std::span<const EmbeddedFile> kShippedInstruments;
 
 }  // namespace triax::lab
