@@ -68,10 +68,10 @@ void ChannelHealth::follow_run(std::int64_t number, double value) {
     filled_ = 1;
     return;
   }
-  const auto limit = noise_.impossible_run();
   noise_.add(value);
   if (noise_.run() == 0) return;
   if (noise_.run() == 1) run_from_ = number;
+  const auto limit = noise_.impossible_run();
   if (!limit) return;
   const auto wait =
       static_cast<std::int64_t>(static_cast<double>(jump_ ? kFlat : *limit) * patience_);

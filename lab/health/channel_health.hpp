@@ -36,6 +36,8 @@ class ChannelHealth {
 
   /// Why the channel cannot be believed now, if so.
   const std::optional<Dead>& dead() const { return dead_; }
+  /// A channel that is read regularly was not read this time.
+  bool absent() const { return gap_ > 0 && steady_ >= kSteady; }
   /// The spike that this reading brought to light.
   const std::optional<Spike>& spike() const { return spike_; }
   /// First reading that may still turn out to be wrong; none is before it.

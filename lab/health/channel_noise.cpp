@@ -31,7 +31,7 @@ void ChannelNoise::add(double value) {
     }
     last_move_ = move;
   }
-  if (values_ >= 2) add_roughness(last_ - (before_ + value) / 2);
+  if (values_ >= 2 && run_ == 0) add_roughness(last_ - (before_ + value) / 2);
   lowest_ = std::min(lowest_, value);
   highest_ = std::max(highest_, value);
   largest_ = std::max(largest_, std::fabs(value));

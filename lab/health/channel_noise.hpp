@@ -24,7 +24,8 @@ class ChannelNoise {
   /// Equal neighbours at the end of what was added.
   std::int64_t run() const { return run_; }
 
-  /// Mean |x − (x₋ + x₊)/2|, robust against outliers; 0 before there are three values.
+  /// Mean |x − (x₋ + x₊)/2| where the value moved, robust against outliers; 0 before there are
+  /// three values.
   double roughness() const { return roughness_; }
   /// Smallest difference of two neighbours, the step of the converter or less; 0 if none is known.
   double step() const { return step_; }

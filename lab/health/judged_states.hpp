@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lab/health/record_health.hpp"
 #include "lab/reduction/state.hpp"
@@ -26,6 +27,8 @@ class JudgedStates {
     ChannelSet wrong = 0;    ///< channels that cannot be believed at this reading
     bool live = true;        ///< the state can be judged
     bool after_gap = false;  ///< first of its kind after a longer stretch that could not
+    bool no_origin = false;  ///< a sensor whose readings count from the start of shear is wrong
+    std::string reason{};    ///< why it is not live
   };
 
   explicit JudgedStates(const RecordHeader& header);
@@ -48,18 +51,18 @@ class JudgedStates {
     std::int64_t last = -1;  ///< last judged reading; -1: none
     std::string reason;
   };
+  bool spoils(const SensorFinding& finding, int stage) const;
   void mark(const RecordHealth::Wrong& wrong);
   void judge(Judged& entry);
-  void leave_out(const Judged& entry);
   bool may_go_on(const State& state) const;
-  std::string reason_at(const Judged& entry) const;
+  std::optional<End> end() const;
 
   RecordHeader header_;
   RecordHealth health_;
   std::deque<Judged> held_;
   bool finished_ = false;
   std::optional<State> last_live_;  ///< the last that was judged, in shear
-  std::int64_t released_ = -1;      ///< number of the last reading that was given on
+  std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged
   std::int64_t left_out_ = 0;       ///< readings since last_live_
   std::string gap_reason_;
   bool sheared_ = false;
