@@ -106,6 +106,8 @@ void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
                              *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->onset.eta())});
 }
 
+void CollapseMonitor::interrupt() { impl_->stage.reset(); }
+
 Collapse CollapseMonitor::finish() {
   impl_->rates.finish();
   return verdict({.worst = impl_->descents.worst(),

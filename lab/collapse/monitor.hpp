@@ -25,6 +25,8 @@ class CollapseMonitor {
   std::function<void(const Event&)> on_event;
 
   void watch(const State& state);
+  /// States are missing here: no window reaches across, and no onset is placed in between.
+  void interrupt();
   /// No more states will come; gives the verdict on all that was seen.
   Collapse finish();
   /// The largest q seen in shear.

@@ -75,6 +75,10 @@ struct Collapse {
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
   std::string limit_source;                  ///< where M comes from, in words
   std::vector<Criterion> criteria;
+  /// Last reading the verdict covers, where a sensor died before the end of shear; see
+  /// lab/health/judged_states.hpp. Empty: all of shear, or nothing (judged is false then).
+  std::optional<std::int64_t> judged_until;
+  std::string judged_until_reason;  ///< which sensor, and what became of it; empty: none
   bool detected() const { return kind != CollapseKind::none; }
 };
 

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <thread>
 
+#include "lab/health/judged_states.hpp"
+#include "lab/reduction/cross_checks.hpp"
+
 namespace triax::lab {
 namespace {
 
@@ -34,6 +37,21 @@ Event stage_event(const RecordHeader& header, const Reading& reading) {
   return event;
 }
 
+Event sensor_event(const SensorFinding& finding) {
+  return {.reading = finding.from,
+          .time_s = finding.from_time_s,
+          .kind = "sensor_fault",
+          .detail = describe(finding)};
+}
+
+/// The reading without the channels that cannot be believed.
+Reading believed(const JudgedStates::Judged& judged) {
+  Reading reading = judged.reading;
+  for (std::size_t i = 0; i < kQuantityCount; ++i)
+    if (judged.wrong & channel_bit(static_cast<Quantity>(i))) reading.si[i] = kMissing;
+  return reading;
+}
+
 }  // namespace
 
 TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
@@ -41,6 +59,16 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   CollapseMonitor monitor(back_end.header());
   monitor.on_point = [this](const SecondOrderWorkPoint& p) { emit second_order_work(p); };
   monitor.on_event = [this](const Event& e) { emit happened(e); };
+  JudgedStates states(back_end.header());
+  CrossChecks cross_checks(back_end.header());
+  const auto pass_on = [&] {
+    while (const auto judged = states.next()) {
+      cross_checks.add(believed(*judged), judged->state);
+      if (!judged->live) continue;
+      if (judged->after_gap) monitor.interrupt();
+      monitor.watch(judged->state);
+    }
+  };
   emit started(back_end.header());
 
   TestSummary summary;
@@ -55,7 +83,10 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
     for (const Event& event : back_end.events()) emit happened(event);
     const State state = reduction.reduce(reading);
     emit scanned(reading, state);
-    monitor.watch(state);
+    states.add(reading, state);
+    for (const SensorFinding& finding : states.health().news())
+      emit happened(sensor_event(finding));
+    pass_on();
     if (++summary.readings % 1024 == 0 || options.speed > 0) {
       const auto now = Clock::now();
       if (now >= next_progress) emit progressed(back_end.progress());
@@ -63,13 +94,21 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
     }
   }
   for (const Event& event : back_end.events()) emit happened(event);
+  states.finish();
+  pass_on();
   summary.collapse = monitor.finish();
+  states.bound(summary.collapse);
   summary.peak = monitor.peak();
   summary.consolidation = reduction.consolidation();
   summary.truth = back_end.truth();
   summary.checks = reduction.checks(back_end.header().warnings);
+  const auto& onset = summary.collapse.onset;
+  const auto crossed = cross_checks.checks(onset ? std::optional(onset->reading) : std::nullopt);
+  summary.checks.insert(summary.checks.end(), crossed.begin(), crossed.end());
   summary.warnings = back_end.header().warnings;
   for (auto& warning : reduction.warnings()) summary.warnings.push_back(std::move(warning));
+  for (auto& warning : warnings_of(crossed)) summary.warnings.push_back(std::move(warning));
+  for (auto& warning : states.warnings()) summary.warnings.push_back(std::move(warning));
   emit progressed(1.0);
   return summary;
 }

@@ -1,0 +1,143 @@
+#include "lab/health/channel_health.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace triax::lab {
+namespace {
+
+/// So far from what its neighbours lead to expect lies no live reading, in units of the roughness
+/// and in steps of the converter.
+constexpr double kOutlier = 20;
+constexpr double kOutlierSteps = 6;
+/// Values from which the roughness is known well enough.
+constexpr std::int64_t kKnown = 16;
+
+}  // namespace
+
+void ChannelHealth::add(std::int64_t number, double value) {
+  spike_.reset();
+  if (std::isnan(value)) {
+    miss(number);
+    return;
+  }
+  if (gap_ > 0) {
+    if (dead_ && dead_->fault == SensorFault::missing) {
+      dead_.reset();
+      filled_ = 0;  // a spike is not looked for across the gap
+    }
+    gap_ = 0;
+    steady_ = 0;
+  }
+  ++steady_;
+  if (!dead_) follow_jump(number, value);
+  std::shift_left(window_.begin(), window_.end(), 1);
+  window_.back() = {number, value};
+  filled_ = std::min(filled_ + 1, kWindow);
+  follow_run(number, value);
+  if (!dead_) look_for_spike();
+  last_ = value;
+}
+
+void ChannelHealth::miss(std::int64_t number) {
+  if (gap_++ == 0) gap_from_ = number;
+  if (!dead_ && gap_ > kGap && steady_ >= kSteady) dead_ = Dead{SensorFault::missing, gap_from_};
+}
+
+void ChannelHealth::follow_jump(std::int64_t number, double value) {
+  if (leap_ && number - *leap_ > kWidest + 1) leap_.reset();
+  if (filled_ < 2 || noise_.values() < kKnown) return;
+  const double before = window_.back().value;
+  const double slope = before - window_[kWindow - 2].value;
+  const double allowed = std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.step());
+  const double off = std::fabs(value - before);
+  if (off > allowed && std::fabs(value - before - slope) > allowed) {
+    if (!leap_) leap_ = number;
+    jump_ = number;
+  } else if (value != before) {
+    jump_.reset();
+  }
+}
+
+void ChannelHealth::follow_run(std::int64_t number, double value) {
+  if (dead_) {
+    const bool moved = value != last_;
+    if (!revived(moved)) return;
+    dead_.reset();
+    filled_ = 1;
+    return;
+  }
+  noise_.add(value);
+  if (noise_.run() == 0) return;
+  if (noise_.run() == 1) run_from_ = number;
+  const auto limit = noise_.impossible_run();
+  if (!limit) return;
+  const auto wait =
+      static_cast<std::int64_t>(static_cast<double>(jump_ ? kFlat : *limit) * patience_);
+  if (noise_.run() >= wait) condemn();
+}
+
+bool ChannelHealth::revived(bool moved) {
+  if (moved) ++moves_;
+  return moves_ >= kRecovery;
+}
+
+void ChannelHealth::condemn() {
+  const bool outside = jump_ && (last_ >= noise_.highest() || last_ <= noise_.lowest());
+  dead_ = Dead{outside ? SensorFault::saturated : SensorFault::stuck, jump_.value_or(run_from_)};
+  noise_.forget_run();
+  jump_.reset();
+  leap_.reset();
+  moves_ = 0;
+}
+
+bool ChannelHealth::is_spike(int width) const {
+  const int length = width + 4;
+  if (filled_ < length) return false;
+  const auto* w = &window_[static_cast<std::size_t>(kWindow - length)];
+  const auto at = [&](int i) { return w[i].value; };
+  // The level: a line through the middles of the two values before and the two after.
+  const double low = (at(0) + at(1)) / 2, high = (at(length - 2) + at(length - 1)) / 2;
+  const double slope = (high - low) / (length - 2);
+  const auto off = [&](int i) { return at(i) - (low + slope * (i - 0.5)); };
+  double scatter = 0, least = INFINITY;
+  for (int i : {0, 1, length - 2, length - 1}) scatter = std::max(scatter, std::fabs(off(i)));
+  for (int i = 2; i < 2 + width; ++i) {
+    if (off(i) * off(2) <= 0) return false;
+    least = std::min(least, std::fabs(off(i)));
+  }
+  // Neither side may run: what changes by itself that fast needs no fault.
+  scatter = std::max(scatter, std::fabs(high - low) / 2);
+  return least > 5 * scatter && least > kOutlier * noise_.roughness() &&
+         least > kOutlierSteps * noise_.step();
+}
+
+void ChannelHealth::look_for_spike() {
+  if (!leap_ || noise_.values() < kKnown) return;
+  for (int width = 1; width <= kWidest; ++width) {
+    if (!is_spike(width)) continue;
+    const auto first = static_cast<std::size_t>(kWindow - width - 2);
+    spike_ =
+        Spike{window_[first].number, window_[first + static_cast<std::size_t>(width) - 1].number,
+              window_[first].value};
+    leap_.reset();
+    jump_.reset();
+    return;
+  }
+}
+
+std::optional<std::int64_t> ChannelHealth::doubtful_from() const {
+  std::optional<std::int64_t> first;
+  const auto doubt = [&first](std::int64_t number) {
+    first = first ? std::min(*first, number) : number;
+  };
+  if (dead_) return std::nullopt;
+  if (gap_ > 0 && steady_ >= kSteady) doubt(gap_from_);
+  if (leap_) doubt(*leap_);
+  if (jump_ && noise_.run() < kFlat) doubt(*jump_);
+  if (noise_.run() > 0 && noise_.impossible_run()) doubt(jump_.value_or(run_from_));
+  return first;
+}
+
+}  // namespace triax::lab

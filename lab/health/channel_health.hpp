@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "lab/health/channel_noise.hpp"
+#include "lab/health/sensor_finding.hpp"
+
+namespace triax::lab {
+
+/// Looks at one channel, one reading at a time, in constant memory, and says from which reading to
+/// which it cannot be believed (SensorFault). What takes hindsight is held in doubt until it is
+/// decided: after at most ChannelNoise::kLongestWait readings.
+class ChannelHealth {
+ public:
+  static constexpr int kGap = 5;       ///< readings that may be missing without being a fault
+  static constexpr int kSteady = 20;   ///< readings in a row that make a channel a regular one
+  static constexpr int kFlat = 10;     ///< equal readings after a jump: no noise is left
+  static constexpr int kWidest = 3;    ///< readings of a spike
+  static constexpr int kRecovery = 8;  ///< moves after which a dead sensor counts as live again
+
+  struct Dead {
+    SensorFault fault{};
+    std::int64_t from = 0;
+  };
+  struct Spike {
+    std::int64_t from = 0, until = 0;
+    double value = 0;
+  };
+
+  /// `patience` stretches the wait for a stuck channel: a controlled quantity may rightly rest.
+  explicit ChannelHealth(double patience = 1) : patience_(patience) {}
+
+  /// The value of reading `number`; NaN where there is none.
+  void add(std::int64_t number, double value);
+
+  /// Why the channel cannot be believed now, if so.
+  const std::optional<Dead>& dead() const { return dead_; }
+  /// A channel that is read regularly was not read this time.
+  bool absent() const { return gap_ > 0 && steady_ >= kSteady; }
+  /// The spike that this reading brought to light.
+  const std::optional<Spike>& spike() const { return spike_; }
+  /// First reading that may still turn out to be wrong; none is before it.
+  std::optional<std::int64_t> doubtful_from() const;
+
+  // For what only a look at other channels can decide:
+  /// Readings since the channel last moved, and the first of those that repeat its value.
+  std::int64_t run() const { return noise_.run(); }
+  std::int64_t run_from() const { return run_from_; }
+  /// The first reading of the present value, where a jump led to it.
+  std::optional<std::int64_t> jumped_at() const { return jump_; }
+  double value() const { return last_; }
+  const ChannelNoise& noise() const { return noise_; }
+  /// Declares the channel dead from the start of the run (from the jump, where one led to it).
+  void condemn();
+
+ private:
+  void miss(std::int64_t number);
+  void follow_run(std::int64_t number, double value);
+  void follow_jump(std::int64_t number, double value);
+  void look_for_spike();
+  bool is_spike(int width) const;
+  bool revived(bool moved);
+
+  static constexpr int kWindow = 2 + kWidest + 2;
+  struct Value {
+    std::int64_t number = 0;
+    double value = 0;
+  };
+
+  double patience_;
+  ChannelNoise noise_;
+  std::array<Value, kWindow> window_{};  ///< the last values, oldest first
+  int filled_ = 0;
+  std::int64_t run_from_ = 0;
+  std::optional<std::int64_t> jump_;  ///< reading of a jump from which the value has not moved
+  std::optional<std::int64_t> leap_;  ///< reading that may begin a spike
+  double last_ = 0;
+  std::int64_t gap_ = 0, gap_from_ = 0, steady_ = 0;
+  int moves_ = 0;  ///< since the channel died
+  std::optional<Dead> dead_;
+  std::optional<Spike> spike_;
+};
+
+}  // namespace triax::lab

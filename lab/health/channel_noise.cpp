@@ -1,0 +1,87 @@
+#include "lab/health/channel_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triax::lab {
+namespace {
+
+/// Below this share of the channel's largest value a difference is round-off, not a reading.
+constexpr double kRoundOff = 1e-9;
+/// The most neighbours of one run that are learned from.
+constexpr std::int64_t kLongestLesson = 1024;
+/// Chance that nobody believes in.
+const double kImpossible = std::log(1e-9);
+
+}  // namespace
+
+void ChannelNoise::add(double value) {
+  if (values_ == 0) {
+    lowest_ = highest_ = value;
+  } else if (std::fabs(value - last_) <= kRoundOff * largest_) {
+    ++run_;
+  } else {
+    end_run();
+    const double move = value - last_;
+    const double size = std::fabs(move);
+    step_ = step_ > 0 ? std::min(step_, size) : size;
+    if (moves_++ > 0) {
+      const double weight = std::max(1.0 / static_cast<double>(moves_), 1.0 / kMemory);
+      moves_back_ += weight * ((move * last_move_ < 0 ? 1.0 : 0.0) - moves_back_);
+    }
+    last_move_ = move;
+  }
+  if (values_ >= 2 && run_ == 0) add_roughness(last_ - (before_ + value) / 2);
+  lowest_ = std::min(lowest_, value);
+  highest_ = std::max(highest_, value);
+  largest_ = std::max(largest_, std::fabs(value));
+  before_ = values_ == 0 ? value : last_;
+  last_ = value;
+  ++values_;
+}
+
+void ChannelNoise::end_run() {
+  const std::int64_t lessons = std::min(run_, kLongestLesson);
+  for (std::int64_t i = 0; i <= lessons; ++i) {
+    ++neighbours_;
+    const double weight = std::max(1.0 / static_cast<double>(neighbours_), 1.0 / kMemory);
+    equal_ += weight * ((i < lessons ? 1.0 : 0.0) - equal_);
+    longest_run_ *= 1 - 1.0 / (8 * kMemory);
+  }
+  longest_run_ = std::max(longest_run_, static_cast<double>(run_));
+  run_ = 0;
+}
+
+void ChannelNoise::add_roughness(double half_bend) {
+  ++bends_;
+  double size = std::fabs(half_bend);
+  if (bends_ > 32) size = std::min(size, 5 * roughness_ + step_);
+  const double weight = std::max(1.0 / static_cast<double>(bends_), 1.0 / kMemory);
+  roughness_ += weight * (size - roughness_);
+  bends_back_ += weight * ((half_bend * last_bend_ < 0 ? 1.0 : 0.0) - bends_back_);
+  last_bend_ = half_bend;
+}
+
+double ChannelNoise::equal_share_at_most() const {
+  const double n = static_cast<double>(std::min<std::int64_t>(neighbours_, kMemory));
+  return equal_ + 3 * std::sqrt((equal_ * (1 - equal_) + 1 / n) / n);
+}
+
+bool ChannelNoise::dithers() const {
+  if (neighbours_ < kLeast || equal_share_at_most() > 0.7) return false;
+  const bool turns_back = moves_back_ >= 0.4;
+  const bool rough =
+      roughness_ > std::max(1.1 * step_, 10 * kRoundOff * largest_) && bends_back_ >= 0.5;
+  return turns_back || rough;
+}
+
+std::optional<std::int64_t> ChannelNoise::impossible_run() const {
+  if (!dithers()) return std::nullopt;
+  constexpr double kShortest = 30;
+  const double wait =
+      std::max({kShortest, kImpossible / std::log(equal_share_at_most()), 4 * longest_run_});
+  if (wait > kLongestWait) return std::nullopt;
+  return std::llround(std::ceil(wait));
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,139 @@
+#include "lab/health/judged_states.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "lab/collapse/path_sampler.hpp"
+
+namespace triax::lab {
+namespace {
+
+/// Across a stretch that was not seen: less than what counts as a collapse (Descent::kWorthALoss of
+/// q; at held q 1 % of axial strain, see lasts_at_held_q).
+constexpr double kChangeOfQ = 0.10;
+constexpr double kChangeOfStrain = 0.01;
+
+/// Strains count from the first reading of shear.
+bool counts_from_shear(Quantity q) {
+  return q == Quantity::axial_displacement || q == Quantity::back_volume;
+}
+
+bool serves_the_state(Quantity q, const RecordHeader& header) {
+  if (!header.is_raw()) return true;
+  if (q == Quantity::back_pressure) return !header.has(Quantity::pore_pressure);
+  return q != Quantity::cell_volume;
+}
+
+}  // namespace
+
+JudgedStates::JudgedStates(const RecordHeader& header) : header_(header), health_(header) {}
+
+void JudgedStates::add(const Reading& reading, const State& state) {
+  held_.push_back({.reading = reading, .state = state});
+  health_.watch(reading);
+  for (const auto& wrong : health_.wrong()) mark(wrong);
+}
+
+bool JudgedStates::spoils(const SensorFinding& finding, int stage) const {
+  if (!serves_the_state(finding.channel, header_)) return false;
+  // With the valve closed the volume stands still, and is held where it is not read.
+  const StageInfo* info = header_.stage(stage);
+  return !(finding.channel == Quantity::back_volume && finding.fault == SensorFault::missing &&
+           info && info->drainage == Drainage::closed);
+}
+
+void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
+  for (Judged& entry : held_) {
+    if (entry.reading.number < wrong.from || entry.reading.number > wrong.until) continue;
+    entry.wrong |= channel_bit(wrong.finding.channel);
+    if (!spoils(wrong.finding, entry.reading.stage)) continue;
+    if (entry.live) entry.reason = reason(wrong.finding);
+    entry.live = false;
+    entry.no_origin = entry.no_origin || counts_from_shear(wrong.finding.channel);
+  }
+  if (wrong.from <= judged_last_ && withheld_.empty() && last_live_ &&
+      spoils(wrong.finding, last_live_->stage))
+    withheld_ = fmt::format("{} since reading {}", reason(wrong.finding), wrong.from);
+}
+
+std::optional<JudgedStates::Judged> JudgedStates::next() {
+  if (held_.empty()) return std::nullopt;
+  const bool full = static_cast<std::int64_t>(held_.size()) > kHeld;
+  if (!finished_ && !full && held_.front().reading.number >= health_.doubtful_from())
+    return std::nullopt;
+  Judged entry = std::move(held_.front());
+  held_.pop_front();
+  judge(entry);
+  return entry;
+}
+
+bool JudgedStates::may_go_on(const State& state) const {
+  return last_live_ && std::fabs(state.q - last_live_->q) < kChangeOfQ * std::fabs(last_live_->q) &&
+         std::fabs(state.strain.axial - last_live_->strain.axial) < kChangeOfStrain;
+}
+
+void JudgedStates::judge(Judged& entry) {
+  if (!is_watched(header_.stage(entry.reading.stage))) return;
+  const bool first = !std::exchange(sheared_, true);
+  if (first && entry.no_origin) end_ = End{-1, entry.reason + " where strains begin to count"};
+  if (end_) {
+    entry.live = false;
+    return;
+  }
+  if (!entry.live) {
+    if (left_out_++ == 0) gap_reason_ = entry.reason;
+    return;
+  }
+  if (!complete(entry.state)) return;
+  if (left_out_ > kShortGap) {
+    if (!may_go_on(entry.state)) {
+      end_ = End{last_live_ ? last_live_->reading : -1, gap_reason_};
+      entry.live = false;
+      return;
+    }
+    entry.after_gap = true;
+  }
+  left_out_ = 0;
+  last_live_ = entry.state;
+  judged_last_ = entry.reading.number;
+}
+
+std::optional<JudgedStates::End> JudgedStates::end() const {
+  if (end_ || left_out_ <= kShortGap) return end_;
+  return End{last_live_ ? last_live_->reading : -1, gap_reason_};
+}
+
+void JudgedStates::bound(Collapse& collapse) const {
+  if (!withheld_.empty()) {
+    collapse.kind = CollapseKind::none;
+    collapse.judged = false;
+    collapse.onset.reset();
+    collapse.inside_limit_surface.reset();
+    collapse.judged_until_reason = withheld_;
+    for (Criterion& c : collapse.criteria) c.detected = false;
+    return;
+  }
+  const auto end = this->end();
+  if (!end) return;
+  collapse.judged_until_reason = end->reason;
+  if (end->last >= 0)
+    collapse.judged_until = end->last;
+  else
+    collapse.judged = false;
+}
+
+std::vector<Warning> JudgedStates::warnings() const {
+  std::vector<Warning> all = health_.warnings();
+  if (!withheld_.empty()) {
+    all.push_back({0, "no verdict: " + withheld_});
+  } else if (const auto end = this->end()) {
+    all.push_back({0, end->last >= 0
+                          ? fmt::format("no verdict after reading {}: {}", end->last, end->reason)
+                          : fmt::format("no verdict: {}", end->reason)});
+  }
+  return all;
+}
+
+}  // namespace triax::lab

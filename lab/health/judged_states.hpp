@@ -1,0 +1,73 @@
+#pragma once
+// Between reduction and monitor: states on live sensors pass, the others do not.
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/health/record_health.hpp"
+#include "lab/reduction/state.hpp"
+
+namespace triax::lab {
+
+/// Holds states back while one of their sensors is in doubt (at most kHeld readings) and leaves out
+/// those on a sensor that was dead. Readings and states themselves are not touched. After a longer
+/// stretch of dead readings judgement goes on only where nothing that counts as a collapse can hide
+/// in it: |q| changed by less than a tenth, the axial strain by less than 1 %; else it ends there.
+/// It ends too where displacement or volume, which count from the start of shear, was dead then.
+class JudgedStates {
+ public:
+  static constexpr std::int64_t kHeld = 256;
+  static constexpr std::int64_t kShortGap = 5;  ///< readings that may be left out without more ado
+
+  struct Judged {
+    Reading reading;
+    State state;
+    ChannelSet wrong = 0;    ///< channels that cannot be believed at this reading
+    bool live = true;        ///< the state can be judged
+    bool after_gap = false;  ///< first of its kind after a longer stretch that could not
+    bool no_origin = false;  ///< a sensor whose readings count from the start of shear is wrong
+    std::string reason{};    ///< why it is not live
+  };
+
+  explicit JudgedStates(const RecordHeader& header);
+
+  void add(const Reading& reading, const State& state);
+  /// The next one about which all is known; nothing until more readings came.
+  std::optional<Judged> next();
+  /// No more readings will come: next() gives the rest.
+  void finish() { finished_ = true; }
+
+  const RecordHealth& health() const { return health_; }
+  /// Writes into the verdict how far it reaches, and takes it back where a sensor turned out to
+  /// have been dead among states that had already been judged. Call after the last next().
+  void bound(Collapse& collapse) const;
+  /// "no verdict after reading 230 ...", where that is so.
+  std::vector<Warning> warnings() const;
+
+ private:
+  struct End {
+    std::int64_t last = -1;  ///< last judged reading; -1: none
+    std::string reason;
+  };
+  bool spoils(const SensorFinding& finding, int stage) const;
+  void mark(const RecordHealth::Wrong& wrong);
+  void judge(Judged& entry);
+  bool may_go_on(const State& state) const;
+  std::optional<End> end() const;
+
+  RecordHeader header_;
+  RecordHealth health_;
+  std::deque<Judged> held_;
+  bool finished_ = false;
+  std::optional<State> last_live_;  ///< the last that was judged, in shear
+  std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged
+  std::int64_t left_out_ = 0;       ///< readings since last_live_
+  std::string gap_reason_;
+  bool sheared_ = false;
+  std::optional<End> end_;
+  std::string withheld_;  ///< why the verdict cannot stand; empty: it can
+};
+
+}  // namespace triax::lab
