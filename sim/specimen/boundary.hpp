@@ -10,8 +10,8 @@ namespace triax::sim {
 ///   force   F_a(s) = force_n + force_rate s − k (x(s) − x(0)) + (stress + stress_rate s) A(s)
 ///
 /// A load cylinder or a dead load has k = 0. A spring, or a frame and load cell of finite stiffness
-/// k driven at velocity v, is force_n = F as it is, force_rate = k v. `stress` is for a drive that
-/// follows the current area: stress_pa = q alone holds q.
+/// k driven at velocity v, is force_n = F_a as the last step left it (SpecimenState), force_rate =
+/// k v. `stress` is for a drive that follows the current area: stress_pa = q alone holds q.
 ///
 /// Quasi-static: F = F_a at the end of the step. Where this cannot be met and the moving mass is
 /// not 0, the rest of the step and the next ones are integrated with inertia (InertialMotion),

@@ -5,7 +5,7 @@
 namespace triax::sim {
 
 AirySpace airy_space(double space_m3, double pore_pressure_pa, double air_pa_m3) {
-  AirySpace found{space_m3, 1, 0, 0};
+  AirySpace found{space_m3, 1, 0, 0, 0};
   if (!(air_pa_m3 > 0)) return found;
   const double p = std::max(pore_pressure_pa + kAtmosphere_pa, 0.01 * kAtmosphere_pa);
   const double h = kAirSolubility;
@@ -16,6 +16,7 @@ AirySpace airy_space(double space_m3, double pore_pressure_pa, double air_pa_m3)
   found.water_m3 = (space_m3 - air_pa_m3 / p) / (1 - h);
   found.water_slope = 1 / (1 - h);
   found.compliance = air_pa_m3 / (p * p) / (1 - h);
+  found.air_displaces = 1 / (p * (1 - h));
   found.dissolved_pa = h * p;
   return found;
 }

@@ -17,10 +17,11 @@ inline constexpr double kAirSolubility = 0.02;
 ///
 ///   p = p₀ (1 − S₀ (1 − h))/(S₀ h)
 struct AirySpace {
-  double water_m3 = 0;      ///< V_w
-  double water_slope = 1;   ///< ∂V_w/∂V
-  double compliance = 0;    ///< ∂V_w/∂p, m³/Pa
-  double dissolved_pa = 0;  ///< dissolved air in a volume of water, N per m³
+  double water_m3 = 0;       ///< V_w
+  double water_slope = 1;    ///< ∂V_w/∂V
+  double compliance = 0;     ///< ∂V_w/∂p, m³/Pa
+  double air_displaces = 0;  ///< −∂V_w/∂N, 1/Pa
+  double dissolved_pa = 0;   ///< dissolved air in a volume of water, N per m³
 };
 
 /// Pre-conditions: space ≥ 0, amount ≥ 0. A pressure below 1 % of the atmosphere counts as that:

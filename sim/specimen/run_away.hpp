@@ -58,6 +58,8 @@ struct RunAway {
     return (2 + stiffness_at_start_n_per_m / secant_stiffness_n_per_m) / 3;
   }
 
+  bool turned = false;  ///< the cap's velocity has changed its sign since the start
+
   // The start, for increments since.
   double start_axial_pa = 0, start_radial_pa = 0;  ///< σ′
   double start_height_m = 0, start_volume_m3 = 0;

@@ -39,6 +39,11 @@ struct SpecimenTolerance {
   double inertial_substep = 0.05;  ///< longest substep of inertial motion over √(m/|k|)
 };
 
+/// σ₃′, Pa
+inline double radial_effective(const SpecimenState& s) {
+  return axisymmetric_stress(s.material.stress).radial;
+}
+
 class Specimen {
  public:
   using MaterialLaw = Law<Axisymmetric>;
@@ -50,6 +55,7 @@ class Specimen {
   const MaterialLaw& law() const { return *law_; }
   const SpecimenState& start() const { return start_; }
   const SpecimenProperties& properties() const { return properties_; }
+  const Membrane& membrane() const { return membrane_; }
 
   double volume_m3(const SpecimenState& s) const {
     return solid_volume_m3_ * (1 + s.material.void_ratio);
@@ -58,6 +64,18 @@ class Specimen {
   double displacement_m(const SpecimenState& s) const { return properties_.height_m - s.height_m; }
   /// Above the cell pressure, as an internal load cell sees it: F = (q + m) A.
   double axial_force(const SpecimenState& s) const;
+  const PoreWater& pore_water() const { return water_; }
+  double void_volume_m3(const SpecimenState& s) const {
+    return solid_volume_m3_ * s.material.void_ratio;
+  }
+  /// Space of water and air: between the grains and behind the membrane, m³.
+  double water_space_m3(const SpecimenState& s) const {
+    return void_volume_m3(s) + membrane_.pocket_m3(radial_effective(s));
+  }
+  /// Water and lines at this instant.
+  PoreWater::Content water(const SpecimenState& s) const {
+    return water_.content(water_space_m3(s), s.pore_pressure, s.air_pa_m3);
+  }
   /// C = dV_w/du at constant void ratio and σ₃′ of water, air and lines, m³/Pa.
   double water_compliance(const SpecimenState& s) const;
   /// Share of the voids that is water.
@@ -65,9 +83,15 @@ class Specimen {
   /// Volume of what the membrane encloses with the pores of its surface, less the start's: what the
   /// water in the cell sees. m³
   double enclosed_change_m3(const SpecimenState& s) const;
-  /// Water that should be in specimen and lines less what is there, m³ (pores, compliance,
-  /// penetration, air, drained). Round-off after every step.
-  double water_imbalance_m3(const SpecimenState& s) const;
+  /// Water that must be in specimen and lines: what was there at the start less what drained, m³.
+  double water_due_m3(const SpecimenState& s) const {
+    return start_water_m3_ - s.drained_volume_m3;
+  }
+  /// Water that must be there less what the state has room for (pores, penetration, air, compliance
+  /// of water and lines), m³: round-off after every step that went to its end.
+  double water_imbalance_m3(const SpecimenState& s) const {
+    return water_due_m3(s) - water(s).amount_m3;
+  }
 
   /// The state dt later. Given state and boundary are untouched whatever the outcome; see
   /// boundary.hpp for what is integrated. Open drainage is integrated implicitly in u with
@@ -76,14 +100,11 @@ class Specimen {
                        const SpecimenTolerance& tolerance = {}) const;
 
  private:
-  friend class QuasiStatic;
-  friend class InertialMotion;
-
   std::shared_ptr<const MaterialLaw> law_;
   SpecimenProperties properties_;
   Membrane membrane_;
   PoreWater water_;
-  double solid_volume_m3_ = 0;
+  double solid_volume_m3_ = 0, start_volume_m3_ = 0, start_water_m3_ = 0;
   SpecimenState start_;
 };
 

@@ -17,6 +17,9 @@ struct SpecimenState {
   double drained_volume_m3 = 0;
   double air_pa_m3 = 0;         ///< amount of air, free and dissolved: absolute pressure × volume
   double velocity_m_per_s = 0;  ///< of the cap, compression positive; mean of the last step
+  /// F_a at the end of the last step: where a drive with a spring, or one that must not jump, goes
+  /// on from. F itself unless the cap is in motion or at its stop.
+  double applied_force_n = 0;
   RunAway run_away;
 };
 

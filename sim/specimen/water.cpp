@@ -11,7 +11,7 @@ PoreWater::Content PoreWater::content(double space_m3, double pore_pressure_pa,
   const double density = 1 + risen * compressibility_;
   return {space.water_m3 * density + system_compliance_ * risen, space.water_slope * density,
           space.compliance * density + space.water_m3 * compressibility_ + system_compliance_,
-          space.dissolved_pa};
+          -space.air_displaces * density, space.dissolved_pa};
 }
 
 }  // namespace triax::sim

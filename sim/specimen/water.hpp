@@ -25,6 +25,7 @@ class PoreWater {
     double amount_m3 = 0;     ///< M
     double per_space = 1;     ///< ∂M/∂V of the space
     double compliance = 0;    ///< C = ∂M/∂u, m³/Pa
+    double per_air = 0;       ///< ∂M/∂N, 1/Pa
     double dissolved_pa = 0;  ///< air that a volume of this water carries, Pa m³ per m³
   };
   Content content(double space_m3, double pore_pressure_pa, double air_pa_m3) const;
