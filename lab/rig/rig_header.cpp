@@ -41,7 +41,7 @@ RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
   h.specimen.void_ratio = programme.void_ratio;
   h.specimen.specific_gravity = programme.specific_gravity;
   h.specimen.membrane_thickness_m = unless_zero(programme.specimen.membrane_thickness_m);
-  h.specimen.membrane_modulus_pa = unless_zero(programme.specimen.membrane_modulus_pa);
+  h.specimen.membrane_modulus_pa = unless_zero(programme.specimen.membrane_young_modulus_pa);
   h.specimen.material = programme.material.name;
   if (const auto limit = programme.material.material.axisymmetric->limit_stress_ratio())
     h.specimen.limit_friction_angle_rad = sim::mobilised_friction_angle(*limit);

@@ -8,7 +8,6 @@
 #include "tests/sim/materials/parameter_sets.hpp"
 
 using namespace triax::sim;
-using Axial = SpecimenBoundary::Axial;
 
 namespace {
 
@@ -29,10 +28,16 @@ Specimen loose(const SpecimenProperties& properties = cylinder(), double p_pa = 
 
 SpecimenBoundary free_piston(double cell_rate, bool open) {
   SpecimenBoundary b;
-  b.axial = Axial::deviator_stress;
-  b.cell_pressure_rate = cell_rate;
-  b.valve_open = open;
-  b.back_pressure = 300e3;
+  b.cell_pressure_rate_pa_per_s = cell_rate;
+  b.water.kind = open ? WaterDrive::Kind::drained : WaterDrive::Kind::closed;
+  b.water.back_pressure_pa = 300e3;
+  return b;
+}
+
+SpecimenBoundary compression(double velocity, bool open) {
+  SpecimenBoundary b = free_piston(0, open);
+  b.axis.kind = AxialDrive::Kind::rigid;
+  b.axis.velocity_m_per_s = velocity;
   return b;
 }
 
@@ -68,8 +73,7 @@ TEST_CASE("undrained compression with rigid water is the bare material point") {
   SpecimenProperties p = cylinder();
   p.water_compressibility = p.system_compliance = 0;
   const Specimen specimen = loose(p);
-  SpecimenBoundary b;
-  b.axial_rate = 1e-5;
+  const SpecimenBoundary b = compression(1e-5, false);
   SpecimenState state = specimen.start();
   for (int i = 0; i < 140; ++i) state = specimen.advance(state, b, 1).state;
   CHECK(state.height_m == Approx(0.14 - 140e-5).epsilon(1e-13));
@@ -109,10 +113,7 @@ TEST_CASE("consolidation through a resistance lags and ends where the skeleton s
 
 TEST_CASE("the length of the step does not matter") {
   const Specimen specimen = loose();
-  SpecimenBoundary b;
-  b.axial_rate = 1e-6;
-  b.valve_open = true;
-  b.back_pressure = 300e3;
+  const SpecimenBoundary b = compression(1e-6, true);
   SpecimenState coarse = specimen.start(), fine = specimen.start();
   for (int i = 0; i < 20; ++i) coarse = specimen.advance(coarse, b, 10).state;
   for (int i = 0; i < 2000; ++i) fine = specimen.advance(fine, b, 0.1).state;
@@ -122,10 +123,7 @@ TEST_CASE("the length of the step does not matter") {
 
 TEST_CASE("area is that of the right cylinder in engineering strains") {
   const Specimen specimen = loose();
-  SpecimenBoundary b;
-  b.axial_rate = 5e-6;
-  b.valve_open = true;
-  b.back_pressure = 300e3;
+  const SpecimenBoundary b = compression(5e-6, true);
   SpecimenState state = specimen.start();
   const double area_0 = specimen.area_m2(state), volume_0 = specimen.volume_m3(state);
   for (int i = 0; i < 200; ++i) state = specimen.advance(state, b, 1).state;
@@ -139,8 +137,8 @@ TEST_CASE("area is that of the right cylinder in engineering strains") {
 TEST_CASE("a load that the undrained specimen cannot carry is a loss of control") {
   const Specimen specimen = loose();
   SpecimenBoundary b;
-  b.axial = Axial::deviator_stress;
-  b.axial_rate = 1e3;
+  b.axis.kind = AxialDrive::Kind::force;
+  b.axis.stress_rate_pa_per_s = 1e3;
   const auto step = specimen.advance(specimen.start(), b, 100);
   CHECK(step.outcome == StepOutcome::lost_control);
   CHECK(step.done_s == Approx(37.3).margin(0.5));
@@ -156,7 +154,5 @@ TEST_CASE("what no specimen can be is refused") {
   p.drainage_resistance = -1;
   CHECK_THROWS_AS(loose(p), std::invalid_argument);
   CHECK_THROWS_AS(loose(cylinder(), 0), std::invalid_argument);
-  SpecimenBoundary crush;
-  crush.axial_rate = 1;
-  CHECK(loose().advance(loose().start(), crush, 1).outcome == StepOutcome::failed);
+  CHECK(loose().advance(loose().start(), compression(1, false), 1).outcome == StepOutcome::failed);
 }

@@ -1,0 +1,219 @@
+#include "sim/specimen/inertial_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/specimen/step_work.hpp"
+
+namespace triax::sim {
+namespace {
+
+/// Strain of a substep.
+constexpr double kLargestStrain = 1e-3;
+/// Axial strain since the start below which increments are not compared: integration errors.
+constexpr double kSmallestCompared = 1e-7;
+/// Times the share that a substep may have of √(m/k) of the way back before it is repeated.
+constexpr double kTurned = 4;
+/// Substep (s) where no stiffness can be told.
+constexpr double kBlind_s = 1e-6;
+
+double kinetic_energy(const AxialDrive& axis, const SpecimenState& s) {
+  return 0.5 * axis.mass_kg * s.velocity_m_per_s * s.velocity_m_per_s;
+}
+
+}  // namespace
+
+void InertialMotion::begin(SpecimenState& state, double elapsed_s) const {
+  const AxialDrive& axis = boundary_.axis;
+  RunAway found;
+  found.count = state.run_away.count + 1;
+  found.under_way = true;
+  found.initial_kinetic_energy_j = found.largest_kinetic_energy_j = kinetic_energy(axis, state);
+  found.spring_stiffness_n_per_m = axis.stiffness_n_per_m;
+  const auto stress = axisymmetric_stress(state.material.stress);
+  found.start_axial_pa = stress.axial;
+  found.start_radial_pa = stress.radial;
+  found.start_height_m = state.height_m;
+  found.start_volume_m3 = specimen_.volume_m3(state);
+  found.start_force_n = specimen_.axial_force(state);
+  found.start_membrane_pa = specimen_.membrane().axial_pa(state.height_m);
+  const double pull =
+      implicit_.applied_force(state, height_at_start_m_, elapsed_s) - found.start_force_n;
+  const double direction = state.velocity_m_per_s != 0 ? state.velocity_m_per_s : pull;
+  found.stiffness_at_start_n_per_m = implicit_.stiffness(state, direction) + axis.stiffness_n_per_m;
+  state.run_away = found;
+}
+
+/// `pull_n` is F_a − F.
+double InertialMotion::longest_substep(const SpecimenState& state, double pull_n) const {
+  const AxialDrive& axis = boundary_.axis;
+  const double v = state.velocity_m_per_s;
+  const double k =
+      std::abs(implicit_.stiffness(state, v != 0 ? v : pull_n) + axis.stiffness_n_per_m);
+  double h =
+      std::isfinite(k) ? tolerance_.inertial_substep * std::sqrt(axis.mass_kg / k) : kBlind_s;
+  if (axis.damping_n_s_per_m > 0)
+    h = std::min(h, tolerance_.inertial_substep * axis.mass_kg / axis.damping_n_s_per_m);
+  const double far = std::abs(v) * h + 0.5 * std::abs(pull_n) / axis.mass_kg * h * h;
+  return far > kLargestStrain * state.height_m ? h * kLargestStrain * state.height_m / far : h;
+}
+
+SpecimenStep InertialMotion::substep(const SpecimenState& state, double elapsed_s, double h) const {
+  const AxialDrive& axis = boundary_.axis;
+  const double m = axis.mass_kg, c = axis.damping_n_s_per_m;
+  const double applied = implicit_.applied_force(state, height_at_start_m_, elapsed_s);
+  const double v = state.velocity_m_per_s;
+  const double acceleration = (applied - specimen_.axial_force(state) - c * v) / m;
+  double half = v + acceleration * h / 2;
+  const double left = std::max(axis.travel_m - specimen_.displacement_m(state), 0.0);
+  const bool stops = axis.travel_m > 0 && half > 0 && half * h >= left;
+  if (stops && left > 0) {  // up to the stop: v h + a h²/2 = left
+    h = std::min(h, 2 * left / (v + std::sqrt(std::max(v * v + 2 * acceleration * left, 0.0))));
+    half = left / h;
+  } else if (stops) {
+    half = 0;
+  }
+
+  SpecimenBoundary moving = boundary_;
+  moving.axis = {};
+  moving.axis.kind = AxialDrive::Kind::rigid;
+  moving.axis.velocity_m_per_s = half;
+  SpecimenStep step =
+      ImplicitStep(specimen_, moving, tolerance_).take(state, state.height_m, elapsed_s, h);
+  step.at_stop = stops;
+  if (!went_on(step)) return step;
+
+  SpecimenState& end = step.state;
+  end.applied_force_n = implicit_.applied_force(end, height_at_start_m_, elapsed_s + h);
+  const double pull = end.applied_force_n - specimen_.axial_force(end);
+  end.velocity_m_per_s = (half + pull * h / (2 * m)) / (1 + c * h / (2 * m));
+
+  const WaterDrive& water = boundary_.water;
+  const double back =
+      water.back_pressure_pa + water.back_pressure_rate_pa_per_s * (elapsed_s + h / 2);
+  step.work = work_between(specimen_, state, step, back);
+  const double moved = state.height_m - end.height_m;
+  step.work.axial = 0.5 * (applied + end.applied_force_n) * moved;
+  step.work.damping = c * 0.5 * (v + end.velocity_m_per_s) * moved;
+  step.work.kinetic = kinetic_energy(axis, end) - kinetic_energy(axis, state);
+  return step;
+}
+
+/// Takes a substep into the record of the run-away.
+void InertialMotion::record(const SpecimenState& before, double elapsed_s,
+                            SpecimenStep& step) const {
+  RunAway& found = step.state.run_away;
+  const double kinetic = kinetic_energy(boundary_.axis, step.state);
+  found.elapsed_s += step.done_s;
+  if (kinetic > found.largest_kinetic_energy_j) {
+    found.largest_kinetic_energy_j = kinetic;
+    found.largest_at_s = found.elapsed_s;
+  }
+  if (before.velocity_m_per_s * step.state.velocity_m_per_s < 0) found.turned = true;
+  if (found.compared_at_s > 0) return;
+  const double k = boundary_.axis.stiffness_n_per_m;
+  const auto without_spring = [&](const SpecimenState& s, double at_s) {
+    return implicit_.applied_force(s, height_at_start_m_, at_s) +
+           k * (found.start_height_m - s.height_m) - found.start_force_n;
+  };
+  found.first_order_work_j +=
+      0.5 *
+      (without_spring(before, elapsed_s) + without_spring(step.state, elapsed_s + step.done_s)) *
+      (before.height_m - step.state.height_m);
+  found.damping_work_j += step.work.damping;
+  compare(step.state);
+}
+
+/// Eq. (5), as soon as the second order stands out.
+void InertialMotion::compare(SpecimenState& state) const {
+  RunAway& found = state.run_away;
+  const double volume = specimen_.volume_m3(state);
+  const double axial = std::log(found.start_height_m / state.height_m);
+  const double volumetric = std::log(found.start_volume_m3 / volume);
+  const double radial = 0.5 * (volumetric - axial);
+  const auto stress = axisymmetric_stress(state.material.stress);
+  const double ds_axial = stress.axial - found.start_axial_pa;
+  const double ds_radial = stress.radial - found.start_radial_pa;
+  const double dm = specimen_.membrane().axial_pa(state.height_m) - found.start_membrane_pa;
+  const double moved = found.start_height_m * axial;
+  const double k = found.spring_stiffness_n_per_m;
+  const double work = found.start_volume_m3 * (ds_axial * axial + 2 * ds_radial * radial -
+                                               ds_radial * volumetric + dm * axial) +
+                      found.start_force_n * moved * (axial - volumetric) + k * moved * moved;
+  const double first = found.initial_kinetic_energy_j + std::abs(found.first_order_work_j);
+  if (std::abs(axial) < kSmallestCompared || !(-work >= 2 * RunAway::kResolved * first)) return;
+  found.compared_at_s = found.elapsed_s;
+  found.second_order_work_j = work;
+  found.kinetic_energy_j = kinetic_energy(boundary_.axis, state);
+  const double displaced = found.start_height_m - state.height_m;
+  found.secant_stiffness_n_per_m =
+      (specimen_.axial_force(state) - found.start_force_n) / displaced + k;
+}
+
+bool InertialMotion::at_rest(const SpecimenState& state, double pull_n) const {
+  const RunAway& found = state.run_away;
+  const double kinetic = kinetic_energy(boundary_.axis, state);
+  if (!found.turned && kinetic > kRestShare * found.largest_kinetic_energy_j) return false;
+  const double of_p = std::abs(state.material.p()) * specimen_.area_m2(state);
+  const double small = kRestForce * of_p;
+  if (std::abs(pull_n) > kRestForce * std::max(of_p, std::abs(specimen_.axial_force(state))))
+    return false;
+  const double k =
+      std::max(std::abs(implicit_.stiffness(state, 1)), std::abs(implicit_.stiffness(state, -1))) +
+      boundary_.axis.stiffness_n_per_m;
+  if (!(k > 0)) return false;
+  const double vibration = kinetic + pull_n * pull_n / (2 * k);
+  const double allowed = std::max(kRestShare * found.largest_kinetic_energy_j,
+                                  found.turned ? small * small / (2 * k) : 0);
+  return vibration <= allowed && implicit_.sustains(state);
+}
+
+/// The motion is over; what kinetic energy there was is gone.
+void InertialMotion::stop(SpecimenStep& whole) const {
+  const double kinetic = kinetic_energy(boundary_.axis, whole.state);
+  whole.work.stop += kinetic;
+  whole.work.kinetic -= kinetic;
+  whole.state.velocity_m_per_s = 0;
+  whole.state.run_away.under_way = false;
+}
+
+void InertialMotion::run(SpecimenStep& whole, double dt_s) const {
+  whole.ran_away = true;
+  const double k_drive = boundary_.axis.stiffness_n_per_m;
+  double shorter = 1;
+  while (whole.done_s < dt_s && whole.state.run_away.under_way) {
+    const SpecimenState& from = whole.state;
+    const double pull = implicit_.applied_force(from, height_at_start_m_, whole.done_s) -
+                        specimen_.axial_force(from);
+    const double longest = shorter * longest_substep(from, pull);
+    const double left = dt_s - whole.done_s;
+    const bool last = longest >= left;
+    SpecimenStep step = substep(from, whole.done_s, last ? left : longest);
+    const bool turned = from.velocity_m_per_s * step.state.velocity_m_per_s < 0;
+    if (turned || !went_on(step)) {
+      const double back = implicit_.stiffness(from, -from.velocity_m_per_s) + k_drive;
+      const double allowed = kTurned * tolerance_.inertial_substep *
+                             std::sqrt(boundary_.axis.mass_kg / std::abs(back));
+      if (shorter > 1e-3 && (!went_on(step) || step.done_s > allowed)) {
+        shorter /= 4;
+        continue;
+      }
+    }
+    shorter = std::min(1.0, 2 * shorter);
+    if (went_on(step)) record(from, whole.done_s, step);
+    const bool reached = last && step.done_s == left;
+    append(whole, step);
+    if (reached) whole.done_s = dt_s;
+    if (!went_on(step)) return;
+    const double now = whole.state.applied_force_n - specimen_.axial_force(whole.state);
+    if (step.at_stop) {
+      stop(whole);
+      whole.state.run_away.end = RunAway::End::end_of_travel;
+    } else if (at_rest(whole.state, now)) {
+      stop(whole);
+      whole.state.run_away.end = RunAway::End::arrested;
+    }
+  }
+}
+
+}  // namespace triax::sim

@@ -1,0 +1,57 @@
+#pragma once
+#include "sim/specimen/implicit_step.hpp"
+
+namespace triax::sim {
+
+/// Motion of the cap with mass, m a = F_a − F − c v, by the velocity form of Verlet's method:
+///
+///   v_½ = v + a h/2,  x′ = x + v_½ h,  F′ from the specimen under this displacement, water
+///   implicit, v′ = v_½ + a′ h/2   (c v′ implicit)
+///
+/// Substeps h are a share of √(m/|k|), k the stiffness in the direction of the motion, found anew
+/// for each; a substep in which the motion turns is repeated shorter if the stiffness of the way
+/// back asks for it.
+///
+/// The motion is over at the stop, which takes the kinetic energy, or when the cap comes to rest in
+/// an equilibrium: the load is sustained again (ImplicitStep::sustains), |F_a − F| is below
+/// kRestForce of the force of p′ (or of F), and the energy of what vibration is left,
+/// E_c + (F_a − F)²/(2k), is below kRestShare of the largest kinetic energy of this run-away or,
+/// once the motion has turned, below what changes F by kRestForce of the force of p′.
+class InertialMotion {
+ public:
+  static constexpr double kRestShare = 1e-3;
+  static constexpr double kRestForce = 0.02;
+
+  /// Pre-condition: the axis is driven by a force and has a mass. `height_at_start_m` is that at
+  /// the start of the boundary's step.
+  InertialMotion(const Specimen& specimen, const SpecimenBoundary& boundary,
+                 const SpecimenTolerance& tolerance, double height_at_start_m)
+      : specimen_(specimen),
+        boundary_(boundary),
+        tolerance_(tolerance),
+        implicit_(specimen, boundary, tolerance),
+        height_at_start_m_(height_at_start_m) {}
+
+  /// Opens a record of a run-away at this state, with its velocity.
+  void begin(SpecimenState& state, double elapsed_s) const;
+
+  /// Moves `whole` on from whole.done_s until dt_s or until the motion is over
+  /// (state.run_away.under_way tells). Where the law ends, `whole` says so.
+  void run(SpecimenStep& whole, double dt_s) const;
+
+ private:
+  double longest_substep(const SpecimenState& state, double pull_n) const;
+  SpecimenStep substep(const SpecimenState& state, double elapsed_s, double h) const;
+  void record(const SpecimenState& before, double elapsed_s, SpecimenStep& step) const;
+  void compare(SpecimenState& state) const;
+  bool at_rest(const SpecimenState& state, double pull_n) const;
+  void stop(SpecimenStep& whole) const;
+
+  const Specimen& specimen_;
+  const SpecimenBoundary& boundary_;
+  const SpecimenTolerance& tolerance_;
+  ImplicitStep implicit_;
+  double height_at_start_m_;
+};
+
+}  // namespace triax::sim

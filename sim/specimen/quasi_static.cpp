@@ -1,0 +1,97 @@
+#include "sim/specimen/quasi_static.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/specimen/step_work.hpp"
+
+namespace triax::sim {
+namespace {
+
+/// Share of the travel within which the cap counts as at its stop: round-off of the height.
+constexpr double kAtStop = 1e-12;
+
+}  // namespace
+
+SpecimenStep QuasiStatic::driven(const ImplicitStep& by, const SpecimenState& state,
+                                 double elapsed_s, double h) const {
+  SpecimenStep step = by.take(state, height_at_start_m_, elapsed_s, h);
+  const WaterDrive& water = boundary_.water;
+  step.work = work_between(
+      specimen_, state, step,
+      water.back_pressure_pa + water.back_pressure_rate_pa_per_s * (elapsed_s + step.done_s / 2));
+  step.state.applied_force_n = specimen_.axial_force(step.state);
+  return step;
+}
+
+/// The cap goes to its stop and stays there.
+SpecimenStep QuasiStatic::to_stop(const SpecimenState& state, double elapsed_s, double h) const {
+  SpecimenBoundary held = boundary_;
+  held.axis = {};
+  held.axis.kind = AxialDrive::Kind::rigid;
+  held.axis.velocity_m_per_s =
+      std::max(boundary_.axis.travel_m - specimen_.displacement_m(state), 0.0) / h;
+  SpecimenStep step = driven(ImplicitStep(specimen_, held, tolerance_), state, elapsed_s, h);
+  step.at_stop = true;
+  step.state.applied_force_n =
+      implicit_.applied_force(step.state, height_at_start_m_, elapsed_s + h);
+  return step;
+}
+
+/// One implicit part.
+SpecimenStep QuasiStatic::part(const SpecimenState& state, double elapsed_s, double h) const {
+  const AxialDrive& axis = boundary_.axis;
+  const bool has_stop = axis.kind == AxialDrive::Kind::force && axis.travel_m > 0;
+  if (has_stop && specimen_.displacement_m(state) >= axis.travel_m * (1 - kAtStop)) {
+    SpecimenStep held = to_stop(state, elapsed_s, h);
+    if (!went_on(held) || held.state.applied_force_n >= specimen_.axial_force(held.state))
+      return held;
+  }
+  SpecimenStep step = driven(implicit_, state, elapsed_s, h);
+  if (has_stop && specimen_.displacement_m(step.state) > axis.travel_m)
+    return to_stop(state, elapsed_s, h);
+  return step;
+}
+
+void QuasiStatic::run(SpecimenStep& whole, double dt_s) const {
+  if (boundary_.water.kind == WaterDrive::Kind::drained &&
+      specimen_.properties().drainage_resistance > 0)
+    return run_through_resistance(whole, dt_s);
+  const double done = whole.done_s;
+  append(whole, part(whole.state, done, dt_s - done));
+  if (went_on(whole)) whole.done_s = dt_s;
+}
+
+void QuasiStatic::run_through_resistance(SpecimenStep& whole, double dt_s) const {
+  const bool can_run_away =
+      boundary_.axis.kind == AxialDrive::Kind::force && boundary_.axis.mass_kg > 0;
+  const double smallest = 1e-6 * dt_s;
+  double h = dt_s;
+  while (whole.done_s < dt_s) {
+    const double before = whole.done_s;
+    const bool last = h >= dt_s - before;
+    h = std::min(h, dt_s - before);
+    const SpecimenStep full = part(whole.state, before, h);
+    SpecimenStep half = part(whole.state, before, h / 2);
+    if (went_on(half)) append(half, part(half.state, before + h / 2, h / 2));
+    const double error = std::abs(full.state.pore_pressure - half.state.pore_pressure);
+    const double allowed = tolerance_.pore_pressure_pa * std::max(h / dt_s, 1e-3);
+    const bool good = went_on(full) && went_on(half) && error <= allowed;
+    if (!good && h > smallest) {
+      h = std::max(h / 4, smallest);
+      continue;
+    }
+    append(whole, half);
+    if (!went_on(half)) return;
+    whole.done_s = last ? dt_s : before + h;
+    // Drainage holds only what is slower than it; the mass does not wait for that.
+    if (can_run_away && !half.at_stop && !implicit_.sustains(whole.state)) {
+      whole.outcome = StepOutcome::lost_control;
+      whole.message = "the equilibrium is not sustained against a fast change of force";
+      return;
+    }
+    if (error < allowed / 4) h *= 2;
+  }
+}
+
+}  // namespace triax::sim
