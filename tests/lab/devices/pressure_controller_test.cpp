@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "lab/devices/noise.hpp"
+
 using namespace triax::lab;
 
 TEST_CASE("a controller ramps to its target, exactly, and not beyond its limits") {
@@ -232,4 +234,44 @@ TEST_CASE("a flow that the piston cannot give is cut, and said") {
   CHECK(state.empty);
   CHECK(flow == 0);
   CHECK(state.given_volume_m3 == Approx(50 * kMm3));
+}
+
+TEST_CASE("water is not lost and pressures are numbers, whatever the controller and its faults") {
+  std::uint64_t drawn = 0;
+  const auto any = [&](double low, double high) {
+    return low + (high - low) * standard_uniform(11, 5, ++drawn);
+  };
+  const auto some = [&](double high) { return any(0, 1) < 0.3 ? 0 : any(0, high); };
+  const std::vector<FaultKind> kinds{FaultKind::stuck, FaultKind::full, FaultKind::empty};
+  int inside = 0;
+  for (int run = 0; run < 500; ++run) {
+    PressureController c = ideal();
+    c.pressure_resolution_pa = some(2e3);
+    c.time_constant_s = some(5);
+    c.fluid_compliance_m3_per_pa = any(0.5, 10) * kMm3 / 1e3;
+    c.capacity_m3 = some(500 * kMm3);
+    c.volume_rate_limit_m3_per_s = some(20 * kMm3);
+    std::vector<Fault> active;
+    for (const FaultKind kind : kinds)
+      if (any(0, 1) < 0.2) active.push_back(one(kind).front());
+    ControllerState state = at_rest(c, 500e3);
+    const PressureDemand demand{.rate_pa_per_s = any(-3e3, 3e3), .target_pa = {}};
+    double inflow = 0;
+    bool limited = false;
+    for (int i = 0; i < 100; ++i) {
+      const double in = any(-5, 5) * kMm3;
+      inflow += in;
+      advance(c, state, demand, in, 0.25, active);
+      REQUIRE(std::isfinite(state.pressure_pa));
+      REQUIRE((state.pressure_pa >= 0 && state.pressure_pa <= c.range_pa));
+      if (c.capacity_m3 > 0)
+        REQUIRE((state.held_volume_m3 > -1e-15 && state.held_volume_m3 < c.capacity_m3 + 1e-15));
+      limited = limited || state.pressure_pa == 0 || state.pressure_pa == c.range_pa;
+    }
+    if (limited) continue;
+    ++inside;
+    const double stored = c.fluid_compliance_m3_per_pa * (state.pressure_pa - 500e3);
+    CHECK(inflow + state.given_volume_m3 - stored == Approx(0).margin(1e-9 * kMm3 * 1e3));
+  }
+  CHECK(inside > 300);
 }

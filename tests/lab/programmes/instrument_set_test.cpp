@@ -7,13 +7,19 @@
 using namespace triax::lab;
 using Catch::Contains;
 
+namespace {
+std::string rig_with(const std::string& set) {
+  return "instruments = \"" + set + "\"\ndrainage_resistance_kPa_s_per_mm3 = 0.5\n";
+}
+}  // namespace
+
 TEST_CASE("every set that ships is a rig") {
   for (const std::string name : {"ideal", "standard", "advanced"})
-    CHECK(test::complaint_of_rig("instruments = \"" + name + "\"") == "accepted");
+    CHECK(test::complaint_of_rig(rig_with(name)) == "accepted");
 }
 
 TEST_CASE("ideal instruments are those of a rig of which nothing is said") {
-  const Programme ideal = test::with_rig("instruments = \"ideal\""), none = test::with_rig("");
+  const Programme ideal = test::with_rig(rig_with("ideal")), none = test::with_rig("");
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     const Transducer &a = ideal.transducers[i], &b = none.transducers[i];
     CHECK(a.range == b.range);
@@ -27,8 +33,8 @@ TEST_CASE("ideal instruments are those of a rig of which nothing is said") {
 }
 
 TEST_CASE("advanced instruments are finer than standard ones in everything") {
-  const Programme fine = test::with_rig("instruments = \"advanced\""),
-                  coarse = test::with_rig("instruments = \"standard\"");
+  const Programme fine = test::with_rig(rig_with("advanced")),
+                  coarse = test::with_rig(rig_with("standard"));
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     INFO(quantities()[i].name);
     const Transducer &a = fine.transducers[i], &b = coarse.transducers[i];

@@ -32,7 +32,8 @@ TEST_CASE("a rig of which nothing is said is ideal, with a piston of 5 kg") {
 }
 
 TEST_CASE("controllers and frame are read in SI") {
-  const Programme p = with_rig(R"([rig.back_controller]
+  const Programme p = with_rig(R"(drainage_resistance_kPa_s_per_mm3 = 0.5
+[rig.back_controller]
 range_kPa = 2000
 rate_limit_kPa_per_min = 120
 pressure_resolution_kPa = 1
@@ -71,6 +72,7 @@ damping_N_s_per_m = 30
 
 TEST_CASE("a set of instruments is a base that explicit keys override") {
   const Programme p = with_rig(R"(instruments = "standard"
+drainage_resistance_kPa_s_per_mm3 = 0.5
 [rig.transducers.pore_pressure]
 noise_kPa = 0.5
 [rig.back_controller]
@@ -100,13 +102,53 @@ TEST_CASE("controllers and frames that cannot be are refused at the key") {
              Contains("p.toml:16") && Contains("capacity of 200 cm3"));
   CHECK_THAT(controller("pressure_resolution_kPa = 4000"), Contains("coarser"));
   for (const char* line :
-       {"time_constant_s = -1", "fluid_compliance_mm3_per_kPa = -1", "capacity_cm3 = 0",
-        "leak_mm3_per_min_at_100kPa = -1", "leak = 1", "pressure_resolution_kPa = -1"})
+       {"time_constant_s = -1", "fluid_compliance_mm3_per_kPa = -1", "capacity_cm3 = -1",
+        "time_constant_s = 5e-324", "leak_mm3_per_min_at_100kPa = -1", "leak = 1",
+        "pressure_resolution_kPa = -1"})
     CHECK_THAT(controller(line), Contains("p.toml:15"));
   for (const char* line :
-       {"velocity_step_mm_per_min = 7", "stiffness_kN_per_mm = 0", "load_limit_N = 0",
-        "bandwidth_Hz = 0", "moving_mass_kg = -1", "damping_N_s_per_m = -1", "stiffness = 3"})
+       {"velocity_step_mm_per_min = 7", "stiffness_kN_per_mm = -1", "load_limit_N = -1",
+        "bandwidth_Hz = 1e-9", "moving_mass_kg = -1", "damping_N_s_per_m = -1", "stiffness = 3"})
     CHECK_THAT(complaint_of_rig(std::string("[rig.frame]\n") + line), Contains("p.toml:15"));
   CHECK_THAT(complaint_of_rig("instruments = \"standart\""),
              Contains("p.toml:14") && Contains("did you mean 'standard'?"));
+}
+
+TEST_CASE("a controller whose water gives way needs a drainage that holds the flow back") {
+  const auto rig = [](const std::string& resistance, const std::string& which) {
+    return complaint_of_rig("drainage_resistance_kPa_s_per_mm3 = " + resistance + "\n[rig." +
+                            which + "]\nfluid_compliance_mm3_per_kPa = 5\n");
+  };
+  for (const char* which : {"cell_controller", "back_controller"}) {
+    CHECK(rig("0.05", which) == "accepted");
+    CHECK_THAT(rig("0.049", which), Contains("p.toml:14") && Contains("at least 0.05 beside"));
+  }
+  CHECK_THAT(complaint_of_rig("instruments = \"standard\""), Contains("at least 0.0833"));
+}
+
+TEST_CASE("0 takes back what a set of instruments gives") {
+  const Programme p = with_rig(R"(instruments = "standard"
+[rig.frame]
+stiffness_kN_per_mm = 0
+load_limit_N = 0
+bandwidth_Hz = 0
+velocity_step_mm_per_min = 0
+[rig.cell_controller]
+fluid_compliance_mm3_per_kPa = 0
+volume_rate_limit_mm3_per_s = 0
+[rig.back_controller]
+pressure_resolution_kPa = 0
+time_constant_s = 0
+fluid_compliance_mm3_per_kPa = 0
+capacity_cm3 = 0
+volume_rate_limit_mm3_per_s = 0
+)");
+  CHECK(p.frame.stiffness_n_per_m == 0);
+  CHECK(p.frame.load_limit_n == 0);
+  CHECK(p.frame.bandwidth_hz == 0);
+  CHECK(p.frame.velocity_step_m_per_s == 0);
+  CHECK(p.back_controller.pressure_resolution_pa == 0);
+  CHECK(p.back_controller.time_constant_s == 0);
+  CHECK(p.back_controller.capacity_m3 == 0);
+  CHECK(p.cell_controller.fluid_compliance_m3_per_pa == 0);
 }

@@ -83,6 +83,7 @@ TEST_CASE("the programme's own key is stronger than that of the set, the others 
   CHECK(over("bits = 20").step == converter_step(1000, 20));
   CHECK(over("resolution_kPa = 1").step == 1);
   CHECK(over("resolution_kPa = 0").step == 0);
+  CHECK(over("sensitivity_mV = 5\ncalibration_kPa_of_mV = []").calibration.empty());
 }
 
 TEST_CASE("keys that need another one say so, at their line") {
@@ -101,10 +102,11 @@ TEST_CASE("keys that need another one say so, at their line") {
 TEST_CASE("values that no instrument has are refused") {
   for (const char* line :
        {"time_constant_s = -1", "time_constant_s = 1e9", "hysteresis_pct_of_range = -1",
-        "hysteresis_pct_of_range = 21", "nonlinearity_pct_of_range = 21", "sensitivity_mV = 0",
-        "sampling_interval_s = -1", "noise_kPa = 1e10", "offset_kPa = 1e300",
-        "drift_kPa_per_h = nan", "drift_kPa_per_min = 1", "calibration_kPa_of_mV = 3",
-        "calibration_kPa_of_mV = [1]", "calibration_kPa_of_mV = [1, 2, 3, 4, 5, 6, 7, 8, 9]"})
+        "hysteresis_pct_of_range = 21", "nonlinearity_pct_of_range = 21", "sensitivity_mV = -1",
+        "time_constant_s = 5e-324", "sampling_interval_s = -1", "noise_kPa = 1e10",
+        "offset_kPa = 1e300", "drift_kPa_per_h = nan", "drift_kPa_per_min = 1",
+        "calibration_kPa_of_mV = 3", "calibration_kPa_of_mV = [1]",
+        "calibration_kPa_of_mV = [1, 2, 3, 4, 5, 6, 7, 8, 9]"})
     CHECK_THAT(complaint(line), Contains("p.toml:15"));
   CHECK_THAT(complaint("calibration_kPa_of_mV = [0, 1e300]\nrange_kPa = 100\nsensitivity_mV = 50"),
              Contains("at full scale"));
