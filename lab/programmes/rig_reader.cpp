@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "lab/programmes/absent_or.hpp"
 #include "lab/programmes/instrument_set.hpp"
 #include "lab/programmes/transducer_reader.hpp"
 #include "lab/records/bad_input.hpp"
@@ -23,19 +25,26 @@ void set(const TomlTable& table, const char* key, const Bounds& bounds, double s
   if (const auto value = table.number(key, bounds)) member = *value * scale;
 }
 
+/// The same for what may be 0, that is absent.
+void set_or_absent(const TomlTable& table, const char* key, double smallest, double largest,
+                   double scale, double& member) {
+  if (const auto value = absent_or(table, key, smallest, largest)) member = *value * scale;
+}
+
 void read_over(PressureController& c, const TomlTable& table) {
-  const Bounds volume_cm3{.above = 0, .at_most = 1e6};
   set(table, "range_kPa", kPressure_kPa, 1e3, c.range_pa);
   set(table, "rate_limit_kPa_per_min", kPositive, 1e3 / 60, c.rate_limit_pa_per_s);
-  set(table, "pressure_resolution_kPa", kNotNegative, 1e3, c.pressure_resolution_pa);
-  set(table, "time_constant_s", {.at_least = 0, .at_most = 3600}, 1, c.time_constant_s);
-  set(table, "fluid_compliance_mm3_per_kPa", {.at_least = 0, .at_most = 1e6}, 1e-12,
-      c.fluid_compliance_m3_per_pa);
-  set(table, "capacity_cm3", volume_cm3, 1e-6, c.capacity_m3);
+  set_or_absent(table, "pressure_resolution_kPa", 1e-6, 1e4, 1e3, c.pressure_resolution_pa);
+  set_or_absent(table, "time_constant_s", 1e-3, 3600, 1, c.time_constant_s);
+  set_or_absent(table, "fluid_compliance_mm3_per_kPa", 1e-3, 1e4, 1e-12,
+                c.fluid_compliance_m3_per_pa);
+  set_or_absent(table, "capacity_cm3", 1e-3, 1e6, 1e-6, c.capacity_m3);
   if (const auto start = table.number("start_volume_cm3", {.at_least = 0, .at_most = 1e6}))
     c.start_volume_m3 = 1e-6 * *start;
-  set(table, "volume_rate_limit_mm3_per_s", kPositive, 1e-9, c.volume_rate_limit_m3_per_s);
-  set(table, "leak_mm3_per_min_at_100kPa", kNotNegative, 1e-9 / 60 / 100e3, c.leak_m3_per_s_per_pa);
+  set_or_absent(table, "volume_rate_limit_mm3_per_s", 1e-6, 1e6, 1e-9,
+                c.volume_rate_limit_m3_per_s);
+  set_or_absent(table, "leak_mm3_per_min_at_100kPa", 1e-6, 1e6, 1e-9 / 60 / 100e3,
+                c.leak_m3_per_s_per_pa);
   table.finish();
 }
 
@@ -63,16 +72,15 @@ PressureController read_controller(const std::optional<TomlTable>& base,
 void read_over(LoadingFrame& f, const TomlTable& table) {
   set(table, "slowest_mm_per_min", kPositive, kMmPerMin, f.slowest_m_per_s);
   set(table, "fastest_mm_per_min", kPositive, kMmPerMin, f.fastest_m_per_s);
-  set(table, "velocity_step_mm_per_min", kNotNegative, kMmPerMin, f.velocity_step_m_per_s);
+  set_or_absent(table, "velocity_step_mm_per_min", 1e-9, 1e3, kMmPerMin, f.velocity_step_m_per_s);
   set(table, "travel_mm", kPositive, 1e-3, f.travel_m);
-  set(table, "stiffness_kN_per_mm", {.above = 0, .at_most = 1e6}, 1e6, f.stiffness_n_per_m);
-  set(table, "load_cell_stiffness_kN_per_mm", {.above = 0, .at_most = 1e6}, 1e6,
-      f.load_cell_stiffness_n_per_m);
-  set(table, "load_limit_N", kPositive, 1, f.load_limit_n);
-  set(table, "servo_gain_mm_per_min_per_N", kPositive, kMmPerMin, f.servo_gain_m_per_s_per_n);
-  set(table, "bandwidth_Hz", {.above = 0, .at_most = 1e6}, 1, f.bandwidth_hz);
-  set(table, "moving_mass_kg", {.at_least = 0, .at_most = 1e4}, 1, f.moving_mass_kg);
-  set(table, "damping_N_s_per_m", {.at_least = 0, .at_most = 1e9}, 1, f.damping_n_s_per_m);
+  set_or_absent(table, "stiffness_kN_per_mm", 1e-3, 1e6, 1e6, f.stiffness_n_per_m);
+  set_or_absent(table, "load_cell_stiffness_kN_per_mm", 1e-3, 1e6, 1e6,
+                f.load_cell_stiffness_n_per_m);
+  set_or_absent(table, "load_limit_N", 1e-3, 1e9, 1, f.load_limit_n);
+  set_or_absent(table, "bandwidth_Hz", 1e-4, 1e4, 1, f.bandwidth_hz);
+  set_or_absent(table, "moving_mass_kg", 1e-3, 1e4, 1, f.moving_mass_kg);
+  set_or_absent(table, "damping_N_s_per_m", 1e-6, 1e9, 1, f.damping_n_s_per_m);
   table.finish();
 }
 
@@ -80,7 +88,6 @@ LoadingFrame read_frame(const std::optional<TomlTable>& base, const std::optiona
   LoadingFrame f{.slowest_m_per_s = 0.00001 * kMmPerMin,
                  .fastest_m_per_s = 5.99999 * kMmPerMin,
                  .travel_m = 0.05,
-                 .servo_gain_m_per_s_per_n = 6 * kMmPerMin,
                  .moving_mass_kg = 5};
   if (base) read_over(f, *base);
   if (own) read_over(f, *own);
@@ -91,6 +98,23 @@ LoadingFrame read_frame(const std::optional<TomlTable>& base, const std::optiona
   if (f.velocity_step_m_per_s > f.fastest_m_per_s)
     table.fail("velocity_step_mm_per_min", "is above fastest_mm_per_min");
   return f;
+}
+
+/// Controllers and specimen take turns in ticks of 0.25 s: what flows through the drainage within
+/// one must not move a controller's pressure by more than what drives the flow, or the two would
+/// swing.
+void check_turns(const TomlTable& table, const Programme& programme) {
+  constexpr double kShortest_s = 0.25;
+  double compliance = std::numeric_limits<double>::infinity();
+  for (const PressureController* c : {&programme.cell_controller, &programme.back_controller})
+    if (c->fluid_compliance_m3_per_pa > 0)
+      compliance = std::min(compliance, c->fluid_compliance_m3_per_pa);
+  const double least = kShortest_s / compliance;
+  if (programme.specimen.drainage_resistance < least * (1 - 1e-9))
+    table.fail("drainage_resistance_kPa_s_per_mm3",
+               fmt::format("must be at least {:.3g} beside a controller with a fluid compliance of "
+                           "{:g} mm3/kPa",
+                           least * 1e-12, compliance * 1e12));
 }
 
 std::optional<TomlTable> inner(const std::optional<TomlTable>& table, std::string_view key) {
@@ -142,6 +166,7 @@ void read_rig(const TomlTable& table, Programme& programme) {
   set(table, "system_compliance_mm3_per_kPa", kNotNegative, 1e-12, specimen.system_compliance);
   set(table, "drainage_resistance_kPa_s_per_mm3", kNotNegative, 1e12, specimen.drainage_resistance);
   table.finish();
+  check_turns(table, programme);
 }
 
 }  // namespace triax::lab

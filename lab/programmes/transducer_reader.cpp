@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/devices/spoken_unit.hpp"
+#include "lab/programmes/absent_or.hpp"
 #include "lab/programmes/programme.hpp"
 #include "lab/records/toml_reader.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr double kLargest = 1e9;
 constexpr Bounds kAmount{.at_least = 0, .at_most = kLargest};
 constexpr Bounds kEitherSign{.at_least = -kLargest, .at_most = kLargest};
-constexpr Bounds kSeconds{.at_least = 0, .at_most = 3600};
 /// Beyond 25 % a non-linear instrument would turn round.
 constexpr Bounds kBend{.at_least = -20, .at_most = 20};
 constexpr Bounds kWidth{.at_least = 0, .at_most = 20};
@@ -35,6 +35,10 @@ void read_over(Sheet& sheet, const TomlTable& table) {
   const auto set = [&](const std::string& key, const Bounds& bounds, double& member) {
     if (const auto value = table.number(key, bounds)) member = *value;
   };
+  const auto set_or_absent = [&](const std::string& key, double smallest, double largest,
+                                 double& member) {
+    if (const auto value = absent_or(table, key, smallest, largest)) member = *value;
+  };
   const std::string& unit = sheet.unit;
   const auto bits = table.integer("bits", 4, 32);
   if (bits && table.has("resolution_" + unit))
@@ -47,18 +51,18 @@ void read_over(Sheet& sheet, const TomlTable& table) {
   }
   set("range_" + unit, {.above = 0, .at_most = sheet.pressure ? kLargestPressure_kPa : kLargest},
       sheet.range);
-  set("resolution_" + unit, kAmount, sheet.resolution);
+  set_or_absent("resolution_" + unit, 1e-9, kLargest, sheet.resolution);
   set("noise_" + unit, kAmount, sheet.noise);
   set("offset_" + unit, kEitherSign, sheet.offset);
   set(fmt::format("drift_{}_per_h", unit), kEitherSign, sheet.drift_per_h);
-  set("time_constant_s", kSeconds, sheet.time_constant_s);
+  set_or_absent("time_constant_s", 1e-3, 3600, sheet.time_constant_s);
   set("hysteresis_pct_of_range", kWidth, sheet.hysteresis_pct);
   set("nonlinearity_pct_of_range", kBend, sheet.nonlinearity_pct);
-  set("sensitivity_mV", {.above = 0, .at_most = 1e6}, sheet.sensitivity_mV);
-  set("sampling_interval_s", kSeconds, sheet.sampling_interval_s);
+  set_or_absent("sensitivity_mV", 1e-3, 1e6, sheet.sensitivity_mV);
+  set_or_absent("sampling_interval_s", 1e-4, 3600, sheet.sampling_interval_s);
   const std::string polynomial = fmt::format("calibration_{}_of_mV", unit);
   if (auto calibration = table.numbers(polynomial); table.has(polynomial)) {
-    if (calibration.size() < 2 || calibration.size() > 8)
+    if (calibration.size() == 1 || calibration.size() > 8)
       table.fail(polynomial, "must be 2 to 8 numbers: [c0, c1, ...] of c0 + c1 v + c2 v² ...");
     sheet.calibration = std::move(calibration);
   }

@@ -9,6 +9,7 @@
 #include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
+#include "lab/records/embedded.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/text.hpp"
 #include "lab/records/toml_reader.hpp"
@@ -102,6 +103,28 @@ TEST_CASE("the programme that is printed is a programme") {
   CHECK(programme.cell_controller.rate_limit_pa_per_s == Approx(600e3 / 60));
 }
 
+TEST_CASE("the fault that is printed is a fault") {
+  Lines lines = printed("docs/programmes.md", "[test]");
+  for (const auto& line : printed("docs/programmes.md", "[[faults]]")) lines.push_back(line);
+  const auto faults = read_programme(joined(lines, "\n"), "docs/programmes.md").faults;
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].until_s == 5400);
+}
+
+TEST_CASE("every key of a programme that uses all of them is on its page") {
+  const auto page = read_text_file("docs/programmes.md");
+  for (const auto& line : content("tests/fuzz/seeds/programme_fuzz/instruments.toml")) {
+    if (line.starts_with('[')) continue;
+    const std::string key = line.substr(0, line.find(' '));
+    // Keys of transducers and faults stand there with U for the unit.
+    std::string with_u = key;
+    for (const std::string unit : {"_kPa", "_N"})
+      if (const auto at = with_u.find(unit); at != std::string::npos)
+        with_u.replace(at, unit.size(), "_U");
+    CHECK_THAT(page, Contains(fmt::format("`{}`", key)) || Contains(fmt::format("`{}`", with_u)));
+  }
+}
+
 TEST_CASE("the path that is printed is a path") {
   const auto toml = joined(printed("docs/paths.md", "[path]"), "\n");
   const PathDescription description = read_path(toml, "docs/paths.md");
@@ -120,6 +143,13 @@ TEST_CASE("every key is on its page") {
     CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.key)));
   for (const QuantityInfo& row : quantities().first(kRawQuantityCount))
     CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.name)));
+  for (const auto& device : fault_devices()) {
+    CHECK_THAT(programmes, Contains(fmt::format("`{}`", device)));
+    for (const FaultKind kind : possible_faults(device))
+      CHECK_THAT(programmes, Contains(fmt::format("`{}`", to_string(kind))));
+  }
+  for (const EmbeddedFile& set : kShippedInstruments)
+    CHECK_THAT(programmes, Contains(fmt::format("| `{}` |", set.name)));
   const auto formats = read_text_file("docs/formats.md");
   for (const QuantityInfo& row : quantities())
     CHECK_THAT(formats, Contains(fmt::format("`{}", row.name)));

@@ -1,5 +1,6 @@
 #include "lab/devices/noise.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -28,4 +29,16 @@ TEST_CASE("noise depends on nothing but its arguments") {
   CHECK(standard_normal(1, 2, 3) == standard_normal(1, 2, 3));
   CHECK(standard_normal(1, 2, 3) != standard_normal(2, 2, 3));
   CHECK(standard_normal(0, 0, 0) != standard_normal(0, 0, 1));
+}
+
+TEST_CASE("uniform numbers fill 0 to 1 evenly and are pure functions too") {
+  constexpr int kCount = 100000;
+  std::array<int, 10> bins{};
+  for (std::uint64_t i = 0; i < kCount; ++i) {
+    const double u = triax::lab::standard_uniform(7, 2, i);
+    REQUIRE((u > 0 && u < 1));
+    ++bins[static_cast<std::size_t>(u * 10)];
+  }
+  for (const int count : bins) CHECK(count == Approx(kCount / 10).epsilon(0.04));
+  CHECK(triax::lab::standard_uniform(7, 2, 5) == triax::lab::standard_uniform(7, 2, 5));
 }

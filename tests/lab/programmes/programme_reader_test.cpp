@@ -116,3 +116,28 @@ TEST_CASE("a user's own material stands beside the programme") {
   CHECK(p.files[0] == "samples/programmes/p.toml");
   CHECK(p.files[1] == "samples/programmes/../../lab/materials/sanisand.toml");
 }
+
+TEST_CASE("membrane and saturation of the specimen are read in SI, perfect by default") {
+  const Programme bare = read_programme(programme_text(), "p.toml");
+  CHECK(bare.specimen.membrane_thickness_m == 0);
+  CHECK(bare.specimen.membrane_modulus_pa == 0);
+  CHECK(bare.specimen.membrane_penetration_m == 0);
+  CHECK(bare.specimen.saturation == 1);
+  const Programme p =
+      read_programme(replaced(programme_text(), "void_ratio", R"(membrane_thickness_mm = 0.3
+membrane_modulus_kPa = 1400
+membrane_penetration_mm3_per_mm2 = 0.02
+saturation = 0.98
+void_ratio)"),
+                     "p.toml");
+  CHECK(p.specimen.membrane_thickness_m == Approx(0.3e-3));
+  CHECK(p.specimen.membrane_modulus_pa == Approx(1.4e6));
+  CHECK(p.specimen.membrane_penetration_m == Approx(0.02e-3));
+  CHECK(p.specimen.saturation == 0.98);
+  CHECK_THAT(complaint("void_ratio", "saturation = 98\nvoid_ratio"),
+             Contains("p.toml:10") && Contains("at most 1"));
+  CHECK_THAT(complaint("void_ratio", "membrane_thickness_mm = 0.3\nvoid_ratio"),
+             Contains("p.toml:10") && Contains("needs membrane_modulus_kPa"));
+  CHECK_THAT(complaint("void_ratio", "membrane_modulus_kPa = 1400\nvoid_ratio"),
+             Contains("needs membrane_thickness_mm"));
+}
