@@ -16,6 +16,11 @@ constexpr std::int64_t kKnown = 16;
 
 }  // namespace
 
+void ChannelHealth::may_rest(bool yes) {
+  if (may_rest_ != yes) noise_.forget_run();
+  may_rest_ = yes;
+}
+
 void ChannelHealth::add(std::int64_t number, double value) {
   spike_.reset();
   if (std::isnan(value)) {
@@ -55,6 +60,7 @@ void ChannelHealth::follow_jump(std::int64_t number, double value) {
   if (off > allowed && std::fabs(value - before - slope) > allowed) {
     if (!leap_) leap_ = number;
     jump_ = number;
+    jump_height_ = off;
   } else if (value != before) {
     jump_.reset();
   }
@@ -71,6 +77,7 @@ void ChannelHealth::follow_run(std::int64_t number, double value) {
   noise_.add(value);
   if (noise_.run() == 0) return;
   if (noise_.run() == 1) run_from_ = number;
+  if (may_rest_) return;
   const auto limit = noise_.impossible_run();
   if (!limit) return;
   const auto wait =
@@ -136,7 +143,7 @@ std::optional<std::int64_t> ChannelHealth::doubtful_from() const {
   if (gap_ > 0 && steady_ >= kSteady) doubt(gap_from_);
   if (leap_) doubt(*leap_);
   if (jump_ && noise_.run() < kFlat) doubt(*jump_);
-  if (noise_.run() > 0 && noise_.impossible_run()) doubt(jump_.value_or(run_from_));
+  if (!may_rest_ && noise_.run() > 0 && noise_.impossible_run()) doubt(jump_.value_or(run_from_));
   return first;
 }
 

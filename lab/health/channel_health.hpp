@@ -28,8 +28,14 @@ class ChannelHealth {
     double value = 0;
   };
 
-  /// `patience` stretches the wait for a stuck channel: a controlled quantity may rightly rest.
-  explicit ChannelHealth(double patience = 1) : patience_(patience) {}
+  /// For `finest` see ChannelNoise; `patience` stretches the wait for a stuck channel: a controlled
+  /// quantity may rightly rest.
+  explicit ChannelHealth(double finest, double patience = 1)
+      : patience_(patience), noise_(finest) {}
+
+  /// Whether the channel may rightly stand still from now on, however noisy it was: then the noise
+  /// is no ground to call it stuck.
+  void may_rest(bool yes);
 
   /// The value of reading `number`; NaN where there is none.
   void add(std::int64_t number, double value);
@@ -49,6 +55,7 @@ class ChannelHealth {
   std::int64_t run_from() const { return run_from_; }
   /// The first reading of the present value, where a jump led to it.
   std::optional<std::int64_t> jumped_at() const { return jump_; }
+  double jump_height() const { return jump_height_; }
   double value() const { return last_; }
   const ChannelNoise& noise() const { return noise_; }
   /// Declares the channel dead from the start of the run (from the jump, where one led to it).
@@ -69,12 +76,14 @@ class ChannelHealth {
   };
 
   double patience_;
+  bool may_rest_ = false;
   ChannelNoise noise_;
   std::array<Value, kWindow> window_{};  ///< the last values, oldest first
   int filled_ = 0;
   std::int64_t run_from_ = 0;
   std::optional<std::int64_t> jump_;  ///< reading of a jump from which the value has not moved
   std::optional<std::int64_t> leap_;  ///< reading that may begin a spike
+  double jump_height_ = 0;
   double last_ = 0;
   std::int64_t gap_ = 0, gap_from_ = 0, steady_ = 0;
   int moves_ = 0;  ///< since the channel died

@@ -18,7 +18,7 @@ const double kImpossible = std::log(1e-9);
 void ChannelNoise::add(double value) {
   if (values_ == 0) {
     lowest_ = highest_ = value;
-  } else if (std::fabs(value - last_) <= kRoundOff * largest_) {
+  } else if (std::fabs(value - last_) <= round_off()) {
     ++run_;
   } else {
     end_run();
@@ -39,6 +39,8 @@ void ChannelNoise::add(double value) {
   last_ = value;
   ++values_;
 }
+
+double ChannelNoise::round_off() const { return std::max(finest_, kRoundOff * largest_); }
 
 void ChannelNoise::end_run() {
   const std::int64_t lessons = std::min(run_, kLongestLesson);
@@ -70,8 +72,7 @@ double ChannelNoise::equal_share_at_most() const {
 bool ChannelNoise::dithers() const {
   if (neighbours_ < kLeast || equal_share_at_most() > 0.7) return false;
   const bool turns_back = moves_back_ >= 0.4;
-  const bool rough =
-      roughness_ > std::max(1.1 * step_, 10 * kRoundOff * largest_) && bends_back_ >= 0.5;
+  const bool rough = roughness_ > std::max(1.1 * step_, 10 * round_off()) && bends_back_ >= 0.5;
   return turns_back || rough;
 }
 

@@ -17,6 +17,9 @@ class ChannelNoise {
   static constexpr int kMemory = 256;
   static constexpr int kLeast = 100;  ///< neighbours from which anything is said
 
+  /// Differences of `finest` and less are round-off, not readings.
+  explicit ChannelNoise(double finest) : finest_(finest) {}
+
   /// The next value of a live channel (no NaN).
   void add(double value);
   /// The last value again and again: forget that it was seen `run` times, it was no noise.
@@ -45,6 +48,9 @@ class ChannelNoise {
   void add_roughness(double half_bend);
   double equal_share_at_most() const;
 
+  double round_off() const;
+
+  double finest_;
   std::int64_t values_ = 0, neighbours_ = 0, bends_ = 0, run_ = 0;
   double last_ = 0, before_ = 0;
   double last_move_ = 0, last_bend_ = 0;

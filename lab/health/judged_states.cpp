@@ -11,8 +11,8 @@ namespace triax::lab {
 namespace {
 
 /// Across a stretch that was not seen: less than what counts as a collapse (Descent::kWorthALoss of
-/// q; at held q 1 % of axial strain, see lasts_at_held_q).
-constexpr double kChangeOfQ = 0.10;
+/// q; of p′, which q follows; at held q 1 % of axial strain, see lasts_at_held_q).
+constexpr double kChangeOfStress = 0.10;
 constexpr double kChangeOfStrain = 0.01;
 
 /// Strains count from the first reading of shear.
@@ -70,7 +70,9 @@ std::optional<JudgedStates::Judged> JudgedStates::next() {
 }
 
 bool JudgedStates::may_go_on(const State& state) const {
-  return last_live_ && std::fabs(state.q - last_live_->q) < kChangeOfQ * std::fabs(last_live_->q) &&
+  return last_live_ &&
+         std::fabs(state.q - last_live_->q) < kChangeOfStress * std::fabs(last_live_->q) &&
+         std::fabs(state.p_eff - last_live_->p_eff) < kChangeOfStress * last_live_->p_eff &&
          std::fabs(state.strain.axial - last_live_->strain.axial) < kChangeOfStrain;
 }
 

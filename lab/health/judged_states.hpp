@@ -14,11 +14,12 @@ namespace triax::lab {
 /// Holds states back while one of their sensors is in doubt (at most kHeld readings) and leaves out
 /// those on a sensor that was dead. Readings and states themselves are not touched. After a longer
 /// stretch of dead readings judgement goes on only where nothing that counts as a collapse can hide
-/// in it: |q| changed by less than a tenth, the axial strain by less than 1 %; else it ends there.
-/// It ends too where displacement or volume, which count from the start of shear, was dead then.
+/// in it: q and p′ changed by less than a tenth, the axial strain by less than 1 %; else it ends
+/// there. It ends too where displacement or volume, which count from the start of shear, was dead
+/// then.
 class JudgedStates {
  public:
-  static constexpr std::int64_t kHeld = 256;
+  static constexpr std::int64_t kHeld = 1024;
   static constexpr std::int64_t kShortGap = 5;  ///< readings that may be left out without more ado
 
   struct Judged {

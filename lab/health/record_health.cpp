@@ -6,8 +6,30 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/mechanics/units.hpp"
+
 namespace triax::lab {
 namespace {
+
+/// From so many times its noise a change of p′ is one.
+constexpr double kNoises = 6;
+
+/// Differences below this are round-off of somebody's arithmetic: no instrument resolves them.
+double finest_of(Quantity q) {
+  const auto unit = sim::find_unit(info(q).unit);
+  switch (unit ? unit->dimension : sim::Dimension::none) {
+    case sim::Dimension::pressure:
+      return 1e-3;
+    case sim::Dimension::force:
+      return 1e-6;
+    case sim::Dimension::length:
+      return 1e-11;
+    case sim::Dimension::volume:
+      return 1e-14;
+    default:
+      return 1e-10;
+  }
+}
 
 /// A controller may hold its pressure, and a piston its place, quieter than the noise so far.
 double patience_of(Quantity q) {
@@ -22,17 +44,17 @@ double patience_of(Quantity q) {
   }
 }
 
-bool may_be_compared(Quantity q) {
-  return q == Quantity::axial_force || q == Quantity::axial_displacement ||
-         q == Quantity::pore_pressure;
-}
-
 }  // namespace
 
 RecordHealth::RecordHealth(const RecordHeader& header) : header_(header) {
+  const auto& specimen = header.specimen;
+  if (specimen.diameter_m)
+    area_m2_ = std::numbers::pi / 4 * *specimen.diameter_m * *specimen.diameter_m;
+  volume_m3_ = area_m2_ * specimen.height_m.value_or(0);
   for (Quantity q : header.columns)
     if (!header.is_raw() || is_raw(q))
-      channels_.push_back({.quantity = q, .health = ChannelHealth(patience_of(q)), .open = {}});
+      channels_.push_back(
+          {.quantity = q, .health = ChannelHealth(finest_of(q), patience_of(q)), .open = {}});
 }
 
 void RecordHealth::start_stage(const Reading& reading) {
@@ -41,6 +63,25 @@ void RecordHealth::start_stage(const Reading& reading) {
   const StageInfo* info = header_.stage(reading.stage);
   shear_ = info && info->role == StageRole::shear;
   driven_ = shear_ && info->control == AxialControl::displacement;
+  const bool was_drained = drained_;
+  drained_ = shear_ && info->drainage == Drainage::open;
+  closed_ = info && info->drainage == Drainage::closed;
+  for (Channel& channel : channels_) {
+    if (!was_drained) channel.moves = channel.longest_run = 0;
+    // What a piston counts moves with the water, not with noise, and rests while the valve is shut.
+    const bool counter =
+        channel.quantity == Quantity::back_volume || channel.quantity == Quantity::cell_volume;
+    channel.health.may_rest(counter && !drained_);
+    channel.at_rest = reading;
+  }
+}
+
+bool RecordHealth::is_compared(Quantity q) const {
+  if (!header_.is_raw()) return false;
+  if (q == Quantity::back_volume) return true;
+  if (!shear_) return false;
+  if (q == Quantity::axial_force || q == Quantity::axial_displacement) return driven_;
+  return q == Quantity::pore_pressure;
 }
 
 void RecordHealth::watch(const Reading& reading) {
@@ -48,13 +89,17 @@ void RecordHealth::watch(const Reading& reading) {
   news_.clear();
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
   for (Channel& channel : channels_) {
+    const std::int64_t run = channel.health.run();
     channel.health.add(reading.number, reading[channel.quantity]);
-    if (channel.health.run() == 0) channel.at_rest = reading;
+    if (channel.health.run() > 0) continue;
+    channel.at_rest = reading;
+    ++channel.moves;
+    channel.longest_run = std::max(channel.longest_run, run);
   }
   note_jumps(reading);
   doubtful_from_ = reading.number + 1;
   for (Channel& channel : channels_) {
-    if (header_.is_raw() && shear_ && may_be_compared(channel.quantity)) compare(channel, reading);
+    if (is_compared(channel.quantity)) compare(channel, reading);
     report(channel, reading);
     if (const auto doubt = channel.health.doubtful_from())
       doubtful_from_ = std::min(doubtful_from_, *doubt);
@@ -68,38 +113,93 @@ void RecordHealth::note_jumps(const Reading& reading) {
   std::ranges::find_if(channels_, jumped)->lonely_jump = reading.number;
 }
 
-bool RecordHealth::jumped_alone(const Channel& channel) const {
+bool RecordHealth::jumped(const Channel& channel) const {
   const auto jump = channel.health.jumped_at();
-  return jump && jump == channel.lonely_jump && *jump > stage_from_ &&
-         (driven_ || channel.quantity == Quantity::pore_pressure);
+  if (!jump || *jump <= stage_from_ || channel.health.run() < ChannelHealth::kFlat) return false;
+  const bool alone = jump == channel.lonely_jump;
+  if (channel.quantity != Quantity::back_volume) return alone;
+  const double height = channel.health.jump_height();
+  return height > kImpossibleVolume * volume_m3_ ||
+         (height > kVolumeJump * volume_m3_ && (alone || closed_));
+}
+
+std::int64_t RecordHealth::rest(const Channel& channel, const Reading& reading) const {
+  if (channel.health.run() == 0) return 0;
+  return reading.number - std::max(channel.health.run_from() - 1, stage_from_);
 }
 
 void RecordHealth::compare(Channel& channel, const Reading& reading) {
   ChannelHealth& health = channel.health;
-  if (health.dead() || health.run() == 0 || health.run() > ChannelNoise::kLongestWait) return;
-  if (jumped_alone(channel) && health.run() >= ChannelHealth::kFlat) {
+  const std::int64_t at_rest = rest(channel, reading);
+  if (health.dead() || at_rest == 0 || at_rest > kLongestRest || !(volume_m3_ > 0)) return;
+  if (jumped(channel)) {
     health.condemn();
     return;
   }
-  if (!driven_ || channel.quantity == Quantity::pore_pressure || health.run_from() <= stage_from_)
-    return;
+  bool waited = at_rest >= kAtRest;
+  if (channel.quantity == Quantity::pore_pressure) return;
+  if (channel.quantity == Quantity::back_volume) {
+    if (!drained_ || channel.moves < kAtRest) return;
+    const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
+    const double run = static_cast<double>(at_rest);
+    waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));
+  }
   doubtful_from_ = std::min(doubtful_from_, health.run_from());
-  if (health.run() >= kAtRest && cannot_rest(channel, reading)) health.condemn();
+  if (waited && cannot_rest(channel, reading)) health.condemn();
+}
+
+bool RecordHealth::sound(std::initializer_list<Quantity> quantities) const {
+  return std::ranges::none_of(channels_, [&](const Channel& c) {
+    return std::ranges::find(quantities, c.quantity) != quantities.end() &&
+           (c.health.dead() || c.health.doubtful_from());
+  });
+}
+
+bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) const {
+  const double height = volume_m3_ / area_m2_;
+  const double way =
+      reading[Quantity::axial_displacement] - channel.at_rest[Quantity::axial_displacement];
+  return !driven_ && sound({Quantity::axial_displacement}) &&
+         std::fabs(way) > kRunningStrain * height;
 }
 
 bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) const {
-  const auto& specimen = header_.specimen;
-  if (!specimen.height_m || !specimen.diameter_m) return false;
   const double step = channel.health.noise().step();
   if (!(step > 0)) return false;
   const auto change = [&](Quantity q) { return std::fabs(reading[q] - channel.at_rest[q]); };
+  const double height = volume_m3_ / area_m2_;
   if (channel.quantity == Quantity::axial_force) {
-    const double strain = change(Quantity::axial_displacement) / *specimen.height_m;
-    return std::fabs(channel.health.value()) * strain > kSteps * step;
+    const double strain = change(Quantity::axial_displacement) / height;
+    return sound({Quantity::axial_displacement}) &&
+           std::fabs(channel.health.value()) * strain > kSteps * step;
   }
-  const double area = std::numbers::pi / 4 * *specimen.diameter_m * *specimen.diameter_m;
-  const double strain = change(Quantity::axial_force) / area / kStiffest_pa;
-  return strain * *specimen.height_m > kLeastSteps * step;
+  if (channel.quantity == Quantity::axial_displacement) {
+    const double strain = change(Quantity::axial_force) / area_m2_ / kStiffest_pa;
+    return sound({Quantity::axial_force}) && strain * height > kLeastSteps * step;
+  }
+  if (runs_away(channel, reading)) return true;
+  const double before = p_eff(channel.at_rest);
+  const double share = std::fabs(p_eff(reading) - before) / before;
+  return sound({Quantity::axial_force, Quantity::cell_pressure, Quantity::pore_pressure}) &&
+         before > 0 && share > kChangeOfP && share * before > kNoises * p_noise() &&
+         share / kStiffestBulk * volume_m3_ > kLeastSteps * step;
+}
+
+double RecordHealth::p_eff(const Reading& reading) const {
+  const double strain = or_zero(reading[Quantity::axial_displacement]) * area_m2_ / volume_m3_;
+  return reading[Quantity::cell_pressure] - reading[Quantity::pore_pressure] +
+         reading[Quantity::axial_force] * (1 - strain) / area_m2_ / 3;
+}
+
+double RecordHealth::p_noise() const {
+  double sum = 0;
+  for (const Channel& channel : channels_) {
+    const double roughness = channel.health.noise().roughness();
+    if (channel.quantity == Quantity::axial_force) sum += roughness / area_m2_ / 3;
+    if (channel.quantity == Quantity::cell_pressure || channel.quantity == Quantity::pore_pressure)
+      sum += roughness;
+  }
+  return sum;
 }
 
 std::optional<double> RecordHealth::time_of(std::int64_t number, const Reading& now) const {

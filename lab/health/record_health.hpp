@@ -1,6 +1,7 @@
 #pragma once
 // All sensors of a test, each by itself and against the others.
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -15,18 +16,33 @@ namespace triax::lab {
 using ChannelSet = std::uint32_t;
 constexpr ChannelSet channel_bit(Quantity q) { return ChannelSet{1} << index(q); }
 
-/// Beside what ChannelHealth sees in one channel, in shear:
-/// - driven by displacement, the force stands still to the last digit though the area grew so much
-///   that it cannot: F Δε of kSteps steps of its converter;
-/// - driven by displacement, the displacement stands still though the load changed by more than the
-///   stiffest soil takes up within kLeastSteps steps of the converter;
-/// - u, or one of those two, jumps alone and then stands still to the last digit.
+/// Beside what ChannelHealth sees in one channel (raw records only):
+/// - in shear driven by displacement, the force stands still to the last digit though the area grew
+///   so much that it cannot: F Δε of kSteps steps of its converter;
+/// - in shear driven by displacement, the displacement stands still though the load changed by more
+///   than the stiffest soil takes up within kLeastSteps steps of the converter;
+/// - in drained shear, the volume stands still kLongRuns times as long as ever before while p′
+///   changes by kChangeOfP, by more than noise, and by more than the stiffest soil takes up within
+///   kLeastSteps steps: at a turn of the volume it rests three times as long as just before, and
+///   where it has come to rest for good, so has p′; or, under a load or a held q, while the axial
+///   strain grows by kRunningStrain: nothing shears like that at constant volume;
+/// - in shear, the pore pressure (driven by displacement, force and displacement too) jumps alone
+///   and then stands still to the last digit; at any time the volume, by kVolumeJump of the
+///   specimen's. With the valve closed, or by kImpossibleVolume, it need not be alone.
 class RecordHealth {
  public:
   static constexpr double kSteps = 20;
   static constexpr double kLeastSteps = 3;
-  static constexpr double kStiffest_pa = 2e9;  ///< Young's modulus beyond that of soils
+  static constexpr double kStiffest_pa = 2e9;   ///< Young's modulus beyond that of soils
+  static constexpr double kStiffestBulk = 1e3;  ///< drained bulk modulus over p′, the same
+  static constexpr double kVolumeJump = 1e-4, kImpossibleVolume = 1e-2;
+  static constexpr double kLongRuns = 8;
+  static constexpr double kChangeOfP = 0.01;
+  static constexpr double kRunningStrain = 3e-3;
   static constexpr std::int64_t kAtRest = 30;  ///< readings for which a channel must stand still
+
+  /// Readings after which a channel at rest is no longer doubted by what others do.
+  static constexpr std::int64_t kLongestRest = 900;
 
   /// Readings from..until of a channel turned out to be wrong.
   struct Wrong {
@@ -53,6 +69,7 @@ class RecordHealth {
     ChannelHealth health;
     std::optional<SensorFinding> open;          ///< what it is dead of
     std::optional<std::int64_t> lonely_jump{};  ///< reading at which it jumped and no other did
+    std::int64_t moves = 0, longest_run = 0;    ///< in drained shear
     Reading at_rest{};                          ///< the reading whose value it repeats since
   };
   struct Tally {
@@ -61,18 +78,27 @@ class RecordHealth {
   };
   void start_stage(const Reading& reading);
   void compare(Channel& channel, const Reading& reading);
+  bool is_compared(Quantity q) const;
+  /// Readings since the channel last moved, or since the stage began.
+  std::int64_t rest(const Channel& channel, const Reading& reading) const;
+  /// These can be held against another.
+  bool sound(std::initializer_list<Quantity> quantities) const;
+  bool runs_away(const Channel& channel, const Reading& reading) const;
   bool cannot_rest(const Channel& channel, const Reading& reading) const;
-  bool jumped_alone(const Channel& channel) const;
+  double p_noise() const;
+  double p_eff(const Reading& reading) const;
+  bool jumped(const Channel& channel) const;
   void note_jumps(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
   SensorFinding& tally(const SensorFinding& finding);
   std::optional<double> time_of(std::int64_t number, const Reading& now) const;
 
   RecordHeader header_;
+  double area_m2_ = 0, volume_m3_ = 0;  ///< as built; 0: unknown
   std::vector<Channel> channels_;
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0;
-  bool shear_ = false, driven_ = false;
+  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false;
   Reading last_;
   std::vector<Wrong> wrong_;
   std::vector<SensorFinding> news_;
