@@ -8,8 +8,8 @@
 namespace triax::sim {
 namespace {
 
-/// Strain of a substep.
-constexpr double kLargestStrain = 1e-3;
+/// Strain that a substep may make, over its share of √(m/k): 1e-3 at the usual share.
+constexpr double kLargestStrain = 0.02;
 /// Axial strain since the start below which increments are not compared: integration errors.
 constexpr double kSmallestCompared = 1e-7;
 /// Times the share that a substep may have had by the stiffness at its end; how often it is
@@ -67,7 +67,7 @@ double InertialMotion::longest_substep(const SpecimenState& state, double pull_n
   if (axis.damping_n_s_per_m > 0) h = std::min(h, share * axis.mass_kg / axis.damping_n_s_per_m);
   const double far =
       std::abs(state.velocity_m_per_s) * h + 0.5 * std::abs(pull_n) / axis.mass_kg * h * h;
-  const double allowed = kLargestStrain * state.height_m;
+  const double allowed = kLargestStrain * share * state.height_m;
   return far > allowed ? h * allowed / far : h;
 }
 

@@ -162,7 +162,6 @@ TEST_CASE("what no specimen can be is refused") {
 namespace {
 
 void check_same(const SpecimenState& state, const PointStep<Axisymmetric>& point) {
-  REQUIRE(point.outcome == StepOutcome::accepted);
   const double p = point.state.p();
   CHECK(std::abs(state.material.p() - p) < 1e-9 * p);
   CHECK(std::abs(state.material.q() - point.state.q()) < 1e-9 * p);
@@ -170,9 +169,14 @@ void check_same(const SpecimenState& state, const PointStep<Axisymmetric>& point
   CHECK(std::abs(std::log(0.14 / state.height_m) - point.strain_increment(0)) < 1e-9);
 }
 
+/// The whole path in one increment, more closely than the specimen integrates.
 PointStep<Axisymmetric> follow(const Specimen& specimen, const PointState<Axisymmetric>& from,
                                const MixedControl<Axisymmetric>& control) {
-  return advance_point(specimen.law(), from, control);
+  PointTolerance close;
+  close.relative = 1e-13;
+  auto point = advance_point(specimen.law(), from, control, close);
+  REQUIRE(point.done == 1);
+  return point;
 }
 
 }  // namespace
@@ -198,8 +202,15 @@ TEST_CASE("without imperfections the specimen is the bare material point") {
   SECTION("isotropic consolidation") {
     const SpecimenState s = test::run(specimen, start, free_piston(500, true), 0.25, 800);
     CHECK(s.material.q() == Approx(0).margin(1e-4));
-    check_same(s,
-               follow(specimen, start.material, MixedControl<Axisymmetric>::stress_path(100e3, 0)));
+    const auto point =
+        follow(specimen, start.material, MixedControl<Axisymmetric>::stress_path(100e3, 0));
+    // INL2's moduli for compression and extension differ at q = 0: its own path depends on the sign
+    // that round-off gives q, by up to 3e-7 of void ratio from one tolerance to the next.
+    if (dynamic_cast<const Interpolated<Axisymmetric>*>(law.get()) == nullptr)
+      check_same(s, point);
+    else
+      CHECK(s.material.void_ratio == Approx(point.state.void_ratio).margin(4e-7));
+    CHECK(s.material.p() == Approx(200e3).epsilon(1e-9));
   }
   SECTION("consolidation at a constant ratio of stresses") {
     // dq/dp' = 0.5: dq = 0.5 dp', dσ_c = dp' − dq/3

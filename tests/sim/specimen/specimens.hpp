@@ -103,7 +103,8 @@ inline SpecimenState past_onset(const Specimen& specimen, double q_pa, double et
   SpecimenState state = specimen.start();
   for (int i = 0; i < 5000 && state.material.q() < q_pa; ++i)
     state = specimen.advance(state, moved(2e-6, Water::drained), 0.5).state;
-  const SpecimenBoundary falling = constant_q(state.material.q(), -50, Water::drained);
+  const double held = specimen.axial_force(state) / specimen.area_m2(state);
+  const SpecimenBoundary falling = constant_q(held, -50, Water::drained);
   for (int i = 0; i < 9000 && state.material.q() < eta * state.material.p(); ++i)
     state = specimen.advance(state, falling, 0.25).state;
   return state;
