@@ -9,7 +9,9 @@ namespace triax::sim {
 namespace {
 
 constexpr double kRoot = 1 / std::numbers::sqrt2;  // a₃ from its orthonormal component
-/// What the conditions may be missed by: force over that of p′, water over the volume.
+/// What the conditions may be missed by: force over itself, but at least over this share of that of
+/// p′; water over the volume.
+constexpr double kSmallForce = 1e-2;
 constexpr double kForceMissed = 1e-10, kWaterMissed = 2e-13;
 /// Flow through a resistance is told from the balance afterwards; its error over the volume.
 constexpr double kFlowMissed = 1e-9;
@@ -94,7 +96,8 @@ ImplicitStep::Conditions ImplicitStep::conditions(const SpecimenState& start,
     control.strain.row(0) << by_height + by_volume, 2 * kRoot * by_volume;
     control.increment(0) =
         at.area * about.q + by_height * about.axial + by_volume * about.volume - missed;
-    const double size = std::max(std::abs(at.force), std::abs(start.material.p()) * at.area);
+    const double size =
+        std::max(std::abs(at.force), kSmallForce * std::abs(start.material.p()) * at.area);
     found.force_missed = std::abs(missed) / (kForceMissed * size);
     found.linear = !membrane.stiff() && k == 0 && load == 0 && start.material.q() == stress;
   }

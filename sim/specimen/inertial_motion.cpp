@@ -8,12 +8,15 @@
 namespace triax::sim {
 namespace {
 
-/// Strain of a substep.
-constexpr double kLargestStrain = 1e-3;
+/// Strain that a substep may make, over its share of √(m/k): 1e-3 at the usual share.
+constexpr double kLargestStrain = 0.02;
 /// Axial strain since the start below which increments are not compared: integration errors.
 constexpr double kSmallestCompared = 1e-7;
-/// Times the share that a substep may have of √(m/k) of the way back before it is repeated.
-constexpr double kTurned = 4;
+/// Times the share that a substep may have had by the stiffness at its end; how often it is
+/// quartered for that.
+constexpr double kTooLong = 2, kShortest = 1e-4;
+/// Substeps that may fail within one step; each is repeated with a quarter of its length.
+constexpr int kFailures = 10;
 /// Substep (s) where no stiffness can be told.
 constexpr double kBlind_s = 1e-6;
 
@@ -37,25 +40,35 @@ void InertialMotion::begin(SpecimenState& state, double elapsed_s) const {
   found.start_volume_m3 = specimen_.volume_m3(state);
   found.start_force_n = specimen_.axial_force(state);
   found.start_membrane_pa = specimen_.membrane().axial_pa(state.height_m);
-  const double pull =
-      implicit_.applied_force(state, height_at_start_m_, elapsed_s) - found.start_force_n;
-  const double direction = state.velocity_m_per_s != 0 ? state.velocity_m_per_s : pull;
+  const double pulls = pull(state, elapsed_s);
+  const double direction = state.velocity_m_per_s != 0 ? state.velocity_m_per_s : pulls;
   found.stiffness_at_start_n_per_m = implicit_.stiffness(state, direction) + axis.stiffness_n_per_m;
   state.run_away = found;
 }
 
-/// `pull_n` is F_a − F.
-double InertialMotion::longest_substep(const SpecimenState& state, double pull_n) const {
-  const AxialDrive& axis = boundary_.axis;
+/// F_a − F
+double InertialMotion::pull(const SpecimenState& state, double elapsed_s) const {
+  return implicit_.applied_force(state, height_at_start_m_, elapsed_s) -
+         specimen_.axial_force(state);
+}
+
+/// |k| of specimen and spring in the direction of the motion, or of what pulls.
+double InertialMotion::stiffness(const SpecimenState& state, double pull_n) const {
   const double v = state.velocity_m_per_s;
-  const double k =
-      std::abs(implicit_.stiffness(state, v != 0 ? v : pull_n) + axis.stiffness_n_per_m);
-  double h =
-      std::isfinite(k) ? tolerance_.inertial_substep * std::sqrt(axis.mass_kg / k) : kBlind_s;
-  if (axis.damping_n_s_per_m > 0)
-    h = std::min(h, tolerance_.inertial_substep * axis.mass_kg / axis.damping_n_s_per_m);
-  const double far = std::abs(v) * h + 0.5 * std::abs(pull_n) / axis.mass_kg * h * h;
-  return far > kLargestStrain * state.height_m ? h * kLargestStrain * state.height_m / far : h;
+  return std::abs(implicit_.stiffness(state, v != 0 ? v : pull_n) +
+                  boundary_.axis.stiffness_n_per_m);
+}
+
+double InertialMotion::longest_substep(const SpecimenState& state, double pull_n,
+                                       double stiffness) const {
+  const AxialDrive& axis = boundary_.axis;
+  const double share = tolerance_.inertial_substep;
+  double h = std::isfinite(stiffness) ? share * std::sqrt(axis.mass_kg / stiffness) : kBlind_s;
+  if (axis.damping_n_s_per_m > 0) h = std::min(h, share * axis.mass_kg / axis.damping_n_s_per_m);
+  const double far =
+      std::abs(state.velocity_m_per_s) * h + 0.5 * std::abs(pull_n) / axis.mass_kg * h * h;
+  const double allowed = kLargestStrain * share * state.height_m;
+  return far > allowed ? h * allowed / far : h;
 }
 
 SpecimenStep InertialMotion::substep(const SpecimenState& state, double elapsed_s, double h) const {
@@ -179,37 +192,41 @@ void InertialMotion::stop(SpecimenStep& whole) const {
 
 void InertialMotion::run(SpecimenStep& whole, double dt_s) const {
   whole.ran_away = true;
-  const double k_drive = boundary_.axis.stiffness_n_per_m;
+  const double mass = boundary_.axis.mass_kg;
   double shorter = 1;
+  int failures = 0;
+  double pulls = pull(whole.state, whole.done_s), k = stiffness(whole.state, pulls);
   while (whole.done_s < dt_s && whole.state.run_away.under_way) {
     const SpecimenState& from = whole.state;
-    const double pull = implicit_.applied_force(from, height_at_start_m_, whole.done_s) -
-                        specimen_.axial_force(from);
-    const double longest = shorter * longest_substep(from, pull);
+    const double longest = shorter * longest_substep(from, pulls, k);
     const double left = dt_s - whole.done_s;
     const bool last = longest >= left;
     SpecimenStep step = substep(from, whole.done_s, last ? left : longest);
-    const bool turned = from.velocity_m_per_s * step.state.velocity_m_per_s < 0;
-    if (turned || !went_on(step)) {
-      const double back = implicit_.stiffness(from, -from.velocity_m_per_s) + k_drive;
-      const double allowed = kTurned * tolerance_.inertial_substep *
-                             std::sqrt(boundary_.axis.mass_kg / std::abs(back));
-      if (shorter > 1e-3 && (!went_on(step) || step.done_s > allowed)) {
-        shorter /= 4;
-        continue;
-      }
+    const double pulls_then = pull(step.state, whole.done_s + step.done_s);
+    const double k_then = went_on(step) ? stiffness(step.state, pulls_then) : k;
+    const bool too_long =
+        step.done_s > kTooLong * tolerance_.inertial_substep * std::sqrt(mass / k_then);
+    if (went_on(step) ? too_long && shorter > kShortest : failures++ < kFailures) {
+      shorter /= 4;
+      continue;
     }
     shorter = std::min(1.0, 2 * shorter);
+    pulls = pulls_then;
+    k = k_then;
     if (went_on(step)) record(from, whole.done_s, step);
     const bool reached = last && step.done_s == left;
     append(whole, step);
     if (reached) whole.done_s = dt_s;
-    if (!went_on(step)) return;
-    const double now = whole.state.applied_force_n - specimen_.axial_force(whole.state);
+    if (!went_on(step)) {
+      // Under a displacement there is nothing to lose but the law.
+      whole.outcome = StepOutcome::failed;
+      whole.law_ended = true;
+      return;
+    }
     if (step.at_stop) {
       stop(whole);
       whole.state.run_away.end = RunAway::End::end_of_travel;
-    } else if (at_rest(whole.state, now)) {
+    } else if (at_rest(whole.state, pulls)) {
       stop(whole);
       whole.state.run_away.end = RunAway::End::arrested;
     }

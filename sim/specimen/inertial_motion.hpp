@@ -8,9 +8,9 @@ namespace triax::sim {
 ///   v_½ = v + a h/2,  x′ = x + v_½ h,  F′ from the specimen under this displacement, water
 ///   implicit, v′ = v_½ + a′ h/2   (c v′ implicit)
 ///
-/// Substeps h are a share of √(m/|k|), k the stiffness in the direction of the motion, found anew
-/// for each; a substep in which the motion turns is repeated shorter if the stiffness of the way
-/// back asks for it.
+/// Substeps h are a share of √(m/|k|), k the stiffness in the direction of the motion. One at whose
+/// end the stiffness is such that it was much too long (the motion has turned, or came from a limit
+/// point, where k = 0) is repeated shorter.
 ///
 /// The motion is over at the stop, which takes the kinetic energy, or when the cap comes to rest in
 /// an equilibrium: the load is sustained again (ImplicitStep::sustains), |F_a − F| is below
@@ -40,7 +40,9 @@ class InertialMotion {
   void run(SpecimenStep& whole, double dt_s) const;
 
  private:
-  double longest_substep(const SpecimenState& state, double pull_n) const;
+  double pull(const SpecimenState& state, double elapsed_s) const;
+  double stiffness(const SpecimenState& state, double pull_n) const;
+  double longest_substep(const SpecimenState& state, double pull_n, double stiffness) const;
   SpecimenStep substep(const SpecimenState& state, double elapsed_s, double h) const;
   void record(const SpecimenState& before, double elapsed_s, SpecimenStep& step) const;
   void compare(SpecimenState& state) const;

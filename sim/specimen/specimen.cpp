@@ -26,6 +26,10 @@ void check(const SpecimenProperties& p) {
         "the membrane's thickness, modulus and penetration must be 0 or more");
 }
 
+/// Losses of control within one step, each arrested, after which it is told as lost: a succession
+/// without end.
+constexpr int kMostRunAways = 20;
+
 /// Why the drive cannot be what it says; empty where it can.
 std::string objection(const AxialDrive& axis) {
   if (!(axis.mass_kg >= 0) || !(axis.damping_n_s_per_m >= 0) || !(axis.stiffness_n_per_m >= 0))
@@ -108,14 +112,14 @@ SpecimenStep Specimen::advance(const SpecimenState& state, const SpecimenBoundar
   }
   if ((axis.inertial || axis.impulse_n_s != 0) && !run_away.under_way) motion.begin(whole.state, 0);
 
-  while (whole.done_s < dt_s) {
+  for (int lost = 0; whole.done_s < dt_s;) {
     if (run_away.under_way) {
       motion.run(whole, dt_s);
       if (!went_on(whole)) break;
       continue;
     }
     quasi_static.run(whole, dt_s);
-    if (whole.outcome != StepOutcome::lost_control || !has_mass) break;
+    if (whole.outcome != StepOutcome::lost_control || !has_mass || ++lost > kMostRunAways) break;
     whole.outcome = StepOutcome::accepted;
     whole.message.clear();
     whole.work.kinetic += kinetic();
