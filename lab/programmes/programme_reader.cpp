@@ -35,7 +35,7 @@ void read_membrane(const TomlTable& table, sim::SpecimenProperties& specimen) {
                    (thickness ? "membrane_modulus_kPa" : "membrane_thickness_mm") +
                    " beside it: the membrane's stiffness is their product");
   specimen.membrane_thickness_m = 1e-3 * thickness.value_or(0);
-  specimen.membrane_modulus_pa = 1e3 * modulus.value_or(0);
+  specimen.membrane_young_modulus_pa = 1e3 * modulus.value_or(0);
   specimen.membrane_penetration_m =
       1e-3 *
       table.number("membrane_penetration_mm3_per_mm2", {.at_least = 0, .at_most = 10}).value_or(0);

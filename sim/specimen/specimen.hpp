@@ -22,10 +22,10 @@ struct SpecimenProperties {
   double water_compressibility = 0;  ///< 1/K_w, 1/Pa; 0 is rigid water
   double system_compliance = 0;      ///< lines and transducer, m³/Pa
   double drainage_resistance = 0;    ///< R, Pa s/m³
+  double saturation = 1;             ///< as built, at the initial pore pressure, above 0 to 1
   double membrane_thickness_m = 0;
-  double membrane_modulus_pa = 0;
-  double membrane_penetration_m = 0;  ///< m³ per m² and per factor 10 of σ₃′
-  double saturation = 1;              ///< S_r at the start
+  double membrane_young_modulus_pa = 0;
+  double membrane_penetration_m = 0;  ///< m³ per m² of membrane and log₁₀ cycle of σ₃′
 };
 
 struct SpecimenState {
