@@ -120,7 +120,7 @@ TEST_CASE("a user's own material stands beside the programme") {
 TEST_CASE("membrane and saturation of the specimen are read in SI, perfect by default") {
   const Programme bare = read_programme(programme_text(), "p.toml");
   CHECK(bare.specimen.membrane_thickness_m == 0);
-  CHECK(bare.specimen.membrane_modulus_pa == 0);
+  CHECK(bare.specimen.membrane_young_modulus_pa == 0);
   CHECK(bare.specimen.membrane_penetration_m == 0);
   CHECK(bare.specimen.saturation == 1);
   const Programme p =
@@ -131,7 +131,7 @@ saturation = 0.98
 void_ratio)"),
                      "p.toml");
   CHECK(p.specimen.membrane_thickness_m == Approx(0.3e-3));
-  CHECK(p.specimen.membrane_modulus_pa == Approx(1.4e6));
+  CHECK(p.specimen.membrane_young_modulus_pa == Approx(1.4e6));
   CHECK(p.specimen.membrane_penetration_m == Approx(0.02e-3));
   CHECK(p.specimen.saturation == 0.98);
   CHECK_THAT(complaint("void_ratio", "saturation = 98\nvoid_ratio"),
