@@ -75,6 +75,8 @@ struct Collapse {
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
   std::string limit_source;                  ///< where M comes from, in words
   std::vector<Criterion> criteria;
+  std::optional<std::int64_t> judged_until;  ///< last reading that was judged; empty: the last one
+  std::string judged_until_reason;           ///< why no later one was, in words
   bool detected() const { return kind != CollapseKind::none; }
 };
 

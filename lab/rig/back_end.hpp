@@ -2,6 +2,7 @@
 // Where readings come from: a file (recorded), a specimen from sim/ (virtual) or instruments
 // (remote). All three look the same from here on.
 #include <optional>
+#include <string>
 
 #include "lab/records/reading.hpp"
 #include "lab/records/record_header.hpp"
@@ -24,6 +25,9 @@ class BackEnd {
   virtual double progress() const = 0;
   /// What the specimen itself did, complete once next() has returned false; only simulations know.
   virtual std::optional<Truth> truth() const { return std::nullopt; }
+  /// The test is broken off after the reading last drawn: no more readings are asked for. `reason`
+  /// is a whole sentence for the record; a back end that drives something brings it to rest.
+  virtual void abort(std::string /*reason*/) {}
 };
 
 }  // namespace triax::lab

@@ -1,0 +1,110 @@
+// bench_apparatus_speed: simulated seconds per wall second of a programme at 10 readings a second,
+// for the rig alone, with reduction and monitor, and with the database behind them.
+//
+// The yardstick is the bare material point: the strain increments that the specimen made between
+// readings, each one call of sim::advance_point from the state in which the specimen was. All in
+// one process and thread (the recorder has a second one for the disk). Prints WHAT SECONDS
+// SIMULATED_PER_WALL TIMES_THE_POINT.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "bench/point/yardstick.hpp"
+#include "db/recorder.hpp"
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/virtual_rig.hpp"
+
+using namespace triax;
+
+namespace {
+
+constexpr double kInterval_s = 0.1;
+constexpr int kRepetitions = 3;
+
+lab::Programme programme_of(const std::string& file) {
+  return lab::read_programme(lab::read_text_file(file), file,
+                             {{"test.scan_interval_s", std::to_string(kInterval_s)}});
+}
+
+struct Increment {
+  sim::PointState<sim::Axisymmetric> from;
+  sim::MixedControl<sim::Axisymmetric> control;
+};
+
+/// What the material point inside the specimen did between readings: natural strains, as the
+/// specimen takes them.
+std::vector<Increment> increments_of(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
+  std::vector<Increment> increments;
+  lab::Reading reading;
+  rig.next(reading);
+  for (auto before = rig.specimen_state(); rig.next(reading); before = rig.specimen_state()) {
+    const auto& after = rig.specimen_state();
+    const double axial = std::log(before.height_m / after.height_m);
+    const double volumetric =
+        std::log((1 + before.material.void_ratio) / (1 + after.material.void_ratio));
+    const auto strain = sim::components(sim::AxisymmetricStrain{axial, (volumetric - axial) / 2});
+    increments.push_back({before.material, sim::MixedControl<sim::Axisymmetric>::strains(strain)});
+  }
+  return increments;
+}
+
+double drive_point(const lab::Programme& programme, const std::vector<Increment>& increments) {
+  const auto& law = *programme.material.material.axisymmetric;
+  double sink = 0;
+  for (const Increment& i : increments)
+    sink += sim::advance_point(law, i.from, i.control).state.stress[0];
+  return sink;
+}
+
+std::int64_t run_rig(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
+  lab::Reading reading;
+  std::int64_t readings = 0;
+  while (rig.next(reading)) ++readings;
+  return readings;
+}
+
+void run_session(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
+  lab::Session session;
+  static_cast<void>(session.run(rig, {}));
+}
+
+void run_stored(const lab::Programme& programme, const std::string& db) {
+  lab::VirtualRig rig(programme);
+  lab::Session session;
+  db::Recorder recorder(db);
+  recorder.listen(session);
+  recorder.finish(session.run(rig, {}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string file = argc > 1 ? argv[1] : "samples/programmes/csu_26.toml";
+  const std::string db = argc > 2 ? argv[2] : "bench_apparatus_speed.db";
+  const lab::Programme programme = programme_of(file);
+  const auto increments = increments_of(programme);
+  const double simulated_s = static_cast<double>(run_rig(programme) - 1) * kInterval_s;
+  fmt::print("# {}: {:.0f} s of test, {} increments between readings\n", programme.name,
+             simulated_s, increments.size());
+  fmt::print("# WHAT SECONDS SIMULATED_PER_WALL TIMES_THE_POINT\n");
+  double point_s = 0, sink = 0;
+  const auto line = [&](const char* what, double seconds) {
+    if (point_s == 0) point_s = seconds;
+    fmt::print("{} {:.3f} {:.0f} {:.2f}\n", what, seconds, simulated_s / seconds,
+               seconds / point_s);
+    std::fflush(stdout);
+  };
+  line("point",
+       bench::least_seconds(kRepetitions, [&] { sink = drive_point(programme, increments); }));
+  line("rig", bench::least_seconds(kRepetitions, [&] { run_rig(programme); }));
+  line("rig+reduction+monitor",
+       bench::least_seconds(kRepetitions, [&] { run_session(programme); }));
+  line("rig+reduction+monitor+database",
+       bench::least_seconds(kRepetitions, [&] { run_stored(programme, db); }));
+  volatile double kept = sink;
+  static_cast<void>(kept);
+}
