@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/Column.h>
 
+#include <charconv>
 #include <cmath>
 
 #include "sim/mechanics/units.hpp"
@@ -37,6 +38,22 @@ Binder& Binder::text_or_null(std::string_view value) {
   if (!value.empty()) return text(value);
   statement_.bind(next_++);
   return *this;
+}
+
+namespace {
+template <class Number>
+std::optional<Number> whole_text_as(const std::string& text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
+}  // namespace
+
+Binder& Binder::number_or_text(const std::string& value) {
+  if (const auto whole = whole_text_as<std::int64_t>(value)) return integer(whole);
+  const auto real = whole_text_as<double>(value);
+  return real && std::isfinite(*real) ? number(real) : text(value);
 }
 
 std::optional<std::int64_t> Columns::integer() {

@@ -23,6 +23,8 @@ class Binder {
   Binder& text(std::string_view value);
   /// An empty text is unknown.
   Binder& text_or_null(std::string_view value);
+  /// A text that is a whole or real number as that number, any other as text.
+  Binder& number_or_text(const std::string& value);
   void run() { statement_.exec(); }
 
  private:

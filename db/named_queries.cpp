@@ -29,6 +29,15 @@ const std::vector<NamedQuery>& named_queries() {
        "c.time_s AS found_time_s, c.eta AS found_eta "
        "FROM truths u JOIN tests t ON t.id = u.test_id "
        "LEFT JOIN collapses c ON c.test_id = t.id ORDER BY t.id"},
+      {"run_aways", "what the moving mass did while simulated specimens could not carry their load",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, r.number, r.start_s, "
+       "r.largest_kinetic_energy_J, r.largest_at_s, r.kinetic_energy_J, r.second_order_work_J, "
+       "-2 * r.kinetic_energy_J / r.second_order_work_J AS kinetic_energy_over_half_work, "
+       "r.end_s, r.ending "
+       "FROM run_aways r JOIN tests t ON t.id = r.test_id ORDER BY t.id, r.number"},
+      {"sweep", "the tests of every sweep: each swept key with its value, and what was found",
+       "SELECT r.* FROM sweep_results r JOIN sweep_members m ON m.test_id = r.test_id "
+       "AND m.key = r.key ORDER BY r.sweep, r.place, m.position"},
       {"specimens", "dimensions and void ratio of every specimen, as built and consolidated",
        "SELECT t.id AS test_id, t.name AS test, t.origin, s.material, s.height_mm, s.diameter_mm, "
        "s.void_ratio, k.p_eff_kPa AS p0_eff_kPa, k.b_value, "

@@ -55,6 +55,10 @@ struct Recorder::Impl {
   void discard();
   bool started() const { return writer_.joinable() || ending_ != Ending::none; }
   bool open() const { return writer_.joinable(); }
+  void belongs_to(SweepMembership sweep, Turns& turns) {
+    sweep_ = std::move(sweep);
+    turns_ = &turns;
+  }
   std::int64_t test_id() const { return test_id_; }
 
  private:
@@ -64,15 +68,19 @@ struct Recorder::Impl {
   void store_rows();
   void open_database();
   void rethrow_failure();
+  bool enters_at_once() const { return turns_ && !entered_; }
 
   const std::string path_;
   lab::RecordHeader header_;
   std::string recorded_at_;
+  std::optional<SweepMembership> sweep_;
+  Turns* turns_ = nullptr;
 
   std::mutex mutex_;
   std::condition_variable due_, room_;
   Batch filling_;
   Ending ending_ = Ending::none;
+  bool entered_ = false;
   std::exception_ptr failure_;
   const lab::TestSummary* summary_ = nullptr;
 
@@ -105,14 +113,15 @@ void Recorder::Impl::add(std::vector<Row> Batch::*rows, Row row) {
     room_.wait(lock, [this] { return filling_.rows() < kRowsAtMost || failure_; });
   rethrow_failure();
   (filling_.*rows).push_back(std::move(row));
-  if (filling_.rows() == kRowsDue) due_.notify_one();
+  if (filling_.rows() == kRowsDue || (filling_.rows() == 1 && enters_at_once())) due_.notify_one();
 }
 
 /// Waits until a batch is due and takes it; false at the end of the test.
 bool Recorder::Impl::take_batch() {
   std::unique_lock lock(mutex_);
-  due_.wait_for(lock, kTimeDue,
-                [this] { return filling_.rows() >= kRowsDue || ending_ != Ending::none; });
+  const std::size_t due = enters_at_once() ? 1 : kRowsDue;
+  due_.wait_for(lock, kTimeDue, [&] { return filling_.rows() >= due || ending_ != Ending::none; });
+  entered_ = entered_ || filling_.rows() > 0;
   std::swap(filling_, storing_);
   room_.notify_one();
   return ending_ == Ending::none;
@@ -144,12 +153,14 @@ void Recorder::Impl::open_database() {
 void Recorder::Impl::store_batch(Ending ending) {
   const bool ends = ending == Ending::complete || (ending == Ending::interrupted && test_id_ != 0);
   if (storing_.rows() == 0 && !ends) return;
+  if (test_id_ == 0 && turns_) turns_->wait_for(sweep_->place);
   try {
     open_database();
     // IMMEDIATE: a second writer waits here instead of failing in the middle.
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     const std::int64_t id =
         test_id_ != 0 ? test_id_ : insert_test(*database_, header_, recorded_at_);
+    if (test_id_ == 0 && sweep_) insert_sweep(*database_, id, *sweep_);
     if (!scans_) scans_.emplace(*database_, id);
     store_rows();
     for (const lab::Event& event : storing_.events) insert_event(*database_, id, event);
@@ -157,6 +168,7 @@ void Recorder::Impl::store_batch(Ending ending) {
     if (ending == Ending::interrupted) mark_interrupted(*database_, id);
     transaction.commit();
     test_id_ = id;
+    if (turns_) turns_->over(sweep_->place);
   } catch (const SQLite::Exception& error) {
     throw_for(error, path_);
   }
@@ -212,6 +224,10 @@ Recorder::~Recorder() {
   } catch (...) {  // NOLINT(bugprone-empty-catch)
     // What was committed stands; the next to open the database marks the test as interrupted.
   }
+}
+
+void Recorder::belongs_to(SweepMembership sweep, Turns& turns) {
+  impl_->belongs_to(std::move(sweep), turns);
 }
 
 void Recorder::listen(lab::Session& session) {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "db/store.hpp"
+#include "db/turns.hpp"
 #include "lab/rig/session.hpp"
 
 namespace triax::db {
@@ -25,6 +27,11 @@ class Recorder : public QObject {
   explicit Recorder(std::string path);
   ~Recorder() override;  ///< a test that was not finished stays behind as interrupted
 
+  /// Says of which sweep the test is one; before it starts. The test then enters the database with
+  /// its first reading, when those of all earlier places have entered or are over: ids follow the
+  /// order of the sweep, however many threads run it. `turns` must outlive this recorder; who runs
+  /// the test says when its turn is over, in case it never enters.
+  void belongs_to(SweepMembership sweep, Turns& turns);
   /// Listens to every signal of a session.
   void listen(lab::Session& session);
   /// The test is over: stores the summary, marks it complete; gives its id. Throws lab::WorkFailed

@@ -27,6 +27,13 @@ constexpr char kScans[] =
     "WHERE s.id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 "
     "AND (s.id & 4294967295) % ?2 = 0 ORDER BY s.id";
 constexpr int kDetailColumn = 15;
+/// Oldest first; the tests of a sweep together, in its order.
+constexpr char kAllTests[] =
+    "WITH places AS (SELECT DISTINCT test_id, sweep, place FROM sweep_members), "
+    "firsts AS (SELECT sweep, min(test_id) AS first FROM places GROUP BY sweep) "
+    "SELECT t.id FROM tests t LEFT JOIN places p ON p.test_id = t.id "
+    "LEFT JOIN firsts f ON f.sweep = p.sweep "
+    "ORDER BY coalesce(f.first, t.id), p.place, t.id";
 
 void read_row(const PlainStatement& row, ScanRow& scan) {
   scan.number = row.integer(0);
@@ -142,7 +149,7 @@ std::vector<std::int64_t> Store::find(const std::vector<std::string>& names) con
     std::vector<std::int64_t> ids;
     for (const std::string& name : names) ids.push_back(impl_->find_one(name));
     if (!names.empty()) return ids;
-    Statement select(impl_->database, "SELECT id FROM tests ORDER BY id");
+    Statement select(impl_->database, kAllTests);
     while (select.executeStep()) ids.push_back(select.getColumn(0).getInt64());
     return ids;
   });

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/collapse/second_order_work_point.hpp"
@@ -17,6 +19,15 @@ namespace triax::db {
 enum class TestStatus { running, complete, interrupted };
 std::string_view to_string(TestStatus status);
 
+/// Which values of a sweep a test was run with.
+struct SweepMembership {
+  std::string sweep;       ///< name of the sweep, the same for all its tests
+  std::int64_t place = 1;  ///< of this test in the order of the sweep
+  /// Keys as in the programme's file, in the order they were asked for. A value that is a number is
+  /// stored as one.
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
 struct StoredTest {
   std::int64_t id = 0;
   TestStatus status = TestStatus::running;
@@ -24,6 +35,7 @@ struct StoredTest {
   lab::RecordHeader header;
   lab::TestSummary summary;
   std::vector<lab::Event> events;
+  std::optional<SweepMembership> sweep;
 };
 
 /// Reads a database of tests (the Recorder writes it), also while it is written. One thread at a
@@ -39,9 +51,9 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   /// Ids of the tests named by id or name; all, oldest first, if `names` is empty. A name that
-  /// stands for several tests means the latest. Where there is no such id or name, case, underscores
-  /// for blanks and the words before the last may be left out ("csu_26", "26" for "CSU 26") as long
-  /// as one name is meant. Throws lab::BadInput otherwise.
+  /// stands for several tests means the latest. Where there is no such id or name, case,
+  /// underscores for blanks and the words before the last may be left out ("csu_26", "26" for "CSU
+  /// 26") as long as one name is meant. Throws lab::BadInput otherwise.
   std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
   StoredTest load(std::int64_t id) const;
 

@@ -60,17 +60,19 @@ void read_specimen(SQLite::Database& database, std::int64_t id, lab::SpecimenInf
 }
 
 void read_stages(SQLite::Database& database, std::int64_t id, std::vector<lab::StageInfo>& stages) {
-  for_rows(database, id,
-           "SELECT number, name, role, drainage, control FROM stages WHERE test_id = ? "
-           "ORDER BY rowid",
-           [&](Columns& c) {
-             lab::StageInfo& stage = stages.emplace_back();
-             stage.number = static_cast<int>(c.integer().value_or(1));
-             stage.name = c.text();
-             stage.role = lab::stage_role_from(c.text()).value_or(stage.role);
-             stage.drainage = lab::drainage_from(c.text()).value_or(stage.drainage);
-             stage.control = lab::axial_control_from(c.text()).value_or(stage.control);
-           });
+  for_rows(
+      database, id,
+      "SELECT number, name, role, drainage, control, strain_path_R FROM stages WHERE test_id = ? "
+      "ORDER BY rowid",
+      [&](Columns& c) {
+        lab::StageInfo& stage = stages.emplace_back();
+        stage.number = static_cast<int>(c.integer().value_or(1));
+        stage.name = c.text();
+        stage.role = lab::stage_role_from(c.text()).value_or(stage.role);
+        stage.drainage = lab::drainage_from(c.text()).value_or(stage.drainage);
+        stage.control = lab::axial_control_from(c.text()).value_or(stage.control);
+        stage.strain_path_R = c.number();
+      });
 }
 
 void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) {
@@ -127,20 +129,23 @@ std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_
 }
 
 void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
-  for_rows(database, id,
-           "SELECT EXISTS (SELECT 1 FROM work_points w WHERE w.id BETWEEN v.test_id << 32 AND "
-           "(v.test_id << 32) | 4294967295), kind, inside_limit_surface, "
-           "second_order_work_normalised, second_order_work_error, limit_stress_ratio, "
-           "limit_source FROM verdicts v WHERE test_id = ?",
-           [&](Columns& c) {
-             collapse.judged = c.truth().value_or(false);
-             collapse.kind = lab::collapse_kind_from(c.text()).value_or(collapse.kind);
-             collapse.inside_limit_surface = c.truth();
-             collapse.second_order_work_normalised = c.number();
-             collapse.second_order_work_error = c.number();
-             collapse.limit_stress_ratio = c.number();
-             collapse.limit_source = c.text();
-           });
+  for_rows(
+      database, id,
+      "SELECT EXISTS (SELECT 1 FROM work_points w WHERE w.id BETWEEN v.test_id << 32 AND "
+      "(v.test_id << 32) | 4294967295), kind, inside_limit_surface, "
+      "second_order_work_normalised, second_order_work_error, limit_stress_ratio, "
+      "limit_source, judged_until_reading, judged_until_reason FROM verdicts v WHERE test_id = ?",
+      [&](Columns& c) {
+        collapse.judged = c.truth().value_or(false);
+        collapse.kind = lab::collapse_kind_from(c.text()).value_or(collapse.kind);
+        collapse.inside_limit_surface = c.truth();
+        collapse.second_order_work_normalised = c.number();
+        collapse.second_order_work_error = c.number();
+        collapse.limit_stress_ratio = c.number();
+        collapse.limit_source = c.text();
+        collapse.judged_until = c.integer();
+        collapse.judged_until_reason = c.text();
+      });
   collapse.onset = read_instant(database, id, "onset");
   for_rows(database, id,
            "SELECT name, detected, reading, time_s, eta, evidence FROM criteria WHERE test_id = ? "
@@ -194,6 +199,32 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
              truth->p_eff_pa = c.si("kPa");
              truth->pore_pressure_pa = c.si("kPa");
            });
+  for_rows(database, id,
+           "SELECT start_s, largest_kinetic_energy_J, largest_at_s, kinetic_energy_J, "
+           "second_order_work_J, end_s, ending FROM run_aways WHERE test_id = ? ORDER BY number",
+           [&](Columns& c) {
+             if (!truth) return;
+             lab::RunAwayTruth& run_away = truth->run_aways.emplace_back();
+             run_away.start_s = c.number().value_or(0);
+             run_away.largest_kinetic_energy_j = c.number().value_or(0);
+             run_away.largest_at_s = c.number().value_or(0);
+             run_away.kinetic_energy_j = c.number();
+             run_away.second_order_work_j = c.number();
+             run_away.end_s = c.number();
+             run_away.end = c.text();
+           });
+}
+
+void read_sweep(SQLite::Database& database, std::int64_t id, std::optional<SweepMembership>& s) {
+  for_rows(database, id,
+           "SELECT sweep, place, key, value FROM sweep_members WHERE test_id = ? ORDER BY position",
+           [&](Columns& c) {
+             if (!s) s.emplace();
+             s->sweep = c.text();
+             s->place = c.integer().value_or(1);
+             std::string key = c.text();
+             s->values.emplace_back(std::move(key), c.text());
+           });
 }
 
 void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::Event>& events) {
@@ -221,6 +252,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_collapse(database, id, test.summary.collapse);
   read_truth(database, id, test.summary.truth);
   read_events(database, id, test.events);
+  read_sweep(database, id, test.sweep);
   return test;
 }
 

@@ -39,7 +39,7 @@ void insert_specimen(SQLite::Database& database, std::int64_t id, const lab::Spe
 
 void insert_stages(SQLite::Database& database, std::int64_t id,
                    const std::vector<lab::StageInfo>& stages) {
-  Statement insert(database, "INSERT INTO stages VALUES (?,?,?,?,?,?)");
+  Statement insert(database, "INSERT INTO stages VALUES (?,?,?,?,?,?,?)");
   for (const lab::StageInfo& stage : stages)
     Binder(insert)
         .integer(id)
@@ -48,6 +48,7 @@ void insert_stages(SQLite::Database& database, std::int64_t id,
         .text(to_string(stage.role))
         .text(to_string(stage.drainage))
         .text(to_string(stage.control))
+        .number(stage.strain_path_R)
         .run();
 }
 
@@ -93,7 +94,7 @@ void insert_instant(SQLite::Database& database, std::int64_t id, std::string_vie
 }
 
 void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
-  Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?)");
+  Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?)");
   Binder(insert)
       .integer(id)
       .text(to_string(c.kind))
@@ -102,6 +103,8 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
       .number(c.second_order_work_error)
       .number(c.limit_stress_ratio)
       .text_or_null(c.limit_source)
+      .integer(c.judged_until)
+      .text_or_null(c.judged_until_reason)
       .run();
   insert_instant(database, id, "onset", c.onset);
   Statement criterion(database,
@@ -119,6 +122,24 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
         .run();
 }
 
+void insert_run_aways(SQLite::Database& database, std::int64_t id,
+                      const std::vector<lab::RunAwayTruth>& run_aways) {
+  Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?)");
+  int number = 0;
+  for (const lab::RunAwayTruth& run_away : run_aways)
+    Binder(insert)
+        .integer(id)
+        .integer(++number)
+        .number(run_away.start_s)
+        .number(run_away.largest_kinetic_energy_j)
+        .number(run_away.largest_at_s)
+        .number(run_away.kinetic_energy_j)
+        .number(run_away.second_order_work_j)
+        .number(run_away.end_s)
+        .text_or_null(run_away.end)
+        .run();
+}
+
 void insert_truth(SQLite::Database& database, std::int64_t id,
                   const std::optional<lab::Truth>& truth) {
   if (!truth) return;
@@ -132,6 +153,7 @@ void insert_truth(SQLite::Database& database, std::int64_t id,
       .si(truth->p_eff_pa, "kPa")
       .si(truth->pore_pressure_pa, "kPa")
       .run();
+  insert_run_aways(database, id, truth->run_aways);
 }
 
 void insert_checks(SQLite::Database& database, std::int64_t id,
@@ -178,6 +200,16 @@ std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& he
   insert_stages(database, id, header.stages);
   insert_warnings(database, id, "at_start", header.warnings);
   return id;
+}
+
+void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep) {
+  Statement insert(database, "INSERT INTO sweep_members VALUES (?,?,?,?,?,?)");
+  int position = 0;
+  for (const auto& [key, value] : sweep.values) {
+    Binder row(insert);
+    row.integer(test_id).text(sweep.sweep).integer(sweep.place).integer(++position).text(key);
+    row.number_or_text(value).run();
+  }
 }
 
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event) {

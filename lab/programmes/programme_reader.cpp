@@ -72,8 +72,9 @@ void read_specimen(const TomlTable& table, Programme& programme) {
 
 }  // namespace
 
-Programme read_programme(std::string_view toml_text, const std::string& file) {
-  const TomlTable root = TomlTable::parse(toml_text, file);
+Programme read_programme(std::string_view toml_text, const std::string& file,
+                         const std::vector<TomlEdit>& edits) {
+  const TomlTable root = TomlTable::parse(toml_text, file, 1, edits);
   Programme programme;
   programme.source = file;
   programme.files = {file};

@@ -3,13 +3,16 @@
 #include <string_view>
 
 #include "lab/programmes/programme.hpp"
+#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 
 /// Reads a programme from TOML text. `file` is what messages call it and where a material_file is
 /// looked for beside. Throws BadInput (file:line, what was found, what would be right) on unknown
-/// keys, wrong types, values that no specimen or rig can have and ends that can never come.
-Programme read_programme(std::string_view toml_text, const std::string& file);
+/// keys, wrong types, values that no specimen or rig can have and ends that can never come. `edits`
+/// are put into the document before it is read.
+Programme read_programme(std::string_view toml_text, const std::string& file,
+                         const std::vector<TomlEdit>& edits = {});
 
 /// The same from a file on disk; throws BadInput if it cannot be read.
 Programme load_programme(const std::string& path);

@@ -9,22 +9,10 @@
 
 #include "lab/records/bad_input.hpp"
 #include "lab/records/text.hpp"
+#include "lab/records/truth_toml.hpp"
 
 namespace triax::lab {
 namespace {
-
-// Keys of [truth] but the first, in the order in which they are written.
-struct TruthKey {
-  std::string_view name;
-  std::string_view unit;
-  std::optional<double> Truth::*member;
-};
-constexpr auto kTruthKeys =
-    std::to_array<TruthKey>({{"time", "s", &Truth::time_s},
-                             {"axial_strain", "", &Truth::axial_strain},
-                             {"q", "kPa", &Truth::q_pa},
-                             {"p_eff", "kPa", &Truth::p_eff_pa},
-                             {"pore_pressure", "kPa", &Truth::pore_pressure_pa}});
 
 std::string full_name(std::string_view name, std::string_view unit) {
   return unit.empty() ? std::string(name) : fmt::format("{}_{}", name, unit);
@@ -130,27 +118,16 @@ void set_stage(StageInfo& stage, const std::string& where, std::string_view key,
     stage.name = value;
   else if (name == "role")
     stage.role = one_of(where, key, value, stage_role_from(value),
-                        {"saturation", "b_check", "consolidation", "shear", "unknown"});
+                        {"saturation", "b_check", "consolidation", "shear", "hold", "unknown"});
   else if (name == "drainage")
     stage.drainage = one_of(where, key, value, drainage_from(value), {"open", "closed", "unknown"});
   else if (name == "control")
     stage.control = one_of(where, key, value, axial_control_from(value),
                            {"displacement", "load", "constant_q", "unknown"});
+  else if (name == "strain_path_R")
+    stage.strain_path_R = parse_number(where, key, value);
   else
     unknown_key(where, key);
-}
-
-// Finite in every unit.
-constexpr Bounds kMeasurable{.at_least = -1e100, .at_most = 1e100};
-
-void read_truth(std::optional<Truth>& truth, const TomlTable& table) {
-  Truth found;
-  found.lost_sustainability = table.flag("lost_sustainability").value_or(false);
-  for (const TruthKey& row : kTruthKeys)
-    if (const auto value = table.number(full_name(row.name, row.unit), kMeasurable))
-      found.*row.member = sim::to_si(*value, *sim::find_unit(row.unit));
-  table.finish();
-  truth = found;
 }
 
 void append_number(std::string& out, std::string_view name, std::string_view unit,
@@ -194,7 +171,7 @@ std::vector<std::string> metadata_keys() {
   for (const SpecimenKey& row : specimen_keys())
     keys.push_back("specimen." + full_name(row.name, row.unit));
   for (const char* key : {"specimen.material", "stages.N.name", "stages.N.role",
-                          "stages.N.drainage", "stages.N.control"})
+                          "stages.N.drainage", "stages.N.control", "stages.N.strain_path_R"})
     keys.emplace_back(key);
   return keys;
 }
@@ -246,7 +223,7 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
       set_metadata(header, where, prefix + key, table.scalar(key).value_or(""));
     }
   }
-  if (const auto table = document.table("truth")) read_truth(truth, *table);
+  if (const auto table = document.table("truth")) truth = read_truth(*table);
   document.finish();
 }
 
@@ -266,13 +243,8 @@ std::string metadata_toml(const RecordHeader& header) {
     append_text(out, "role", to_string(stage.role));
     append_text(out, "drainage", to_string(stage.drainage));
     append_text(out, "control", to_string(stage.control));
+    append_number(out, "strain_path_R", "", stage.strain_path_R);
   }
-  return out;
-}
-
-std::string truth_toml(const Truth& truth) {
-  std::string out = fmt::format("[truth]\nlost_sustainability = {}\n", truth.lost_sustainability);
-  for (const TruthKey& row : kTruthKeys) append_number(out, row.name, row.unit, truth.*row.member);
   return out;
 }
 

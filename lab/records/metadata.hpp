@@ -33,7 +33,6 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
 
 /// The same as TOML text, known values only. Reading it back gives the same values.
 std::string metadata_toml(const RecordHeader& header);
-std::string truth_toml(const Truth& truth);
 
 /// "cell_pressure_kPa" -> {"cell_pressure", kPa}; nothing where the last part is no unit.
 struct NamedUnit {

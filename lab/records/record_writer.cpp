@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "lab/records/metadata.hpp"
+#include "lab/records/truth_toml.hpp"
 #include "lab/records/whole_file.hpp"
 
 namespace triax::lab {

@@ -13,6 +13,7 @@
 #include "lab/records/bad_input.hpp"
 #include "lab/records/byte_source.hpp"
 #include "lab/records/text.hpp"
+#include "lab/records/toml_edit.hpp"
 
 namespace triax::lab {
 
@@ -98,8 +99,8 @@ bool too_deep(std::string_view text) {
 
 }  // namespace
 
-TomlTable TomlTable::parse(std::string_view text, const std::string& file,
-                           std::int64_t first_line) {
+TomlTable TomlTable::parse(std::string_view text, const std::string& file, std::int64_t first_line,
+                           const std::vector<TomlEdit>& edits) {
   if (too_deep(text))
     throw BadInput(file, first_line,
                    "this is no description: a line has more than 200 dots outside texts");
@@ -107,7 +108,9 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& file,
   impl->file = file;
   impl->line_offset = first_line - 1;
   try {
-    impl->document = std::make_shared<const toml::table>(toml::parse(text));
+    auto document = std::make_shared<toml::table>(toml::parse(text));
+    for (const TomlEdit& edit : edits) apply_edit(*document, edit, file);
+    impl->document = std::move(document);
   } catch (const toml::parse_error& error) {
     const auto line = static_cast<std::int64_t>(error.source().begin.line) + impl->line_offset;
     throw BadInput(file, line, "this is no valid TOML: " + std::string(error.description()));

@@ -19,13 +19,21 @@ struct Bounds {
   bool hold(double value) const;
 };
 
+/// A value to put in place of what the document holds: "specimen.void_ratio", "1.1". Parts of the
+/// key are names of tables or, in a list, numbers from 1 on. The value takes the type of what it
+/// replaces where that is a text, else that of what it looks like: number, true, false or text.
+struct TomlEdit {
+  std::string key;
+  std::string value;
+};
+
 /// One table of a TOML document. Every error is a BadInput "FILE:LINE: ...". Copies share what has
 /// been asked for.
 class TomlTable {
  public:
-  /// `first_line` is the line of `file` in which `text` begins.
+  /// `first_line` is the line of `file` in which `text` begins. What is edited stands in no line.
   static TomlTable parse(std::string_view text, const std::string& file,
-                         std::int64_t first_line = 1);
+                         std::int64_t first_line = 1, const std::vector<TomlEdit>& edits = {});
   /// Throws BadInput for a file that cannot be read or is larger than 1 MB.
   static TomlTable read(const std::string& path);
 

@@ -29,7 +29,8 @@ class BackEnd {
   virtual std::optional<Truth> truth() const { return std::nullopt; }
   /// What happened to the rig itself since the last call: held, safe state, run-away.
   virtual std::vector<Event> events() { return {}; }
-  /// Ends the test in an orderly way, where there is something to end.
+  /// The test is broken off after the reading last drawn: no more readings are asked for. `reason`
+  /// is a whole sentence for the record; a back end that drives something brings it to rest.
   virtual void abort(const std::string& /*reason*/) {}
 };
 

@@ -1,5 +1,8 @@
 #include "lab/rig/session.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -14,19 +17,37 @@ using Clock = std::chrono::steady_clock;
 /// Holds the stream back to `speed` times the clock; results do not depend on it.
 class Pace {
  public:
-  explicit Pace(double speed) : speed_(speed) {}
+  explicit Pace(const SessionOptions& options) : options_(options) {}
+  /// Waits until a reading is due; less if the test is to stop.
   void wait_for(double time_s) {
-    if (speed_ <= 0 || std::isnan(time_s)) return;
+    if (options_.speed <= 0 || std::isnan(time_s)) return;
     if (std::isnan(first_)) first_ = time_s;
-    const std::chrono::duration<double> due((time_s - first_) / speed_);
-    std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
+    const std::chrono::duration<double> after((time_s - first_) / options_.speed);
+    const auto due = start_ + std::chrono::duration_cast<Clock::duration>(after);
+    constexpr std::chrono::milliseconds kLook{100};
+    while (options_.stop && due - Clock::now() > kLook) {
+      if (options_.stop()) return;
+      std::this_thread::sleep_for(kLook);
+    }
+    std::this_thread::sleep_until(due);
   }
 
  private:
-  double speed_;
+  const SessionOptions& options_;
   double first_ = kMissing;
   Clock::time_point start_ = Clock::now();
 };
+
+/// Breaks the test off after this reading and sees to it that the record says so.
+void abort(BackEnd& back_end, const Reading& reading, std::vector<Warning>& warnings) {
+  const std::string when = back_end.header().has_time
+                               ? fmt::format("at {:.6g} s", reading.time_s)
+                               : fmt::format("after reading {}", reading.number);
+  const std::string reason = "aborted by the operator " + when;
+  back_end.abort(reason);
+  const auto says_so = [&](const Warning& w) { return w.text.find(reason) != std::string::npos; };
+  if (!std::ranges::any_of(back_end.header().warnings, says_so)) warnings.push_back({0, reason});
+}
 
 Event stage_event(const RecordHeader& header, const Reading& reading) {
   const StageInfo* stage = header.stage(reading.stage);
@@ -72,9 +93,10 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   emit started(back_end.header());
 
   TestSummary summary;
-  Pace pace(options.speed);
+  Pace pace(options);
   Reading reading;
   std::optional<int> stage;
+  std::vector<Warning> aborted;
   auto next_progress = Clock::now();
   while (back_end.next(reading)) {
     pace.wait_for(reading.time_s);
@@ -92,6 +114,10 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
       if (now >= next_progress) emit progressed(back_end.progress());
       if (now >= next_progress) next_progress = now + std::chrono::milliseconds(50);
     }
+    if (options.stop && options.stop()) {
+      abort(back_end, reading, aborted);
+      break;
+    }
   }
   for (const Event& event : back_end.events()) emit happened(event);
   states.finish();
@@ -106,6 +132,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   const auto crossed = cross_checks.checks(onset ? std::optional(onset->reading) : std::nullopt);
   summary.checks.insert(summary.checks.end(), crossed.begin(), crossed.end());
   summary.warnings = back_end.header().warnings;
+  for (auto& warning : aborted) summary.warnings.push_back(std::move(warning));
   for (auto& warning : reduction.warnings()) summary.warnings.push_back(std::move(warning));
   for (auto& warning : warnings_of(crossed)) summary.warnings.push_back(std::move(warning));
   for (auto& warning : states.warnings()) summary.warnings.push_back(std::move(warning));

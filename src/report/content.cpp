@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "src/report/run_away_fact.hpp"
 #include "src/report/words.hpp"
 
 namespace triax::src {
@@ -47,6 +48,13 @@ std::string origin_line(const db::StoredTest& test) {
   if (!header.source.empty()) line += " in " + header.source;
   if (!header.dialect.empty()) line += fmt::format(" (read as {})", header.dialect);
   if (header.seed) line += fmt::format(", seed {}", *header.seed);
+  return line;
+}
+
+std::string sweep_line(const db::SweepMembership& sweep) {
+  std::string line = fmt::format("number {} of the sweep {}: ", sweep.place, sweep.sweep);
+  for (const auto& [key, value] : sweep.values)
+    line += fmt::format("{}{} = {}", line.ends_with(' ') ? "" : ", ", key, value);
   return line;
 }
 
@@ -134,6 +142,8 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
   facts.push_back({"Limit surface", {limit_line(collapse)}});
   if (test.summary.truth) facts.push_back({"Truth", {truth_line(*test.summary.truth)}});
+  if (test.summary.truth && !test.summary.truth->run_aways.empty())
+    facts.push_back({"Run-away", run_away_lines(test.summary.truth->run_aways)});
 }
 
 Table criteria_table(const db::StoredTest& test) {
@@ -223,6 +233,7 @@ TestContent test_content(const ReportedTest& reported) {
   auto& facts = content.facts;
   facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
   facts.push_back({"Data", {origin_line(test), axis_line(test)}});
+  if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
   facts.push_back({"Start of shear", {shear_start_line(test)}});
   add_collapse(facts, test);

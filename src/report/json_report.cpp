@@ -5,6 +5,7 @@
 
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
+#include "src/report/run_away_fact.hpp"
 
 namespace triax::src {
 namespace {
@@ -35,6 +36,19 @@ Json maybe(const std::optional<T>& value) {
 
 Json text(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
 
+// A number of a programme stays one.
+Json number_or_text(const std::string& value) {
+  const Json read = Json::parse(value, nullptr, false);
+  return read.is_number() ? read : Json(value);
+}
+
+Json sweep_json(const std::optional<db::SweepMembership>& sweep) {
+  if (!sweep) return nullptr;
+  Json values = Json::object();
+  for (const auto& [key, value] : sweep->values) values[key] = number_or_text(value);
+  return {{"name", sweep->sweep}, {"place", sweep->place}, {"values", std::move(values)}};
+}
+
 Json test_json(const db::StoredTest& test) {
   const auto& header = test.header;
   return {{"id", test.id},
@@ -47,7 +61,8 @@ Json test_json(const db::StoredTest& test) {
           {"status", db::to_string(test.status)},
           {"recorded_at", text(test.recorded_at)},
           {"readings", test.summary.readings},
-          {"axis", header.has_time ? "time" : "axial_strain"}};
+          {"axis", header.has_time ? "time" : "axial_strain"},
+          {"sweep", sweep_json(test.sweep)}};
 }
 
 Json specimen_json(const lab::SpecimenInfo& specimen) {
@@ -85,6 +100,20 @@ void put_instant(Json& object, const std::optional<lab::Instant>& known) {
   object["phi_mob_deg"] = deg(at.phi_mob_rad());
 }
 
+Json run_aways_json(const std::vector<lab::RunAwayTruth>& run_aways) {
+  Json list = Json::array();
+  for (const auto& run_away : run_aways)
+    list.push_back({{"start_s", plain(run_away.start_s)},
+                    {"largest_kinetic_energy_J", plain(run_away.largest_kinetic_energy_j)},
+                    {"largest_at_s", plain(run_away.largest_at_s)},
+                    {"kinetic_energy_J", plain(run_away.kinetic_energy_j)},
+                    {"second_order_work_J", plain(run_away.second_order_work_j)},
+                    {"kinetic_energy_over_half_work", plain(kinetic_energy_ratio(run_away))},
+                    {"end_s", plain(run_away.end_s)},
+                    {"ending", text(run_away.end)}});
+  return list;
+}
+
 Json truth_json(const std::optional<lab::Truth>& truth) {
   if (!truth) return nullptr;
   lab::Instant at;
@@ -97,7 +126,8 @@ Json truth_json(const std::optional<lab::Truth>& truth) {
           {"p_eff_kPa", kPa(truth->p_eff_pa)},
           {"pore_pressure_kPa", kPa(truth->pore_pressure_pa)},
           {"eta", plain(at.eta())},
-          {"phi_mob_deg", deg(at.phi_mob_rad())}};
+          {"phi_mob_deg", deg(at.phi_mob_rad())},
+          {"run_aways", run_aways_json(truth->run_aways)}};
 }
 
 Json criteria_json(const std::vector<lab::Criterion>& criteria) {
@@ -153,6 +183,10 @@ Json report_json(const db::StoredTest& test) {
 }
 
 }  // namespace
+
+std::string json_of_test(const ReportedTest& test) {
+  return report_json(test.stored).dump(2, ' ', false, Json::error_handler_t::replace);
+}
 
 std::string json_report(const std::vector<ReportedTest>& tests) {
   Json document = Json::array();

@@ -11,4 +11,7 @@ namespace triax::src {
 /// test without a verdict (running, interrupted) has null for "detected" and "kind".
 std::string json_report(const std::vector<ReportedTest>& tests);
 
+/// The object of one test alone, without a line end: for documents too long to be held whole.
+std::string json_of_test(const ReportedTest& test);
+
 }  // namespace triax::src

@@ -40,8 +40,9 @@ TEST_CASE("a new database has our settings, tables that check types, and the new
                  "AND name NOT LIKE 'sqlite_%'") == 0);
   CHECK_THROWS_WITH(database.exec("INSERT INTO scans (id, stage, q_Pa) VALUES (1, 1, 'text')"),
                     Contains("cannot store TEXT value in REAL column"));
-  CHECK_THROWS_WITH(database.exec("INSERT INTO stages VALUES (7, 1, '', 'shear', 'open', 'load')"),
-                    Contains("FOREIGN KEY"));
+  CHECK_THROWS_WITH(
+      database.exec("INSERT INTO stages VALUES (7, 1, '', 'shear', 'open', 'load', NULL)"),
+      Contains("FOREIGN KEY"));
 }
 
 TEST_CASE("SQLite has the functions that the views use") {
@@ -65,6 +66,39 @@ TEST_CASE("migrations run by number, keep what is there, and only once") {
   CHECK(read_int(second, "SELECT window_readings FROM work_points") == 51);
   SQLite::Database third = db::open_for_writing(path);
   CHECK(read_int(third, "SELECT count(*) FROM work_points") == 1);
+}
+
+TEST_CASE("tests of the schema before the apparatus keep their stages, verdicts and truths") {
+  TemporaryFolder folder;
+  SQLite::Database database(folder.file("t.db"), kCreate);
+  database.exec("PRAGMA foreign_keys = ON");
+  db::migrate(database, "t.db", 3);
+  database.exec(
+      "INSERT INTO tests (id, name, origin, status, recorded_at, has_time, columns, writer_pid, "
+      "writer_started, writer_host) VALUES (5, 'a', 'simulated', 'complete', '', 1, '', 1, 1, 'h');"
+      "INSERT INTO stages VALUES (5, 2, 'second', 'shear', 'closed', 'constant_q'), "
+      "(5, 1, 'first', 'consolidation', 'open', 'load');"
+      "INSERT INTO verdicts VALUES (5, 'flow', 1, -0.4, 0.05, 1.29, 'angle');"
+      "INSERT INTO truths VALUES (5, 1, 12.5, 0.005, 60, 100, NULL)");
+  CHECK_THROWS_WITH(database.exec("INSERT INTO stages VALUES (5, 3, '', 'hold', 'open', 'load')"),
+                    Contains("CHECK"));
+  db::migrate(database, "t.db");
+  CHECK(read_int(database, "PRAGMA user_version") == db::newest_schema());
+  CHECK(database
+            .execAndGet("SELECT group_concat(number || name || role || control) FROM "
+                        "(SELECT * FROM stages ORDER BY rowid)")
+            .getString() == "2secondshearconstant_q,1firstconsolidationload");
+  CHECK(read_int(database, "SELECT count(*) FROM stages WHERE strain_path_R IS NULL") == 2);
+  CHECK(database
+            .execAndGet("SELECT kind || limit_source FROM verdicts WHERE "
+                        "judged_until_reading IS NULL AND judged_until_reason IS NULL")
+            .getString() == "flowangle");
+  CHECK(database.execAndGet("SELECT time_s FROM truths").getDouble() == 12.5);
+  CHECK(read_int(database, "SELECT count(*) FROM pragma_foreign_key_check") == 0);
+  CHECK(database.execAndGet("PRAGMA integrity_check").getString() == "ok");
+  CHECK_NOTHROW(database.exec("INSERT INTO stages VALUES (5, 3, '', 'hold', 'open', 'load', 0.4)"));
+  database.exec("DELETE FROM tests");
+  CHECK(read_int(database, "SELECT count(*) FROM stages") == 0);
 }
 
 TEST_CASE("a migration that fails leaves the database as it was") {

@@ -71,8 +71,10 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   header.specimen.void_ratio = 0.885;
   header.specimen.material = "Hostun S28";
   header.specimen.limit_friction_angle_rad = sim::radians(32);
+  header.stages.push_back({2, "constant q", lab::StageRole::shear, lab::Drainage::open,
+                           lab::AxialControl::constant_q, 0.4});
   header.stages.push_back(
-      {2, "constant q", lab::StageRole::shear, lab::Drainage::open, lab::AxialControl::constant_q});
+      {3, "safe state", lab::StageRole::hold, lab::Drainage::open, lab::AxialControl::load, {}});
   header.warnings = {{12, "time goes back"}};
   lab::TestSummary summary;
   summary.consolidation = {300e3, 0.97, 0.871, 0.1385, std::nullopt};
@@ -86,7 +88,11 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.collapse.limit_source = "specimen's friction angle";
   summary.collapse.criteria = {{"second_order_work", true, 5, 0.5, 0.58, "fell to -0.4"},
                                {"loss_of_control", false, {}, {}, {}, ""}};
-  summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt};
+  summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt, {}};
+  summary.truth->run_aways = {{0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.75, "new equilibrium"},
+                              {0.8, 4e-3, 0.9, {}, {}, {}, ""}};
+  summary.collapse.judged_until = 7;
+  summary.collapse.judged_until_reason = "the pore-pressure transducer is dead";
   summary.checks = {{"b_value", 0.97, 0.95, true, "B is high enough"}, {"rate", {}, {}, false, ""}};
   summary.warnings = {{0, "no limit surface"}};
   summary.readings = 10;
@@ -117,7 +123,10 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK_FALSE(test.header.specimen.dry_mass_kg);
   CHECK(test.header.specimen.material == "Hostun S28");
   CHECK(*test.header.specimen.limit_friction_angle_rad == Approx(sim::radians(32)).epsilon(1e-15));
-  REQUIRE(test.header.stages.size() == 2);
+  REQUIRE(test.header.stages.size() == 3);
+  CHECK(test.header.stages[1].strain_path_R == 0.4);
+  CHECK_FALSE(test.header.stages[0].strain_path_R);
+  CHECK(test.header.stages[2].role == lab::StageRole::hold);
   CHECK(test.header.stages[1].name == "constant q");
   CHECK(test.header.stages[1].role == lab::StageRole::shear);
   CHECK(test.header.stages[1].drainage == lab::Drainage::open);
@@ -146,6 +155,19 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.truth->lost_sustainability);
   CHECK(back.truth->time_s == 0.45);
   CHECK_FALSE(back.truth->pore_pressure_pa);
+  REQUIRE(back.truth->run_aways.size() == 2);
+  CHECK(back.truth->run_aways[0].start_s == 0.45);
+  CHECK(back.truth->run_aways[0].largest_kinetic_energy_j == 2.5e-3);
+  CHECK(back.truth->run_aways[0].largest_at_s == 0.6);
+  CHECK(back.truth->run_aways[0].kinetic_energy_j == 1e-6);
+  CHECK(back.truth->run_aways[0].second_order_work_j == -3e-6);
+  CHECK(back.truth->run_aways[0].end_s == 0.75);
+  CHECK(back.truth->run_aways[0].end == "new equilibrium");
+  CHECK_FALSE(back.truth->run_aways[1].kinetic_energy_j);
+  CHECK_FALSE(back.truth->run_aways[1].end_s);
+  CHECK(back.collapse.judged_until == 7);
+  CHECK(back.collapse.judged_until_reason == "the pore-pressure transducer is dead");
+  CHECK_FALSE(test.sweep);
   REQUIRE(back.checks.size() == 2);
   CHECK(back.checks[0].ok);
   CHECK_FALSE(back.checks[1].measured);

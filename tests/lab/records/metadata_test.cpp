@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/records/bad_input.hpp"
+#include "lab/records/truth_toml.hpp"
 
 using namespace triax::lab;
 
@@ -63,8 +64,11 @@ TEST_CASE("metadata written as TOML read back as the same values") {
   for (const SpecimenKey& row : specimen_keys())
     header.specimen.*row.member =
         triax::sim::to_si(row.lowest * (factor += 0.137), *triax::sim::find_unit(row.unit));
-  header.stages = {{1, "isotropic", StageRole::consolidation, Drainage::open, AxialControl::load},
-                   {2, "", StageRole::shear, Drainage::closed, AxialControl::constant_q}};
+  header.stages = {
+      {1, "isotropic", StageRole::consolidation, Drainage::open, AxialControl::load, {}},
+      {2, "", StageRole::shear, Drainage::closed, AxialControl::constant_q, {}},
+      {3, "path", StageRole::shear, Drainage::open, AxialControl::displacement, 0.4},
+      {4, "", StageRole::hold, Drainage::open, AxialControl::load, {}}};
   RecordHeader found;
   std::optional<Truth> truth;
   read_metadata(found, truth, TomlTable::parse(metadata_toml(header), "m"));
@@ -74,7 +78,10 @@ TEST_CASE("metadata written as TOML read back as the same values") {
   CHECK(found.seed == header.seed);
   for (const SpecimenKey& row : specimen_keys())
     CHECK(found.specimen.*row.member == header.specimen.*row.member);
-  REQUIRE(found.stages.size() == 2);
+  REQUIRE(found.stages.size() == 4);
+  CHECK(found.stages[2].strain_path_R == 0.4);
+  CHECK_FALSE(found.stages[1].strain_path_R);
+  CHECK(found.stages[3].role == StageRole::hold);
   CHECK(found.stages[0].name == "isotropic");
   CHECK(found.stages[1].control == AxialControl::constant_q);
   CHECK_FALSE(truth);

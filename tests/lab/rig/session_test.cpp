@@ -30,6 +30,9 @@ class FakeRig : public BackEnd {
     return true;
   }
   double progress() const override { return double(i_) / readings_; }
+  void abort(std::string reason) override { aborted_for = std::move(reason); }
+
+  std::string aborted_for;
 
  private:
   RecordHeader header_;
@@ -72,6 +75,31 @@ TEST_CASE("speed changes nothing but the time it takes") {
     return states;
   };
   CHECK(run(0) == run(5000));
+}
+
+TEST_CASE("a test that is stopped is judged as far as it went and says when") {
+  FakeRig rig(3000);
+  Session session;
+  std::int64_t scans = 0;
+  QObject::connect(&session, &Session::scanned, [&] { ++scans; });
+  const TestSummary summary = session.run(rig, {.stop = [&] { return scans == 1500; }});
+  CHECK(scans == 1500);
+  CHECK(summary.readings == 1500);
+  CHECK(summary.collapse.kind == CollapseKind::flow);
+  CHECK(rig.aborted_for.find("aborted by the operator at ") == 0);
+  REQUIRE_FALSE(summary.warnings.empty());
+  CHECK(summary.warnings[0].text == rig.aborted_for);
+}
+
+TEST_CASE("a stop is heard while the clock is waited for") {
+  FakeRig rig(1000);
+  Session session;
+  const auto start = std::chrono::steady_clock::now();
+  const auto since = [&] { return std::chrono::steady_clock::now() - start; };
+  const TestSummary summary = session.run(
+      rig, {.speed = 0.01, .stop = [&] { return since() > std::chrono::milliseconds(250); }});
+  CHECK(since() < std::chrono::seconds(5));
+  CHECK(summary.readings < 10);
 }
 
 TEST_CASE("a back end that fails leaves the signalled readings standing") {

@@ -1,0 +1,70 @@
+// bench_apparatus_memory PROGRAMME [DATABASE]: resident memory of this process while a test of
+// three days runs at a reading a second, with the database if one is named. Drained shear is slowed
+// down until it lasts that long, so that reduction, monitor and recorder work all the time. Prints
+// HOURS RESIDENT_KB, and fails if the last is above that of a day by more than kSlack_kb: until
+// then buffers of fixed size (batches of the recorder, pages of SQLite) are touched for the first
+// time.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <optional>
+
+#include "db/recorder.hpp"
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/virtual_rig.hpp"
+
+using namespace triax;
+
+namespace {
+
+constexpr double kHour_s = 3600;
+constexpr double kHours[] = {1, 6, 24, 48, 72};
+constexpr double kFilled_h = 24;
+constexpr long kSlack_kb = 1024;
+
+/// From the kernel's own count, in pages.
+long resident_kb() {
+  std::ifstream statm("/proc/self/statm");
+  long total = 0, resident = 0;
+  statm >> total >> resident;
+  return resident * (sysconf(_SC_PAGESIZE) / 1024);
+}
+
+lab::Programme slowed(const std::string& file) {
+  return lab::read_programme(lab::read_text_file(file), file,
+                             {{"test.scan_interval_s", "1.0"},
+                              {"stages.4.axial_rate_mm_per_min", "0.0002"},
+                              {"stages.4.time_limit_min", "100000"}});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string file = argc > 1 ? argv[1] : "samples/programmes/csu_26.toml";
+  lab::VirtualRig rig(slowed(file));
+  lab::Session session;
+  std::optional<db::Recorder> recorder;
+  if (argc > 2) recorder.emplace(argv[2]).listen(session);
+  std::size_t next = 0;
+  long filled_kb = 0, last_kb = 0;
+  QObject::connect(&session, &lab::Session::scanned, [&](const lab::Reading& reading) {
+    if (next >= std::size(kHours) || reading.time_s < kHours[next] * kHour_s) return;
+    last_kb = resident_kb();
+    if (kHours[next] == kFilled_h) filled_kb = last_kb;
+    fmt::print("{:g} {}\n", kHours[next++], last_kb);
+    std::fflush(stdout);
+  });
+  const auto over = [&] { return next == std::size(kHours); };
+  const lab::TestSummary summary = session.run(rig, {.stop = over});
+  if (recorder) recorder->finish(summary);
+  if (!over()) {
+    fmt::print(stderr, "the test ended after {} readings\n", summary.readings);
+    return 1;
+  }
+  if (last_kb > filled_kb + kSlack_kb) {
+    fmt::print(stderr, "memory grew by {} kB\n", last_kb - filled_kb);
+    return 1;
+  }
+}

@@ -1,0 +1,115 @@
+// bench_apparatus_speed: simulated seconds per wall second of a programme at 10 readings a second,
+// for the rig alone, with reduction and monitor, and with the database behind them.
+//
+// The yardstick is the bare material point: the strain increments that the specimen made between
+// readings, each one call of sim::advance_point from the state in which the specimen was. All in
+// one process and thread (the recorder has a second one for the disk). Prints WHAT SECONDS
+// SIMULATED_PER_WALL TIMES_THE_POINT.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "bench/point/yardstick.hpp"
+#include "db/recorder.hpp"
+#include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/virtual_rig.hpp"
+
+using namespace triax;
+
+namespace {
+
+constexpr double kInterval_s = 0.1;
+constexpr int kRepetitions = 7;
+
+lab::Programme programme_of(const std::string& file) {
+  return lab::read_programme(lab::read_text_file(file), file,
+                             {{"test.scan_interval_s", std::to_string(kInterval_s)}});
+}
+
+struct Increment {
+  sim::PointState<sim::Axisymmetric> from;
+  sim::MixedControl<sim::Axisymmetric> control;
+};
+
+/// What the material point inside the specimen did between readings: natural strains, as the
+/// specimen takes them.
+std::vector<Increment> increments_of(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
+  std::vector<Increment> increments;
+  lab::Reading reading;
+  rig.next(reading);
+  for (auto before = rig.specimen_state(); rig.next(reading); before = rig.specimen_state()) {
+    const auto& after = rig.specimen_state();
+    const double axial = std::log(before.height_m / after.height_m);
+    const double volumetric =
+        std::log((1 + before.material.void_ratio) / (1 + after.material.void_ratio));
+    const auto strain = sim::components(sim::AxisymmetricStrain{axial, (volumetric - axial) / 2});
+    increments.push_back({before.material, sim::MixedControl<sim::Axisymmetric>::strains(strain)});
+  }
+  return increments;
+}
+
+double drive_point(const lab::Programme& programme, const std::vector<Increment>& increments) {
+  const auto& law = *programme.material.material.axisymmetric;
+  double sink = 0;
+  for (const Increment& i : increments)
+    sink += sim::advance_point(law, i.from, i.control).state.stress[0];
+  return sink;
+}
+
+std::int64_t run_rig(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
+  lab::Reading reading;
+  std::int64_t readings = 0;
+  while (rig.next(reading)) ++readings;
+  return readings;
+}
+
+void run_session(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
+  lab::Session session;
+  static_cast<void>(session.run(rig, {}));
+}
+
+void run_stored(const lab::Programme& programme, const std::string& db) {
+  lab::VirtualRig rig(programme);
+  lab::Session session;
+  db::Recorder recorder(db);
+  recorder.listen(session);
+  recorder.finish(session.run(rig, {}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string file = argc > 1 ? argv[1] : "samples/programmes/csu_26.toml";
+  const std::string db = argc > 2 ? argv[2] : "bench_apparatus_speed.db";
+  const lab::Programme programme = programme_of(file);
+  const auto increments = increments_of(programme);
+  const double simulated_s = static_cast<double>(run_rig(programme) - 1) * kInterval_s;
+  fmt::print("# {}: {:.0f} s of test, {} increments between readings\n", programme.name,
+             simulated_s, increments.size());
+  fmt::print("# WHAT SECONDS SIMULATED_PER_WALL TIMES_THE_POINT\n");
+  double sink = 0;
+  const std::pair<const char*, std::function<void()>> subjects[] = {
+      {"point", [&] { sink = drive_point(programme, increments); }},
+      {"rig", [&] { run_rig(programme); }},
+      {"rig+reduction+monitor", [&] { run_session(programme); }},
+      {"rig+reduction+monitor+database", [&] { run_stored(programme, db); }}};
+  double least_s[std::size(subjects)];
+  std::fill(std::begin(least_s), std::end(least_s), std::numeric_limits<double>::infinity());
+  // In turn, so that what else runs on the machine falls on all alike.
+  for (int i = 0; i < kRepetitions; ++i)
+    for (std::size_t k = 0; k < std::size(subjects); ++k)
+      least_s[k] = std::min(least_s[k], bench::least_seconds(1, subjects[k].second));
+  for (std::size_t k = 0; k < std::size(subjects); ++k)
+    fmt::print("{} {:.3f} {:.0f} {:.2f}\n", subjects[k].first, least_s[k], simulated_s / least_s[k],
+               least_s[k] / least_s[0]);
+  volatile double kept = sink;
+  static_cast<void>(kept);
+}

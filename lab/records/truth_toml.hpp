@@ -1,0 +1,17 @@
+#pragma once
+// The truth of a simulation as TOML, below the rows of a record: [truth] and [[truth.run_aways]].
+#include <string>
+
+#include "lab/records/record_header.hpp"
+#include "lab/records/toml_reader.hpp"
+
+namespace triax::lab {
+
+/// Reads the table [truth]. Throws BadInput for unknown keys, wrong types, a run-away without a
+/// start, values that are finite in no unit.
+Truth read_truth(const TomlTable& table);
+
+/// Known values only; reading it back gives the same values.
+std::string truth_toml(const Truth& truth);
+
+}  // namespace triax::lab
