@@ -11,7 +11,7 @@ namespace {
 /// and in steps of the converter.
 constexpr double kOutlier = 20;
 constexpr double kOutlierSteps = 6;
-/// Values from which the roughness is known well enough.
+/// Moves from which roughness and resolution are known well enough.
 constexpr std::int64_t kKnown = 16;
 
 }  // namespace
@@ -52,10 +52,11 @@ void ChannelHealth::miss(std::int64_t number) {
 
 void ChannelHealth::follow_jump(std::int64_t number, double value) {
   if (leap_ && number - *leap_ > kWidest + 1) leap_.reset();
-  if (filled_ < 2 || noise_.values() < kKnown) return;
+  if (filled_ < 2 || noise_.moves() < kKnown) return;
   const double before = window_.back().value;
   const double slope = before - window_[kWindow - 2].value;
-  const double allowed = std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.step());
+  const double allowed =
+      std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.resolution());
   const double off = std::fabs(value - before);
   if (off > allowed && std::fabs(value - before - slope) > allowed) {
     if (!leap_) leap_ = number;
@@ -117,11 +118,11 @@ bool ChannelHealth::is_spike(int width) const {
   // Neither side may run: what changes by itself that fast needs no fault.
   scatter = std::max(scatter, std::fabs(high - low) / 2);
   return least > 5 * scatter && least > kOutlier * noise_.roughness() &&
-         least > kOutlierSteps * noise_.step();
+         least > kOutlierSteps * noise_.resolution();
 }
 
 void ChannelHealth::look_for_spike() {
-  if (!leap_ || noise_.values() < kKnown) return;
+  if (!leap_ || noise_.moves() < kKnown) return;
   for (int width = 1; width <= kWidest; ++width) {
     if (!is_spike(width)) continue;
     const auto first = static_cast<std::size_t>(kWindow - width - 2);

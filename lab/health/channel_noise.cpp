@@ -42,6 +42,8 @@ void ChannelNoise::add(double value) {
 
 double ChannelNoise::round_off() const { return std::max(finest_, kRoundOff * largest_); }
 
+double ChannelNoise::resolution() const { return std::max(step_, round_off()); }
+
 void ChannelNoise::end_run() {
   const std::int64_t lessons = std::min(run_, kLongestLesson);
   for (std::int64_t i = 0; i <= lessons; ++i) {
@@ -57,6 +59,8 @@ void ChannelNoise::end_run() {
 void ChannelNoise::add_roughness(double half_bend) {
   ++bends_;
   double size = std::fabs(half_bend);
+  // A smooth curve shows its resolution here, not in its moves.
+  if (2 * size > round_off()) step_ = step_ > 0 ? std::min(step_, 2 * size) : 2 * size;
   if (bends_ > 32) size = std::min(size, 5 * roughness_ + step_);
   const double weight = std::max(1.0 / static_cast<double>(bends_), 1.0 / kMemory);
   roughness_ += weight * (size - roughness_);

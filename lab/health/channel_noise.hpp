@@ -30,8 +30,12 @@ class ChannelNoise {
   /// Mean |x − (x₋ + x₊)/2| where the value moved, robust against outliers; 0 before there are
   /// three values.
   double roughness() const { return roughness_; }
-  /// Smallest difference of two neighbours, the step of the converter or less; 0 if none is known.
+  /// Smallest first or second difference, the step of the converter or less; 0 if none is known.
   double step() const { return step_; }
+  /// The least difference that a reading can mean.
+  double resolution() const;
+  /// Neighbours that differed.
+  std::int64_t moves() const { return moves_; }
   std::int64_t values() const { return values_; }
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }

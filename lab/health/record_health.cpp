@@ -67,7 +67,8 @@ void RecordHealth::start_stage(const Reading& reading) {
   drained_ = shear_ && info->drainage == Drainage::open;
   closed_ = info && info->drainage == Drainage::closed;
   for (Channel& channel : channels_) {
-    if (!was_drained) channel.moves = channel.longest_run = 0;
+    if (!was_drained || channel.quantity != Quantity::back_volume)
+      channel.moves = channel.longest_run = 0;
     // What a piston counts moves with the water, not with noise, and rests while the valve is shut.
     const bool counter =
         channel.quantity == Quantity::back_volume || channel.quantity == Quantity::cell_volume;
@@ -91,6 +92,7 @@ void RecordHealth::watch(const Reading& reading) {
   for (Channel& channel : channels_) {
     const std::int64_t run = channel.health.run();
     channel.health.add(reading.number, reading[channel.quantity]);
+    channel.stirred = run >= ChannelHealth::kFlat && channel.health.run() == 0;
     if (channel.health.run() > 0) continue;
     channel.at_rest = reading;
     ++channel.moves;
@@ -108,7 +110,9 @@ void RecordHealth::watch(const Reading& reading) {
 }
 
 void RecordHealth::note_jumps(const Reading& reading) {
-  const auto jumped = [&](const Channel& c) { return c.health.jumped_at() == reading.number; };
+  const auto jumped = [&](const Channel& c) {
+    return c.stirred || c.health.jumped_at() == reading.number;
+  };
   if (std::ranges::count_if(channels_, jumped) != 1) return;
   std::ranges::find_if(channels_, jumped)->lonely_jump = reading.number;
 }
@@ -163,6 +167,15 @@ bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) con
          std::fabs(way) > kRunningStrain * height;
 }
 
+bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {
+  const double before = std::fabs(channel.at_rest[Quantity::axial_force]);
+  const double gain = std::fabs(reading[Quantity::axial_force]) - before;
+  const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
+  return channel.moves >= kAtRest && gain > kGainOfLoad * before &&
+         gain > kNoises * noise_of(Quantity::axial_force) &&
+         static_cast<double>(rest(channel, reading)) >= kVeryLongRuns * longest;
+}
+
 bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) const {
   const double step = channel.health.noise().step();
   if (!(step > 0)) return false;
@@ -174,8 +187,9 @@ bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) c
            std::fabs(channel.health.value()) * strain > kSteps * step;
   }
   if (channel.quantity == Quantity::axial_displacement) {
+    if (!sound({Quantity::axial_force})) return false;
     const double strain = change(Quantity::axial_force) / area_m2_ / kStiffest_pa;
-    return sound({Quantity::axial_force}) && strain * height > kLeastSteps * step;
+    return strain * height > kLeastSteps * step || loads_up(channel, reading);
   }
   if (runs_away(channel, reading)) return true;
   const double before = p_eff(channel.at_rest);
@@ -191,15 +205,14 @@ double RecordHealth::p_eff(const Reading& reading) const {
          reading[Quantity::axial_force] * (1 - strain) / area_m2_ / 3;
 }
 
+double RecordHealth::noise_of(Quantity quantity) const {
+  const auto channel = std::ranges::find(channels_, quantity, &Channel::quantity);
+  return channel == channels_.end() ? 0 : channel->health.noise().roughness();
+}
+
 double RecordHealth::p_noise() const {
-  double sum = 0;
-  for (const Channel& channel : channels_) {
-    const double roughness = channel.health.noise().roughness();
-    if (channel.quantity == Quantity::axial_force) sum += roughness / area_m2_ / 3;
-    if (channel.quantity == Quantity::cell_pressure || channel.quantity == Quantity::pore_pressure)
-      sum += roughness;
-  }
-  return sum;
+  return noise_of(Quantity::axial_force) / area_m2_ / 3 + noise_of(Quantity::cell_pressure) +
+         noise_of(Quantity::pore_pressure);
 }
 
 std::optional<double> RecordHealth::time_of(std::int64_t number, const Reading& now) const {

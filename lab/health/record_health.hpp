@@ -20,7 +20,9 @@ constexpr ChannelSet channel_bit(Quantity q) { return ChannelSet{1} << index(q);
 /// - in shear driven by displacement, the force stands still to the last digit though the area grew
 ///   so much that it cannot: F Δε of kSteps steps of its converter;
 /// - in shear driven by displacement, the displacement stands still though the load changed by more
-///   than the stiffest soil takes up within kLeastSteps steps of the converter;
+///   than the stiffest soil takes up within kLeastSteps steps of the converter; or it stands still
+///   kVeryLongRuns times as long as ever before in the stage and the load grows by kGainOfLoad,
+///   where a frame that has stopped would see it relax;
 /// - in drained shear, the volume stands still kLongRuns times as long as ever before while p′
 ///   changes by kChangeOfP, by more than noise, and by more than the stiffest soil takes up within
 ///   kLeastSteps steps: at a turn of the volume it rests three times as long as just before, and
@@ -36,7 +38,8 @@ class RecordHealth {
   static constexpr double kStiffest_pa = 2e9;   ///< Young's modulus beyond that of soils
   static constexpr double kStiffestBulk = 1e3;  ///< drained bulk modulus over p′, the same
   static constexpr double kVolumeJump = 1e-4, kImpossibleVolume = 1e-2;
-  static constexpr double kLongRuns = 8;
+  static constexpr double kLongRuns = 8, kVeryLongRuns = 20;
+  static constexpr double kGainOfLoad = 0.01;
   static constexpr double kChangeOfP = 0.01;
   static constexpr double kRunningStrain = 3e-3;
   static constexpr std::int64_t kAtRest = 30;  ///< readings for which a channel must stand still
@@ -69,6 +72,7 @@ class RecordHealth {
     ChannelHealth health;
     std::optional<SensorFinding> open;          ///< what it is dead of
     std::optional<std::int64_t> lonely_jump{};  ///< reading at which it jumped and no other did
+    bool stirred = false;                       ///< out of a rest, by this reading
     std::int64_t moves = 0, longest_run = 0;    ///< in drained shear
     Reading at_rest{};                          ///< the reading whose value it repeats since
   };
@@ -85,6 +89,8 @@ class RecordHealth {
   bool sound(std::initializer_list<Quantity> quantities) const;
   bool runs_away(const Channel& channel, const Reading& reading) const;
   bool cannot_rest(const Channel& channel, const Reading& reading) const;
+  bool loads_up(const Channel& channel, const Reading& reading) const;
+  double noise_of(Quantity quantity) const;
   double p_noise() const;
   double p_eff(const Reading& reading) const;
   bool jumped(const Channel& channel) const;

@@ -1,0 +1,148 @@
+#include "lab/health/channel_health.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "lab/devices/noise.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double live(std::int64_t i) {
+  return std::round(0.2 * double(i) + 4 * standard_normal(3, 2, std::uint64_t(i)));
+}
+
+/// Feeds `n` readings of `value`, and checks at each that nothing said before is taken back: what
+/// is found wrong was in doubt until then.
+struct Watched {
+  ChannelHealth health{1e-9};
+  std::int64_t number = 0;
+  std::int64_t settled = 0;  ///< readings before this one were beyond doubt
+  std::vector<ChannelHealth::Spike> spikes;
+
+  void feed(std::int64_t n, const std::function<double(std::int64_t)>& value) {
+    for (std::int64_t end = number + n; number < end; ++number) {
+      const bool was_dead = health.dead().has_value();
+      health.add(number, value(number));
+      if (!was_dead && health.dead()) CHECK(health.dead()->from >= settled);
+      if (health.spike()) {
+        CHECK(health.spike()->from >= settled);
+        spikes.push_back(*health.spike());
+      }
+      settled = health.doubtful_from().value_or(number + 1);
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a live channel is found sound, and settled within a few readings") {
+  Watched w;
+  std::int64_t longest = 0;
+  for (int i = 0; i < 100; ++i) {
+    w.feed(100, live);
+    longest = std::max(longest, w.number - w.settled);
+  }
+  CHECK_FALSE(w.health.dead());
+  CHECK(w.spikes.empty());
+  CHECK(longest <= 8);
+}
+
+TEST_CASE("stuck: from the first repeated value on, until it has moved again for good") {
+  Watched w;
+  w.feed(500, live);
+  const double held = live(499);
+  w.feed(100, [&](std::int64_t) { return held; });
+  REQUIRE(w.health.dead());
+  CHECK(w.health.dead()->fault == SensorFault::stuck);
+  CHECK(w.health.dead()->from == 500);
+  w.feed(5, live);
+  CHECK(w.health.dead());
+  w.feed(20, live);
+  CHECK_FALSE(w.health.dead());
+}
+
+TEST_CASE("a jump out of all that was read, to a constant, is a saturated converter") {
+  for (double rail : {32767.0, -32768.0}) {
+    Watched w;
+    w.feed(500, live);
+    w.feed(ChannelHealth::kFlat + 1, [&](std::int64_t) { return rail; });
+    REQUIRE(w.health.dead());
+    CHECK(w.health.dead()->fault == SensorFault::saturated);
+    CHECK(w.health.dead()->from == 500);
+  }
+}
+
+TEST_CASE("a jump to another level that goes on moving is no fault") {
+  Watched w;
+  w.feed(500, live);
+  w.feed(500, [](std::int64_t i) { return 5000 + live(i); });
+  CHECK_FALSE(w.health.dead());
+  CHECK(w.spikes.empty());
+}
+
+TEST_CASE("missing: more than a few readings of a channel that was read at every scan") {
+  const auto none = [](std::int64_t) { return kNone; };
+  Watched w;
+  w.feed(100, live);
+  w.feed(ChannelHealth::kGap, none);
+  CHECK(w.health.absent());
+  CHECK_FALSE(w.health.dead());
+  w.feed(1, none);
+  REQUIRE(w.health.dead());
+  CHECK(w.health.dead()->fault == SensorFault::missing);
+  CHECK(w.health.dead()->from == 100);
+  w.feed(1, live);
+  CHECK_FALSE(w.health.dead());
+}
+
+TEST_CASE("a channel that is read now and then only is not missed") {
+  Watched w;
+  w.feed(2000, [](std::int64_t i) { return i % 10 == 0 ? live(i) : kNone; });
+  CHECK_FALSE(w.health.dead());
+  CHECK_FALSE(w.health.absent());
+}
+
+TEST_CASE("spikes of one to three readings are found where they are, four are none") {
+  for (int width = 1; width <= 4; ++width) {
+    Watched w;
+    w.feed(500, live);
+    w.feed(width, [](std::int64_t i) { return live(i) - 800; });
+    w.feed(100, live);
+    INFO("width " << width);
+    if (width > ChannelHealth::kWidest) {
+      CHECK(w.spikes.empty());
+      continue;
+    }
+    REQUIRE(w.spikes.size() == 1);
+    CHECK(w.spikes[0].from == 500);
+    CHECK(w.spikes[0].until == 499 + width);
+    CHECK_FALSE(w.health.dead());
+  }
+}
+
+TEST_CASE("a perfect ramp that ends at its target is at rest, not stuck") {
+  Watched w;
+  w.feed(3000, [](std::int64_t i) { return std::min(double(i) * 3.7, 3700.0); });
+  CHECK_FALSE(w.health.dead());
+  CHECK(w.spikes.empty());
+}
+
+TEST_CASE("what may rest is not called stuck, and what may not again only from then on") {
+  Watched w;
+  w.feed(500, live);
+  w.health.may_rest(true);
+  w.feed(300, [](std::int64_t) { return 100.0; });
+  CHECK_FALSE(w.health.dead());
+  w.health.may_rest(false);
+  w.settled = w.number;
+  w.feed(100, [](std::int64_t) { return 100.0; });
+  REQUIRE(w.health.dead());
+  CHECK(w.health.dead()->from == 800);
+}

@@ -1,0 +1,124 @@
+#include "lab/health/record_health.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "lab/devices/noise.hpp"
+#include "tests/lab/reduction/raw_record.hpp"
+
+using namespace triax::lab;
+using triax::lab::testing::raw_header;
+
+namespace {
+
+RecordHeader driven(Drainage drainage) {
+  RecordHeader header = raw_header();
+  header.stages[2].drainage = drainage;
+  header.stages[2].control = AxialControl::displacement;
+  return header;
+}
+
+/// A perfect test without noise in stage 3: 0.01 mm and a little force at each reading.
+Reading shear(std::int64_t i) {
+  const double x = static_cast<double>(i);
+  return triax::lab::testing::reading({3, 0.01 * x, 0.3 * (1 - std::exp(-x / 300)), 400,
+                                       300 + 50 * (1 - std::exp(-x / 200)), -0.7 * x},
+                                      i);
+}
+
+template <class Break>
+RecordHealth watched(const RecordHeader& header, std::int64_t n, Break broken) {
+  RecordHealth health(header);
+  for (std::int64_t i = 0; i < n; ++i) {
+    Reading reading = shear(i);
+    broken(reading);
+    health.watch(reading);
+  }
+  return health;
+}
+
+bool found(const RecordHealth& health, const std::string& text) {
+  for (const Warning& w : health.warnings())
+    if (w.text.find(text) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a perfect test without noise: nothing is found") {
+  for (Drainage drainage : {Drainage::open, Drainage::closed}) {
+    const RecordHealth health = watched(driven(drainage), 2000, [](Reading&) {});
+    CHECK(health.warnings().empty());
+    CHECK(health.news().empty());
+  }
+}
+
+TEST_CASE("a force that stands still to the last digit while the area grows is stuck") {
+  const auto broken = [held = 0.0](Reading& r) mutable {
+    if (r.number == 400) held = r[Quantity::axial_force];
+    if (r.number > 400) r[Quantity::axial_force] = held;
+  };
+  CHECK(found(watched(driven(Drainage::closed), 500, broken),
+              "the load cell (axial_force) is stuck at 0.220921 kN from reading 401 (401 s) on"));
+  // A coarse cell may stand still: a plateau.
+  const auto coarse = [&](Reading& r) {
+    r[Quantity::axial_force] = std::round(r[Quantity::axial_force] / 10) * 10;
+  };
+  CHECK(watched(driven(Drainage::closed), 3000, coarse).warnings().empty());
+}
+
+TEST_CASE(
+    "a displacement that stands still while the load changes is stuck, a coarse dial is not") {
+  const auto broken = [](Reading& r) {
+    if (r.number > 100) r[Quantity::axial_displacement] = 1e-3;
+  };
+  CHECK(found(watched(driven(Drainage::closed), 300, broken), "(axial_displacement) is stuck"));
+  const auto coarse = [](Reading& r) {
+    r[Quantity::axial_displacement] = std::floor(r[Quantity::axial_displacement] * 2e3) / 2e3;
+  };
+  CHECK(watched(driven(Drainage::closed), 1000, coarse).warnings().empty());
+}
+
+TEST_CASE(
+    "drained, a volume that stands still while p' changes is stuck; undrained it is at rest") {
+  const auto broken = [](Reading& r) {
+    if (r.number > 100) r[Quantity::back_volume] = -70e-9;
+  };
+  CHECK(found(watched(driven(Drainage::open), 300, broken), "(back_volume) is stuck"));
+  CHECK(watched(driven(Drainage::closed), 300, broken).warnings().empty());
+}
+
+TEST_CASE("one channel alone jumps to a constant: saturated; with the others it is the specimen") {
+  const auto alone = [](Reading& r) {
+    if (r.number > 200) r[Quantity::pore_pressure] = 2e6;
+  };
+  CHECK(
+      found(watched(driven(Drainage::closed), 220, alone),
+            "the pore-pressure transducer (pore_pressure) is saturated: it jumped to 2000 kPa and "
+            "stays there, open circuit or overload, from reading 201 (201 s) on"));
+  const auto together = [&](Reading& r) {
+    if (r.number <= 200) return;
+    r[Quantity::pore_pressure] = 390e3;
+    r[Quantity::cell_pressure] = 440e3;
+  };
+  CHECK_FALSE(found(watched(driven(Drainage::closed), 220, together), "pore_pressure"));
+}
+
+TEST_CASE("findings of one kind are one warning with a count, each is news") {
+  RecordHealth health(driven(Drainage::closed));
+  int news = 0;
+  for (std::int64_t i = 0; i < 1000; ++i) {
+    Reading reading = shear(i);
+    reading[Quantity::cell_pressure] += 50 * standard_normal(1, 1, std::uint64_t(i));
+    if (i % 100 == 50) reading[Quantity::cell_pressure] += 300e3;
+    health.watch(reading);
+    news += static_cast<int>(health.news().size());
+    for (const auto& wrong : health.wrong()) {
+      CHECK(wrong.from % 100 == 50);
+      CHECK(wrong.until == wrong.from);
+    }
+  }
+  CHECK(news == 10);
+  REQUIRE(health.warnings().size() == 1);
+  CHECK(found(health, "and 9 more times"));
+}

@@ -1,0 +1,58 @@
+#include "lab/reduction/cross_checks.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/lab/reduction/raw_record.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+std::vector<std::string> names(const std::vector<Check>& checks) {
+  std::vector<std::string> all;
+  for (const Check& c : checks) all.push_back(c.name);
+  return all;
+}
+
+/// 200 s of consolidation and 200 s of shear.
+CrossChecks checked(Drainage shear, double lag_kPa) {
+  RecordHeader header = triax::lab::testing::raw_header();
+  header.stages[2].drainage = shear;
+  CrossChecks checks(header);
+  for (int i = 0; i < 400; ++i) {
+    const bool sheared = i >= 200;
+    Reading r = triax::lab::testing::reading(
+        {sheared ? 3 : 2, 0, 0, 400, 300 + (sheared ? lag_kPa : 0), 0}, i);
+    r[Quantity::back_pressure] = 300e3;
+    State s;
+    s.reading = i;
+    s.p_eff = 100e3;
+    checks.add(r, s);
+  }
+  return checks;
+}
+
+}  // namespace
+
+TEST_CASE("drained shear is checked for its rate, undrained for its valve") {
+  CHECK(names(checked(Drainage::open, 0).checks({})) ==
+        std::vector<std::string>{"consolidation", "zero_difference", "rate"});
+  CHECK(names(checked(Drainage::closed, 0).checks({})) ==
+        std::vector<std::string>{"consolidation", "zero_difference", "undrained_volume"});
+}
+
+TEST_CASE("what failed becomes a warning, what came after the onset does not") {
+  const CrossChecks checks = checked(Drainage::open, 9);
+  const auto warnings = warnings_of(checks.checks({}));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].text.find("rate: at reading 215") == 0);
+  CHECK(warnings_of(checks.checks(210)).empty());
+}
+
+TEST_CASE("a record that says nothing of its stages is not checked") {
+  RecordHeader header = triax::lab::testing::raw_header();
+  header.stages.clear();
+  CrossChecks checks(header);
+  checks.add(triax::lab::testing::reading({1, 0, 0, 400, 300, 0}), State());
+  CHECK(checks.checks({}).empty());
+}
