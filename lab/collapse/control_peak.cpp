@@ -13,7 +13,9 @@ namespace triax::lab {
 void ControlPeak::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   const double loss = largest_loss_;
+  const auto turn = pore_turn_;
   *this = ControlPeak();
+  pore_turn_ = turn;
   finding_ = found;
   largest_loss_ = loss;
   if (!stage) return;
@@ -71,6 +73,7 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
                      before_->pore_pressure / 1e3);
   finding_ = Finding{instant_of(*before_, has_time),
                      what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3)};
+  if (!drained_) pore_turn_ = before_->reading;
 }
 
 }  // namespace triax::lab

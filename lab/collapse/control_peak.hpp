@@ -16,6 +16,8 @@ class ControlPeak {
   void start_stage(const StageInfo* stage);
   void add(const PathPoint& point, bool has_time);
   const std::optional<Finding>& finding() const { return finding_; }
+  /// Where the pore pressure turned, if that is the finding.
+  const std::optional<double>& turn_of_pore_pressure() const { return pore_turn_; }
 
  private:
   void check_q(const PathPoint& smoothed, bool has_time);
@@ -28,6 +30,7 @@ class ControlPeak {
   double largest_loss_ = 0;       ///< share of q lost after a peak: the peak that cost most is kept
   ChangePoint contraction_;
   std::optional<PathPoint> before_;
+  std::optional<double> pore_turn_;  ///< reading
   double last_reading_ = -1;
   std::optional<Finding> finding_;
 };
