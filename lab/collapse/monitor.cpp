@@ -14,6 +14,17 @@
 #include "lab/collapse/verdict.hpp"
 
 namespace triax::lab {
+namespace {
+
+/// A few readings were enough to find some onsets: there is little noise then, and a fit through
+/// dozens of them is the sharper one only if it follows them as closely as that noise lets it.
+bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
+  if (!fit || !found.shortest_window()) return fit.has_value();
+  const double noise = 3 * found.stress_variance;  // the value at the centre has a third of it
+  return fit->stress_scatter < 8 * noise;
+}
+
+}  // namespace
 
 struct CollapseMonitor::Impl {
   explicit Impl(const RecordHeader& h) : header(h), sampler(h.has_time), limit(h.specimen) {}
@@ -85,13 +96,15 @@ void CollapseMonitor::Impl::sharpen() {
   const auto& descent = descents.latest();
   if (descent && sharpened_descent != descent->onset.reading) {
     sharpened_descent = descent->onset.reading;
-    descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work, history);
+    descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work,
+                        history);
   } else {
     descent_onset.follow(history);
   }
   const auto& burst = control.finding();
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
-  if (descent && descent_onset.onset()) descents.sharpen(descent_onset.onset()->point);
+  if (descent && is_sharper(descent_onset.onset(), descent->onset))
+    descents.sharpen(descent_onset.onset()->point);
 
   const auto& turn = control_peak.turn_of_pore_pressure();
   if (turn && sharpened_turn != turn) {

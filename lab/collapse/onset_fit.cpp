@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace triax::lab {
 namespace {
 
 using Signal = PathSample::Signal;
 constexpr int kTerms = 4;
-constexpr double kEdge = 0.9;
+constexpr double kEdge = 0.9;  ///< a root farther out is an extrapolation
 using Vector = Eigen::Matrix<double, kTerms, 1>;
 using Matrix = Eigen::Matrix<double, kTerms, kTerms>;
 
@@ -113,8 +113,7 @@ Turn turn_at(const Fit& fit, Witness witness, double x) {
   const double dp = p.slope(x), dq = q.slope(x);
   const double var_p = fit.slope_variance(Signal::p_eff, x);
   if (witness != Witness::second_order_work) {
-    const auto k =
-        witness == Witness::volume ? Signal::volumetric_strain : Signal::pore_pressure;
+    const auto k = witness == Witness::volume ? Signal::volumetric_strain : Signal::pore_pressure;
     const Cubic& gauge = fit[k];
     const double dg = gauge.slope(x);
     return {dp * dg, p.curvature(x) * dg + dp * gauge.curvature(x),
@@ -132,7 +131,7 @@ Turn turn_at(const Fit& fit, Witness witness, double x) {
               of_volume * of_volume * var_v};
 }
 
-/// The place nearest to `near_x` in the middle half where the witness falls through zero.
+/// The place nearest to `near_x` where the witness falls through zero.
 std::optional<double> root_near(const Fit& fit, Witness witness, double near_x) {
   constexpr int kSteps = 64;
   std::optional<double> best;
@@ -162,7 +161,6 @@ PathPoint point_at(const Fit& fit, double x) {
   p.stress_variance =
       3 * fit.value_variance(Signal::p_eff, x) + fit.value_variance(Signal::q, x) * 2 / 3;
   p.window_readings = std::llround(2 * fit.half());
-  p.volumetric_rate_error = 0;
   return p;
 }
 
@@ -177,7 +175,13 @@ std::optional<OnsetFit> fit_onset(std::span<const PathSample> blocks, Witness wi
   if (!x) return std::nullopt;
   const Turn turn = turn_at(fit, witness, *x);
   if (!(turn.slope < 0)) return std::nullopt;
-  return OnsetFit{point_at(fit, *x), std::sqrt(turn.variance) / -turn.slope * fit.half()};
+  return OnsetFit{point_at(fit, *x), std::sqrt(turn.variance) / -turn.slope * fit.half(),
+                  3 * fit[Signal::p_eff].variance + fit[Signal::q].variance * 2 / 3};
+}
+
+PathPoint values_at(std::span<const PathSample> blocks, double reading) {
+  const Fit fit(blocks);
+  return point_at(fit, fit.x_of(reading));
 }
 
 }  // namespace triax::lab

@@ -7,7 +7,26 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kGrowth = std::numbers::sqrt2;
+constexpr double kGrowth = std::numbers::sqrt2;  ///< from one window to the next
+constexpr double kShortest = 1.0 / 9;            ///< right end, over the readings since the onset
+constexpr double kFarthestLeft = 4.1;            ///< left end, over the right one
+constexpr double kLongest = 3;                   ///< last sweep, over the first
+constexpr double kLeastRight = 8;                ///< readings
+constexpr double kAround = 12;                   ///< readings on each side that give values
+
+/// The median of the estimates, each with the weight 1/δt; no weight is finer than half a reading.
+OnsetFit consensus(std::vector<OnsetFit> fits) {
+  std::ranges::sort(fits, {}, [](const OnsetFit& f) { return f.point.reading; });
+  const auto weight = [](const OnsetFit& f) { return 1 / (f.error + 0.5); };
+  double whole = 0;
+  for (const OnsetFit& f : fits) whole += weight(f);
+  double sum = 0;
+  for (const OnsetFit& f : fits) {
+    sum += weight(f);
+    if (sum >= whole / 2) return f;
+  }
+  return fits.back();
+}
 
 }  // namespace
 
@@ -16,44 +35,43 @@ void OnsetRefiner::begin(double reading, Witness witness, const PathHistory& his
   active_ = true;
   witness_ = witness;
   centre_ = reading;
-  last_age_ = history.last_reading() - reading;
+  swept_ = first_ = history.last_reading() - reading;
   sweep(history, history.last_reading());
 }
 
 void OnsetRefiner::follow(const PathHistory& history) {
   if (!active_) return;
   const double age = history.last_reading() - centre_;
-  if (age < kGrowth * last_age_) return;
-  last_age_ = age;
-  const double before = best_ ? best_->error : std::numeric_limits<double>::infinity();
+  if (age < kGrowth * swept_) return;
+  swept_ = age;
   sweep(history, history.last_reading());
-  if (best_ && best_->error >= before) ++idle_;
-  if (idle_ >= 2) active_ = false;
+  active_ = age < kLongest * first_;
 }
 
 void OnsetRefiner::finish(const PathHistory& history, double last_reading) {
-  if (active_) {
-    best_.reset();
-    sweep(history, last_reading);
-  }
+  if (active_) sweep(history, last_reading);
   active_ = false;
 }
 
 void OnsetRefiner::sweep(const PathHistory& history, double last_reading) {
+  // Twice: the second family of windows lies around the median of the first.
   for (int pass = 0; pass < 2; ++pass) {
-    const double age = std::max(last_reading - centre_, 8.0);
-    const double centre = std::min(centre_, last_reading - 8);
-    for (double right = age; right > age / 9; right /= kGrowth)
-      for (double left = right; left < 4.1 * right; left *= kGrowth)
-        try_window(centre - left, centre + right, history);
+    std::vector<OnsetFit> fits;
+    const double centre = std::min(centre_, last_reading - kLeastRight);
+    const double age = last_reading - centre;
+    for (double right = age; right > kShortest * age; right /= kGrowth)
+      for (double left = right; left < kFarthestLeft * right; left *= kGrowth)
+        if (const auto fit =
+                fit_onset(history.between(centre - left, centre + right), witness_, centre_))
+          fits.push_back(*fit);
+    if (fits.empty()) break;
+    best_ = consensus(std::move(fits));
+    centre_ = best_->point.reading;
   }
-}
-
-void OnsetRefiner::try_window(double first, double last, const PathHistory& history) {
-  const auto fit = fit_onset(history.between(first, last), witness_, centre_);
-  if (!fit || (best_ && best_->error <= fit->error)) return;
-  best_ = fit;
-  centre_ = fit->point.reading;
+  // The windows that place the onset may be too long for its values.
+  const auto around = history.between(centre_ - kAround, std::min(centre_ + kAround, last_reading));
+  if (best_ && static_cast<double>(around.size()) > kAround)
+    best_->point = values_at(around, centre_);
 }
 
 }  // namespace triax::lab
