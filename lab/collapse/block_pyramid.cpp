@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace triax::lab {
-namespace {
 
 PathSample mean(const PathSample& a, const PathSample& b) {
   PathSample m;
@@ -11,8 +10,6 @@ PathSample mean(const PathSample& a, const PathSample& b) {
     m.signal[k] = 0.5 * (a.signal[k] + b.signal[k]);
   return m;
 }
-
-}  // namespace
 
 void BlockPyramid::add(const PathSample& sample) {
   ++samples_;

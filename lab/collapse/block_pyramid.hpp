@@ -22,6 +22,9 @@ struct PathSample {
   std::array<double, kSignals> signal{};
 };
 
+/// The block of twice the length.
+PathSample mean(const PathSample& first, const PathSample& second);
+
 class BlockPyramid {
  public:
   static constexpr int kBlocks = 7;   ///< blocks kept at each level

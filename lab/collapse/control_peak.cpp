@@ -13,35 +13,54 @@ namespace triax::lab {
 void ControlPeak::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   const double loss = largest_loss_;
+  const auto turn = pore_turn_;
   *this = ControlPeak();
+  pore_turn_ = turn;
   finding_ = found;
   largest_loss_ = loss;
   if (!stage) return;
   held_q_ = stage->control == AxialControl::constant_q;
   drained_ = stage->drainage == Drainage::open;
   load_controlled_ = stage->control == AxialControl::load;
+  strain_path_R_ = stage->strain_path_R.value_or(1);
 }
 
 void ControlPeak::add(const PathPoint& point, bool has_time) {
   if (held_q_)
     check_contraction(point, has_time);
   else if (!load_controlled_)
-    check_q(point, has_time);
+    check_peak(point, has_time);
 }
 
-void ControlPeak::check_q(const PathPoint& smoothed, bool has_time) {
+/// Positive where the specimen is sheared to, in extension (q < 0) as in compression.
+double ControlPeak::control_variable(const PathPoint& point) const {
+  const double major = point.p_eff + point.q * 2 / 3, minor = point.p_eff - point.q / 3;
+  return std::copysign(1.0, point.q) * (major - minor / strain_path_R_);
+}
+
+void ControlPeak::check_peak(const PathPoint& smoothed, bool has_time) {
   const PathPoint point = smoothed.shortest_window() ? unsmoothed(smoothed) : smoothed;
-  if (!top_ || point.strength() > top_->strength()) top_ = point;
-  // Around q = 0 noise alone would lose any share of q.
-  const double fall = top_->strength() - point.strength();
-  const double scatter = std::sqrt(point.stress_variance + top_->stress_variance);
-  if (fall < 5 * scatter || top_->strength() < 0.02 * top_->p_eff) return;
+  // Around q = 0 its sign is noise, and noise alone would lose any share of q.
+  const bool sheared = point.strength() >= 0.02 * point.p_eff;
+  const double value = control_variable(point);
+  if (sheared && (!top_ || value > control_variable(*top_))) top_ = point;
+  if (!top_) return;
+  const double fall = control_variable(*top_) - value;
+  // (σ₁′, √2 σ₃′) has the variance of (p′, q) as a vector; R = 1 is the measure.
+  const double gradient = std::sqrt((1 + 0.5 / (strain_path_R_ * strain_path_R_)) / 1.5);
+  const double scatter = gradient * std::sqrt(point.stress_variance + top_->stress_variance);
+  if (fall < 5 * scatter) return;
   const double loss = fall / top_->strength();
   if (loss < Descent::kWorthALoss || loss <= largest_loss_) return;
   largest_loss_ = loss;
+  const std::string name =
+      strain_path_R_ == 1 ? "q" : fmt::format("σ₁' − σ₃'/R (R = {:g})", strain_path_R_);
+  const auto kPa = [&](const PathPoint& at) {
+    return std::copysign(1.0, at.q) * control_variable(at) / 1e3;
+  };
   finding_ = Finding{
       instant_of(*top_, has_time),
-      fmt::format("q peaked at {:.2f} kPa and fell to {:.2f} kPa", top_->q / 1e3, point.q / 1e3)};
+      fmt::format("{} peaked at {:.2f} kPa and fell to {:.2f} kPa", name, kPa(*top_), kPa(point))};
 }
 
 void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
@@ -71,6 +90,7 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
                      before_->pore_pressure / 1e3);
   finding_ = Finding{instant_of(*before_, has_time),
                      what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3)};
+  if (!drained_) pore_turn_ = before_->reading;
 }
 
 }  // namespace triax::lab

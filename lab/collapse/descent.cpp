@@ -139,6 +139,11 @@ void DescentTracker::follow(const PathPoint& point) {
   keep_worst();
 }
 
+void DescentTracker::sharpen(const PathPoint& onset) {
+  latest_->sharper_onset = onset;
+  keep_worst();
+}
+
 void DescentTracker::keep_worst() {
   const bool same = worst_ && worst_->onset.reading == latest_->onset.reading;
   if (same || !worst_ || latest_->strength_loss() >= worst_->strength_loss()) worst_ = latest_;

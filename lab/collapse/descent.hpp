@@ -13,7 +13,9 @@ struct Descent {
   /// few percent at a phase transformation are common and stop by themselves (docs/decisions).
   static constexpr double kWorthALoss = 0.10;
 
-  PathPoint onset;        ///< where second-order work vanishes
+  PathPoint onset;  ///< where second-order work vanishes
+  std::optional<PathPoint>
+      sharper_onset;      ///< the same from a fit around it, where one was possible
   PathPoint evidence;     ///< the first significantly negative point; if none, the nearest to it
   double q_lost = 0;      ///< fall of |q| while second-order work was negative, Pa: not unloading
   double q_least = 0;     ///< smallest |q| since the onset, Pa
@@ -22,6 +24,7 @@ struct Descent {
   bool ended = false;      ///< with its stage, or because
   bool came_back = false;  ///< second-order work turned positive again
 
+  const PathPoint& best_onset() const { return sharper_onset ? *sharper_onset : onset; }
   /// Share of the strength at the onset that was lost, 0 to 1.
   double strength_loss() const;
   /// How much of the fall to the smallest q has come back since; 1 and more if all of it.
@@ -36,6 +39,8 @@ class DescentTracker {
   const std::optional<Descent>& worst() const { return worst_; }
   /// The descent under way or just ended.
   const std::optional<Descent>& latest() const { return latest_; }
+  /// Gives the latest descent a sharper onset.
+  void sharpen(const PathPoint& onset);
   /// A new stage begins: no onset may be placed before it.
   void start_stage();
 

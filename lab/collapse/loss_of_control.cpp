@@ -8,12 +8,18 @@
 #include "lab/collapse/instant.hpp"
 
 namespace triax::lab {
+namespace {
+
+constexpr double kBurst = 10;  ///< times the rate of the stage so far
+
+}  // namespace
 
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   *this = LossOfControl();
   finding_ = found;
   control_ = stage ? stage->control : AxialControl::unknown;
+  drainage_ = stage ? stage->drainage : Drainage::unknown;
 }
 
 void LossOfControl::add(const State& state, bool has_time) {
@@ -21,7 +27,7 @@ void LossOfControl::add(const State& state, bool has_time) {
   if (!watched || finding_) return;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
-  if (!finding_) check_burst(state, has_time);
+  check_bursts(state, has_time);
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
@@ -44,38 +50,78 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
                                  q_mean_ / 1e3, deviation / 1e3, q / 1e3)};
 }
 
-void LossOfControl::check_burst(const State& state, bool has_time) {
-  // Per second where there is time, so that a logger that slows down makes no burst; else per
-  // reading.
-  const auto rate = [has_time](const State& a, const State& b) {
-    const double lapse =
-        has_time ? b.time_s - a.time_s : static_cast<double>(b.reading - a.reading);
-    return std::fabs(b.strain.axial - a.strain.axial) / lapse;
-  };
+/// Per second where there is time, so that a logger that slows down makes no burst; else per
+/// reading.
+double LossOfControl::lapse(const State& from, const State& to, bool has_time) const {
+  return has_time ? to.time_s - from.time_s : static_cast<double>(to.reading - from.reading);
+}
+
+/// Rise of the pore pressure beyond what the programme asks; unknown (NaN) without pore pressure.
+double LossOfControl::pore_excess(const State& from, const State& to) const {
+  const double rise = to.pore_pressure - from.pore_pressure;
+  const double of_cell = rise + to.effective_stress.radial - from.effective_stress.radial;
+  return rise - (drainage_ == Drainage::closed ? of_cell : std::fmax(of_cell, 0.0));
+}
+
+void LossOfControl::check_bursts(const State& state, bool has_time) {
   // recent_ holds the last few states, oldest first; what leaves it becomes the rate so far.
   if (count_ > kRecent) {
     const double weight = 1.0 / static_cast<double>(std::min<std::int64_t>(++steps_, 64));
-    mean_rate_ += weight * (rate(recent_[0], recent_[1]) - mean_rate_);
+    const double dt = lapse(recent_[0], recent_[1], has_time);
+    const auto learn = [&](double& mean, double change) {
+      if (!std::isnan(change)) mean += weight * (std::fabs(change) / dt - mean);
+    };
+    learn(mean_rate_, recent_[1].strain.axial - recent_[0].strain.axial);
+    learn(mean_pore_rate_, pore_excess(recent_[0], recent_[1]));
   }
   std::shift_left(recent_.begin(), recent_.end(), 1);
   recent_.back() = state;
   if (steps_ < kReference) return;
+  if (!finding_) check_strain_burst(has_time);
+  if (!finding_) check_pore_burst(has_time);
+}
 
+void LossOfControl::check_strain_burst(bool has_time) {
   constexpr double kLeastRise = 1e-3;
-  const double rise = std::fabs(state.strain.axial - recent_.front().strain.axial);
-  const double burst = rate(recent_.front(), state);
-  if (rise < kLeastRise || burst < 10 * mean_rate_) return;
+  const State& last = recent_.back();
+  const auto rate = [&](const State& a, const State& b) {
+    return std::fabs(b.strain.axial - a.strain.axial) / lapse(a, b, has_time);
+  };
+  const double rise = std::fabs(last.strain.axial - recent_.front().strain.axial);
+  const double burst = rate(recent_.front(), last);
+  if (rise < kLeastRise || burst < kBurst * mean_rate_) return;
   // The burst began where the steps first left what they had been.
   std::size_t start = 0;
-  while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < 5 * mean_rate_)
+  while (start + 2 < recent_.size() &&
+         rate(recent_[start], recent_[start + 1]) < kBurst / 2 * mean_rate_)
     ++start;
   finding_ = Finding{instant_of(recent_[start], has_time),
                      fmt::format("axial strain ran from {:.3f} % to {:.3f} % within {} readings{}",
-                                 recent_[start].strain.axial * 100, state.strain.axial * 100,
+                                 recent_[start].strain.axial * 100, last.strain.axial * 100,
                                  static_cast<std::int64_t>(kRecent - 1 - start),
                                  mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before",
                                                               burst / mean_rate_)
                                                 : ", where nothing had moved before")};
+}
+
+void LossOfControl::check_pore_burst(bool has_time) {
+  constexpr double kLeastShare = 0.05;  // of p'
+  const State &first = recent_.front(), &last = recent_.back();
+  const double excess = pore_excess(first, last);
+  const double burst = excess / lapse(first, last, has_time);
+  if (!(excess > kLeastShare * first.p_eff) || burst < kBurst * mean_pore_rate_) return;
+  std::size_t start = 0;
+  while (start + 2 < recent_.size() &&
+         pore_excess(recent_[start], recent_[start + 1]) <
+             kBurst / 2 * mean_pore_rate_ * lapse(recent_[start], recent_[start + 1], has_time))
+    ++start;
+  finding_ =
+      Finding{instant_of(recent_[start], has_time),
+              fmt::format("pore pressure ran from {:.2f} kPa to {:.2f} kPa within {} readings, "
+                          "{:.2f} kPa more than the programme asks",
+                          recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
+                          static_cast<std::int64_t>(kRecent - 1 - start),
+                          pore_excess(recent_[start], last) / 1e3)};
 }
 
 }  // namespace triax::lab

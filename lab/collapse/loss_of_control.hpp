@@ -9,12 +9,15 @@
 
 namespace triax::lab {
 
-/// Watches single readings, because a run-away may be over before any window is full. Two signs:
+/// Watches single readings, because a run-away may be over before any window is full. Three signs:
 /// - a held q (constant_q) falls by more than 5 % and six standard deviations of what it was held
 /// to;
 /// - the axial strain bursts, under load or held q, at ten times the rate of the stage so far or
-/// more. A frame that prescribes displacement keeps its control through a peak: nothing is looked
-/// for.
+/// more;
+/// - so does the pore pressure beyond what the programme asks of it, by 5 % of p' at least. With
+/// the valve closed it is asked to follow the cell pressure (B near 1), with the valve open to
+/// stand, or to go on as the controller took it so far. A frame that prescribes displacement keeps
+/// its control through a peak: nothing is looked for.
 class LossOfControl {
  public:
   void start_stage(const StageInfo* stage);
@@ -23,11 +26,16 @@ class LossOfControl {
 
  private:
   void check_held_q(const State& state, bool has_time);
-  void check_burst(const State& state, bool has_time);
+  void check_bursts(const State& state, bool has_time);
+  void check_strain_burst(bool has_time);
+  void check_pore_burst(bool has_time);
+  double lapse(const State& from, const State& to, bool has_time) const;
+  double pore_excess(const State& from, const State& to) const;
 
   static constexpr int kReference = 20;  ///< readings that say at which q a stage holds
   static constexpr int kRecent = 5;      ///< readings over which a burst is looked for
 
+  Drainage drainage_ = Drainage::unknown;
   AxialControl control_ = AxialControl::displacement;
   std::int64_t count_ = 0;
   double q_mean_ = 0, q_square_ = 0;
@@ -35,6 +43,7 @@ class LossOfControl {
   State first_below_;
   std::array<State, kRecent> recent_{};
   double mean_rate_ = 0;  ///< of the axial strain before the recent readings, per s or per reading
+  double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
 };

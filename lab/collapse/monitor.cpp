@@ -9,10 +9,22 @@
 #include "lab/collapse/instant.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
+#include "lab/collapse/onset_refiner.hpp"
 #include "lab/collapse/path_sampler.hpp"
 #include "lab/collapse/verdict.hpp"
 
 namespace triax::lab {
+namespace {
+
+/// A few readings were enough to find some onsets: there is little noise then, and a fit through
+/// dozens of them is the sharper one only if it follows them as closely as that noise lets it.
+bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
+  if (!fit || !found.shortest_window()) return fit.has_value();
+  const double noise = 3 * found.stress_variance;  // the value at the centre has a third of it
+  return fit->stress_scatter < 8 * noise;
+}
+
+}  // namespace
 
 struct CollapseMonitor::Impl {
   explicit Impl(const RecordHeader& h) : header(h), sampler(h.has_time), limit(h.specimen) {}
@@ -21,10 +33,15 @@ struct CollapseMonitor::Impl {
   void watch(const State& state);
   void take(const PathPoint& point, const CollapseMonitor& outer);
   void tell_of_descent(const CollapseMonitor& outer);
+  void sharpen();
+  void end_stage();
 
   const RecordHeader header;
   PathSampler sampler;
   PathRates rates;
+  PathHistory history;  ///< of the stage under way
+  OnsetRefiner descent_onset, pore_turn;
+  std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
   DescentTracker descents;
   LossOfControl control;
   ControlPeak control_peak;
@@ -50,7 +67,7 @@ void CollapseMonitor::watch(const State& state) {
 }
 
 void CollapseMonitor::Impl::start_stage(const State& state) {
-  rates.finish();
+  end_stage();
   stage = state.stage;
   const StageInfo* info = header.stage(state.stage);
   descents.start_stage();
@@ -67,7 +84,45 @@ void CollapseMonitor::Impl::watch(const State& s) {
   ++watched_states;
   control.add(s, header.has_time);
 
-  if (const auto sample = sampler.sample(s)) rates.add(*sample);
+  const auto sample = sampler.sample(s);
+  if (!sample) return;
+  history.add(*sample);
+  rates.add(*sample);
+  sharpen();
+}
+
+/// Sets to work on what was newly found, and follows it on.
+void CollapseMonitor::Impl::sharpen() {
+  const auto& descent = descents.latest();
+  if (descent && sharpened_descent != descent->onset.reading) {
+    sharpened_descent = descent->onset.reading;
+    descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work,
+                        history);
+  } else {
+    descent_onset.follow(history);
+  }
+  const auto& burst = control.finding();
+  if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
+  if (descent && is_sharper(descent_onset.onset(), descent->onset))
+    descents.sharpen(descent_onset.onset()->point);
+
+  const auto& turn = control_peak.turn_of_pore_pressure();
+  if (turn && sharpened_turn != turn) {
+    sharpened_turn = turn;
+    pore_turn.begin(*turn, Witness::pore_pressure, history);
+  } else {
+    pore_turn.follow(history);
+  }
+  if (burst) pore_turn.finish(history, static_cast<double>(burst->instant.reading));
+}
+
+void CollapseMonitor::Impl::end_stage() {
+  rates.finish();
+  sharpen();
+  descent_onset.finish(history, history.last_reading());
+  pore_turn.finish(history, history.last_reading());
+  sharpen();
+  history.clear();
 }
 
 void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
@@ -94,8 +149,8 @@ void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
   if (known || (yields && !held_descent)) held_descent = descent;
   if (!(costly || yields) || told_onset == descent->onset.reading) return;
   told_onset = descent->onset.reading;
-  const Instant at = instant_of(descent->onset, header.has_time);
-  const bool inside = limit.inside(descent->onset.eta());
+  const Instant at = instant_of(descent->best_onset(), header.has_time);
+  const bool inside = limit.inside(descent->best_onset().eta());
   if (!outer.on_event) return;
   outer.on_event(
       {.reading = at.reading,
@@ -103,17 +158,23 @@ void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
        .kind = inside ? "loss_of_sustainability" : "limit_surface",
        .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
                              "{:.3f} and stays negative",
-                             *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->onset.eta())});
+                             *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
 Collapse CollapseMonitor::finish() {
-  impl_->rates.finish();
+  impl_->end_stage();
+  const auto& latest = impl_->descents.latest();
+  if (latest && impl_->held_descent && impl_->held_descent->onset.reading == latest->onset.reading)
+    impl_->held_descent = latest;
+  auto control_peak = impl_->control_peak.finding();
+  if (control_peak && impl_->pore_turn.onset())
+    control_peak->instant = instant_of(impl_->pore_turn.onset()->point, impl_->header.has_time);
   return verdict({.worst = impl_->descents.worst(),
                   .at_held_q = impl_->held_descent,
                   .loss_of_control = impl_->control.finding(),
-                  .control_peak = impl_->control_peak.finding(),
+                  .control_peak = control_peak,
                   .volume_by_pore_pressure = impl_->held_undrained,
                   .states = impl_->watched_states,
                   .points = impl_->points,

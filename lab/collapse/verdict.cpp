@@ -38,7 +38,7 @@ Criterion by_second_order_work(const std::optional<Descent>& descent, CollapseKi
     c.evidence = "nowhere negative with statistical significance";
     return c;
   }
-  const Instant at = instant_of(descent->onset, has_time);
+  const Instant at = instant_of(descent->best_onset(), has_time);
   c.detected = kind != CollapseKind::none;
   c.reading = at.reading;
   c.time_s = at.time_s;
@@ -93,7 +93,7 @@ Collapse verdict(const Evidence& e) {
   const auto& descent = e.at_held_q ? e.at_held_q : e.worst;
   if (descent) c.kind = e.at_held_q ? kind_at_held_q(e) : kind_of(*descent);
   if (descent && c.kind != CollapseKind::none) {
-    c.onset = instant_of(descent->onset, e.has_time);
+    c.onset = instant_of(descent->best_onset(), e.has_time);
     c.second_order_work_normalised = descent->evidence.work.normalised;
     c.second_order_work_error = descent->evidence.normalised_error;
   }

@@ -107,3 +107,34 @@ TEST_CASE("noise around q = 0 is no peak") {
     REQUIRE_FALSE(peak.finding());
   }
 }
+
+namespace {
+
+/// q rises with reading, p′ so that X = σ₁′ − σ₃′/R is a parabola with its top at reading 100:
+/// X = p (1 − 1/R) + q (2/3 + 1/(3R)).
+PathPoint on_path(int reading, double R) {
+  const double x = 50e3 - 5 * (reading - 100) * (reading - 100);
+  PathPoint p = point(reading, 40e3 + 100.0 * reading);
+  p.p_eff = (x - p.q * (2.0 / 3 + 1 / (3 * R))) / (1 - 1 / R);
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("on a strain path the peak is that of σ₁' − σ₃'/R, while q still rises") {
+  const StageInfo stage{.role = StageRole::shear,
+                        .drainage = Drainage::open,
+                        .control = AxialControl::displacement,
+                        .strain_path_R = 1.5};
+  ControlPeak with_R, with_q;
+  with_R.start_stage(&stage);
+  with_q.start_stage(nullptr);
+  for (int i = 0; i < 200; ++i) {
+    with_R.add(on_path(i, 1.5), true);
+    with_q.add(on_path(i, 1.5), true);
+  }
+  REQUIRE(with_R.finding());
+  CHECK(with_R.finding()->instant.reading == 100);
+  CHECK(with_R.finding()->evidence.find("R = 1.5") != std::string::npos);
+  CHECK_FALSE(with_q.finding());
+}

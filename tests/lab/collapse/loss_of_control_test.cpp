@@ -75,3 +75,49 @@ TEST_CASE("a logger that slows down makes no burst of a steady creep") {
   }
   CHECK_FALSE(control.finding());
 }
+
+namespace {
+
+/// A stage at held q in which u and σ₃′ follow `pore` and `cell`, Pa by reading.
+template <class Pore, class Cell>
+std::optional<Finding> pore_finding(Drainage drainage, int readings, Pore pore, Cell cell) {
+  StageInfo stage = kHeld;
+  stage.drainage = drainage;
+  LossOfControl control;
+  control.start_stage(&stage);
+  for (int i = 0; i < readings; ++i) {
+    State s = at(i, 60e3, i * 1e-6);
+    s.pore_pressure = pore(i);
+    s.effective_stress = {cell(i) - pore(i) + 60e3, cell(i) - pore(i)};
+    control.add(s, true);
+  }
+  return control.finding();
+}
+
+}  // namespace
+
+TEST_CASE("a burst of pore pressure is loss of control, where it begins") {
+  const auto burst = [](int i) { return 300e3 + 10.0 * i + (i > 400 ? 5e3 * (i - 400) : 0.0); };
+  const auto steady = [](int) { return 500e3; };
+  for (const Drainage drainage : {Drainage::open, Drainage::closed}) {
+    const auto finding = pore_finding(drainage, 500, burst, steady);
+    REQUIRE(finding);
+    CHECK(finding->instant.reading == 400);
+    CHECK(finding->evidence.find("pore pressure ran") == 0);
+    CHECK_FALSE(pore_finding(drainage, 400, burst, steady));
+  }
+}
+
+TEST_CASE("pore pressure that goes where the programme sends it is no loss of control") {
+  // Closed: it follows a sudden rise of the cell pressure. Open: it rises at the pace that it has
+  // had from the start, whatever that pace is.
+  const auto step = [](int i) { return i > 400 ? 40e3 : 0.0; };
+  CHECK_FALSE(pore_finding(
+      Drainage::closed, 500, [&](int i) { return 300e3 + step(i); },
+      [&](int i) { return 500e3 + step(i); }));
+  CHECK_FALSE(pore_finding(
+      Drainage::open, 500, [](int i) { return 100e3 + 300.0 * i; }, [](int) { return 700e3; }));
+  // A fall is not the sign that is looked for.
+  CHECK_FALSE(pore_finding(
+      Drainage::closed, 500, [&](int i) { return 300e3 - step(i); }, [](int) { return 500e3; }));
+}

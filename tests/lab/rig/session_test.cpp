@@ -30,7 +30,7 @@ class FakeRig : public BackEnd {
     return true;
   }
   double progress() const override { return double(i_) / readings_; }
-  void abort(std::string reason) override { aborted_for = std::move(reason); }
+  void abort(const std::string& reason) override { aborted_for = reason; }
 
   std::string aborted_for;
 

@@ -1,0 +1,148 @@
+#include "bench/detection/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/detection/naive_methods.hpp"
+#include "lab/collapse/path_sampler.hpp"
+#include "lab/rig/session.hpp"
+#include "lab/rig/virtual_rig.hpp"
+
+namespace triax::bench {
+namespace {
+
+/// The naive methods over the states that the monitor watches, too.
+class Naive {
+ public:
+  explicit Naive(const lab::RecordHeader& header) : header_(header) {}
+
+  void add(const lab::State& state) {
+    if (!lab::complete(state)) return;
+    if (stage_ != state.stage) {
+      neighbours_.start_stage();
+      average_.start_stage();
+    }
+    stage_ = state.stage;
+    if (!lab::is_watched(header_.stage(state.stage))) return;
+    maximum_.add(state);
+    neighbours_.add(state);
+    average_.add(state);
+  }
+  std::array<std::optional<Onset>, 3> onsets() const {
+    return {maximum_.onset(), neighbours_.onset(), average_.onset()};
+  }
+
+ private:
+  const lab::RecordHeader& header_;
+  std::optional<int> stage_;
+  MaximumOfQ maximum_;
+  NeighbouringIncrements neighbours_;
+  MovingAverage average_{50};
+};
+
+Outcome outcome_of(const TrialResult& result, const std::optional<Onset>& onset) {
+  Outcome o{.collapses = result.collapses, .detected = onset.has_value()};
+  if (!onset || !result.truth_lost) return o;
+  o.eta_error = std::fabs(onset->eta - result.truth_eta);
+  o.delay = onset->reading - result.truth_reading;
+  return o;
+}
+
+/// Scales everything that follows the consolidation stress: effective cell pressures, and the q at
+/// which stages end.
+void scale_stress(lab::Programme& programme, double factor) {
+  const double back = programme.initial_back_pressure_pa;
+  for (lab::Stage& stage : programme.stages) {
+    if (stage.role == lab::StageRole::consolidation) {
+      const auto moved = [&](std::optional<double>& p) {
+        if (p) *p = back + factor * (*p - back);
+      };
+      moved(stage.cell.target_pa);
+      for (lab::EndCondition& end : stage.end)
+        if (end.quantity == lab::EndQuantity::cell_pressure) moved(end.above);
+    }
+    for (lab::EndCondition& end : stage.end)
+      if (end.quantity == lab::EndQuantity::deviator_stress && end.above) *end.above *= factor;
+  }
+}
+
+void scale_rates(lab::Programme& programme, double factor) {
+  for (lab::Stage& stage : programme.stages) {
+    if (stage.role != lab::StageRole::shear) continue;
+    stage.axial_rate_m_per_s *= factor;
+    stage.load_rate_n_per_s *= factor;
+    stage.cell.rate_pa_per_s *= factor;
+    stage.back.rate_pa_per_s *= factor;
+    stage.time_limit_s /= factor;
+  }
+}
+
+/// Uniform in [0, 1), from the seed and the number of the choice (splitmix64).
+double choice(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t z = seed * 0x9E3779B97F4A7C15U + (number + 1) * 0xD1B54A32D192ED03U;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+}
+
+}  // namespace
+
+lab::Programme varied(const Subject& subject, std::uint64_t seed) {
+  lab::Programme programme = subject.programme;
+  programme.material.material = lab::made_anew(programme.material);
+  const double noise = std::exp2(std::floor(4 * choice(seed, 0)) - 1);
+  const double step = choice(seed, 1) < 0.5 ? 1 : 2;
+  for (lab::Transducer& transducer : programme.transducers) {
+    transducer.noise_rms *= noise;
+    transducer.step *= step;
+  }
+  programme.void_ratio += 0.02 * (choice(seed, 2) - 0.5);
+  scale_stress(programme, 0.9 + 0.2 * choice(seed, 3));
+  scale_rates(programme, std::exp2(2 * choice(seed, 4) - 1));
+  programme.seed = seed;
+  return programme;
+}
+
+TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
+  const lab::Programme programme = varied(subject, seed);
+  lab::VirtualRig rig(programme, seed);
+  Naive naive(rig.header());
+  lab::Session session;
+  std::int64_t now = 0;
+  std::optional<std::int64_t> noticed;
+  QObject::connect(&session, &lab::Session::scanned,
+                   [&](const lab::Reading& reading, const lab::State& state) {
+                     now = reading.number;
+                     naive.add(state);
+                   });
+  QObject::connect(&session, &lab::Session::happened, [&](const lab::Event& event) {
+    if (event.kind == "loss_of_sustainability" && !noticed) noticed = now;
+  });
+  const lab::TestSummary summary = session.run(rig, {});
+
+  TrialResult r;
+  r.programme = programme.name;
+  r.type = programme.type;
+  r.material = programme.material.name;
+  r.seed = seed;
+  r.readings = summary.readings;
+  r.collapses = subject.collapses;
+  if (summary.truth && summary.truth->lost_sustainability) {
+    r.truth_lost = true;
+    r.truth_time_s = *summary.truth->time_s;
+    r.truth_eta = *summary.truth->q_pa / *summary.truth->p_eff_pa;
+    r.truth_reading =
+        static_cast<std::int64_t>(std::ceil(r.truth_time_s / programme.scan_interval_s - 1e-9));
+  }
+  const lab::Collapse& c = summary.collapse;
+  r.kind = std::string(lab::to_string(c.kind));
+  std::optional<Onset> ours;
+  if (c.detected() && c.onset) ours = Onset{c.onset->reading, c.onset->eta().value_or(0)};
+  r.outcomes[0] = outcome_of(r, ours);
+  if (ours && r.truth_lost) r.outcomes[0].notice_delay = noticed.value_or(now) - r.truth_reading;
+  const auto others = naive.onsets();
+  for (std::size_t i = 0; i < others.size(); ++i) r.outcomes[i + 1] = outcome_of(r, others[i]);
+  return r;
+}
+
+}  // namespace triax::bench

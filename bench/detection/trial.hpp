@@ -1,0 +1,46 @@
+#pragma once
+// One simulated test, judged by the monitor and by the naive methods, against the specimen's truth.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bench/detection/statistics.hpp"
+#include "lab/programmes/programme.hpp"
+
+namespace triax::bench {
+
+/// A programme of the list with what is expected of it.
+struct Subject {
+  lab::Programme programme;
+  bool collapses = false;
+};
+
+inline constexpr std::array<std::string_view, 4> kMethods = {
+    "triax", "maximum of q", "sign of neighbouring increments", "sign over moving average of 50"};
+
+struct TrialResult {
+  std::string programme, type, material;
+  std::uint64_t seed = 0;
+  std::int64_t readings = 0;
+  bool collapses = false;   ///< expected
+  bool truth_lost = false;  ///< what the specimen did
+  double truth_time_s = 0, truth_eta = 0;
+  std::int64_t truth_reading = 0;                 ///< first reading at or after the true instant
+  std::array<Outcome, kMethods.size()> outcomes;  ///< in the order of kMethods
+  std::string kind;                               ///< the monitor's verdict
+
+  /// False where a specimen that was to collapse did not: there is nothing to compare with.
+  bool comparable() const { return truth_lost || !collapses; }
+};
+
+/// The subject's programme with everything varied that the seed chooses: instruments (noise × 0.5,
+/// 1, 2 or 4; steps × 1 or 2), void ratio (± 0.01), consolidation stress (± 10 %, with the q of the
+/// stages) and rates (× 0.5 to 2). Deterministic.
+lab::Programme varied(const Subject& subject, std::uint64_t seed);
+
+/// Runs it. Throws what rig and reduction throw.
+TrialResult run_trial(const Subject& subject, std::uint64_t seed);
+
+}  // namespace triax::bench

@@ -1,0 +1,77 @@
+#include "lab/collapse/onset_refiner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace triax::lab {
+namespace {
+
+constexpr double kGrowth = std::numbers::sqrt2;  ///< from one window to the next
+constexpr double kShortest = 1.0 / 9;            ///< right end, over the readings since the onset
+constexpr double kFarthestLeft = 4.1;            ///< left end, over the right one
+constexpr double kLongest = 3;                   ///< last sweep, over the first
+constexpr double kLeastRight = 8;                ///< readings
+constexpr double kAround = 12;                   ///< readings on each side that give values
+
+/// The median of the estimates, each with the weight 1/δt; no weight is finer than half a reading.
+OnsetFit consensus(std::vector<OnsetFit> fits) {
+  std::ranges::sort(fits, {}, [](const OnsetFit& f) { return f.point.reading; });
+  const auto weight = [](const OnsetFit& f) { return 1 / (f.error + 0.5); };
+  double whole = 0;
+  for (const OnsetFit& f : fits) whole += weight(f);
+  double sum = 0;
+  for (const OnsetFit& f : fits) {
+    sum += weight(f);
+    if (sum >= whole / 2) return f;
+  }
+  return fits.back();
+}
+
+}  // namespace
+
+void OnsetRefiner::begin(double reading, Witness witness, const PathHistory& history) {
+  *this = OnsetRefiner();
+  active_ = true;
+  witness_ = witness;
+  centre_ = reading;
+  swept_ = first_ = history.last_reading() - reading;
+  sweep(history, history.last_reading());
+}
+
+void OnsetRefiner::follow(const PathHistory& history) {
+  if (!active_) return;
+  const double age = history.last_reading() - centre_;
+  if (age < kGrowth * swept_) return;
+  swept_ = age;
+  sweep(history, history.last_reading());
+  active_ = age < kLongest * first_;
+}
+
+void OnsetRefiner::finish(const PathHistory& history, double last_reading) {
+  if (active_) sweep(history, last_reading);
+  active_ = false;
+}
+
+void OnsetRefiner::sweep(const PathHistory& history, double last_reading) {
+  // Twice: the second family of windows lies around the median of the first.
+  for (int pass = 0; pass < 2; ++pass) {
+    std::vector<OnsetFit> fits;
+    const double centre = std::min(centre_, last_reading - kLeastRight);
+    const double age = last_reading - centre;
+    for (double right = age; right > kShortest * age; right /= kGrowth)
+      for (double left = right; left < kFarthestLeft * right; left *= kGrowth)
+        if (const auto fit =
+                fit_onset(history.between(centre - left, centre + right), witness_, centre_))
+          fits.push_back(*fit);
+    if (fits.empty()) break;
+    best_ = consensus(std::move(fits));
+    centre_ = best_->point.reading;
+  }
+  // The windows that place the onset may be too long for its values.
+  const auto around = history.between(centre_ - kAround, std::min(centre_ + kAround, last_reading));
+  if (best_ && static_cast<double>(around.size()) > kAround)
+    best_->point = values_at(around, centre_);
+}
+
+}  // namespace triax::lab

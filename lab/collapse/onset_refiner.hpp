@@ -1,0 +1,38 @@
+#pragma once
+#include "lab/collapse/onset_fit.hpp"
+#include "lab/collapse/path_history.hpp"
+
+namespace triax::lab {
+
+/// Places an onset that has been found more sharply than the windows that found it could.
+///
+/// fit_onset is asked over a family of windows around it: to the right they end between a ninth of
+/// the readings since and the last one, to the left they reach one to four times as far, for what
+/// follows an onset soon runs away while what precedes it is smooth. A short window errs by noise,
+/// a long one by what a cubic cannot follow; each says how much, and the median of all of them with
+/// the weights 1/δt is neither's. This is done when the onset is found and again as the test goes
+/// on, until three times as many readings follow the onset; longer windows see the residual state.
+class OnsetRefiner {
+ public:
+  /// An onset was found near this reading; the history reaches up to now.
+  void begin(double reading, Witness witness, const PathHistory& history);
+  /// Another sample is in the history.
+  void follow(const PathHistory& history);
+  /// Nothing after this reading bears on the onset: the stage ends, or a run-away begins.
+  void finish(const PathHistory& history, double last_reading);
+  /// The best so far; empty until a window shows the turn.
+  const std::optional<OnsetFit>& onset() const { return best_; }
+  /// Whether more readings may still improve it.
+  bool active() const { return active_; }
+
+ private:
+  void sweep(const PathHistory& history, double last_reading);
+
+  bool active_ = false;
+  Witness witness_ = Witness::second_order_work;
+  double centre_ = 0;
+  double first_ = 0, swept_ = 0;  ///< readings since the onset, at the first and latest sweep
+  std::optional<OnsetFit> best_;
+};
+
+}  // namespace triax::lab
