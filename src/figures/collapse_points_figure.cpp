@@ -15,7 +15,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620;
+constexpr int kWidth = 720;
 constexpr int kHeight = 520 + kNoteHeight;
 
 struct CollapsePoint {

@@ -20,6 +20,10 @@ void name_series(QCPAxisRect& rect, const std::vector<ReportedTest>& tests);
 /// be final.
 void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number);
 
+/// The range from 0 where only the noise of a quantity that is never negative, and the margin that
+/// this brought about, lie below (an eighth of the range at most).
+QCPRange from_zero(const QCPRange& range);
+
 /// "ICU 6, ICU 42 and ICU 7".
 std::string names_of(const std::vector<ReportedTest>& tests);
 

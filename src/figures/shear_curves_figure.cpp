@@ -58,7 +58,7 @@ Drawing shear_curves_figure(const std::vector<ReportedTest>& tests) {
       any = true;
     }
   if (!any) return {};
-  const auto whole = strain.with_margin(0.04, true);
+  const auto whole = from_zero(strain.with_margin(0.04, true));
   const double close = std::min(kOnsets * largest_at_onset(tests), whole.upper);
 
   auto plot = make_plot(kWidth, kHeight);
@@ -70,10 +70,10 @@ Drawing shear_curves_figure(const std::vector<ReportedTest>& tests) {
   legend_below(*plot, 5);
   note_below(*plot, origin_of(pointers_to(tests)));
   left.axis(QCPAxis::atBottom)->setRange(whole);
-  left.axis(QCPAxis::atLeft)->setRange(q.with_margin(0.08, true));
+  left.axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   if (right != nullptr) {
     right->axis(QCPAxis::atBottom)->setRange(0, close);
-    right->axis(QCPAxis::atLeft)->setRange(q.with_margin(0.08, true));
+    right->axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   }
   plot->replot();
   fill(left, tests, whole.upper);

@@ -81,8 +81,8 @@ Drawing strains_over_p_figure(const std::vector<ReportedTest>& tests) {
   legend_below(*plot, 5);
   note_below(*plot, origin_of(pointers_to(tests)));
   for (auto* rect : {&left, &right})
-    rect->axis(QCPAxis::atBottom)->setRange(p.with_margin(0.06, true));
-  left.axis(QCPAxis::atLeft)->setRange(axial.with_margin(0.06, true));
+    rect->axis(QCPAxis::atBottom)->setRange(from_zero(p.with_margin(0.06, true)));
+  left.axis(QCPAxis::atLeft)->setRange(from_zero(axial.with_margin(0.06, true)));
   right.axis(QCPAxis::atLeft)->setRange(volumetric.with_margin(0.08, false));
   plot->replot();
   fill(left, parts, axial_pct);

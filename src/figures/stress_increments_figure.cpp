@@ -16,8 +16,8 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 520 + kNoteHeight;
-constexpr double kArrow = 44;  // px
+constexpr int kWidth = 720, kHeight = 470 + kNoteHeight;
+constexpr double kArrow = 30;  // px
 
 QPointF place(const CollapseIncrement& at) { return {at.p_pa * 1e-3, at.q_pa * 1e-3}; }
 

@@ -12,7 +12,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620, kHeight = 480 + kNoteHeight;
+constexpr int kWidth = 720, kHeight = 480 + kNoteHeight;
 
 double p_kPa(const lab::State& state) { return state.p_eff * 1e-3; }
 double q_kPa(const lab::State& state) { return state.q * 1e-3; }
@@ -38,8 +38,8 @@ Drawing stress_paths_figure(const std::vector<ReportedTest>& tests) {
   auto plot = make_plot(kWidth, kHeight);
   auto& rect = *plot->axisRect();
   style_axes(rect, "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
-  plot->xAxis->setRange(p_range.with_margin(0.06, true));
-  plot->yAxis->setRange(q_range.with_margin(0.10, true));
+  plot->xAxis->setRange(from_zero(p_range.with_margin(0.06, true)));
+  plot->yAxis->setRange(from_zero(q_range.with_margin(0.10, true)));
   draw_mohr_coulomb_lines(*plot, limits_of(tests));
   const auto eta = fitted_instability_line(tests);
   if (eta) draw_instability_line(*plot, *eta);
