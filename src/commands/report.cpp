@@ -8,6 +8,8 @@
 #include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
 #include "src/output/output.hpp"
+#include "src/report/collapse_increments.hpp"
+#include "src/report/figure_folder.hpp"
 #include "src/report/html_report.hpp"
 #include "src/report/json_report.hpp"
 #include "src/report/pdf_report.hpp"
@@ -21,6 +23,7 @@ struct Options {
   std::string db = "triax.db";
   std::string format = "text";
   std::string output;
+  std::string figures;
 };
 
 void run(const Options& o) {
@@ -30,9 +33,17 @@ void run(const Options& o) {
                                                : "-";
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
+  const auto ids = store.find(o.tests);
+  const auto curves = drawn || !o.figures.empty() ? WithCurves::yes : WithCurves::no;
   std::vector<ReportedTest> tests;
-  for (const auto id : store.find(o.tests))
-    tests.push_back(load_reported_test(store, id, drawn ? WithCurves::yes : WithCurves::no));
+  for (const auto id : ids) tests.push_back(load_reported_test(store, id, curves));
+  if (!o.figures.empty()) {
+    const auto written = write_figures(tests, collapse_increments(store, ids), o.figures);
+    print(fmt::format("{} figure{} of {} test{} written to {}\n", written.size(),
+                      written.size() == 1 ? "" : "s", tests.size(), tests.size() == 1 ? "" : "s",
+                      o.figures));
+    if (o.format == "text" && o.output.empty()) return;
+  }
 
   if (o.format == "pdf")
     pdf_report(tests, output);
@@ -60,13 +71,16 @@ Command report_command() {
            "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
            "second-order work on one axis. Without --output they are written to triax_report.html "
            "or "
-           "triax_report.pdf in the current folder; text and JSON go to standard output."},
+           "triax_report.pdf in the current folder; text and JSON go to standard output.",
+           "--figures writes each figure of a report, and those that compare all tests of a type, "
+           "as SVG, PNG and PDF into a folder; without --format and --output nothing else."},
       .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
                        "there is no database yet, or --db names another file"}},
       .examples = {{"triax report", "all tests as text"},
                    {"triax report csu_26 --format html --output csu_26.html",
                     "one test with figures"},
-                   {"triax report 1 2 3 --format json", "three tests as one JSON document"}},
+                   {"triax report 1 2 3 --format json", "three tests as one JSON document"},
+                   {"triax report --figures pictures", "the figures of all tests as files"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("TEST", o->tests, "numbers or names of tests; none means all")
@@ -76,6 +90,8 @@ Command report_command() {
             ->check(CLI::IsMember({"text", "json", "html", "pdf"}).description(""))
             ->type_name("text|json|html|pdf");
         app.add_option("--output", o->output, "file to write")->type_name("FILE");
+        app.add_option("--figures", o->figures, "folder to write the figures to")
+            ->type_name("FOLDER");
         return [o] { run(*o); };
       }};
 }

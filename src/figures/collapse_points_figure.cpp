@@ -2,19 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <map>
 
+#include "src/figures/origin_note.hpp"
 #include "src/figures/plot_style.hpp"
 #include "src/figures/point_labels.hpp"
+#include "src/figures/programme_looks.hpp"
+#include "src/figures/shapes.hpp"
 #include "src/figures/stress_lines.hpp"
 
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620;
-constexpr int kHeight = 520;
+constexpr int kWidth = 720;
+constexpr int kHeight = 520 + kNoteHeight;
 
 struct CollapsePoint {
   double p_kPa, q_kPa;
@@ -34,6 +36,14 @@ std::vector<CollapsePoint> collapse_points(const std::vector<ReportedTest>& test
   return points;
 }
 
+std::vector<const ReportedTest*> with_points(const std::vector<ReportedTest>& tests) {
+  std::vector<const ReportedTest*> kept;
+  for (const auto& test : tests)
+    if (const auto onset = collapse_onset(test.stored); onset && onset->eta())
+      kept.push_back(&test);
+  return kept;
+}
+
 std::optional<double> slope(const std::vector<CollapsePoint>& points) {
   double qp = 0, pp = 0;
   for (const auto& point : points) {
@@ -43,8 +53,30 @@ std::optional<double> slope(const std::vector<CollapsePoint>& points) {
   return pp > 0 ? std::optional(qp / pp) : std::nullopt;
 }
 
-// Of the tests whose points are drawn; limits that print alike are one line.
-std::vector<double> limits(const std::vector<ReportedTest>& tests) {
+void draw_points(QCustomPlot& plot, const std::vector<CollapsePoint>& points,
+                 const std::string& origin) {
+  std::vector<std::string> programmes;
+  for (const auto& point : points) programmes.push_back(point.programme);
+  const ProgrammeLooks looks(programmes);
+  std::map<std::string, QCPCurve*> groups;
+  std::vector<PointLabel> labels;
+  for (const auto& point : points) {
+    const auto name = point.programme + (point.simulated ? " (simulated)" : " (recorded)");
+    auto& group = groups[name];
+    if (group == nullptr)
+      group =
+          draw_markers(*plot.axisRect(), {}, looks.marker(point.programme, point.simulated), name);
+    group->addData(point.p_kPa, point.q_kPa);
+    labels.push_back({point.p_kPa, point.q_kPa, point.test, kInk});
+  }
+  legend_below(plot, 2);
+  note_below(plot, origin);
+  place_labels(plot, labels);
+}
+
+}  // namespace
+
+std::vector<double> limits_of(const std::vector<ReportedTest>& tests) {
   std::map<std::int64_t, double> by_rounded;
   for (const auto& test : tests)
     if (const auto& m = test.stored.summary.collapse.limit_stress_ratio;
@@ -55,52 +87,6 @@ std::vector<double> limits(const std::vector<ReportedTest>& tests) {
   for (const auto& [rounded, m] : by_rounded) values.push_back(m);
   return values;
 }
-
-struct Marker {
-  QCPScatterStyle::ScatterShape shape;
-  QColor colour;
-};
-
-// In order of the programmes' names; the shape alone tells types apart in a black-and-white print.
-Marker marker(std::size_t type) {
-  static const std::array<Marker, 5> kMarkers = {{{QCPScatterStyle::ssCircle, kBlue},
-                                                  {QCPScatterStyle::ssSquare, kGreen},
-                                                  {QCPScatterStyle::ssTriangle, kOrange},
-                                                  {QCPScatterStyle::ssDiamond, kPurple},
-                                                  {QCPScatterStyle::ssTriangleInverted, kInk}}};
-  return kMarkers.at(type % kMarkers.size());
-}
-
-QCPCurve* add_group(QCustomPlot& plot, const std::string& name, const Marker& marker,
-                    bool simulated) {
-  auto* group = new QCPCurve(plot.xAxis, plot.yAxis);
-  group->setLineStyle(QCPCurve::lsNone);
-  group->setScatterStyle(QCPScatterStyle(marker.shape, line(marker.colour, 1.8),
-                                         simulated ? QBrush(Qt::white) : QBrush(marker.colour), 9));
-  group->setName(QString::fromStdString(name));
-  return group;
-}
-
-void draw_points(QCustomPlot& plot, const std::vector<CollapsePoint>& points) {
-  std::map<std::string, std::size_t> types;
-  for (const auto& point : points) types.emplace(point.programme, 0);
-  std::size_t next = 0;
-  for (auto& [name, type] : types) type = next++;
-  std::map<std::string, QCPCurve*> groups;
-  std::vector<PointLabel> labels;
-  for (const auto& point : points) {
-    const auto name = point.programme + (point.simulated ? " (simulated)" : " (recorded)");
-    const auto look = marker(types[point.programme]);
-    auto& group = groups[name];
-    if (group == nullptr) group = add_group(plot, name, look, point.simulated);
-    group->addData(point.p_kPa, point.q_kPa);
-    labels.push_back({point.p_kPa, point.q_kPa, point.test, kInk});
-  }
-  legend_below(plot, 2);
-  place_labels(plot, labels);
-}
-
-}  // namespace
 
 std::optional<double> fitted_instability_line(const std::vector<ReportedTest>& tests) {
   return slope(collapse_points(tests));
@@ -121,9 +107,9 @@ Drawing collapse_points_figure(const std::vector<ReportedTest>& tests) {
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(p_range.with_margin(0.12, true));
   plot->yAxis->setRange(q_range.with_margin(0.35, true));
-  draw_mohr_coulomb_lines(*plot, limits(tests));
+  draw_mohr_coulomb_lines(*plot, limits_of(tests));
   draw_instability_line(*plot, *eta);
-  draw_points(*plot, points);
+  draw_points(*plot, points, origin_of(with_points(tests)));
   return {
       std::move(plot),
       fmt::format("Collapse points of {} test{} and the one instability line that fits them best "

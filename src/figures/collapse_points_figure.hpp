@@ -10,6 +10,10 @@ namespace triax::src {
 /// nothing without points.
 std::optional<double> fitted_instability_line(const std::vector<ReportedTest>& tests);
 
+/// Stress ratios of the limit surfaces of the tests that collapsed, rising; those that print alike
+/// are one.
+std::vector<double> limits_of(const std::vector<ReportedTest>& tests);
+
 /// The collapse points of all tests in the q-p′ plane, with one instability line fitted through
 /// them and the Mohr-Coulomb line of each limit that was used. A marker shape per type of test;
 /// filled for recorded tests, open for simulated ones. No plot without a collapse point.

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "src/figures/history_axis.hpp"
+#include "src/figures/origin_note.hpp"
 #include "src/figures/plot_style.hpp"
 #include "src/figures/polyline.hpp"
 
@@ -231,7 +232,7 @@ Drawing history_figure(const ReportedTest& test, Span span) {
   const auto marks = marks_of(test, *axis);
   const int names_height = kMarkNameHeight * static_cast<int>(marks.size());
 
-  auto plot = make_plot(kWidth, count * kPanelHeight + kAxisHeight + names_height);
+  auto plot = make_plot(kWidth, count * kPanelHeight + kAxisHeight + names_height + kNoteHeight);
   plot->plotLayout()->clear();
   plot->plotLayout()->setRowSpacing(4);
   auto* margins = new QCPMarginGroup(plot.get());
@@ -239,6 +240,7 @@ Drawing history_figure(const ReportedTest& test, Span span) {
     fill_panel(*add_panel(*plot, margins, panel.title), panel, test, *axis);
   if (has_work) fill_work_panel(*add_panel(*plot, margins, "W₂ normalised (–)"), test, *axis, span);
   finish_rows(*plot, *axis, names_height);
+  note_below(*plot, origin_of({&test}));
   draw_marks(*plot, marks);
   return {std::move(plot), caption(test, span, axis->along_time)};
 }

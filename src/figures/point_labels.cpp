@@ -146,7 +146,7 @@ void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels) {
     };
     look_around(0);
     for (const double away : kFarther)
-      if (best && least > kMuch) look_around(away);
+      if (!best || least > kMuch) look_around(away);
     if (!best) continue;
     write(plot, labels[i], best->center());
     taken.push_back(*best);

@@ -4,16 +4,18 @@
 
 #include <cmath>
 
+#include "src/figures/origin_note.hpp"
 #include "src/figures/plot_style.hpp"
 #include "src/figures/point_labels.hpp"
 #include "src/figures/polyline.hpp"
+#include "src/figures/shear_states.hpp"
 #include "src/figures/stress_lines.hpp"
 
 namespace triax::src {
 namespace {
 
 constexpr int kWidth = 620;
-constexpr int kHeight = 460;
+constexpr int kHeight = 460 + kNoteHeight;
 
 using Path = std::vector<QPointF>;  // p′ and q in kPa
 
@@ -33,13 +35,6 @@ void draw_path(QCustomPlot& plot, const Path& path, const std::string& name, con
   for (const auto i : points_to_draw(pixels, kInvisible)) curve->addData(path[i].x(), path[i].y());
   curve->setPen(pen);
   curve->setName(QString::fromStdString(name));
-}
-
-// Where the test does not say which stage is shear, the whole record is taken as one path.
-bool is_shear(const lab::RecordHeader& header, int stage) {
-  const auto* info = header.stage(stage);
-  return info == nullptr || info->role == lab::StageRole::shear ||
-         info->role == lab::StageRole::unknown;
 }
 
 void mark(QCustomPlot& plot, double p_pa, double q_pa, QCPScatterStyle::ScatterShape shape,
@@ -93,6 +88,7 @@ Drawing stress_path_figure(const ReportedTest& test) {
     mark(*plot, *truth->p_eff_pa, *truth->q_pa, QCPScatterStyle::ssCross, kInk,
          "truth: the specimen itself");
   legend_below(*plot, 2);
+  note_below(*plot, origin_of({&test}));
   place_labels(*plot, labels);
   auto caption =
       eta ? fmt::format("Effective stress path of test {}; collapse sets in at η = {:.2f}.",

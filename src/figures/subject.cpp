@@ -1,8 +1,8 @@
 #include "src/figures/subject.hpp"
 
-#include <QFontMetricsF>
+#include <numbers>
 
-#include "src/figures/plot_style.hpp"
+#include "src/figures/origin_note.hpp"
 
 namespace triax::src {
 namespace {
@@ -10,19 +10,6 @@ namespace {
 std::string described(const Subject& subject) {
   return subject.material + (subject.state.empty() ? std::string() : ", " + subject.state) +
          (subject.plane == sim::ProbePlane::plane_strain ? ", plane strain" : "");
-}
-
-/// Broken behind commas where a line would be wider.
-QString in_lines(const QString& text, const QFont& font, double width) {
-  const QFontMetricsF metrics(font);
-  QString lines, here;
-  for (const auto& part : text.split(", ")) {
-    const QString longer = here.isEmpty() ? part : here + ", " + part;
-    const bool fits = metrics.horizontalAdvance(longer + ",") <= width;
-    if (!here.isEmpty() && !fits) lines += here + ",\n";
-    here = fits || here.isEmpty() ? longer : part;
-  }
-  return lines + here;
 }
 
 }  // namespace
@@ -48,18 +35,7 @@ std::string simulated_with(const Subject& subject) {
 std::string origin_of(const Subject& subject) { return "simulated: " + described(subject); }
 
 void origin_below(QCustomPlot& plot, const Subject& subject) {
-  constexpr int kLeft = 56, kRight = 10;  // as the entries of the legend
-  QFont font = label_font();
-  font.setPixelSize(11);
-  const auto text =
-      in_lines(QString::fromStdString(origin_of(subject)), font, plot.width() - kLeft - kRight);
-  auto* line = new QCPTextElement(&plot, text, font);
-  line->setTextColor(QColor(0x66, 0x66, 0x66));
-  line->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-  line->setMargins({kLeft, 0, kRight, 4});
-  const int row = plot.plotLayout()->rowCount();
-  plot.plotLayout()->addElement(row, 0, line);
-  plot.plotLayout()->setRowStretchFactor(row, 0.001);
+  note_below(plot, origin_of(subject));
 }
 
 }  // namespace triax::src

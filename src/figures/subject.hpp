@@ -3,8 +3,7 @@
 #include <string>
 
 #include "sim/stability/probe.hpp"
-
-class QCustomPlot;
+#include "src/figures/origin_note.hpp"
 
 namespace triax::src {
 
@@ -30,10 +29,9 @@ std::string simulated_with(const Subject& subject);
 
 /// "simulated: inl2/S28-general, p′ = 70 kPa, e = 1.086".
 std::string origin_of(const Subject& subject);
-/// Puts that as the last row of the layout, small and grey, so that a picture taken out of its
-/// report keeps its origin; in several lines where the plot is too narrow. After legend_below().
+/// Puts that below the plot (origin_note.hpp). After legend_below().
 void origin_below(QCustomPlot& plot, const Subject& subject);
 /// Height that one line of it takes, px.
-inline constexpr int kOriginHeight = 18;
+inline constexpr int kOriginHeight = kNoteHeight;
 
 }  // namespace triax::src
