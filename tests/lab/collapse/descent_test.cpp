@@ -83,3 +83,17 @@ TEST_CASE("a stage's start forgets what hangs between two stages") {
   REQUIRE(feed.tracker.latest());
   CHECK(feed.tracker.latest()->onset.reading >= 14);
 }
+
+TEST_CASE("a sharper onset goes with the descent; without one its own counts") {
+  Feed feed;
+  for (int i = 0; i < 10; ++i) feed(0.3, 90e3 + 1e3 * i);
+  for (int i = 0; i < 9; ++i) feed(-0.3, 99e3 - 5e3 * i);
+  const double coarse = feed.tracker.worst()->onset.reading;
+  CHECK(feed.tracker.worst()->best_onset().reading == coarse);
+  PathPoint sharp = feed.tracker.latest()->onset;
+  sharp.reading = 68.5;
+  feed.tracker.sharpen(sharp);
+  feed(-0.3, 50e3);
+  CHECK(feed.tracker.worst()->best_onset().reading == 68.5);
+  CHECK(feed.tracker.worst()->onset.reading == coarse);  // by which it is known
+}

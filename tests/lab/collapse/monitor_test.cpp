@@ -165,3 +165,35 @@ TEST_CASE("missing values are passed over") {
   CHECK(c.kind == CollapseKind::flow);
   CHECK(std::abs(c.onset->reading - 600) <= 4);
 }
+
+TEST_CASE("at held q, drained, through a volume in coarse steps the onset is where it turns") {
+  // Half a day of slow unloading: the volume passes its minimum by a step in 200 readings, on
+  // either side, then the specimen runs away within a minute.
+  constexpr int kTurn = 6000, kRunAway = 6500;
+  RecordHeader header = undrained_header();
+  header.stages[0].drainage = Drainage::open;
+  header.stages[0].control = AxialControl::constant_q;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    std::mt19937_64 rng(seed);
+    std::normal_distribution<double> unit(0, 1);
+    CollapseMonitor monitor(header);
+    for (int i = 0; i < kRunAway + 60; ++i) {
+      const double t = i - kTurn, run = i > kRunAway ? 1e-3 * (i - kRunAway) : 0.0;
+      State s;
+      s.reading = i;
+      s.time_s = i;
+      s.volumetric_strain = std::round(2e-6 * t * t / 4e4 / 2e-6) * 2e-6 + 0.1 * run;
+      s.strain.axial = 2e-3 + 5e-8 * i + run + 5e-6 * unit(rng);
+      s.q = 90e3 * (1 - 10 * run) + 150 * unit(rng);
+      s.p_eff = 250e3 - 15.0 * i + 80 * unit(rng);
+      s.pore_pressure = 300e3 + 80 * unit(rng);
+      s.effective_stress = {s.p_eff + 2 * s.q / 3, s.p_eff - s.q / 3};
+      monitor.watch(s);
+    }
+    const Collapse c = monitor.finish();
+    INFO("seed " << seed);
+    REQUIRE(c.onset);
+    CHECK(std::abs(c.onset->reading - kTurn) <= 20);
+    CHECK(std::fabs(*c.onset->eta() - 90e3 / (250e3 - 15.0 * kTurn)) < 0.003);
+  }
+}
