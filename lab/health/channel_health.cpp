@@ -135,7 +135,7 @@ void ChannelHealth::look_for_spike() {
   }
 }
 
-std::optional<std::int64_t> ChannelHealth::doubtful_from() const {
+std::optional<std::int64_t> ChannelHealth::first_doubt() const {
   std::optional<std::int64_t> first;
   const auto doubt = [&first](std::int64_t number) {
     first = first ? std::min(*first, number) : number;

@@ -47,7 +47,10 @@ class ChannelHealth {
   /// The spike that this reading brought to light.
   const std::optional<Spike>& spike() const { return spike_; }
   /// First reading that may still turn out to be wrong; none is before it.
-  std::optional<std::int64_t> doubtful_from() const;
+  std::optional<std::int64_t> doubtful_from() const {
+    const bool quiet = gap_ == 0 && noise_.run() == 0 && !leap_ && !jump_;
+    return quiet ? std::nullopt : first_doubt();
+  }
 
   // For what only a look at other channels can decide:
   /// Readings since the channel last moved, and the first of those that repeat its value.
@@ -62,6 +65,7 @@ class ChannelHealth {
   void condemn();
 
  private:
+  std::optional<std::int64_t> first_doubt() const;
   void miss(std::int64_t number);
   void follow_run(std::int64_t number, double value);
   void follow_jump(std::int64_t number, double value);

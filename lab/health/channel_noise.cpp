@@ -45,6 +45,7 @@ double ChannelNoise::round_off() const { return std::max(finest_, kRoundOff * la
 double ChannelNoise::resolution() const { return std::max(step_, round_off()); }
 
 void ChannelNoise::end_run() {
+  const std::int64_t looked = neighbours_ / kLessons;
   const std::int64_t lessons = std::min(run_, kLongestLesson);
   for (std::int64_t i = 0; i <= lessons; ++i) {
     ++neighbours_;
@@ -54,6 +55,7 @@ void ChannelNoise::end_run() {
   }
   longest_run_ = std::max(longest_run_, static_cast<double>(run_));
   run_ = 0;
+  if (neighbours_ / kLessons != looked) wait_ = wait();
 }
 
 void ChannelNoise::add_roughness(double half_bend) {
@@ -80,7 +82,7 @@ bool ChannelNoise::dithers() const {
   return turns_back || rough;
 }
 
-std::optional<std::int64_t> ChannelNoise::impossible_run() const {
+std::optional<std::int64_t> ChannelNoise::wait() const {
   if (!dithers()) return std::nullopt;
   constexpr double kShortest = 30;
   const double wait =

@@ -15,7 +15,7 @@ namespace triax::lab {
 class ChannelNoise {
  public:
   static constexpr int kMemory = 256;
-  static constexpr int kLeast = 100;  ///< neighbours from which anything is said
+  static constexpr int kLeast = 40;  ///< neighbours from which anything is said
 
   /// Differences of `finest` and less are round-off, not readings.
   explicit ChannelNoise(double finest) : finest_(finest) {}
@@ -43,12 +43,14 @@ class ChannelNoise {
   bool dithers() const;
   /// Equal neighbours that noise cannot give; empty where the channel does not dither, or does it
   /// so little that the wait would be longer than kLongestWait.
-  std::optional<std::int64_t> impossible_run() const;
+  const std::optional<std::int64_t>& impossible_run() const { return wait_; }
 
   static constexpr std::int64_t kLongestWait = 200;
+  static constexpr std::int64_t kLessons = 16;  ///< between two looks at what was learned
 
  private:
   void end_run();
+  std::optional<std::int64_t> wait() const;
   void add_roughness(double half_bend);
   double equal_share_at_most() const;
 
@@ -63,7 +65,8 @@ class ChannelNoise {
   double bends_back_ = 0;  ///< share of second differences that alternate
   std::int64_t moves_ = 0;
   double roughness_ = 0, step_ = 0;
-  double longest_run_ = 0;  ///< fades
+  double longest_run_ = 0;            ///< fades
+  std::optional<std::int64_t> wait_;  ///< as of the last of every kLessons neighbours
   double lowest_ = 0, highest_ = 0, largest_ = 0;
 };
 

@@ -58,15 +58,15 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
     withheld_ = fmt::format("{} since reading {}", reason(wrong.finding), wrong.from);
 }
 
-std::optional<JudgedStates::Judged> JudgedStates::next() {
-  if (held_.empty()) return std::nullopt;
+const JudgedStates::Judged* JudgedStates::next() {
+  if (std::exchange(taken_, false)) held_.pop_front();
+  if (held_.empty()) return nullptr;
   const bool full = static_cast<std::int64_t>(held_.size()) > kHeld;
   if (!finished_ && !full && held_.front().reading.number >= health_.doubtful_from())
-    return std::nullopt;
-  Judged entry = std::move(held_.front());
-  held_.pop_front();
-  judge(entry);
-  return entry;
+    return nullptr;
+  judge(held_.front());
+  taken_ = true;
+  return &held_.front();
 }
 
 bool JudgedStates::may_go_on(const State& state) const {
@@ -77,8 +77,11 @@ bool JudgedStates::may_go_on(const State& state) const {
 }
 
 void JudgedStates::judge(Judged& entry) {
-  if (!is_watched(header_.stage(entry.reading.stage))) return;
+  const StageInfo* stage = header_.stage(entry.reading.stage);
+  if (stage && stage->role == StageRole::b_check) wrong_in_b_check_ |= entry.wrong;
+  if (!is_watched(stage)) return;
   const bool first = !std::exchange(sheared_, true);
+  if (first) wrong_at_shear_ = entry.wrong;
   if (first && entry.no_origin) end_ = End{-1, entry.reason + " where strains begin to count"};
   if (end_) {
     entry.live = false;

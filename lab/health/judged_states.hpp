@@ -35,12 +35,16 @@ class JudgedStates {
   explicit JudgedStates(const RecordHeader& header);
 
   void add(const Reading& reading, const State& state);
-  /// The next one about which all is known; nothing until more readings came.
-  std::optional<Judged> next();
+  /// The next one about which all is known; null until more readings came. Valid until the next
+  /// call of next().
+  const Judged* next();
   /// No more readings will come: next() gives the rest.
   void finish() { finished_ = true; }
 
   const RecordHealth& health() const { return health_; }
+  /// Channels that could not be believed at the first reading of shear, and at any of a B check.
+  ChannelSet wrong_at_shear() const { return wrong_at_shear_; }
+  ChannelSet wrong_in_b_check() const { return wrong_in_b_check_; }
   /// Writes into the verdict how far it reaches, and takes it back where a sensor turned out to
   /// have been dead among states that had already been judged. Call after the last next().
   void bound(Collapse& collapse) const;
@@ -61,11 +65,13 @@ class JudgedStates {
   RecordHeader header_;
   RecordHealth health_;
   std::deque<Judged> held_;
+  bool taken_ = false;  ///< the front of held_ was given on
   bool finished_ = false;
   std::optional<State> last_live_;  ///< the last that was judged, in shear
   std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged
   std::int64_t left_out_ = 0;       ///< readings since last_live_
   std::string gap_reason_;
+  ChannelSet wrong_at_shear_ = 0, wrong_in_b_check_ = 0;
   bool sheared_ = false;
   std::optional<End> end_;
   std::string withheld_;  ///< why the verdict cannot stand; empty: it can

@@ -73,7 +73,7 @@ void RecordHealth::start_stage(const Reading& reading) {
     const bool counter =
         channel.quantity == Quantity::back_volume || channel.quantity == Quantity::cell_volume;
     channel.health.may_rest(counter && !drained_);
-    channel.at_rest = reading;
+    channel.at_rest = now_;
   }
 }
 
@@ -88,13 +88,15 @@ bool RecordHealth::is_compared(Quantity q) const {
 void RecordHealth::watch(const Reading& reading) {
   wrong_.clear();
   news_.clear();
+  std::copy_n(reading.si.begin(), now_.size(), now_.begin());
+  times_[static_cast<std::size_t>(reading.number) % kTimes] = reading.time_s;
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
   for (Channel& channel : channels_) {
     const std::int64_t run = channel.health.run();
     channel.health.add(reading.number, reading[channel.quantity]);
     channel.stirred = run >= ChannelHealth::kFlat && channel.health.run() == 0;
     if (channel.health.run() > 0) continue;
-    channel.at_rest = reading;
+    channel.at_rest = now_;
     ++channel.moves;
     channel.longest_run = std::max(channel.longest_run, run);
   }
@@ -106,7 +108,6 @@ void RecordHealth::watch(const Reading& reading) {
     if (const auto doubt = channel.health.doubtful_from())
       doubtful_from_ = std::min(doubtful_from_, *doubt);
   }
-  last_ = reading;
 }
 
 void RecordHealth::note_jumps(const Reading& reading) {
@@ -162,13 +163,13 @@ bool RecordHealth::sound(std::initializer_list<Quantity> quantities) const {
 bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) const {
   const double height = volume_m3_ / area_m2_;
   const double way =
-      reading[Quantity::axial_displacement] - channel.at_rest[Quantity::axial_displacement];
+      reading[Quantity::axial_displacement] - channel.at_rest[index(Quantity::axial_displacement)];
   return !driven_ && sound({Quantity::axial_displacement}) &&
          std::fabs(way) > kRunningStrain * height;
 }
 
 bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {
-  const double before = std::fabs(channel.at_rest[Quantity::axial_force]);
+  const double before = std::fabs(channel.at_rest[index(Quantity::axial_force)]);
   const double gain = std::fabs(reading[Quantity::axial_force]) - before;
   const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
   return channel.moves >= kAtRest && gain > kGainOfLoad * before &&
@@ -179,7 +180,9 @@ bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) cons
 bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) const {
   const double step = channel.health.noise().step();
   if (!(step > 0)) return false;
-  const auto change = [&](Quantity q) { return std::fabs(reading[q] - channel.at_rest[q]); };
+  const auto change = [&](Quantity q) {
+    return std::fabs(now_[index(q)] - channel.at_rest[index(q)]);
+  };
   const double height = volume_m3_ / area_m2_;
   if (channel.quantity == Quantity::axial_force) {
     const double strain = change(Quantity::axial_displacement) / height;
@@ -193,16 +196,17 @@ bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) c
   }
   if (runs_away(channel, reading)) return true;
   const double before = p_eff(channel.at_rest);
-  const double share = std::fabs(p_eff(reading) - before) / before;
+  const double share = std::fabs(p_eff(now_) - before) / before;
   return sound({Quantity::axial_force, Quantity::cell_pressure, Quantity::pore_pressure}) &&
          before > 0 && share > kChangeOfP && share * before > kNoises * p_noise() &&
          share / kStiffestBulk * volume_m3_ > kLeastSteps * step;
 }
 
-double RecordHealth::p_eff(const Reading& reading) const {
-  const double strain = or_zero(reading[Quantity::axial_displacement]) * area_m2_ / volume_m3_;
-  return reading[Quantity::cell_pressure] - reading[Quantity::pore_pressure] +
-         reading[Quantity::axial_force] * (1 - strain) / area_m2_ / 3;
+double RecordHealth::p_eff(const RawValues& values) const {
+  const auto value = [&](Quantity q) { return values[index(q)]; };
+  const double strain = or_zero(value(Quantity::axial_displacement)) * area_m2_ / volume_m3_;
+  return value(Quantity::cell_pressure) - value(Quantity::pore_pressure) +
+         value(Quantity::axial_force) * (1 - strain) / area_m2_ / 3;
 }
 
 double RecordHealth::noise_of(Quantity quantity) const {
@@ -216,11 +220,10 @@ double RecordHealth::p_noise() const {
 }
 
 std::optional<double> RecordHealth::time_of(std::int64_t number, const Reading& now) const {
-  if (!header_.has_time || std::isnan(now.time_s)) return std::nullopt;
-  if (number == now.number || std::isnan(last_.time_s)) return now.time_s;
-  // Readings of the last few hundred are not kept: the scan's interval leads back to it.
-  const double interval = now.time_s - last_.time_s;
-  return now.time_s - interval * static_cast<double>(now.number - number);
+  const double time = times_[static_cast<std::size_t>(number) % kTimes];
+  const bool kept = now.number - number < static_cast<std::int64_t>(kTimes);
+  if (!header_.has_time || !kept || std::isnan(time)) return std::nullopt;
+  return time;
 }
 
 SensorFinding& RecordHealth::tally(const SensorFinding& finding) {

@@ -1,5 +1,6 @@
 #pragma once
 // All sensors of a test, each by itself and against the others.
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -67,6 +68,7 @@ class RecordHealth {
   std::vector<Warning> warnings() const;
 
  private:
+  using RawValues = std::array<double, kRawQuantityCount>;
   struct Channel {
     Quantity quantity{};
     ChannelHealth health;
@@ -74,7 +76,7 @@ class RecordHealth {
     std::optional<std::int64_t> lonely_jump{};  ///< reading at which it jumped and no other did
     bool stirred = false;                       ///< out of a rest, by this reading
     std::int64_t moves = 0, longest_run = 0;    ///< in drained shear
-    Reading at_rest{};                          ///< the reading whose value it repeats since
+    RawValues at_rest{};                        ///< all channels where it came to rest
   };
   struct Tally {
     SensorFinding first;
@@ -92,7 +94,7 @@ class RecordHealth {
   bool loads_up(const Channel& channel, const Reading& reading) const;
   double noise_of(Quantity quantity) const;
   double p_noise() const;
-  double p_eff(const Reading& reading) const;
+  double p_eff(const RawValues& values) const;
   bool jumped(const Channel& channel) const;
   void note_jumps(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
@@ -105,7 +107,9 @@ class RecordHealth {
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0;
   bool shear_ = false, driven_ = false, drained_ = false, closed_ = false;
-  Reading last_;
+  static constexpr std::size_t kTimes = 1024;  ///< more than any hindsight
+  std::array<double, kTimes> times_{};         ///< of the last readings
+  RawValues now_{};
   std::vector<Wrong> wrong_;
   std::vector<SensorFinding> news_;
   std::int64_t doubtful_from_ = 0;

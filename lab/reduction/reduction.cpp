@@ -24,6 +24,23 @@ struct Reduction::Impl {
   Closure closure;
 };
 
+namespace {
+
+bool is_impossible(const State& s) {
+  return std::fabs(s.strain.axial) >= 1 || std::fabs(s.volumetric_strain) >= 1;
+}
+
+State unknown(const State& at) {
+  State s;
+  s.reading = at.reading;
+  s.time_s = at.time_s;
+  s.stage = at.stage;
+  s.pore_pressure = at.pore_pressure;
+  return s;
+}
+
+}  // namespace
+
 Reduction::Reduction(const RecordHeader& header, const ReductionOptions& options)
     : impl_(std::make_unique<Impl>(header, options)) {}
 
@@ -32,13 +49,17 @@ Reduction::~Reduction() = default;
 State Reduction::reduce(const Reading& reading) {
   Impl& r = *impl_;
   State state = r.raw ? r.from_raw.reduce(reading) : r.from_columns.reduce(reading);
-  if (std::fabs(state.strain.axial) >= 1 || std::fabs(state.volumetric_strain) >= 1)
-    throw BadInput(
-        r.header.source, reading.line,
-        fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: no specimen is "
-                    "compressed or stretched by its whole height or volume; check the units, and "
-                    "the specimen's height",
-                    state.strain.axial, state.volumetric_strain));
+  if (is_impossible(state)) {
+    // A simulation has no wrong units: there it is a broken sensor.
+    if (r.header.origin != Origin::simulated)
+      throw BadInput(
+          r.header.source, reading.line,
+          fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: no specimen is "
+                      "compressed or stretched by its whole height or volume; check the units, and "
+                      "the specimen's height",
+                      state.strain.axial, state.volumetric_strain));
+    return unknown(state);
+  }
   if (r.raw) {
     const StageInfo* stage = r.header.stage(reading.stage);
     r.b_value.add(reading, stage && stage->role == StageRole::b_check);

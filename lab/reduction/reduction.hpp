@@ -36,7 +36,8 @@ class Reduction {
   Reduction(const Reduction&) = delete;
   Reduction& operator=(const Reduction&) = delete;
 
-  /// Throws BadInput on a reading that no specimen can have given (axial strain of 1 or more).
+  /// Throws BadInput on a reading that no specimen can have given (a strain of 1 or more): the
+  /// units must be wrong. In a simulation it is a sensor that broke, and the state is unknown.
   State reduce(const Reading& reading);
 
   /// Dimensions, void ratio, p'0 and B, as far as the readings so far tell.

@@ -73,6 +73,25 @@ Reading believed(const JudgedStates::Judged& judged) {
   return reading;
 }
 
+/// Takes back what was measured with a sensor that could not be believed.
+void take_back(const JudgedStates& states, TestSummary& summary) {
+  constexpr ChannelSet kPressures =
+      channel_bit(Quantity::cell_pressure) | channel_bit(Quantity::pore_pressure);
+  constexpr ChannelSet kDimensions =
+      channel_bit(Quantity::axial_displacement) | channel_bit(Quantity::back_volume);
+  Consolidation& c = summary.consolidation;
+  if (states.wrong_at_shear() & (kPressures | channel_bit(Quantity::axial_force)))
+    c.p_eff_pa.reset();
+  if (states.wrong_at_shear() & kDimensions) {
+    c.void_ratio.reset();
+    c.height_m.reset();
+    c.diameter_m.reset();
+  }
+  if (!(states.wrong_in_b_check() & kPressures)) return;
+  c.b_value.reset();
+  std::erase_if(summary.checks, [](const Check& check) { return check.name == "b_value"; });
+}
+
 }  // namespace
 
 TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
@@ -83,7 +102,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   JudgedStates states(back_end.header());
   CrossChecks cross_checks(back_end.header());
   const auto pass_on = [&] {
-    while (const auto judged = states.next()) {
+    while (const auto* judged = states.next()) {
       cross_checks.add(believed(*judged), judged->state);
       if (!judged->live) continue;
       if (judged->after_gap) monitor.interrupt();
@@ -131,6 +150,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   const auto& onset = summary.collapse.onset;
   const auto crossed = cross_checks.checks(onset ? std::optional(onset->reading) : std::nullopt);
   summary.checks.insert(summary.checks.end(), crossed.begin(), crossed.end());
+  take_back(states, summary);
   summary.warnings = back_end.header().warnings;
   for (auto& warning : aborted) summary.warnings.push_back(std::move(warning));
   for (auto& warning : reduction.warnings()) summary.warnings.push_back(std::move(warning));

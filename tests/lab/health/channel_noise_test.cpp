@@ -75,8 +75,8 @@ TEST_CASE("a sluggish channel, mostly at rest, is never believed to be stuck") {
   CHECK_FALSE(noise.impossible_run());
 }
 
-TEST_CASE("nothing is said of the first hundred neighbours, and outliers do not roughen") {
-  CHECK_FALSE(learned(0, 5, 90).dithers());
+TEST_CASE("nothing is said of the first forty neighbours, and outliers do not roughen") {
+  CHECK_FALSE(learned(0, 5, 40).dithers());
   ChannelNoise noise = learned(0, 5, 1000);
   const double before = noise.roughness();
   noise.add(1e6);

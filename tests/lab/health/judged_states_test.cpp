@@ -43,7 +43,7 @@ Run run(std::int64_t n, Break broken, double q_after = 100e3) {
   JudgedStates states(raw_header());
   Run out;
   const auto take = [&] {
-    while (auto judged = states.next()) out.passed.push_back(*judged);
+    while (const auto* judged = states.next()) out.passed.push_back(*judged);
   };
   for (std::int64_t i = 0; i < n; ++i) {
     Reading r = noisy(i);
@@ -141,7 +141,7 @@ TEST_CASE("no strain counts from a displacement that was dead where shear began:
     states.add(r, state_of(r));
   }
   states.finish();
-  while (const auto judged = states.next())
+  while (const auto* judged = states.next())
     if (judged->reading.stage == 3) CHECK_FALSE(judged->live);
   Collapse verdict;
   states.bound(verdict);

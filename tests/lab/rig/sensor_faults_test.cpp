@@ -189,3 +189,29 @@ TEST_CASE("slow faults show where one sensor is held against another") {
   const Break unsaid = [](Reading&) {};
   CHECK(check(judge(closed, {unsaid}), "undrained_volume")->ok);
 }
+
+TEST_CASE("a transducer that leaps beyond the specimen's height ends no test") {
+  const DrawnTest& test = drawn("icu_6");
+  for (std::int64_t at : {test.last_stage() - 100, test.size() - 500}) {
+    const TestSummary s = judge(test, {constant(Quantity::axial_displacement, 0.5, at)});
+    CHECK(s.readings == test.size());
+    CHECK(speaks_of(s, Quantity::axial_displacement));
+    CHECK(s.collapse.judged == (at > test.last_stage()));
+  }
+}
+
+TEST_CASE("nothing measured with a dead sensor is reported as measured") {
+  const DrawnTest& test = drawn("icu_6");
+  const TestSummary sound = judge(test);
+  REQUIRE(sound.consolidation.b_value);
+  const TestSummary pore = judge(test, {constant(Quantity::pore_pressure, 1e6, 55)});
+  CHECK_FALSE(pore.consolidation.b_value);
+  CHECK_FALSE(check(pore, "b_value"));
+  CHECK_FALSE(pore.consolidation.p_eff_pa);
+  CHECK(pore.consolidation.height_m);
+  CHECK_FALSE(pore.collapse.judged);
+  CHECK_FALSE(pore.peak);
+  const TestSummary gauge = judge(test, {missing(Quantity::axial_displacement, 100)});
+  CHECK(gauge.consolidation.b_value);
+  CHECK_FALSE(gauge.consolidation.void_ratio);
+}
