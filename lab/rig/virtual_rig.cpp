@@ -28,7 +28,8 @@ Plant make_plant(const Programme& programme) {
 }  // namespace
 
 struct VirtualRig::Impl {
-  enum class Mode { running, held, safe };
+  /// `fallen`: the cap lies on the stop after a run-away; the record goes on for some readings.
+  enum class Mode { running, held, safe, fallen };
 
   Impl(const Programme& p, std::uint64_t used_seed)
       : programme(p),
@@ -58,6 +59,7 @@ struct VirtualRig::Impl {
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
   bool tick(double dt_s);
+  bool within_travel(const sim::SpecimenStep& step);
   bool survived(const sim::SpecimenStep& step);
   bool advance_to_next_scan();
   void check_ranges();
@@ -94,8 +96,8 @@ void VirtualRig::Impl::look() {
   reading = Reading();
   reading.number = number;
   reading.time_s = time_s;
-  reading.stage = mode == Mode::running ? static_cast<int>(stage_index) + 1
-                                        : static_cast<int>(programme.stages.size()) + 1;
+  const bool paused = mode == Mode::held || mode == Mode::safe;
+  reading.stage = static_cast<int>(paused ? programme.stages.size() : stage_index) + 1;
   instruments.look(plant, time_s, reading);
   seen.take(reading);
 }
@@ -133,7 +135,7 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
 
 /// True where the stage is over and none follows, or it may not go on.
 bool VirtualRig::Impl::stage_over() {
-  if (mode == Mode::safe) return ++safe_readings > kSafeReadings;
+  if (mode == Mode::safe || mode == Mode::fallen) return ++safe_readings > kSafeReadings;
   if (mode == Mode::held) return false;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
     if (stage_index + 1 >= programme.stages.size()) return true;
@@ -148,7 +150,7 @@ bool VirtualRig::Impl::stage_over() {
 }
 
 void VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string& detail) {
-  if (mode == next || mode == Mode::safe) return;
+  if (mode == next || mode == Mode::safe || mode == Mode::fallen) return;
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
@@ -185,6 +187,10 @@ std::optional<double> VirtualRig::Impl::outflow(double dt_s) const {
 PlantDemand VirtualRig::Impl::demand(double dt_s) {
   PlantDemand d;
   d.valve_open = stage().valve_open;
+  if (mode == Mode::fallen) {
+    d.axis = before.axis;
+    return d;
+  }
   if (mode != Mode::running) {
     // Without a piston there is nothing to lock.
     if (stage().axial != AxialAction::free) d.axis.kind = AxisDemand::Kind::crosshead;
@@ -260,10 +266,20 @@ bool VirtualRig::Impl::tick(double dt_s) {
   if (mode == Mode::running) seen.add_stage_time(dt_s);
   if (const std::string news = run_aways.watch(time_s, step.state); !news.empty())
     tell("run_away", news);
-  if (programme.specimen.height_m - step.state.height_m < programme.frame.travel_m) return true;
+  return mode == Mode::fallen || within_travel(step);
+}
+
+/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies, and
+/// what is left of the specimen is still read.
+bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
+  constexpr double kRoundOff = 1 - 1e-9;
+  const double travel = programme.frame.travel_m;
+  if (programme.specimen.height_m - step.state.height_m < travel * kRoundOff) return true;
   warn(fmt::format("stage \"{}\" ended at {:.6g} s: the frame's travel of {:g} mm is used up",
-                   stage().name, time_s, programme.frame.travel_m * 1e3));
-  return false;
+                   stage().name, time_s, travel * 1e3));
+  const bool fell = step.at_stop && mode == Mode::running;
+  if (fell) mode = Mode::fallen;
+  return fell;
 }
 
 bool VirtualRig::Impl::advance_to_next_scan() {

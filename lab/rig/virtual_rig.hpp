@@ -13,7 +13,8 @@
 //
 // Held or in its safe state the rig locks the crosshead and holds both pressures, in a stage of its
 // own (the last of the header) of which nothing is judged. After a hold the test goes on where it
-// was; the safe state ends it after kSafeReadings.
+// was; the safe state ends it after kSafeReadings. So many readings follow, in the same stage, after
+// a cap that ran away has come to lie on the stop at the end of its travel.
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -28,6 +28,7 @@ class GeneralisedTriaxial {
   virtual std::optional<std::string> objection(const State&) const { return std::nullopt; }
   virtual bool at_limit(const State&) const { return false; }
   virtual std::optional<std::string> warning(const State&) const { return std::nullopt; }
+  virtual double reversal(const State&) const { return 1; }
   virtual bool turn(State&, const PointRate<Space>&) const { return false; }
   virtual std::optional<double> limit_stress_ratio() const { return std::nullopt; }
 };

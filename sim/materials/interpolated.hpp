@@ -41,6 +41,7 @@ class Interpolated : public Law<Space> {
   std::optional<std::string> warning(const State& state) const override;
   using Law<Space>::response;
   void response(const State& state, Response<Space>& out) const override;
+  double reversal(const State& state) const override { return base_->reversal(state); }
   bool turn(State& state, const PointRate<Space>& rate) const override {
     return base_->turn(state, rate);
   }

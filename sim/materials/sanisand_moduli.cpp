@@ -28,14 +28,17 @@ SanisandModuli<Space>::SanisandModuli(const SanisandParameters& parameters)
 template <class Space>
 PointState<Space> SanisandModuli<Space>::start(const Vector<Space>& stress,
                                                double void_ratio) const {
-  return {stress, void_ratio, Memory::Zero(kSize + 1)};
+  return {stress, void_ratio, Memory::Zero(2 * kSize + 2)};
 }
 
 template <class Space>
 std::vector<std::string> SanisandModuli<Space>::memory_names() const {
   std::vector<std::string> all = law_.memory_names();
   std::vector<std::string> names(all.begin() + kSize, all.begin() + 2 * kSize);
+  for (int i = 0; i < kSize; ++i)
+    names.push_back(std::string(names[static_cast<std::size_t>(i)]).replace(0, 8, "alpha_turn"));
   names.emplace_back("rising");
+  names.emplace_back("turning");
   return names;
 }
 
@@ -95,18 +98,40 @@ void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
   }
 }
 
+/// How far α lies behind the turning point, as a share of the base law's elastic range 2 m; 0 where
+/// nothing is turning.
+template <class Space>
+double SanisandModuli<Space>::gone_back(const State& state) const {
+  if (state.memory(kTurning) == 0) return 0;
+  const State s = standing(state);
+  const Vector<Space> way = law_.alpha(s) - state.memory.template segment<kSize>(kSize);
+  const double range = 2 * kRoot * law_.parameters().yield_radius;
+  return -state.memory(kRising) * way.dot(law_.loading(s).n) / range;
+}
+
 template <class Space>
 bool SanisandModuli<Space>::turn(State& state, const PointRate<Space>& rate) const {
   const State s = standing(state);
+  double& rising = state.memory(kRising);
+  double& turning = state.memory(kTurning);
+  const double back = gone_back(state);
+  const bool reversed = back >= 1;
+  if (reversed) {
+    rising = -rising;
+    state.memory.template head<kSize>() = state.memory.template segment<kSize>(kSize);
+    turning = 0;
+  } else if (back <= 0) {
+    turning = 0;
+  }
   const double rise = law_.loading(s).normal.dot(rate.stress);
-  if (std::abs(rise) <= 1e-9 * rate.stress.norm()) return false;
+  if (std::abs(rise) <= 1e-9 * rate.stress.norm()) return reversed;
   const double direction = rise > 0 ? 1 : -1;
-  double& last = state.memory(kSize);
-  if (direction == last) return false;
-  const bool reversal = last != 0;
-  last = direction;
-  if (reversal) state.memory.template head<kSize>() = law_.alpha(s);
-  return reversal;
+  if (rising == 0) rising = direction;
+  if (direction != rising && turning == 0) {
+    turning = 1;
+    state.memory.template segment<kSize>(kSize) = law_.alpha(s);
+  }
+  return reversed;
 }
 
 template class SanisandModuli<Axisymmetric>;

@@ -12,7 +12,11 @@ namespace triax::sim {
 ///
 /// There is no elastic range: the yield surface always passes through the stress, α = r − √(2/3) m
 /// n with n along r, and below a stress ratio of 1.001 m it is taken as there. Fabric is left out.
-/// Memory: α_in, α at the last reversal of dη, and the sign of dη since.
+///
+/// Memory: α_in, α at the last reversal of dη, and the sign of dη since. What goes back by less than
+/// the base law's elastic range, 2 m in η, is no reversal (the turning point is remembered until it
+/// is passed again): to the base law that is elastic, and a real servo's noise of some Pa would make
+/// the specimen stiff anew again and again.
 template <class Space>
 class SanisandModuli : public GeneralisedTriaxial<Space> {
  public:
@@ -28,14 +32,18 @@ class SanisandModuli : public GeneralisedTriaxial<Space> {
   std::optional<std::string> warning(const State& state) const override {
     return law_.warning(state);
   }
+  double reversal(const State& state) const override { return 1 - gone_back(state); }
   bool turn(State& state, const PointRate<Space>& rate) const override;
   std::optional<double> limit_stress_ratio() const override { return law_.limit_stress_ratio(); }
 
  private:
   static constexpr int kSize = Space::kSize;
+  // Of the memory, behind α_in and α at the turning point.
+  static constexpr int kRising = 2 * kSize, kTurning = kRising + 1;
   /// The state as SANISAND sees it: standing on a yield surface around the stress.
   State standing(const State& state) const;
   typename Sanisand<Space>::Loading loading(const State& standing) const;
+  double gone_back(const State& state) const;
 
   Sanisand<Space> law_;
 };

@@ -195,12 +195,12 @@ double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction
 }
 
 /// Whether a mechanism that does not load in this step has come outside its surface, or one that
-/// loads has reversed.
+/// loads (or a law without mechanisms) has reversed.
 template <class Space>
 bool PointDriver<Space>::crossed(const PointState<Space>& state, unsigned active) const {
   for (int k = 0; k < mechanisms_; ++k)
     if (!(active >> k & 1U) && law_.yield_distance(state, k) > kOutside) return true;
-  return active != 0 && law_.reversal(state) < -kOutside;
+  return (active != 0 || mechanisms_ == 0) && law_.reversal(state) < -kOutside;
 }
 
 /// Shortens a step that came through a yield surface or a reversal to end there; `fraction` is what

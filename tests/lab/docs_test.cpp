@@ -98,7 +98,6 @@ TEST_CASE("the programme that is printed is a programme") {
   CHECK(programme.stages.size() == 2);
   CHECK(programme.seed == 1);
   CHECK(programme.frame.travel_m == Approx(0.05));
-  CHECK(programme.frame.servo_gain_m_per_s_per_n == Approx(6e-3 / 60));
   CHECK(programme.cell_controller.range_pa == 3e6);
   CHECK(programme.cell_controller.rate_limit_pa_per_s == Approx(600e3 / 60));
 }
