@@ -187,10 +187,6 @@ std::optional<double> VirtualRig::Impl::outflow(double dt_s) const {
 PlantDemand VirtualRig::Impl::demand(double dt_s) {
   PlantDemand d;
   d.valve_open = stage().valve_open;
-  if (mode == Mode::fallen) {
-    d.axis = before.axis;
-    return d;
-  }
   if (mode != Mode::running) {
     // Without a piston there is nothing to lock.
     if (stage().axial != AxialAction::free) d.axis.kind = AxisDemand::Kind::crosshead;
