@@ -248,6 +248,10 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
 
 /// One tick of the rig; false when the test cannot go on.
 bool VirtualRig::Impl::tick(double dt_s) {
+  if (mode == Mode::fallen) {
+    time_s += dt_s;
+    return true;
+  }
   act_as_operator();
   supervise(dt_s);
   before = demand(dt_s);
@@ -262,11 +266,11 @@ bool VirtualRig::Impl::tick(double dt_s) {
   if (mode == Mode::running) seen.add_stage_time(dt_s);
   if (const std::string news = run_aways.watch(time_s, step.state); !news.empty())
     tell("run_away", news);
-  return mode == Mode::fallen || within_travel(step);
+  return within_travel(step);
 }
 
 /// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies, and
-/// what is left of the specimen is still read.
+/// what is left of the specimen, which is not moved on, is still read.
 bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;

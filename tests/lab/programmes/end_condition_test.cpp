@@ -26,7 +26,18 @@ TEST_CASE("keys are unique, their unit is in their name and has their scale") {
     CHECK(seen.insert(key.key).second);
     quantities.insert(key.quantity);
     CHECK(key.lowest < key.highest);
-    if (key.quantity == EndQuantity::stress_ratio) continue;
+    const std::string_view per_min = "_per_min";
+    if (key.key.ends_with(per_min)) {
+      const std::string_view of = key.key.substr(0, key.key.size() - per_min.size());
+      const auto unit = triax::sim::find_unit(of.substr(of.rfind('_') + 1));
+      REQUIRE(unit);
+      CHECK(key.scale == Approx(unit->scale / 60));
+      continue;
+    }
+    const bool number = key.quantity == EndQuantity::stress_ratio ||
+                        key.quantity == EndQuantity::void_ratio ||
+                        key.quantity == EndQuantity::b_value;
+    if (number) continue;
     const auto unit = triax::sim::find_unit(key.key.substr(key.key.rfind('_') + 1));
     REQUIRE(unit);
     CHECK(unit->scale == key.scale);
