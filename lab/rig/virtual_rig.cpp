@@ -269,8 +269,8 @@ bool VirtualRig::Impl::tick(double dt_s) {
   return within_travel(step);
 }
 
-/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies, and
-/// what is left of the specimen, which is not moved on, is still read.
+/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies,
+/// and what is left of the specimen, which is not moved on, is still read.
 bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
