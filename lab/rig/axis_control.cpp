@@ -1,11 +1,13 @@
 #include "lab/rig/axis_control.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace triax::lab {
 
 void AxisControl::begin_stage(const Stage& stage, const Seen& seen, double true_force_n) {
-  *this = AxisControl();
+  *this = AxisControl(filter_s_);
+  area_ = seen.state().area_m2;
   stage_ = stage;
   force_at_start_ = seen[Quantity::axial_force];
   dead_force_ = true_force_n + stage.load_step_n;
@@ -18,17 +20,30 @@ void AxisControl::resume(const Seen& seen, double true_force_n) {
   trim_ = true_force_n - seen[Quantity::axial_force];
 }
 
+/// Level and trend in critical damping; without a filter the last two areas.
+void AxisControl::follow_area(const Seen& seen, double dt_s) {
+  if (filter_s_ == 0) {
+    next_area_ = seen.next_area_m2();
+    return;
+  }
+  const double keep = std::exp(-dt_s / filter_s_);
+  const double off = seen.state().area_m2 - (area_ + area_rate_ * dt_s);
+  area_ += area_rate_ * dt_s + (1 - keep * keep) * off;
+  area_rate_ += (1 - keep) * (1 - keep) * off / dt_s;
+  next_area_ = area_ + area_rate_ * dt_s;
+}
+
 double AxisControl::wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const {
   switch (stage_.axial) {
     case AxialAction::load:
       return force_at_start_ + stage_.load_step_n +
              stage_.load_rate_n_per_s * (seen.stage_time_s() + dt_s);
     case AxialAction::constant_q:
-      return held_q_ * seen.next_area_m2() + stage_.load_step_n;
+      return held_q_ * next_area_ + stage_.load_step_n;
     case AxialAction::stress_ratio: {
       const double eta = stage_.held_stress_ratio;
       const double radial = next_cell_pa - seen[Quantity::pore_pressure];
-      return eta * radial / (1 - eta / 3) * seen.next_area_m2() + stage_.load_step_n;
+      return eta * radial / (1 - eta / 3) * next_area_ + stage_.load_step_n;
     }
     default:
       return force_at_start_;
@@ -55,6 +70,7 @@ AxisDemand AxisControl::demand(const Seen& seen, double next_cell_pa, double dt_
     d.start_force_n = d.force_n = dead_force_;
     return d;
   }
+  follow_area(seen, dt_s);
   if (!first) trim_ += kTrim_per_s * dt_s * (*wanted_ - seen[Quantity::axial_force]);
   d.start_force_n = *wanted_ + trim_;
   wanted_ = wanted_force(seen, next_cell_pa, dt_s);

@@ -2,11 +2,14 @@
 // The control loop of the axis: from the stage and what was seen to what the axis is asked for.
 //
 //   load          F = F at the start + rate · t
-//   constant_q    F = q A                      A: from the readings, expected at the end of the
-//   tick stress_ratio  F = η σ₃′/(1 − η/3) A        σ₃′: cell pressure asked for, less the pore
-//   pressure dead_load     F as it is (the masses are chosen so)
-// A servo adds to its demand what the load cell says is missing, at kTrim_per_s, so that a wrong
-// load cell gives a wrong force.
+//   constant_q    F = q A
+//   stress_ratio  F = η σ₃′/(1 − η/3) A
+//   dead_load     F as it is (the masses are chosen so)
+//
+// A is read, smoothed over the servo's filter and expected at the end of the tick; σ₃′ is the cell
+// pressure asked for then less the pore pressure read. A servo adds to its demand what the load
+// cell says is missing, at kTrim_per_s, so that a wrong load cell gives a wrong force. Filter and
+// trim are slow on purpose: what of the readings' noise goes into the force wobbles the specimen.
 #include "lab/rig/plant.hpp"
 #include "lab/rig/seen.hpp"
 
@@ -14,7 +17,9 @@ namespace triax::lab {
 
 class AxisControl {
  public:
-  static constexpr double kTrim_per_s = 0.05;
+  static constexpr double kTrim_per_s = 0.002;
+
+  explicit AxisControl(double filter_s = 0) : filter_s_(filter_s) {}
 
   /// A new stage takes over from what is; `true_force_n` is what stands on the piston.
   void begin_stage(const Stage& stage, const Seen& seen, double true_force_n);
@@ -27,7 +32,11 @@ class AxisControl {
 
  private:
   double wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const;
+  void follow_area(const Seen& seen, double dt_s);
 
+  double filter_s_;
+  double area_ = 0, area_rate_ = 0;  ///< smoothed, at the last tick
+  double next_area_ = 0;
   Stage stage_;
   double force_at_start_ = 0;  ///< as read
   double dead_force_ = 0;      ///< as it is

@@ -37,7 +37,8 @@ struct VirtualRig::Impl {
         plant(make_plant(p)),
         instruments(p, used_seed),
         seen(header),
-        supervision(p) {}
+        supervision(p),
+        axis(p.frame.servo_filter_s) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
