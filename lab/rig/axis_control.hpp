@@ -6,7 +6,8 @@
 //   tick stress_ratio  F = η σ₃′/(1 − η/3) A        σ₃′: cell pressure asked for, less the pore
 //   pressure dead_load     F as it is (the masses are chosen so)
 // A servo adds to its demand what the load cell says is missing, at kTrim_per_s, so that a wrong
-// load cell gives a wrong force.
+// load cell gives a wrong force. An ideal one, without bandwidth or mass, does not wait for the
+// next look: within the tick it follows the area itself, and q or η is held at every instant.
 #include "lab/rig/plant.hpp"
 #include "lab/rig/seen.hpp"
 
@@ -15,6 +16,9 @@ namespace triax::lab {
 class AxisControl {
  public:
   static constexpr double kTrim_per_s = 0.05;
+
+  /// An ideal servo, see above.
+  explicit AxisControl(bool ideal = false) : ideal_(ideal) {}
 
   /// A new stage takes over from what is; `true_force_n` is what stands on the piston.
   void begin_stage(const Stage& stage, const Seen& seen, double true_force_n);
@@ -27,12 +31,17 @@ class AxisControl {
 
  private:
   double wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const;
+  double wanted_stress(const Seen& seen, double next_cell_pa) const;
+  bool follows_area() const;
+  void follow_area(const Seen& seen, double next_cell_pa, AxisDemand& d);
 
+  bool ideal_;
   Stage stage_;
   double force_at_start_ = 0;  ///< as read
   double dead_force_ = 0;      ///< as it is
   double held_q_ = 0;
   double trim_ = 0;
+  double stress_ = 0;  ///< wanted at the end of the last tick, where the area is followed
   bool first_ = true;
   std::optional<double> wanted_;
 };

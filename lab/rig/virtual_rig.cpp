@@ -37,7 +37,8 @@ struct VirtualRig::Impl {
         plant(make_plant(p)),
         instruments(p, used_seed),
         seen(header),
-        supervision(p) {}
+        supervision(p),
+        axis(p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
@@ -269,8 +270,8 @@ bool VirtualRig::Impl::tick(double dt_s) {
   return within_travel(step);
 }
 
-/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies, and
-/// what is left of the specimen, which is not moved on, is still read.
+/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies,
+/// and what is left of the specimen, which is not moved on, is still read.
 bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
@@ -311,6 +312,8 @@ const RecordHeader& VirtualRig::header() const { return impl_->header; }
 const sim::SpecimenState& VirtualRig::specimen_state() const {
   return impl_->plant.state().specimen;
 }
+
+const Plant& VirtualRig::plant() const { return impl_->plant; }
 
 std::optional<Truth> VirtualRig::truth() const {
   Truth truth = impl_->watch.truth();
