@@ -38,7 +38,8 @@ struct VirtualRig::Impl {
         instruments(p, used_seed),
         seen(header),
         supervision(p),
-        axis(p.frame.servo_filter_s) {}
+        axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
+                                .filter_s = p.frame.servo_filter_s}) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
@@ -312,6 +313,8 @@ const RecordHeader& VirtualRig::header() const { return impl_->header; }
 const sim::SpecimenState& VirtualRig::specimen_state() const {
   return impl_->plant.state().specimen;
 }
+
+const Plant& VirtualRig::plant() const { return impl_->plant; }
 
 std::optional<Truth> VirtualRig::truth() const {
   Truth truth = impl_->watch.truth();

@@ -112,7 +112,7 @@ TEST_CASE("a filter takes the noise out of the area, and follows a steady change
   // Shortening at 1 µm a tick (area grows), with a wobble of 1 µm on it.
   const auto last_steps = [&stage](double filter_s, double wobble_m) {
     Seen seen = seen_with(0);
-    AxisControl axis(filter_s);
+    AxisControl axis(AxisControl::Servo{.ideal = false, .filter_s = filter_s});
     axis.begin_stage(stage, seen, 0);
     double before = 0, largest = 0;
     for (int i = 1; i <= 2000; ++i) {
