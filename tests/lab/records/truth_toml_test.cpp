@@ -21,8 +21,8 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   truth.lost_sustainability = true;
   truth.time_s = 12.25;
   truth.q_pa = triax::sim::to_si(56.49, *triax::sim::find_unit("kPa"));
-  truth.run_aways = {{12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 12.75, "new \"equilibrium\""},
-                     {40, 2, 41, {}, {}, {}, ""}};
+  truth.run_aways = {{12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, "new \"equilibrium\""},
+                     {40, 2, 41, {}, {}, {}, {}, ""}};
   const Truth found = read(truth_toml(truth));
   CHECK(found.time_s == 12.25);
   CHECK(found.q_pa == truth.q_pa);
@@ -33,6 +33,7 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   CHECK(found.run_aways[0].largest_at_s == 12.5);
   CHECK(found.run_aways[0].kinetic_energy_j == 1e-6);
   CHECK(found.run_aways[0].second_order_work_j == -3.1e-6);
+  CHECK(found.run_aways[0].expected_ratio == 0.67);
   CHECK(found.run_aways[0].end_s == 12.75);
   CHECK(found.run_aways[0].end == "new \"equilibrium\"");
   CHECK_FALSE(found.run_aways[1].kinetic_energy_j);

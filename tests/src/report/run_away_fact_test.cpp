@@ -14,7 +14,7 @@ using Catch::Contains;
 
 namespace {
 
-const lab::RunAwayTruth kArrested{3.5, 12.3e-3, 3.7, 2e-6, -4e-6, 3.75, "new equilibrium"};
+const lab::RunAwayTruth kArrested{3.5, 12.3e-3, 3.7, 2e-6, -4e-6, 0.99, 3.75, "new equilibrium"};
 
 }  // namespace
 
@@ -62,6 +62,7 @@ TEST_CASE("reports and documents carry the run-aways of the truth") {
   const auto& run_away = d["collapse"]["truth"]["run_aways"][0];
   CHECK(run_away["largest_kinetic_energy_J"] == 12.3e-3);
   CHECK(run_away["kinetic_energy_over_half_work"] == Approx(1));
+  CHECK(run_away["expected_ratio"] == 0.99);
   CHECK(run_away["ending"] == "new equilibrium");
   CHECK(d["test"]["sweep"]["values"]["seed"] == 7);
   CHECK(d["test"]["sweep"]["values"]["specimen.material"] == "a/b");
