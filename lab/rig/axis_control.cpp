@@ -1,11 +1,13 @@
 #include "lab/rig/axis_control.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace triax::lab {
 
 void AxisControl::begin_stage(const Stage& stage, const Seen& seen, double true_force_n) {
-  *this = AxisControl(ideal_);
+  *this = AxisControl(servo_);
+  area_ = seen.state().area_m2;
   stage_ = stage;
   force_at_start_ = seen[Quantity::axial_force];
   dead_force_ = true_force_n + stage.load_step_n;
@@ -19,8 +21,21 @@ void AxisControl::resume(const Seen& seen, double true_force_n) {
   trim_ = true_force_n - seen[Quantity::axial_force];
 }
 
+/// Level and trend in critical damping; without a filter the last two areas.
+void AxisControl::smooth_area(const Seen& seen, double dt_s) {
+  if (servo_.filter_s == 0) {
+    next_area_ = seen.next_area_m2();
+    return;
+  }
+  const double keep = std::exp(-dt_s / servo_.filter_s);
+  const double off = seen.state().area_m2 - (area_ + area_rate_ * dt_s);
+  area_ += area_rate_ * dt_s + (1 - keep * keep) * off;
+  area_rate_ += (1 - keep) * (1 - keep) * off / dt_s;
+  next_area_ = area_ + area_rate_ * dt_s;
+}
+
 bool AxisControl::follows_area() const {
-  return ideal_ &&
+  return servo_.ideal &&
          (stage_.axial == AxialAction::constant_q || stage_.axial == AxialAction::stress_ratio);
 }
 
@@ -37,7 +52,7 @@ double AxisControl::wanted_force(const Seen& seen, double next_cell_pa, double d
              stage_.load_rate_n_per_s * (seen.stage_time_s() + dt_s);
     case AxialAction::constant_q:
     case AxialAction::stress_ratio:
-      return wanted_stress(seen, next_cell_pa) * seen.next_area_m2() + stage_.load_step_n;
+      return wanted_stress(seen, next_cell_pa) * next_area_ + stage_.load_step_n;
     default:
       return force_at_start_;
   }
@@ -70,6 +85,7 @@ AxisDemand AxisControl::demand(const Seen& seen, double next_cell_pa, double dt_
     d.start_force_n = d.force_n = dead_force_;
     return d;
   }
+  smooth_area(seen, dt_s);
   if (follows_area() && !first) wanted_ = stress_ * seen.state().area_m2 + stage_.load_step_n;
   if (!first) trim_ += kTrim_per_s * dt_s * (*wanted_ - seen[Quantity::axial_force]);
   d.start_force_n = *wanted_ + trim_;

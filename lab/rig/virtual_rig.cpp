@@ -38,7 +38,8 @@ struct VirtualRig::Impl {
         instruments(p, used_seed),
         seen(header),
         supervision(p),
-        axis(p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0) {}
+        axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
+                                .filter_s = p.frame.servo_filter_s}) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }

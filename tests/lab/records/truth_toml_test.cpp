@@ -47,7 +47,6 @@ TEST_CASE("a run-away that cannot be is refused at its line") {
   CHECK(read(good).run_aways.size() == 1);
   CHECK_THROWS_WITH(read(good + "end_s = 4\n"),
                     Catch::StartsWith("m:6: ") && Catch::Contains("before start_s"));
-  CHECK_THROWS_WITH(read(good + "kinetic_energy_J = -1\n"), Catch::Contains("negative"));
   CHECK_THROWS_WITH(read(good + "energy_J = 1\n"), Catch::Contains("unknown key 'energy_J'"));
   CHECK_THROWS_WITH(read(good + "end_s = inf\n"), Catch::Contains("end_s"));
   CHECK_THROWS_WITH(read("[truth]\n[[truth.run_aways]]\nlargest_at_s = 6\n"),
