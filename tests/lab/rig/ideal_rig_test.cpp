@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -185,27 +184,32 @@ struct Balance {
   int ticks = 0, run_away = 0;
 };
 
+double turned_over(const sim::StepWork& w) {
+  double sum = 0;
+  for (const double part : {w.axial, w.cell, w.drainage, w.skeleton, w.membrane, w.water, w.damping,
+                            w.stop, w.kinetic, w.impulse})
+    sum += std::fabs(part);
+  return sum;
+}
+
+/// Of ticks in which hardly anything happens, against the mean of the ticks so far.
 Balance balance(const std::string& text) {
   lab::VirtualRig rig(programme(text));
   Balance worst;
-  double turned_over = 0;
+  double sum = 0;
   for (lab::Reading r; rig.next(r);) {
     if (r.number == 0) continue;
     const sim::SpecimenStep& step = rig.plant().last_step();
-    const sim::StepWork& w = step.work;
-    for (const double part : {w.axial, w.cell, w.drainage, w.skeleton, w.membrane, w.water,
-                              w.damping, w.stop, w.kinetic, w.impulse})
-      turned_over += std::fabs(part);
-    worst.energy = std::max(worst.energy, std::fabs(w.balance()));
+    const double work = turned_over(step.work);
+    sum += work;
+    ++worst.ticks;
+    worst.energy =
+        std::max(worst.energy, std::fabs(step.work.balance()) / std::max(work, sum / worst.ticks));
     const auto& specimen = rig.plant().specimen();
     worst.water = std::max(worst.water, std::fabs(specimen.water_imbalance_m3(step.state)) /
                                             specimen.volume_m3(step.state));
-    ++worst.ticks;
     worst.run_away += step.ran_away ? 1 : 0;
   }
-  worst.energy /= turned_over / worst.ticks;
-  std::printf("energy %g water %g ticks %d ran %d J per tick %g\n", worst.energy, worst.water,
-              worst.ticks, worst.run_away, turned_over / worst.ticks);
   return worst;
 }
 
@@ -218,17 +222,28 @@ TEST_CASE("energy and water balance at every tick of every kind of test") {
   const std::string lowered =
       "cell_rate_kPa_per_min = -6.0\nend = [{quantity = \"stress_ratio\", above = 0.5}]";
   const std::string csd = kDrainedShear + stage("shear", "open", "constant_q", lowered);
-  const std::string csu = kDrainedShear + stage("shear", "closed", "constant_q", lowered);
+  const std::string csu =
+      kDrainedShear + stage("shear", "closed", "constant_q",
+                            "cell_rate_kPa_per_min = -6.0\nend = [{quantity = \"time_min\", above "
+                            "= 10.0}]");
   const std::string path =
       stage("shear", "open", "displacement",
             "axial_rate_mm_per_min = 0.5\nstrain_path_R = 0.7\nend = [{quantity = "
             "\"axial_strain_pct\", above = 0.4}]");
   for (const std::string& rig : {kBare, kReal})
-    for (const std::string& stages : {icu, csd, path}) balance(programme_text(stages, rig));
-  balance(programme_text(csu, kReal));
+    for (const std::string& stages : {icu, csd, csu, path}) {
+      INFO(rig << stages);
+      const Balance quiet = balance(programme_text(stages, rig));
+      CHECK(quiet.ticks > 200);
+      CHECK(quiet.run_away == 0);
+      CHECK(quiet.energy < 1e-5);  // of the trapezoid, in the first tick
+      CHECK(quiet.water < 1e-12);
+    }
   const Balance collapse = balance(programme_text(
       stage("shear", "closed", "load",
             "load_rate_N_per_min = 60.0\nend = [{quantity = \"axial_strain_pct\", above = 12.0}]"),
       kReal));
   CHECK(collapse.run_away > 0);
+  CHECK(collapse.energy < 1e-3);
+  CHECK(collapse.water < 1e-12);
 }
