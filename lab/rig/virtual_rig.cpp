@@ -137,7 +137,7 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
 
 /// True where the stage is over and none follows, or it may not go on.
 bool VirtualRig::Impl::stage_over() {
-  if (mode == Mode::safe || mode == Mode::fallen) return ++safe_readings > kSafeReadings;
+  if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
   if (mode == Mode::held) return false;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
     if (stage_index + 1 >= programme.stages.size()) return true;
@@ -341,6 +341,7 @@ bool VirtualRig::next(Reading& reading) {
   rig.look();
   if (rig.number == 0) rig.begin_stage();
   rig.check_ranges();
+  if (rig.mode == Impl::Mode::safe || rig.mode == Impl::Mode::fallen) ++rig.safe_readings;
   reading = rig.reading;
   return true;
 }

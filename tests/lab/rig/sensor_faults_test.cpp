@@ -63,6 +63,12 @@ bool harmless(const DrawnTest& test, Quantity q, const Case& c) {
          test.header.stage(test.readings.back().stage)->drainage == Drainage::closed;
 }
 
+/// What is true of the programmes themselves: B, a slow drain in CSD 51, a rest cut short.
+bool of_the_test_not_its_sensors(const Check& c) {
+  return c.name.starts_with("b_value") || c.name.starts_with("rate") ||
+         c.name.starts_with("consolidation");
+}
+
 }  // namespace
 
 TEST_CASE("sound sensors, real or perfect: nothing is found and everything is judged") {
@@ -76,7 +82,7 @@ TEST_CASE("sound sensors, real or perfect: nothing is found and everything is ju
       CHECK(s.collapse.judged_until_reason.empty());
       for (const Check& c : s.checks) {
         INFO(c.name << ": " << c.note);
-        CHECK((c.ok || c.name.starts_with("b_value")));
+        CHECK((c.ok || of_the_test_not_its_sensors(c)));
       }
     }
   }
