@@ -56,7 +56,6 @@ struct VirtualRig::Impl {
   bool stage_over();
   void act_as_operator();
   void go(Mode next, const std::string& kind, const std::string& detail);
-  PressureDemand pressure_demand(const PressureDemand& staged) const;
   std::optional<double> outflow(double dt_s) const;
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
