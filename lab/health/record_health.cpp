@@ -14,23 +14,6 @@ namespace {
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
 
-/// Differences below this are round-off of somebody's arithmetic: no instrument resolves them.
-double finest_of(Quantity q) {
-  const auto unit = sim::find_unit(info(q).unit);
-  switch (unit ? unit->dimension : sim::Dimension::none) {
-    case sim::Dimension::pressure:
-      return 1e-3;
-    case sim::Dimension::force:
-      return 1e-6;
-    case sim::Dimension::length:
-      return 1e-11;
-    case sim::Dimension::volume:
-      return 1e-14;
-    default:
-      return 1e-10;
-  }
-}
-
 /// A controller may hold its pressure, and a piston its place, quieter than the noise so far.
 double patience_of(Quantity q) {
   switch (q) {

@@ -130,7 +130,8 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
     return end.met(plant.state().cell.asked_pa);
   if (end.quantity == EndQuantity::back_pressure && stage().back.target_pa == bound)
     return end.met(plant.state().back.asked_pa);
-  return seen.met(end);
+  // Its last value stands in for a channel that says nothing; no stage ends by that.
+  return Supervision::can_tell(end.quantity, reading, instruments) && seen.met(end);
 }
 
 /// True where the stage is over and none follows, or it may not go on.
@@ -269,8 +270,8 @@ bool VirtualRig::Impl::tick(double dt_s) {
   return within_travel(step);
 }
 
-/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies, and
-/// what is left of the specimen, which is not moved on, is still read.
+/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies,
+/// and what is left of the specimen, which is not moved on, is still read.
 bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;

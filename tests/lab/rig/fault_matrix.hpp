@@ -99,8 +99,9 @@ end = [{{quantity = "time_s", above = 15.0}}]
 }
 
 inline std::string undrained(const std::string& axial, const std::string& end) {
-  return "[[stages]]\nname = \"undrained\"\nrole = \"shear\"\ndrainage = \"closed\"\n" + axial +
-         "\nend = [" + end + "]\n";
+  return "[[stages]]\nname = \"undrained\"\nrole = \"shear\"\ndrainage = "
+         "\"closed\"\ntime_limit_min = 30.0\n" +
+         axial + "\nend = [" + end + "]\n";
 }
 
 inline std::vector<ShortTest> short_tests() {
@@ -108,6 +109,7 @@ inline std::vector<ShortTest> short_tests() {
 [[stages]]
 name = "drained shear"
 role = "shear"
+time_limit_min = 30.0
 drainage = "open"
 axial = "displacement"
 axial_rate_mm_per_min = {}
@@ -115,6 +117,7 @@ end = [{{quantity = "q_kPa", above = {}}}]
 [[stages]]
 name = "at constant q"
 role = "shear"
+time_limit_min = 30.0
 drainage = "{}"
 axial = "constant_q"
 cell_rate_kPa_per_min = {}
@@ -161,9 +164,8 @@ struct Outcome {
   double last_time_s = 0;
   std::optional<double> shear_from_s;
   bool safe() const {
-    return std::ranges::any_of(summary.warnings, [](const Warning& w) {
-      return w.text.starts_with("safe state");
-    });
+    return std::ranges::any_of(summary.warnings,
+                               [](const Warning& w) { return w.text.starts_with("safe state"); });
   }
   /// What the rig's software and the look at the sensors said, beside the injected faults.
   std::string said() const {
