@@ -49,6 +49,7 @@ void RecordHealth::start_stage(const Reading& reading) {
   const bool was_drained = drained_;
   drained_ = shear_ && info->drainage == Drainage::open;
   closed_ = info && info->drainage == Drainage::closed;
+  held_ = info && info->role == StageRole::hold;
   for (Channel& channel : channels_) {
     if (!was_drained || channel.quantity != Quantity::back_volume)
       channel.moves = channel.longest_run = 0;
@@ -103,7 +104,9 @@ void RecordHealth::note_jumps(const Reading& reading) {
 
 bool RecordHealth::jumped(const Channel& channel) const {
   const auto jump = channel.health.jumped_at();
-  if (!jump || *jump <= stage_from_ || channel.health.run() < ChannelHealth::kFlat) return false;
+  if (!jump || channel.health.run() < ChannelHealth::kFlat) return false;
+  // A rig that is held goes on from the stage before without a break.
+  if (*jump <= stage_from_ - (held_ ? ChannelHealth::kFlat : 0)) return false;
   const bool alone = jump == channel.lonely_jump;
   if (channel.quantity != Quantity::back_volume) return alone;
   const double height = channel.health.jump_height();

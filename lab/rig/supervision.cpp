@@ -153,7 +153,9 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const Instrumen
       continue;
     }
     silent_s_[i] += dt_s;
-    if (silent_s_[i] < kDeaf_s) continue;
+    // A servo would run after the end of the range: twice is enough.
+    const bool misleads = !missing && by_force(stage_.axial) && channel == Quantity::axial_force;
+    if (silent_s_[i] < (misleads ? 1.5 * dt_s : kDeaf_s)) continue;
     const std::string what =
         fmt::format("{} {}", name_of(channel),
                     missing ? "gives no readings" : "stands at the end of its range");
