@@ -9,6 +9,7 @@ namespace {
 
 using Signal = PathSample::Signal;
 constexpr std::size_t kLeast = 8;
+constexpr double kBeyond = 0.5;      ///< readings: the fall began between two of them
 constexpr std::size_t kOfTime = 12;  ///< readings: farther back the parabola of t is none
 
 /// A signal as c₀ + c₁x + c₂x² of x = (ε − ε_last)/scale.
@@ -70,12 +71,12 @@ std::optional<PathPoint> fit_fall(std::span<const PathSample> samples, bool held
   const Parabola time(newest, Signal::reading, strain, scale);
   if (!time.peaks()) return std::nullopt;
 
-  const double bound = last.signal[Signal::reading] + 1;
+  const double bound = last.signal[Signal::reading] + kBeyond;
   const double vertex = time.vertex();
   double x = std::max(time(vertex) > bound ? time.rising_to(bound) : vertex, 0.0);
   if (!held_q) {
     const Parabola q(samples, Signal::q, strain, scale);
-    if (q.peaks() && q.vertex() > -1 && q.vertex() < x - 2 * q.vertex_error()) x = q.vertex();
+    if (q.peaks() && q.vertex() > -1 && q.vertex() < x - 3 * q.vertex_error()) x = q.vertex();
   }
   const auto value = [&](Signal signal) {
     return Parabola(x > 0 ? newest : samples, signal, strain, scale)(x);
