@@ -109,6 +109,7 @@ Collapse verdict(const Evidence& e) {
     c.kind = CollapseKind::flow;
     c.onset = e.loss_of_control->instant;
   }
+  if (c.onset && e.fall) c.onset = e.fall;
   if (!c.onset || !c.onset->eta() || !c.limit_stress_ratio) return c;
   c.inside_limit_surface = e.limit.inside(*c.onset->eta());
   if (!*c.inside_limit_surface) {
