@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sim/mechanics/units.hpp"
 
@@ -48,6 +49,7 @@ void RecordHealth::start_stage(const Reading& reading) {
   driven_ = shear_ && info->control == AxialControl::displacement;
   const bool was_drained = drained_;
   drained_ = shear_ && info->drainage == Drainage::open;
+  fell_ = false;
   closed_ = info && info->drainage == Drainage::closed;
   held_ = info && info->role == StageRole::hold;
   for (Channel& channel : channels_) {
@@ -75,6 +77,7 @@ void RecordHealth::watch(const Reading& reading) {
   std::copy_n(reading.si.begin(), now_.size(), now_.begin());
   times_[static_cast<std::size_t>(reading.number) % kTimes] = reading.time_s;
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
+  note_fall(reading);
   for (Channel& channel : channels_) {
     const std::int64_t run = channel.health.run();
     channel.health.add(reading.number, reading[channel.quantity]);
@@ -92,6 +95,12 @@ void RecordHealth::watch(const Reading& reading) {
     if (const auto doubt = channel.health.doubtful_from())
       doubtful_from_ = std::min(doubtful_from_, *doubt);
   }
+}
+
+void RecordHealth::note_fall(const Reading& reading) {
+  const double now = reading[Quantity::axial_displacement];
+  const double way = std::fabs(now - std::exchange(displacement_, now));
+  fell_ = fell_ || (!driven_ && way > kFall * volume_m3_ / area_m2_);
 }
 
 void RecordHealth::note_jumps(const Reading& reading) {
@@ -130,7 +139,7 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
   bool waited = at_rest >= kAtRest;
   if (channel.quantity == Quantity::pore_pressure) return;
   if (channel.quantity == Quantity::back_volume) {
-    if (!drained_ || channel.moves < kAtRest) return;
+    if (!drained_ || fell_ || channel.moves < kAtRest) return;
     const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
     const double run = static_cast<double>(at_rest);
     waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));

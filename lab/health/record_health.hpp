@@ -1,6 +1,7 @@
 #pragma once
 // All sensors of a test, each by itself and against the others.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -43,6 +44,8 @@ class RecordHealth {
   static constexpr double kGainOfLoad = 0.01;
   static constexpr double kChangeOfP = 0.01;
   static constexpr double kRunningStrain = 3e-3;
+  /// Axial strain between two readings, for which water needs longer than a specimen that falls.
+  static constexpr double kFall = 1e-2;
   static constexpr std::int64_t kAtRest = 30;  ///< readings for which a channel must stand still
 
   /// Readings after which a channel at rest is no longer doubted by what others do.
@@ -97,6 +100,7 @@ class RecordHealth {
   double p_eff(const RawValues& values) const;
   bool jumped(const Channel& channel) const;
   void note_jumps(const Reading& reading);
+  void note_fall(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
   SensorFinding& tally(const SensorFinding& finding);
   std::optional<double> time_of(std::int64_t number, const Reading& now) const;
@@ -107,6 +111,8 @@ class RecordHealth {
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0;
   bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, held_ = false;
+  bool fell_ = false;          ///< in this stage, by kFall from one reading to the next
+  double displacement_ = NAN;  ///< axial, at the last reading
   static constexpr std::size_t kTimes = 1024;  ///< more than any hindsight
   std::array<double, kTimes> times_{};         ///< of the last readings
   RawValues now_{};
