@@ -14,23 +14,6 @@ namespace {
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
 
-/// Differences below this are round-off of somebody's arithmetic: no instrument resolves them.
-double finest_of(Quantity q) {
-  const auto unit = sim::find_unit(info(q).unit);
-  switch (unit ? unit->dimension : sim::Dimension::none) {
-    case sim::Dimension::pressure:
-      return 1e-3;
-    case sim::Dimension::force:
-      return 1e-6;
-    case sim::Dimension::length:
-      return 1e-11;
-    case sim::Dimension::volume:
-      return 1e-14;
-    default:
-      return 1e-10;
-  }
-}
-
 /// A controller may hold its pressure, and a piston its place, quieter than the noise so far.
 double patience_of(Quantity q) {
   switch (q) {
@@ -66,6 +49,7 @@ void RecordHealth::start_stage(const Reading& reading) {
   const bool was_drained = drained_;
   drained_ = shear_ && info->drainage == Drainage::open;
   closed_ = info && info->drainage == Drainage::closed;
+  held_ = info && info->role == StageRole::hold;
   for (Channel& channel : channels_) {
     if (!was_drained || channel.quantity != Quantity::back_volume)
       channel.moves = channel.longest_run = 0;
@@ -120,7 +104,9 @@ void RecordHealth::note_jumps(const Reading& reading) {
 
 bool RecordHealth::jumped(const Channel& channel) const {
   const auto jump = channel.health.jumped_at();
-  if (!jump || *jump <= stage_from_ || channel.health.run() < ChannelHealth::kFlat) return false;
+  if (!jump || channel.health.run() < ChannelHealth::kFlat) return false;
+  // A rig that is held goes on from the stage before without a break.
+  if (*jump <= stage_from_ - (held_ ? ChannelHealth::kFlat : 0)) return false;
   const bool alone = jump == channel.lonely_jump;
   if (channel.quantity != Quantity::back_volume) return alone;
   const double height = channel.health.jump_height();

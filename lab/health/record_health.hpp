@@ -106,7 +106,7 @@ class RecordHealth {
   std::vector<Channel> channels_;
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0;
-  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false;
+  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, held_ = false;
   static constexpr std::size_t kTimes = 1024;  ///< more than any hindsight
   std::array<double, kTimes> times_{};         ///< of the last readings
   RawValues now_{};

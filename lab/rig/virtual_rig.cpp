@@ -56,7 +56,6 @@ struct VirtualRig::Impl {
   bool stage_over();
   void act_as_operator();
   void go(Mode next, const std::string& kind, const std::string& detail);
-  PressureDemand pressure_demand(const PressureDemand& staged) const;
   std::optional<double> outflow(double dt_s) const;
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
@@ -132,7 +131,8 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
     return end.met(plant.state().cell.asked_pa);
   if (end.quantity == EndQuantity::back_pressure && stage().back.target_pa == bound)
     return end.met(plant.state().back.asked_pa);
-  return seen.met(end);
+  // Its last value stands in for a channel that says nothing; no stage ends by that.
+  return Supervision::can_tell(end.quantity, reading, instruments) && seen.met(end);
 }
 
 /// True where the stage is over and none follows, or it may not go on.

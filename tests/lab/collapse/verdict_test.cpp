@@ -100,3 +100,21 @@ TEST_CASE("at held q with the valve closed the pore pressure places the onset") 
   CHECK(c.onset->reading == 4);
   CHECK(c.kind == CollapseKind::flow);
 }
+
+TEST_CASE(
+    "a collapse over in a reading or two keeps the onset that the pore pressure showed before") {
+  const LimitSurface limit = sand();
+  const Finding turn{.instant = {.reading = 4, .q_pa = 60e3, .p_eff_pa = 105e3}, .evidence = "u"};
+  const Finding burst{.instant = {.reading = 40, .q_pa = 60e3, .p_eff_pa = 100e3},
+                      .evidence = "strain"};
+  const auto with = [&](bool gauge) {
+    return verdict({.loss_of_control = burst,
+                    .control_peak = turn,
+                    .volume_by_pore_pressure = gauge,
+                    .points = 50,
+                    .limit = limit});
+  };
+  CHECK(with(true).onset->reading == 4);
+  CHECK(with(true).kind == CollapseKind::flow);
+  CHECK(with(false).onset->reading == 40);
+}
