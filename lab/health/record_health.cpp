@@ -139,7 +139,9 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
   bool waited = at_rest >= kAtRest;
   if (channel.quantity == Quantity::pore_pressure) return;
   if (channel.quantity == Quantity::back_volume) {
-    if (!drained_ || fell_ || channel.moves < kAtRest) return;
+    if (!drained_ || fell_) return;
+    if (channel.moves == 0 && waited && never_moves(channel, reading)) return health.condemn();
+    if (channel.moves < kAtRest) return;
     const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
     const double run = static_cast<double>(at_rest);
     waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));
@@ -161,6 +163,14 @@ bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) con
       reading[Quantity::axial_displacement] - channel.at_rest[index(Quantity::axial_displacement)];
   return !driven_ && sound({Quantity::axial_displacement}) &&
          std::fabs(way) > kRunningStrain * height;
+}
+
+/// A counter that moved before shear and in drained shear not once, whatever p′ does.
+bool RecordHealth::never_moves(const Channel& channel, const Reading& reading) const {
+  const double before = p_eff(channel.at_rest);
+  return channel.health.noise().moves() >= kAtRest &&
+         std::fabs(p_eff(now_) - before) > kLargeChangeOfP * before &&
+         cannot_rest(channel, reading);
 }
 
 bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {

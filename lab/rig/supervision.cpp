@@ -286,8 +286,7 @@ void Supervision::watch_open_valve(const Seen& seen, const Asked& asked, double 
     return;
   }
   no_flow_s_ += dt_s;
-  // Slow drains give little at a time.
-  if (no_flow_s_ < 2 * kAstray_s || std::exchange(no_flow_told_, true)) return;
+  if (no_flow_s_ < kAstray_s || std::exchange(no_flow_told_, true)) return;
   notes_.push_back(fmt::format(
       "the valve is open and the pore pressure is {:.1f} kPa off the back pressure, but "
       "no water flows: it does not open, or one of the transducers is wrong",

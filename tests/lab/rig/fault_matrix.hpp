@@ -121,7 +121,7 @@ time_limit_min = 30.0
 drainage = "{}"
 axial = "constant_q"
 cell_rate_kPa_per_min = {}
-end = [{{quantity = "axial_strain_pct", above = 10.0}}, {{quantity = "p_eff_kPa", below = 2.0}}]
+end = [{{quantity = "axial_strain_pct", above = 3.0}}, {{quantity = "p_eff_kPa", below = 2.0}}]
 )";
   return {
       {"loose, by displacement", "ICU", 100, 1.088, 0.1,
@@ -129,7 +129,7 @@ end = [{{quantity = "axial_strain_pct", above = 10.0}}, {{quantity = "p_eff_kPa"
                  "{quantity = \"axial_strain_pct\", above = 1.0}")},
       {"loose, by load", "ICU", 100, 1.088, 0.1,
        undrained("axial = \"load\"\nload_rate_N_per_min = 100.0",
-                 "{quantity = \"axial_strain_pct\", above = 10.0}")},
+                 "{quantity = \"axial_strain_pct\", above = 3.0}")},
       {"loose, drained at constant q", "CSD", 100, 1.192, 0.1,
        fmt::format(fmt::runtime(constant_q), 0.1, 30, "open", -12)},
       {"loose, undrained at constant q", "CSU", 300, 1.073, 2.0,
