@@ -161,7 +161,7 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const Instrumen
                     missing ? "gives no readings" : "stands at the end of its range");
     if (needs(channel)) return what;
     if (!std::exchange(told_[i], true))
-      notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i]));
+      notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i] + dt_s));
   }
   return std::nullopt;
 }
