@@ -134,11 +134,12 @@ TEST_CASE("every fault alone: said, noticed where it can be, no verdict on a dea
 }
 
 TEST_CASE("faults in pairs: both are said, the dense specimen never collapses by them") {
-  const std::map<std::string, std::size_t> every = {{"loose, by displacement", 1},
-                                                    {"dense, by displacement", 1},
-                                                    {"loose, by load", 31},
-                                                    {"loose, drained at constant q", 11},
-                                                    {"loose, undrained at constant q", 31}};
+  // Not all of them in each test, for time: one of so many.
+  const std::map<std::string, std::size_t> every = {{"loose, by displacement", 3},
+                                                    {"dense, by displacement", 2},
+                                                    {"loose, by load", 61},
+                                                    {"loose, drained at constant q", 17},
+                                                    {"loose, undrained at constant q", 61}};
   for (const Subject& s : subjects()) {
     const std::vector<Fault> first = every_fault(s.shearing_s());
     const std::vector<Fault> second = every_fault(s.shearing_s() + 7);
