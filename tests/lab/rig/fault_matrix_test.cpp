@@ -65,6 +65,27 @@ bool unnoticeable(const Subject& s, const Fault& f) {
   return false;
 }
 
+/// With a dead gauge nobody sees that a valve that was to be closed lets water through: the
+/// specimen drains and is judged as if it did not (docs/faults.md).
+bool drains_unseen(const std::vector<Fault>& faults) {
+  const auto any = [&](const std::string& device) {
+    return std::ranges::any_of(faults, [&](const Fault& f) { return f.device == device; });
+  };
+  // So does a pore pressure that comes late while the specimen drains fast.
+  const bool late = std::ranges::any_of(faults, [](const Fault& f) {
+    return f.device == "pore_pressure" && f.kind == FaultKind::latency;
+  });
+  return (any("back_volume") || late) && (any("valve") || any("back_controller"));
+}
+
+/// A stuck channel shows no other fault of its own.
+bool masked(const Fault& fault, const std::vector<Fault>& faults) {
+  return std::ranges::any_of(faults, [&](const Fault& other) {
+    return other.device == fault.device && other.kind == FaultKind::stuck &&
+           other.from_s < fault.from_s;
+  });
+}
+
 void check_always(const Subject& s, const std::vector<Fault>& faults, const Outcome& out) {
   for (const Fault& f : faults) {
     CHECK(std::ranges::any_of(out.summary.warnings,
@@ -73,13 +94,14 @@ void check_always(const Subject& s, const std::vector<Fault>& faults, const Outc
   CHECK(out.last_time_s < 4000);
   CHECK(out.last_time_s > faults.front().from_s - 1);
   const Collapse& v = out.summary.collapse;
-  if (!v.detected()) return;
+  if (!v.detected() || drains_unseen(faults)) return;
   // The specimen itself must have collapsed.
   CHECK(out.summary.truth->lost_sustainability);
   for (const Fault& f : faults) {
     // That a channel stands still shows after RecordHealth::kAtRest readings.
     const bool too_late = f.kind == FaultKind::stuck && out.last_time_s < f.from_s + 20;
-    if (kills(f, s.test.type == "CSD") && !too_late) CHECK(*v.onset->time_s <= f.from_s + 1);
+    if (kills(f, s.test.type == "CSD") && !too_late && !masked(f, faults))
+      CHECK(*v.onset->time_s <= f.from_s + 1);
   }
 }
 
@@ -116,11 +138,12 @@ TEST_CASE("every fault alone: said, noticed where it can be, no verdict on a dea
 }
 
 TEST_CASE("faults in pairs: both are said, the dense specimen never collapses by them") {
-  const std::map<std::string, std::size_t> every = {{"loose, by displacement", 1},
-                                                    {"dense, by displacement", 1},
-                                                    {"loose, by load", 31},
-                                                    {"loose, drained at constant q", 11},
-                                                    {"loose, undrained at constant q", 31}};
+  // Not all of them in each test, for time: one of so many.
+  const std::map<std::string, std::size_t> every = {{"loose, by displacement", 3},
+                                                    {"dense, by displacement", 2},
+                                                    {"loose, by load", 61},
+                                                    {"loose, drained at constant q", 17},
+                                                    {"loose, undrained at constant q", 61}};
   for (const Subject& s : subjects()) {
     const std::vector<Fault> first = every_fault(s.shearing_s());
     const std::vector<Fault> second = every_fault(s.shearing_s() + 7);

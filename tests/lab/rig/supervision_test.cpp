@@ -1,8 +1,10 @@
 #include "lab/rig/supervision.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <string>
 
+#include "lab/devices/noise.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
@@ -147,7 +149,7 @@ TEST_CASE("spikes stop nothing and are not told of as water") {
   w.asked.valve_open = false;
   w.asked.crosshead_velocity = 1e-5;
   for (int i = 0; i < 300; ++i) {
-    const bool spike = i % 32 == 0;
+    const bool spike = i % 32 == 16;
     w.reading[Quantity::axial_displacement] = 1e-5 * i + (spike ? -2e-3 : 0);
     w.reading[Quantity::back_volume] = spike ? 2e-6 : 0;
     REQUIRE(w.look(1).empty());
@@ -159,8 +161,10 @@ TEST_CASE("a noisy load cell that stands still stops the stage that follows it, 
   for (const bool by_load : {true, false}) {
     Watch w(by_load ? load_stage() : crosshead_stage());
     if (by_load) w.asked.force_n = 100;
-    const auto noise = [](int i) { return (i * 7919 % 13 - 6) * 0.1; };
-    for (int i = 0; i < 100; ++i) {
+    const auto noise = [](std::uint64_t i) {
+      return 0.1 * std::round(5 * standard_normal(1, 2, i));
+    };
+    for (std::uint64_t i = 0; i < 100; ++i) {
       w.reading[Quantity::axial_force] = 100 + noise(i);
       REQUIRE(w.look(1).empty());
     }
