@@ -201,7 +201,7 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
            });
   for_rows(database, id,
            "SELECT start_s, largest_kinetic_energy_J, largest_at_s, kinetic_energy_J, "
-           "second_order_work_J, end_s, ending FROM run_aways WHERE test_id = ? ORDER BY number",
+           "second_order_work_J, expected_ratio, end_s, ending FROM run_aways WHERE test_id = ? ORDER BY number",
            [&](Columns& c) {
              if (!truth) return;
              lab::RunAwayTruth& run_away = truth->run_aways.emplace_back();
@@ -210,6 +210,7 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
              run_away.largest_at_s = c.number().value_or(0);
              run_away.kinetic_energy_j = c.number();
              run_away.second_order_work_j = c.number();
+             run_away.expected_ratio = c.number();
              run_away.end_s = c.number();
              run_away.end = c.text();
            });

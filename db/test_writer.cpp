@@ -124,7 +124,7 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
 
 void insert_run_aways(SQLite::Database& database, std::int64_t id,
                       const std::vector<lab::RunAwayTruth>& run_aways) {
-  Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?)");
+  Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?,?)");
   int number = 0;
   for (const lab::RunAwayTruth& run_away : run_aways)
     Binder(insert)
@@ -135,6 +135,7 @@ void insert_run_aways(SQLite::Database& database, std::int64_t id,
         .number(run_away.largest_at_s)
         .number(run_away.kinetic_energy_j)
         .number(run_away.second_order_work_j)
+        .number(run_away.expected_ratio)
         .number(run_away.end_s)
         .text_or_null(run_away.end)
         .run();

@@ -29,8 +29,9 @@ CREATE TABLE run_aways (
   start_s REAL NOT NULL,     -- test time, as the other two
   largest_kinetic_energy_J REAL CHECK (largest_kinetic_energy_J >= 0),
   largest_at_s REAL CHECK (largest_at_s >= start_s),
-  kinetic_energy_J REAL CHECK (kinetic_energy_J >= 0),
+  kinetic_energy_J REAL,     -- that the specimen set free until Eq. (5) was compared
   second_order_work_J REAL,
+  expected_ratio REAL,       -- of kinetic energy to minus half the work: 1 past a peak, 2/3 from one
   end_s REAL CHECK (end_s >= start_s), -- NULL: it still ran when the test ended
   ending TEXT,
   PRIMARY KEY (test_id, number)

@@ -97,7 +97,6 @@ Collapse verdict(const Evidence& e) {
     c.second_order_work_normalised = descent->evidence.work.normalised;
     c.second_order_work_error = descent->evidence.normalised_error;
   }
-  if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   c.criteria.push_back(by_second_order_work(descent, c.kind, e.has_time));
   c.criteria.push_back(by_finding("loss_of_control", e.loss_of_control,
                                   "the programme could be maintained, as far as it is known"));
@@ -110,6 +109,7 @@ Collapse verdict(const Evidence& e) {
     c.onset = e.loss_of_control->instant;
   }
   if (c.onset && e.fall) c.onset = e.fall;
+  if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   if (!c.onset || !c.onset->eta() || !c.limit_stress_ratio) return c;
   c.inside_limit_surface = e.limit.inside(*c.onset->eta());
   if (!*c.inside_limit_surface) {

@@ -14,6 +14,7 @@ struct LoadingFrame {
   double travel_m = 0;
   double load_limit_n = 0;  ///< emergency stop beyond it, push or pull; 0: none
   double bandwidth_hz = 0;       ///< of the force servo; 0: follows at once
+  double servo_filter_s = 0;     ///< over which it smooths the area that it follows; 0: not at all
   double moving_mass_kg = 0;     ///< piston, rod and cap; a dead load's own mass comes on top
   double damping_n_s_per_m = 0;  ///< of the piston in its guide
 };

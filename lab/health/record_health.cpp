@@ -15,23 +15,6 @@ namespace {
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
 
-/// Differences below this are round-off of somebody's arithmetic: no instrument resolves them.
-double finest_of(Quantity q) {
-  const auto unit = sim::find_unit(info(q).unit);
-  switch (unit ? unit->dimension : sim::Dimension::none) {
-    case sim::Dimension::pressure:
-      return 1e-3;
-    case sim::Dimension::force:
-      return 1e-6;
-    case sim::Dimension::length:
-      return 1e-11;
-    case sim::Dimension::volume:
-      return 1e-14;
-    default:
-      return 1e-10;
-  }
-}
-
 /// A controller may hold its pressure, and a piston its place, quieter than the noise so far.
 double patience_of(Quantity q) {
   switch (q) {
@@ -68,6 +51,7 @@ void RecordHealth::start_stage(const Reading& reading) {
   drained_ = shear_ && info->drainage == Drainage::open;
   fell_ = false;
   closed_ = info && info->drainage == Drainage::closed;
+  held_ = info && info->role == StageRole::hold;
   for (Channel& channel : channels_) {
     if (!was_drained || channel.quantity != Quantity::back_volume)
       channel.moves = channel.longest_run = 0;
@@ -129,7 +113,9 @@ void RecordHealth::note_jumps(const Reading& reading) {
 
 bool RecordHealth::jumped(const Channel& channel) const {
   const auto jump = channel.health.jumped_at();
-  if (!jump || *jump <= stage_from_ || channel.health.run() < ChannelHealth::kFlat) return false;
+  if (!jump || channel.health.run() < ChannelHealth::kFlat) return false;
+  // A rig that is held goes on from the stage before without a break.
+  if (*jump <= stage_from_ - (held_ ? ChannelHealth::kFlat : 0)) return false;
   const bool alone = jump == channel.lonely_jump;
   if (channel.quantity != Quantity::back_volume) return alone;
   const double height = channel.health.jump_height();
@@ -153,7 +139,9 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
   bool waited = at_rest >= kAtRest;
   if (channel.quantity == Quantity::pore_pressure) return;
   if (channel.quantity == Quantity::back_volume) {
-    if (!drained_ || fell_ || channel.moves < kAtRest) return;
+    if (!drained_ || fell_) return;
+    if (channel.moves == 0 && waited && never_moves(channel, reading)) return health.condemn();
+    if (channel.moves < kAtRest) return;
     const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
     const double run = static_cast<double>(at_rest);
     waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));
@@ -175,6 +163,14 @@ bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) con
       reading[Quantity::axial_displacement] - channel.at_rest[index(Quantity::axial_displacement)];
   return !driven_ && sound({Quantity::axial_displacement}) &&
          std::fabs(way) > kRunningStrain * height;
+}
+
+/// A counter that moved before shear and in drained shear not once, whatever p′ does.
+bool RecordHealth::never_moves(const Channel& channel, const Reading& reading) const {
+  const double before = p_eff(channel.at_rest);
+  return channel.health.noise().moves() >= kAtRest &&
+         std::fabs(p_eff(now_) - before) > kLargeChangeOfP * before &&
+         cannot_rest(channel, reading);
 }
 
 bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {

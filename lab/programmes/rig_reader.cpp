@@ -79,6 +79,7 @@ void read_over(LoadingFrame& f, const TomlTable& table) {
                 f.load_cell_stiffness_n_per_m);
   set_or_absent(table, "load_limit_N", 1e-3, 1e9, 1, f.load_limit_n);
   set_or_absent(table, "bandwidth_Hz", 1e-4, 1e4, 1, f.bandwidth_hz);
+  set_or_absent(table, "servo_filter_s", 1e-3, 1e4, 1, f.servo_filter_s);
   set_or_absent(table, "moving_mass_kg", 1e-3, 1e4, 1, f.moving_mass_kg);
   set_or_absent(table, "damping_N_s_per_m", 1e-6, 1e9, 1, f.damping_n_s_per_m);
   table.finish();

@@ -56,8 +56,11 @@ struct RunAwayTruth {
   double largest_kinetic_energy_j = 0;  ///< of the moving mass
   double largest_at_s = 0;              ///< test time
   // 2 E_c = −W2, Eq. (5), over the first resolved increment after the start
-  std::optional<double> kinetic_energy_j;
+  std::optional<double> kinetic_energy_j;  ///< that the specimen set free: above a perturbation's
   std::optional<double> second_order_work_j;
+  /// Of E_c/(−W2/2) to third order: 1 past a peak, 2/3 from a limit point
+  /// (sim/specimen/run_away.hpp)
+  std::optional<double> expected_ratio;
   std::optional<double> end_s;  ///< test time; empty: still running when the test ended
   std::string end;              ///< "new equilibrium", "end of travel"; empty: still running
 };

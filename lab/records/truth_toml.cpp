@@ -31,6 +31,7 @@ struct RunAwayKey {
 constexpr auto kRunAwayKeys =
     std::to_array<RunAwayKey>({{"kinetic_energy_J", &RunAwayTruth::kinetic_energy_j},
                                {"second_order_work_J", &RunAwayTruth::second_order_work_j},
+                               {"expected_ratio", &RunAwayTruth::expected_ratio},
                                {"end_s", &RunAwayTruth::end_s}});
 
 // Finite in every unit.
@@ -45,8 +46,6 @@ RunAwayTruth read_run_away(const TomlTable& table) {
       table.required_number("largest_at_s", {.at_least = found.start_s, .at_most = 1e100});
   for (const RunAwayKey& row : kRunAwayKeys)
     found.*row.member = table.number(row.name, kMeasurable);
-  if (found.kinetic_energy_j && *found.kinetic_energy_j < 0)
-    table.fail("kinetic_energy_J", "is negative");
   if (found.end_s && *found.end_s < found.start_s) table.fail("end_s", "is before start_s");
   found.end = table.text("ending").value_or("");
   table.finish();

@@ -2,11 +2,16 @@
 // The control loop of the axis: from the stage and what was seen to what the axis is asked for.
 //
 //   load          F = F at the start + rate · t
-//   constant_q    F = q A                      A: from the readings, expected at the end of the
-//   tick stress_ratio  F = η σ₃′/(1 − η/3) A        σ₃′: cell pressure asked for, less the pore
-//   pressure dead_load     F as it is (the masses are chosen so)
-// A servo adds to its demand what the load cell says is missing, at kTrim_per_s, so that a wrong
-// load cell gives a wrong force.
+//   constant_q    F = q A
+//   stress_ratio  F = η σ₃′/(1 − η/3) A
+//   dead_load     F as it is (the masses are chosen so)
+//
+// A is read, smoothed over the servo's filter and expected at the end of the tick; σ₃′ is the cell
+// pressure asked for then less the pore pressure read. A servo adds to its demand what the load
+// cell says is missing, at kTrim_per_s, so that a wrong load cell gives a wrong force. Filter and
+// trim are slow on purpose: what of the readings' noise goes into the force wobbles the specimen.
+// An ideal servo does not wait for the next look: within the tick it follows the area itself, and q
+// or η is held at every instant.
 #include "lab/rig/plant.hpp"
 #include "lab/rig/seen.hpp"
 
@@ -14,7 +19,14 @@ namespace triax::lab {
 
 class AxisControl {
  public:
-  static constexpr double kTrim_per_s = 0.05;
+  static constexpr double kTrim_per_s = 0.002;
+
+  struct Servo {
+    bool ideal = false;   ///< see above
+    double filter_s = 0;  ///< over which the area is smoothed; 0: not at all
+  };
+  AxisControl() = default;
+  explicit AxisControl(const Servo& servo) : servo_(servo) {}
 
   /// A new stage takes over from what is; `true_force_n` is what stands on the piston.
   void begin_stage(const Stage& stage, const Seen& seen, double true_force_n);
@@ -27,12 +39,20 @@ class AxisControl {
 
  private:
   double wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const;
+  double wanted_stress(const Seen& seen, double next_cell_pa) const;
+  void smooth_area(const Seen& seen, double dt_s);
+  bool follows_area() const;
+  void follow_area(const Seen& seen, double next_cell_pa, AxisDemand& d);
 
+  Servo servo_;
+  double area_ = 0, area_rate_ = 0;  ///< smoothed, at the last tick
+  double next_area_ = 0;
   Stage stage_;
   double force_at_start_ = 0;  ///< as read
   double dead_force_ = 0;      ///< as it is
   double held_q_ = 0;
   double trim_ = 0;
+  double stress_ = 0;  ///< wanted at the end of the last tick, where the area is followed
   bool first_ = true;
   std::optional<double> wanted_;
 };

@@ -68,6 +68,15 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
   return drive;
 }
 
+void Plant::follow_area(const AxisDemand& demand, double dt_s, sim::AxialDrive& drive) const {
+  const double area = specimen_.area_m2(state_.specimen);
+  const double at_end = demand.force_n + demand.stress_pa * (demand.area_m2 - area);
+  drive.force_n = state_.cylinder_force_n - demand.start_stress_pa * area;
+  drive.force_rate_n_per_s = (at_end - drive.force_n) / dt_s;
+  drive.stress_pa = demand.start_stress_pa;
+  drive.stress_rate_pa_per_s = (demand.stress_pa - demand.start_stress_pa) / dt_s;
+}
+
 const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s, double dt_s) {
   const auto cell_faults = active_faults(faults_, "cell_controller", time_s);
   const auto back_faults = active_faults(faults_, "back_controller", time_s);
@@ -101,16 +110,18 @@ const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s
   }
 
   const double force = specimen_.axial_force(state_.specimen);
+  const bool follows_area = demand.axis.area_m2 > 0 && !holds(frame_faults, FaultKind::stuck);
   if (demand.axis.kind != AxisDemand::Kind::force) {
     next.cylinder_force_n = force;  // so that it takes over without a jump
   } else if (demand.axis.dead) {
     next.cylinder_force_n = demand.axis.force_n;
-  } else if (!holds(frame_faults, FaultKind::stuck)) {
+  } else if (!holds(frame_faults, FaultKind::stuck) && !follows_area) {
     ForceCylinderState cylinder{state_.cylinder_force_n};
     triax::lab::advance(frame_, cylinder, demand.axis.start_force_n, demand.axis.force_n, dt_s);
     next.cylinder_force_n = cylinder.force_n;
   }
   boundary.axis = axis(demand.axis, next.cylinder_force_n, dt_s, frame_faults);
+  if (follows_area) follow_area(demand.axis, dt_s, boundary.axis);
 
   step_ = specimen_.advance(state_.specimen, boundary, dt_s);
   if (step_.outcome == sim::StepOutcome::failed || step_.outcome == sim::StepOutcome::lost_control)
@@ -122,7 +133,7 @@ const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s
   back_inflow_m3_ = demand.outflow_m3_per_s
                         ? 0
                         : step_.state.drained_volume_m3 - state_.specimen.drained_volume_m3;
-  if (demand.axis.kind != AxisDemand::Kind::force)
+  if (demand.axis.kind != AxisDemand::Kind::force || follows_area)
     next.cylinder_force_n = specimen_.axial_force(next.specimen);
   state_ = std::move(next);
   return step_;

@@ -22,8 +22,11 @@ struct AxisDemand {
   double spring_n_per_m = 0;    ///< crosshead: of a spring between it and the cap; 0: none
   double start_force_n = 0;     ///< force: wanted at the start of the tick
   double force_n = 0;           ///< force: wanted at its end
-  bool dead = false;            ///< force: masses on the piston, which no servo has to follow
-  bool perturbed = false;       ///< with inertia from the start of the tick
+  /// force: with an area (as seen at the start), `force_n` is besides a stress on the current one:
+  /// a servo that follows the area within the tick.
+  double area_m2 = 0, start_stress_pa = 0, stress_pa = 0;
+  bool dead = false;       ///< force: masses on the piston, which no servo has to follow
+  bool perturbed = false;  ///< with inertia from the start of the tick
   double impulse_n_s = 0;
 };
 
@@ -48,6 +51,8 @@ class Plant {
 
   const sim::Specimen& specimen() const { return specimen_; }
   const PlantState& state() const { return state_; }
+  /// The last tick, with its work; empty before the first.
+  const sim::SpecimenStep& last_step() const { return step_; }
   /// Moves on by dt; the state stays as it was if the step failed or lost control.
   const sim::SpecimenStep& advance(const PlantDemand& demand, double time_s, double dt_s);
   /// The cell pressure that its controller is asked for dt later.
@@ -58,6 +63,7 @@ class Plant {
  private:
   sim::AxialDrive axis(const AxisDemand& demand, double cylinder_force_n, double dt_s,
                        const std::vector<Fault>& active) const;
+  void follow_area(const AxisDemand& demand, double dt_s, sim::AxialDrive& drive) const;
 
   std::vector<Fault> faults_;
   PressureController cell_controller_, back_controller_;

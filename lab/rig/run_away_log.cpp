@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace triax::lab {
 namespace {
 
 void copy_comparison(const sim::RunAway& from, RunAwayTruth& to) {
   to.largest_kinetic_energy_j = from.largest_kinetic_energy_j;
   if (from.compared_at_s == 0) return;
-  to.kinetic_energy_j = from.kinetic_energy_j;
+  to.kinetic_energy_j = -from.ratio() * from.second_order_work_j / 2;
   to.second_order_work_j = from.second_order_work_j;
+  if (std::isfinite(from.expected_ratio())) to.expected_ratio = from.expected_ratio();
 }
 
 std::string ending(sim::RunAway::End end) {

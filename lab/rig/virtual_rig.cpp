@@ -37,7 +37,9 @@ struct VirtualRig::Impl {
         plant(make_plant(p)),
         instruments(p, used_seed),
         seen(header),
-        supervision(p) {}
+        supervision(p),
+        axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
+                                .filter_s = p.frame.servo_filter_s}) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
@@ -54,7 +56,6 @@ struct VirtualRig::Impl {
   bool stage_over();
   void act_as_operator();
   void go(Mode next, const std::string& kind, const std::string& detail);
-  PressureDemand pressure_demand(const PressureDemand& staged) const;
   std::optional<double> outflow(double dt_s) const;
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
@@ -130,12 +131,13 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
     return end.met(plant.state().cell.asked_pa);
   if (end.quantity == EndQuantity::back_pressure && stage().back.target_pa == bound)
     return end.met(plant.state().back.asked_pa);
-  return seen.met(end);
+  // Its last value stands in for a channel that says nothing; no stage ends by that.
+  return Supervision::can_tell(end.quantity, reading, instruments) && seen.met(end);
 }
 
 /// True where the stage is over and none follows, or it may not go on.
 bool VirtualRig::Impl::stage_over() {
-  if (mode == Mode::safe || mode == Mode::fallen) return ++safe_readings > kSafeReadings;
+  if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
   if (mode == Mode::held) return false;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
     if (stage_index + 1 >= programme.stages.size()) return true;
@@ -269,8 +271,8 @@ bool VirtualRig::Impl::tick(double dt_s) {
   return within_travel(step);
 }
 
-/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies, and
-/// what is left of the specimen, which is not moved on, is still read.
+/// A crosshead stops at the end of its travel, and the test with it; a cap that fell there lies,
+/// and what is left of the specimen, which is not moved on, is still read.
 bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
@@ -312,6 +314,8 @@ const sim::SpecimenState& VirtualRig::specimen_state() const {
   return impl_->plant.state().specimen;
 }
 
+const Plant& VirtualRig::plant() const { return impl_->plant; }
+
 std::optional<Truth> VirtualRig::truth() const {
   Truth truth = impl_->watch.truth();
   truth.run_aways = impl_->run_aways.all();
@@ -337,6 +341,7 @@ bool VirtualRig::next(Reading& reading) {
   rig.look();
   if (rig.number == 0) rig.begin_stage();
   rig.check_ranges();
+  if (rig.mode == Impl::Mode::safe || rig.mode == Impl::Mode::fallen) ++rig.safe_readings;
   reading = rig.reading;
   return true;
 }

@@ -13,8 +13,8 @@
 //
 // Held or in its safe state the rig locks the crosshead and holds both pressures, in a stage of its
 // own (the last of the header) of which nothing is judged. After a hold the test goes on where it
-// was; the safe state ends it after kSafeReadings. So many readings follow, in the same stage, after
-// a cap that ran away has come to lie on the stop at the end of its travel.
+// was; the safe state ends it after kSafeReadings. So many readings follow, in the same stage,
+// after a cap that ran away has come to lie on the stop at the end of its travel.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,6 +22,7 @@
 
 #include "lab/programmes/programme.hpp"
 #include "lab/rig/back_end.hpp"
+#include "lab/rig/plant.hpp"
 
 namespace triax::lab {
 
@@ -54,6 +55,8 @@ class VirtualRig : public BackEnd {
 
   /// True state of the specimen at the last reading, which no instrument sees.
   const sim::SpecimenState& specimen_state() const;
+  /// The physical side, at the end of the last tick: for balances of energy and water.
+  const Plant& plant() const;
 
  private:
   struct Impl;

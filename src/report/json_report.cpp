@@ -109,6 +109,7 @@ Json run_aways_json(const std::vector<lab::RunAwayTruth>& run_aways) {
                     {"kinetic_energy_J", plain(run_away.kinetic_energy_j)},
                     {"second_order_work_J", plain(run_away.second_order_work_j)},
                     {"kinetic_energy_over_half_work", plain(kinetic_energy_ratio(run_away))},
+                    {"expected_ratio", plain(run_away.expected_ratio)},
                     {"end_s", plain(run_away.end_s)},
                     {"ending", text(run_away.end)}});
   return list;

@@ -24,6 +24,11 @@ std::string energy_balance(const lab::RunAwayTruth& run_away) {
                           joules(run_away.kinetic_energy_j), joules(half_work));
   if (const auto ratio = kinetic_energy_ratio(run_away))
     line += fmt::format(", ratio {}", number(ratio, 3));
+  if (run_away.expected_ratio)
+    line +=
+        fmt::format(" where {} is expected ({})", number(run_away.expected_ratio, 3),
+                    *run_away.expected_ratio < 0.8 ? "from a limit point, where third order leads"
+                                                   : "past the peak");
   return line;
 }
 

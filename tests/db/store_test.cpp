@@ -89,8 +89,8 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.collapse.criteria = {{"second_order_work", true, 5, 0.5, 0.58, "fell to -0.4"},
                                {"loss_of_control", false, {}, {}, {}, ""}};
   summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt, {}};
-  summary.truth->run_aways = {{0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.75, "new equilibrium"},
-                              {0.8, 4e-3, 0.9, {}, {}, {}, ""}};
+  summary.truth->run_aways = {{0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, "new equilibrium"},
+                              {0.8, 4e-3, 0.9, {}, {}, {}, {}, ""}};
   summary.collapse.judged_until = 7;
   summary.collapse.judged_until_reason = "the pore-pressure transducer is dead";
   summary.checks = {{"b_value", 0.97, 0.95, true, "B is high enough"}, {"rate", {}, {}, false, ""}};
@@ -161,6 +161,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.truth->run_aways[0].largest_at_s == 0.6);
   CHECK(back.truth->run_aways[0].kinetic_energy_j == 1e-6);
   CHECK(back.truth->run_aways[0].second_order_work_j == -3e-6);
+  CHECK(back.truth->run_aways[0].expected_ratio == 0.7);
   CHECK(back.truth->run_aways[0].end_s == 0.75);
   CHECK(back.truth->run_aways[0].end == "new equilibrium");
   CHECK_FALSE(back.truth->run_aways[1].kinetic_energy_j);

@@ -101,18 +101,17 @@ TEST_CASE("at held q with the valve closed the pore pressure places the onset") 
   CHECK(c.kind == CollapseKind::flow);
 }
 
-TEST_CASE("a fall is the onset, whatever turned before; alone it is a flow") {
+TEST_CASE("a fall is the onset, whatever the volume did before; alone it is a flow") {
   const LimitSurface limit = sand();
   const Instant fall{.reading = 90, .q_pa = 60e3, .p_eff_pa = 100e3};
   const Finding burst{fall, "the specimen fell"};
   Descent held = descent(60e3, 105e3, 0, 60e3);
   held.axial_strain_last = held.onset.axial_strain + 0.02;
-  const Finding turn{{.reading = 40, .q_pa = 60e3, .p_eff_pa = 110e3}, "u turned"};
+  const Finding turn{{.reading = 40, .q_pa = 60e3, .p_eff_pa = 110e3}, "turned"};
   const Collapse c = verdict({.at_held_q = held,
                               .loss_of_control = burst,
                               .fall = fall,
                               .control_peak = turn,
-                              .volume_by_pore_pressure = true,
                               .points = 50,
                               .limit = limit});
   REQUIRE(c.onset);
@@ -122,4 +121,22 @@ TEST_CASE("a fall is the onset, whatever turned before; alone it is a flow") {
       verdict({.loss_of_control = burst, .fall = fall, .points = 50, .limit = limit});
   CHECK(alone.kind == CollapseKind::flow);
   CHECK(alone.onset->reading == 90);
+}
+
+TEST_CASE(
+    "a collapse over in a reading or two keeps the onset that the pore pressure showed before") {
+  const LimitSurface limit = sand();
+  const Finding turn{.instant = {.reading = 4, .q_pa = 60e3, .p_eff_pa = 105e3}, .evidence = "u"};
+  const Finding burst{.instant = {.reading = 40, .q_pa = 60e3, .p_eff_pa = 100e3},
+                      .evidence = "strain"};
+  const auto with = [&](bool gauge) {
+    return verdict({.loss_of_control = burst,
+                    .control_peak = turn,
+                    .volume_by_pore_pressure = gauge,
+                    .points = 50,
+                    .limit = limit});
+  };
+  CHECK(with(true).onset->reading == 4);
+  CHECK(with(true).kind == CollapseKind::flow);
+  CHECK(with(false).onset->reading == 40);
 }

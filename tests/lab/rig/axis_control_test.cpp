@@ -1,5 +1,6 @@
 #include "lab/rig/axis_control.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -102,4 +103,38 @@ TEST_CASE("crosshead and free piston ask for no force") {
   CHECK(spring.spring_n_per_m == 5e4);
   stage.axial = AxialAction::free;
   CHECK(started(stage, seen, 100).demand(seen, 400e3, 1).kind == AxisDemand::Kind::free);
+}
+
+TEST_CASE("a filter takes the noise out of the area, and follows a steady change without lag") {
+  Stage stage;
+  stage.axial = AxialAction::constant_q;
+  stage.held_q_pa = 50e3;
+  // Shortening at 1 µm a tick (area grows), with a wobble of 1 µm on it.
+  const auto last_steps = [&stage](double filter_s, double wobble_m) {
+    Seen seen = seen_with(0);
+    AxisControl axis(AxisControl::Servo{.ideal = false, .filter_s = filter_s});
+    axis.begin_stage(stage, seen, 0);
+    double before = 0, largest = 0;
+    for (int i = 1; i <= 2000; ++i) {
+      Reading r;
+      r.time_s = 0.25 * i;
+      for (std::size_t k = 0; k < kRawQuantityCount; ++k) r.si[k] = 0;
+      r[Quantity::cell_pressure] = 400e3;
+      r[Quantity::pore_pressure] = 300e3;
+      r[Quantity::axial_force] = before;  // the cylinder does what it is asked
+      r[Quantity::axial_displacement] = 1e-6 * i + (i % 2 == 0 ? wobble_m : -wobble_m);
+      seen.take(r);
+      const double force = axis.demand(seen, 400e3, 0.25).force_n;
+      if (i > 1900) largest = std::max(largest, std::fabs(force - before));
+      before = force;
+    }
+    const double exact = 50e3 * kArea / (1 - 1e-6 * 2001 / 0.14);
+    return std::pair{largest, before / exact - 1};
+  };
+  const auto [still, off] = last_steps(10, 0);
+  const auto [filtered, unused] = last_steps(10, 1e-6);
+  const auto [bare, unused_too] = last_steps(0, 1e-6);
+  CHECK(std::fabs(off) < 1e-6);
+  CHECK(filtered < 1.3 * still);
+  CHECK(bare > 4 * still);
 }
