@@ -16,8 +16,10 @@ constexpr double kBurst = 10;  ///< times the rate of the stage so far
 
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
+  const bool sudden = sudden_;
   *this = LossOfControl();
   finding_ = found;
+  sudden_ = sudden;
   control_ = stage ? stage->control : AxialControl::unknown;
   drainage_ = stage ? stage->drainage : Drainage::unknown;
 }
@@ -83,6 +85,8 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
 
 void LossOfControl::check_strain_burst(bool has_time) {
   constexpr double kLeastRise = 1e-3;
+  constexpr double kCreep = 0.01;  ///< of the fastest step
+  constexpr double kFall = 0.01;   ///< axial strain between two readings
   const State& last = recent_.back();
   const auto rate = [&](const State& a, const State& b) {
     return std::fabs(b.strain.axial - a.strain.axial) / lapse(a, b, has_time);
@@ -90,11 +94,15 @@ void LossOfControl::check_strain_burst(bool has_time) {
   const double rise = std::fabs(last.strain.axial - recent_.front().strain.axial);
   const double burst = rate(recent_.front(), last);
   if (rise < kLeastRise || burst < kBurst * mean_rate_) return;
-  // The burst began where the steps first left what they had been.
+  // The burst began where the steps first left what they had been. What crept faster before a
+  // specimen fell within one interval is not yet the fall.
+  double fastest = 0;
+  for (std::size_t i = 0; i + 1 < recent_.size(); ++i)
+    fastest = std::max(fastest, rate(recent_[i], recent_[i + 1]));
+  const double least = std::max(kBurst / 2 * mean_rate_, kCreep * fastest);
   std::size_t start = 0;
-  while (start + 2 < recent_.size() &&
-         rate(recent_[start], recent_[start + 1]) < kBurst / 2 * mean_rate_)
-    ++start;
+  while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < least) ++start;
+  sudden_ = std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall;
   finding_ = Finding{instant_of(recent_[start], has_time),
                      fmt::format("axial strain ran from {:.3f} % to {:.3f} % within {} readings{}",
                                  recent_[start].strain.axial * 100, last.strain.axial * 100,

@@ -23,6 +23,8 @@ class LossOfControl {
   void start_stage(const StageInfo* stage);
   void add(const State& state, bool has_time);
   const std::optional<Finding>& finding() const { return finding_; }
+  /// Whether the finding is a fall: 1 % of axial strain or more from one reading to the next.
+  bool sudden() const { return sudden_; }
 
  private:
   void check_held_q(const State& state, bool has_time);
@@ -46,6 +48,7 @@ class LossOfControl {
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
+  bool sudden_ = false;
 };
 
 }  // namespace triax::lab

@@ -6,6 +6,7 @@
 
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/descent.hpp"
+#include "lab/collapse/fall_fit.hpp"
 #include "lab/collapse/instant.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
@@ -34,6 +35,7 @@ struct CollapseMonitor::Impl {
   void take(const PathPoint& point, const CollapseMonitor& outer);
   void tell_of_descent(const CollapseMonitor& outer);
   void sharpen();
+  void place_fall(const Finding& burst);
   void end_stage();
 
   const RecordHeader header;
@@ -44,6 +46,7 @@ struct CollapseMonitor::Impl {
   std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
   DescentTracker descents;
   LossOfControl control;
+  std::optional<Instant> fall;  ///< where a sudden loss of control began
   ControlPeak control_peak;
   LimitSurface limit;
   std::optional<State> peak;
@@ -102,6 +105,7 @@ void CollapseMonitor::Impl::sharpen() {
     descent_onset.follow(history);
   }
   const auto& burst = control.finding();
+  if (burst && control.sudden() && !fall) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   if (descent && is_sharper(descent_onset.onset(), descent->onset))
     descents.sharpen(descent_onset.onset()->point);
@@ -114,6 +118,13 @@ void CollapseMonitor::Impl::sharpen() {
     pore_turn.follow(history);
   }
   if (burst) pore_turn.finish(history, static_cast<double>(burst->instant.reading));
+}
+
+void CollapseMonitor::Impl::place_fall(const Finding& burst) {
+  constexpr double kBefore = 24;  // readings
+  const auto last = static_cast<double>(burst.instant.reading);
+  const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
+  fall = fit ? instant_of(*fit, header.has_time) : burst.instant;
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -174,6 +185,7 @@ Collapse CollapseMonitor::finish() {
   return verdict({.worst = impl_->descents.worst(),
                   .at_held_q = impl_->held_descent,
                   .loss_of_control = impl_->control.finding(),
+                  .fall = impl_->fall,
                   .control_peak = control_peak,
                   .volume_by_pore_pressure = impl_->held_undrained,
                   .states = impl_->watched_states,

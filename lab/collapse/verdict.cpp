@@ -108,6 +108,7 @@ Collapse verdict(const Evidence& e) {
     c.kind = CollapseKind::flow;
     c.onset = e.loss_of_control->instant;
   }
+  if (c.onset && e.fall) c.onset = e.fall;
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   if (!c.onset || !c.onset->eta() || !c.limit_stress_ratio) return c;
   c.inside_limit_surface = e.limit.inside(*c.onset->eta());

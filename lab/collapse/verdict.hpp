@@ -13,6 +13,10 @@ struct Evidence {
   std::optional<Descent> worst;      ///< descent that cost most strength
   std::optional<Descent> at_held_q;  ///< descent that lasted while q was held
   std::optional<Finding> loss_of_control;
+  /// The specimen fell from one reading to the next, and this is where it lost its equilibrium.
+  /// Whatever turned before, until then it carried the programme, the second-order work of whose
+  /// slow trend is hundreds of times smaller than that of the servo's search.
+  std::optional<Instant> fall;
   std::optional<Finding> control_peak;
   /// At held q with the valve closed the measured volume stands still and second-order work is zero
   /// within its error until q is lost; the pore pressure, gauge of the volume, gives the onset.

@@ -16,6 +16,22 @@ constexpr std::int64_t kKnown = 16;
 
 }  // namespace
 
+double finest_of(Quantity quantity) {
+  const auto unit = sim::find_unit(info(quantity).unit);
+  switch (unit ? unit->dimension : sim::Dimension::none) {
+    case sim::Dimension::pressure:
+      return 1e-3;
+    case sim::Dimension::force:
+      return 1e-6;
+    case sim::Dimension::length:
+      return 1e-11;
+    case sim::Dimension::volume:
+      return 1e-14;
+    default:
+      return 1e-10;
+  }
+}
+
 void ChannelHealth::may_rest(bool yes) {
   if (may_rest_ != yes) noise_.forget_run();
   may_rest_ = yes;

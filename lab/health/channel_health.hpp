@@ -8,6 +8,9 @@
 
 namespace triax::lab {
 
+/// Differences below this are round-off of somebody's arithmetic: no instrument resolves them. SI
+double finest_of(Quantity quantity);
+
 /// Looks at one channel, one reading at a time, in constant memory, and says from which reading to
 /// which it cannot be believed (SensorFault). What takes hindsight is held in doubt until it is
 /// decided: after at most ChannelNoise::kLongestWait readings.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sim/mechanics/units.hpp"
 
@@ -13,23 +14,6 @@ namespace {
 
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
-
-/// Differences below this are round-off of somebody's arithmetic: no instrument resolves them.
-double finest_of(Quantity q) {
-  const auto unit = sim::find_unit(info(q).unit);
-  switch (unit ? unit->dimension : sim::Dimension::none) {
-    case sim::Dimension::pressure:
-      return 1e-3;
-    case sim::Dimension::force:
-      return 1e-6;
-    case sim::Dimension::length:
-      return 1e-11;
-    case sim::Dimension::volume:
-      return 1e-14;
-    default:
-      return 1e-10;
-  }
-}
 
 /// A controller may hold its pressure, and a piston its place, quieter than the noise so far.
 double patience_of(Quantity q) {
@@ -65,7 +49,9 @@ void RecordHealth::start_stage(const Reading& reading) {
   driven_ = shear_ && info->control == AxialControl::displacement;
   const bool was_drained = drained_;
   drained_ = shear_ && info->drainage == Drainage::open;
+  fell_ = false;
   closed_ = info && info->drainage == Drainage::closed;
+  held_ = info && info->role == StageRole::hold;
   for (Channel& channel : channels_) {
     if (!was_drained || channel.quantity != Quantity::back_volume)
       channel.moves = channel.longest_run = 0;
@@ -91,6 +77,7 @@ void RecordHealth::watch(const Reading& reading) {
   std::copy_n(reading.si.begin(), now_.size(), now_.begin());
   times_[static_cast<std::size_t>(reading.number) % kTimes] = reading.time_s;
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
+  note_fall(reading);
   for (Channel& channel : channels_) {
     const std::int64_t run = channel.health.run();
     channel.health.add(reading.number, reading[channel.quantity]);
@@ -110,6 +97,12 @@ void RecordHealth::watch(const Reading& reading) {
   }
 }
 
+void RecordHealth::note_fall(const Reading& reading) {
+  const double now = reading[Quantity::axial_displacement];
+  const double way = std::fabs(now - std::exchange(displacement_, now));
+  fell_ = fell_ || (!driven_ && way > kFall * volume_m3_ / area_m2_);
+}
+
 void RecordHealth::note_jumps(const Reading& reading) {
   const auto jumped = [&](const Channel& c) {
     return c.stirred || c.health.jumped_at() == reading.number;
@@ -120,7 +113,9 @@ void RecordHealth::note_jumps(const Reading& reading) {
 
 bool RecordHealth::jumped(const Channel& channel) const {
   const auto jump = channel.health.jumped_at();
-  if (!jump || *jump <= stage_from_ || channel.health.run() < ChannelHealth::kFlat) return false;
+  if (!jump || channel.health.run() < ChannelHealth::kFlat) return false;
+  // A rig that is held goes on from the stage before without a break.
+  if (*jump <= stage_from_ - (held_ ? ChannelHealth::kFlat : 0)) return false;
   const bool alone = jump == channel.lonely_jump;
   if (channel.quantity != Quantity::back_volume) return alone;
   const double height = channel.health.jump_height();
@@ -144,7 +139,9 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
   bool waited = at_rest >= kAtRest;
   if (channel.quantity == Quantity::pore_pressure) return;
   if (channel.quantity == Quantity::back_volume) {
-    if (!drained_ || channel.moves < kAtRest) return;
+    if (!drained_ || fell_) return;
+    if (channel.moves == 0 && waited && never_moves(channel, reading)) return health.condemn();
+    if (channel.moves < kAtRest) return;
     const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
     const double run = static_cast<double>(at_rest);
     waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));
@@ -166,6 +163,14 @@ bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) con
       reading[Quantity::axial_displacement] - channel.at_rest[index(Quantity::axial_displacement)];
   return !driven_ && sound({Quantity::axial_displacement}) &&
          std::fabs(way) > kRunningStrain * height;
+}
+
+/// A counter that moved before shear and in drained shear not once, whatever p′ does.
+bool RecordHealth::never_moves(const Channel& channel, const Reading& reading) const {
+  const double before = p_eff(channel.at_rest);
+  return channel.health.noise().moves() >= kAtRest &&
+         std::fabs(p_eff(now_) - before) > kLargeChangeOfP * before &&
+         cannot_rest(channel, reading);
 }
 
 bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {

@@ -1,6 +1,7 @@
 #pragma once
 // All sensors of a test, each by itself and against the others.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -27,7 +28,8 @@ constexpr ChannelSet channel_bit(Quantity q) { return ChannelSet{1} << index(q);
 /// - in drained shear, the volume stands still kLongRuns times as long as ever before while p′
 ///   changes by kChangeOfP, by more than noise, and by more than the stiffest soil takes up within
 ///   kLeastSteps steps: at a turn of the volume it rests three times as long as just before, and
-///   where it has come to rest for good, so has p′; or, under a load or a held q, while the axial
+///   where it has come to rest for good, so has p′; or it moved before shear and in shear not once,
+///   while p′ changes by kLargeChangeOfP; or, under a load or a held q, while the axial
 ///   strain grows by kRunningStrain: nothing shears like that at constant volume;
 /// - in shear, the pore pressure (driven by displacement, force and displacement too) jumps alone
 ///   and then stands still to the last digit; at any time the volume, by kVolumeJump of the
@@ -41,8 +43,10 @@ class RecordHealth {
   static constexpr double kVolumeJump = 1e-4, kImpossibleVolume = 1e-2;
   static constexpr double kLongRuns = 8, kVeryLongRuns = 20;
   static constexpr double kGainOfLoad = 0.01;
-  static constexpr double kChangeOfP = 0.01;
+  static constexpr double kChangeOfP = 0.01, kLargeChangeOfP = 0.05;
   static constexpr double kRunningStrain = 3e-3;
+  /// Axial strain between two readings, for which water needs longer than a specimen that falls.
+  static constexpr double kFall = 1e-2;
   static constexpr std::int64_t kAtRest = 30;  ///< readings for which a channel must stand still
 
   /// Readings after which a channel at rest is no longer doubted by what others do.
@@ -91,12 +95,14 @@ class RecordHealth {
   bool sound(std::initializer_list<Quantity> quantities) const;
   bool runs_away(const Channel& channel, const Reading& reading) const;
   bool cannot_rest(const Channel& channel, const Reading& reading) const;
+  bool never_moves(const Channel& channel, const Reading& reading) const;
   bool loads_up(const Channel& channel, const Reading& reading) const;
   double noise_of(Quantity quantity) const;
   double p_noise() const;
   double p_eff(const RawValues& values) const;
   bool jumped(const Channel& channel) const;
   void note_jumps(const Reading& reading);
+  void note_fall(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
   SensorFinding& tally(const SensorFinding& finding);
   std::optional<double> time_of(std::int64_t number, const Reading& now) const;
@@ -106,7 +112,9 @@ class RecordHealth {
   std::vector<Channel> channels_;
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0;
-  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false;
+  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, held_ = false;
+  bool fell_ = false;          ///< in this stage, by kFall from one reading to the next
+  double displacement_ = NAN;  ///< axial, at the last reading
   static constexpr std::size_t kTimes = 1024;  ///< more than any hindsight
   std::array<double, kTimes> times_{};         ///< of the last readings
   RawValues now_{};

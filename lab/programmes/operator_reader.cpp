@@ -37,6 +37,8 @@ std::vector<OperatorAction> read_operator(const std::vector<TomlTable>& tables) 
     if (action.kind == Kind::hold && holding) table.fail("action", "is held already");
     actions.push_back(action);
   }
+  if (!actions.empty() && actions.back().kind == Kind::hold)
+    tables.back().fail("action", "nothing ends this hold: add a resume or an abort");
   return actions;
 }
 

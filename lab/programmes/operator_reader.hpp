@@ -8,7 +8,8 @@ namespace triax::lab {
 class TomlTable;
 
 /// Reads the [[operator]] tables: what somebody does at the panel, in the order of time; a resume
-/// needs a hold before it, nothing comes after an abort. Throws BadInput.
+/// needs a hold before it, a hold something that ends it, nothing comes after an abort. Throws
+/// BadInput.
 std::vector<OperatorAction> read_operator(const std::vector<TomlTable>& tables);
 
 }  // namespace triax::lab

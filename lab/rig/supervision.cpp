@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "lab/devices/spoken_unit.hpp"
+
 namespace triax::lab {
 namespace {
 
@@ -68,6 +70,10 @@ Channels channels_of(const Stage& stage) {
   }
 }
 
+bool counts_water(Quantity channel) {
+  return channel == Quantity::back_volume || channel == Quantity::cell_volume;
+}
+
 std::string_view name_of(Quantity channel) { return info(channel).name; }
 
 }  // namespace
@@ -75,7 +81,14 @@ std::string_view name_of(Quantity channel) { return info(channel).name; }
 Supervision::Supervision(const Programme& p)
     : load_limit_n_(p.frame.load_limit_n),
       volume_m3_(std::numbers::pi / 4 * p.specimen.diameter_m * p.specimen.diameter_m *
-                 p.specimen.height_m) {}
+                 p.specimen.height_m) {
+  // What a controller holds may be quieter than the noise so far.
+  for (const auto& row : quantities().first(kRawQuantityCount)) {
+    const bool held = counts_water(row.quantity) || row.quantity == Quantity::cell_pressure ||
+                      row.quantity == Quantity::back_pressure;
+    health_.emplace_back(finest_of(row.quantity), held ? 2 : 1);
+  }
+}
 
 void Supervision::begin_stage(const Stage& stage) {
   stage_ = stage;
@@ -84,8 +97,18 @@ void Supervision::begin_stage(const Stage& stage) {
   for (const EndCondition& end : stage.end)
     for (const Quantity channel : channels_of(end.quantity)) needed_[index(channel)] = true;
   force_off_s_ = cell_off_s_ = back_off_s_ = asked_way_ = 0;
+  stood_ = 0;
   way_start_.reset();
-  volume_start_.reset();
+  const bool drained = stage.role == StageRole::shear && stage.valve_open;
+  for (std::size_t i = 0; i < kRawQuantityCount; ++i)
+    health_[i].may_rest(counts_water(quantities()[i].quantity) && !drained);
+}
+
+bool Supervision::can_tell(EndQuantity quantity, const Reading& raw,
+                           const Instruments& instruments) {
+  return std::ranges::none_of(channels_of(quantity), [&](Quantity channel) {
+    return std::isnan(raw[channel]) || instruments.saturated(channel);
+  });
 }
 
 std::vector<std::string> Supervision::notes() { return std::exchange(notes_, {}); }
@@ -102,8 +125,12 @@ std::optional<std::string> Supervision::look(const Reading& raw, const Seen& see
   above_limit_ = above;
   if (auto reason = full_or_empty(devices)) return reason;
   if (auto reason = deaf(raw, instruments, dt_s)) return reason;
+  if (auto reason = stuck(raw)) return reason;
   if (auto reason = astray(seen, asked, dt_s)) return reason;
-  watch_valve(seen, asked);
+  watch_closed_valve(seen, asked, dt_s);
+  watch_open_valve(seen, asked, dt_s);
+  watch_cell(seen, asked, dt_s);
+  if (auto reason = force_astray(seen, asked, dt_s)) return reason;
   return standing(seen, asked, dt_s);
 }
 
@@ -126,13 +153,15 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const Instrumen
       continue;
     }
     silent_s_[i] += dt_s;
-    if (silent_s_[i] < kDeaf_s) continue;
+    // A servo would run after the end of the range: twice is enough.
+    const bool misleads = !missing && by_force(stage_.axial) && channel == Quantity::axial_force;
+    if (silent_s_[i] < (misleads ? 1.5 * dt_s : kDeaf_s)) continue;
     const std::string what =
         fmt::format("{} {}", name_of(channel),
                     missing ? "gives no readings" : "stands at the end of its range");
     if (needs(channel)) return what;
     if (!std::exchange(told_[i], true))
-      notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i]));
+      notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i] + dt_s));
   }
   return std::nullopt;
 }
@@ -158,44 +187,110 @@ std::optional<std::string> Supervision::astray(const Seen& seen, const Asked& as
   return std::nullopt;
 }
 
-std::optional<std::string> Supervision::standing(const Seen& seen, const Asked& asked,
-                                                 double dt_s) {
-  const double displacement = seen[Quantity::axial_displacement];
-  if (asked.force_n) {
-    const double missing = std::fabs(*asked.force_n - seen[Quantity::axial_force]);
-    const bool off = missing > std::max(10.0, 0.05 * std::fabs(*asked.force_n));
-    if (!off || !force_off_at_) force_off_at_ = displacement;
-    force_off_s_ = off ? force_off_s_ + dt_s : 0;
-    const bool stands = std::fabs(displacement - *force_off_at_) < 0.2e-3;
-    if (force_off_s_ >= kAstray_s / 4 && stands)
-      return fmt::format(
-          "the load cell reads {:.1f} N where {:.1f} N were asked for, and the cap "
-          "stands",
-          seen[Quantity::axial_force], *asked.force_n);
+std::optional<std::string> Supervision::stuck(const Reading& raw) {
+  ++looks_;
+  std::optional<std::string> reason;
+  for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
+    const Quantity channel = quantities()[i].quantity;
+    health_[i].add(looks_, raw[channel]);
+    const auto& dead = health_[i].dead();
+    if (!dead || !needs(channel) || dead->fault == SensorFault::missing) continue;
+    const sim::Unit unit = spoken_unit(channel);
+    reason = fmt::format("{} has stood at {:g} {} as no live transducer would", name_of(channel),
+                         sim::to_field(raw[channel], unit), unit.name);
   }
-  if (!way_start_) way_start_ = displacement;
-  asked_way_ += asked.crosshead_velocity * dt_s;
-  const double way = displacement - *way_start_;
-  if (std::fabs(asked_way_) > 0.5e-3 && std::fabs(way) < 0.1 * std::fabs(asked_way_))
-    return fmt::format("the crosshead was moved by {:.3f} mm, the displacement reads {:.3f} mm",
-                       asked_way_ * 1e3, way * 1e3);
-  return std::nullopt;
+  return reason;
 }
 
-void Supervision::watch_valve(const Seen& seen, const Asked& asked) {
+std::optional<std::string> Supervision::force_astray(const Seen& seen, const Asked& asked,
+                                                     double dt_s) {
+  if (!asked.force_n) return std::nullopt;
+  const double displacement = seen[Quantity::axial_displacement];
+  const double missing = std::fabs(*asked.force_n - seen[Quantity::axial_force]);
+  const bool off = missing > std::max(10.0, 0.05 * std::fabs(*asked.force_n));
+  if (!off || !force_off_at_) force_off_at_ = displacement;
+  force_off_s_ = off ? force_off_s_ + dt_s : 0;
+  const bool stands = std::fabs(displacement - *force_off_at_) < 0.2e-3;
+  if (force_off_s_ < kAstray_s / 4 || !stands) return std::nullopt;
+  return fmt::format(
+      "the load cell reads {:.1f} N where {:.1f} N were asked for, and the cap stands",
+      seen[Quantity::axial_force], *asked.force_n);
+}
+
+std::optional<std::string> Supervision::standing(const Seen& seen, const Asked& asked,
+                                                 double dt_s) {
+  constexpr double kWay_m = 0.25e-3;
+  const double displacement = seen[Quantity::axial_displacement];
+  if (!way_start_) way_start_ = displacement;
+  asked_way_ += asked.crosshead_velocity * dt_s;
+  if (std::fabs(asked_way_) <= kWay_m) return std::nullopt;
+  const double way = displacement - *way_start_;
+  const bool stood = std::fabs(way) < 0.1 * std::fabs(asked_way_);
+  stood_ = stood ? stood_ + 1 : 0;
+  const double asked_way = std::exchange(asked_way_, 0);
+  way_start_ = displacement;
+  if (stood_ < 2) return std::nullopt;
+  return fmt::format("the crosshead was moved by {:.3f} mm, the displacement reads {:.3f} mm more",
+                     asked_way * 1e3, way * 1e3);
+}
+
+void Supervision::RestingVolume::moves(double volume) {
+  last = {last[1], last[2], volume};
+  off_s = 0;
+  told = false;
+}
+
+std::optional<double> Supervision::RestingVolume::rests(double volume, double allowed,
+                                                        double dt_s) {
+  for (double& value : last)
+    if (std::isnan(value)) value = volume;
+  const double start =
+      std::max(std::min(last[0], last[1]), std::min(std::max(last[0], last[1]), last[2]));
+  off_s = std::fabs(volume - start) > allowed ? off_s + dt_s : 0;
+  if (told || off_s < kDeaf_s) return std::nullopt;
+  told = true;
+  return volume - start;
+}
+
+void Supervision::watch_closed_valve(const Seen& seen, const Asked& asked, double dt_s) {
   constexpr double kShare = 5e-4;  // of the specimen's volume
   const double volume = seen[Quantity::back_volume];
-  if (asked.valve_open || !volume_start_) {
-    volume_start_ = volume;
-    valve_told_ = valve_told_ && !asked.valve_open;
+  if (asked.valve_open) return back_water_.moves(volume);
+  if (const auto flowed = back_water_.rests(volume, kShare * volume_m3_, dt_s))
+    notes_.push_back(
+        fmt::format("water flows although the valve is closed ({:.0f} mm3 since it was): "
+                    "it does not close, or there is a leak",
+                    *flowed * 1e9));
+}
+
+void Supervision::watch_cell(const Seen& seen, const Asked& asked, double dt_s) {
+  constexpr double kShare = 4e-3;  // of the specimen's volume; a membrane takes some of it
+  const double volume = seen[Quantity::cell_volume];
+  const bool ramps = std::exchange(cell_held_pa_, asked.cell_pa) != asked.cell_pa;
+  if (asked.valve_open || ramps) return cell_water_.moves(volume);
+  if (const auto flowed = cell_water_.rests(volume, kShare * volume_m3_, dt_s))
+    notes_.push_back(
+        fmt::format("the cell takes water although its pressure and the specimen's volume rest "
+                    "({:.0f} mm3 since they do): cell or controller leaks",
+                    *flowed * 1e9));
+}
+
+void Supervision::watch_open_valve(const Seen& seen, const Asked& asked, double dt_s) {
+  constexpr double kLag_pa = 10e3, kShare = 2e-5;
+  const double volume = seen[Quantity::back_volume];
+  const double lag = seen[Quantity::pore_pressure] - seen[Quantity::back_pressure];
+  const bool flows = std::fabs(volume - no_flow_volume_) > kShare * volume_m3_;
+  if (!asked.valve_open || flows || std::fabs(lag) < kLag_pa) {
+    no_flow_s_ = 0;
+    no_flow_volume_ = volume;
     return;
   }
-  if (valve_told_ || std::fabs(volume - *volume_start_) < kShare * volume_m3_) return;
-  valve_told_ = true;
-  notes_.push_back(
-      fmt::format("water flows although the valve is closed ({:.0f} mm3 since it was): "
-                  "it does not close, or there is a leak",
-                  (volume - *volume_start_) * 1e9));
+  no_flow_s_ += dt_s;
+  if (no_flow_s_ < kAstray_s || std::exchange(no_flow_told_, true)) return;
+  notes_.push_back(fmt::format(
+      "the valve is open and the pore pressure is {:.1f} kPa off the back pressure, but "
+      "no water flows: it does not open, or one of the transducers is wrong",
+      lag / 1e3));
 }
 
 }  // namespace triax::lab

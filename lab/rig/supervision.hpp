@@ -4,17 +4,23 @@
 // the stage depends on must be alive; else the rig goes to its safe state. What only the record
 // needs is reported, and the test goes on.
 //
-// Looked for, beyond what the channels' health tells:
+// Looked for:
 //   a transducer without a reading, or at the end of its range, for kDeaf_s
+//   a channel that a loop or the end needs and that stands still as noise never would
 //   a force that stays away from what the servo wants although the cap stands: in a collapse it
 //   moves a pressure that stays away from what its controller was asked for a crosshead that was
-//   asked to move and a displacement that does not a controller that is full or empty; a load above
-//   the frame's limit (emergency stop) water that flows although the valve is closed (reported)
+//   asked to move and a displacement that does not, twice in a row a controller that is full or
+//   empty; a load above the frame's limit (emergency stop)
+// and, only reported:
+//   water that flows from or to the back controller although the valve is closed, or that the cell
+//   takes although valve and pressures rest
+//   a pore pressure away from the back pressure and no water that flows although the valve is open
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lab/health/channel_health.hpp"
 #include "lab/rig/instruments.hpp"
 #include "lab/rig/seen.hpp"
 
@@ -41,6 +47,8 @@ class Supervision {
   std::optional<std::string> look(const Reading& raw, const Seen& seen, const Asked& asked,
                                   const Instruments& instruments, const PlantState& devices,
                                   double dt_s);
+  /// Whether the channels behind the quantity give readings within their ranges.
+  static bool can_tell(EndQuantity quantity, const Reading& raw, const Instruments& instruments);
   /// What was noticed since the last call and does not stop the test.
   std::vector<std::string> notes();
 
@@ -49,18 +57,38 @@ class Supervision {
   std::optional<std::string> deaf(const Reading& raw, const Instruments& instruments, double dt_s);
   std::optional<std::string> full_or_empty(const PlantState& devices) const;
   std::optional<std::string> astray(const Seen& seen, const Asked& asked, double dt_s);
+  std::optional<std::string> stuck(const Reading& raw);
+  std::optional<std::string> force_astray(const Seen& seen, const Asked& asked, double dt_s);
   std::optional<std::string> standing(const Seen& seen, const Asked& asked, double dt_s);
-  void watch_valve(const Seen& seen, const Asked& asked);
+  void watch_closed_valve(const Seen& seen, const Asked& asked, double dt_s);
+  void watch_open_valve(const Seen& seen, const Asked& asked, double dt_s);
+  void watch_cell(const Seen& seen, const Asked& asked, double dt_s);
+
+  /// A counter of water, that stays away from where it rested for kDeaf_s.
+  struct RestingVolume {
+    std::array<double, 3> last{kMissing, kMissing, kMissing};  ///< before it had to rest
+    double off_s = 0;
+    bool told = false;
+    void moves(double volume);
+    /// By how much it moved, once that is more than `allowed` and not only for an instant.
+    std::optional<double> rests(double volume, double allowed, double dt_s);
+  };
 
   double load_limit_n_, volume_m3_;
   Stage stage_;
   std::array<bool, kRawQuantityCount> needed_{};
   std::array<double, kRawQuantityCount> silent_s_{};  ///< since when a channel says nothing
   std::array<bool, kRawQuantityCount> told_{};
+  std::vector<ChannelHealth> health_;  ///< one a channel
+  std::int64_t looks_ = 0;
   double force_off_s_ = 0, cell_off_s_ = 0, back_off_s_ = 0;
-  double asked_way_ = 0;  ///< of the crosshead since the stage began, m
-  std::optional<double> way_start_, volume_start_, force_off_at_;
-  bool valve_told_ = false, above_limit_ = false;
+  double asked_way_ = 0;  ///< of the crosshead since way_start_, m
+  int stood_ = 0;         ///< times in a row that the displacement did not follow
+  std::optional<double> way_start_, force_off_at_;
+  RestingVolume back_water_, cell_water_;
+  double cell_held_pa_ = kMissing;  ///< set point at the last look
+  double no_flow_s_ = 0, no_flow_volume_ = 0;
+  bool no_flow_told_ = false, above_limit_ = false;
   std::vector<std::string> notes_;
 };
 

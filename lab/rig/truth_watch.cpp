@@ -29,12 +29,24 @@ void TruthWatch::watch(double time_s, double dt_s, const sim::SpecimenState& bef
   if (confirmed_) return;
   if (!shear) {
     last_.reset();
+    sum_.reset();
     pending_ = false;
     return;
   }
-  const auto& de = step.strain_increment;
-  const double work = sim::second_order_work({}, step.stress_increment, de).normalised;
-  const Middle now{time_s + dt_s / 2, work, before, step.state, dt_s};
+  if (!sum_) sum_ = Sum{.start_s = time_s, .before = before, .stress = {}, .strain = {}};
+  sum_->dt_s += dt_s;
+  sum_->stress.axial += step.stress_increment.axial;
+  sum_->stress.radial += step.stress_increment.radial;
+  sum_->strain.axial += step.strain_increment.axial;
+  sum_->strain.radial += step.strain_increment.radial;
+  const auto& d = step.strain_increment;
+  sum_->path += std::sqrt(d.axial * d.axial + 2 * d.radial * d.radial);
+  if (sum_->path < kIncrement) return;
+
+  const auto de = sum_->strain;
+  const double work = sim::second_order_work({}, sum_->stress, de).normalised;
+  const Middle now{sum_->start_s + sum_->dt_s / 2, work, sum_->before, step.state, sum_->dt_s};
+  sum_.reset();
   if (work >= 0) {
     pending_ = false;
   } else {

@@ -10,10 +10,13 @@ namespace triax::lab {
 /// first instant of shear at which the second-order work dσ′:dε of the increment that the programme
 /// takes turns negative and stays negative over a strain path ∫|dε| of kLastingPath. Elastic
 /// increments have positive work, so neither a stage change nor a servo's search can trigger it.
+/// Increments are added up to a strain path of kIncrement first: what a noisy servo does to the
+/// specimen from tick to tick is not the increment that the programme takes.
 /// The instant is interpolated between the middles of the two increments around the change of sign.
 class TruthWatch {
  public:
   static constexpr double kLastingPath = 1e-4;
+  static constexpr double kIncrement = 1e-6;
 
   /// One increment of the path, in order. `height_at_shear_m` is the height when shear began.
   void watch(double time_s, double dt_s, const sim::SpecimenState& before,
@@ -27,8 +30,16 @@ class TruthWatch {
     sim::SpecimenState before, after;
     double dt_s;
   };
+  /// Increments that are being added up.
+  struct Sum {
+    double start_s = 0, dt_s = 0, path = 0;
+    sim::SpecimenState before;
+    sim::AxisymmetricStress stress;
+    sim::AxisymmetricStrain strain;
+  };
   void open(const Middle& now, double height_at_shear_m);
 
+  std::optional<Sum> sum_;
   std::optional<Middle> last_;
   bool pending_ = false;
   bool confirmed_ = false;

@@ -56,7 +56,6 @@ struct VirtualRig::Impl {
   bool stage_over();
   void act_as_operator();
   void go(Mode next, const std::string& kind, const std::string& detail);
-  PressureDemand pressure_demand(const PressureDemand& staged) const;
   std::optional<double> outflow(double dt_s) const;
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
@@ -132,12 +131,13 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
     return end.met(plant.state().cell.asked_pa);
   if (end.quantity == EndQuantity::back_pressure && stage().back.target_pa == bound)
     return end.met(plant.state().back.asked_pa);
-  return seen.met(end);
+  // Its last value stands in for a channel that says nothing; no stage ends by that.
+  return Supervision::can_tell(end.quantity, reading, instruments) && seen.met(end);
 }
 
 /// True where the stage is over and none follows, or it may not go on.
 bool VirtualRig::Impl::stage_over() {
-  if (mode == Mode::safe || mode == Mode::fallen) return ++safe_readings > kSafeReadings;
+  if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
   if (mode == Mode::held) return false;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
     if (stage_index + 1 >= programme.stages.size()) return true;
@@ -341,6 +341,7 @@ bool VirtualRig::next(Reading& reading) {
   rig.look();
   if (rig.number == 0) rig.begin_stage();
   rig.check_ranges();
+  if (rig.mode == Impl::Mode::safe || rig.mode == Impl::Mode::fallen) ++rig.safe_readings;
   reading = rig.reading;
   return true;
 }

@@ -154,6 +154,7 @@ SpecimenStep ImplicitStep::integrate(const SpecimenState& start, const Condition
   step.law_ended = point.outcome == StepOutcome::failed;
   step.done_s = point.done * dt_s;
   step.substeps = 1;
+  step.law_steps = point.steps;
   step.stress_increment = axisymmetric_stress(point.stress_increment);
   step.strain_increment = axisymmetric_strain(point.strain_increment);
   SpecimenState& end = step.state;
@@ -181,7 +182,9 @@ SpecimenStep ImplicitStep::take(const SpecimenState& state, double height_at_sta
   }
   if (!asked.linear && !specimen_.law().finite()) asked = about(predict(state, asked));
   for (int i = 0; i < kIterations; ++i) {
-    const SpecimenStep tried = integrate(state, asked, dt_s);
+    SpecimenStep tried = integrate(state, asked, dt_s);
+    tried.law_steps += step.law_steps;
+    step.law_steps = tried.law_steps;
     if (i > 0 && !went_on(tried)) break;
     step = tried;
     const Increment moved{deviator_stress(tried.stress_increment), tried.stress_increment.radial,

@@ -197,6 +197,7 @@ void InertialMotion::run(SpecimenStep& whole, double dt_s) const {
   int failures = 0;
   double pulls = pull(whole.state, whole.done_s), k = stiffness(whole.state, pulls);
   while (whole.done_s < dt_s && whole.state.run_away.under_way) {
+    if (exhausted(whole, tolerance_)) return;
     const SpecimenState& from = whole.state;
     const double longest = shorter * longest_substep(from, pulls, k);
     const double left = dt_s - whole.done_s;
@@ -207,6 +208,7 @@ void InertialMotion::run(SpecimenStep& whole, double dt_s) const {
     const bool too_long =
         step.done_s > kTooLong * tolerance_.inertial_substep * std::sqrt(mass / k_then);
     if (went_on(step) ? too_long && shorter > kShortest : failures++ < kFailures) {
+      whole.law_steps += step.law_steps;
       shorter /= 4;
       continue;
     }

@@ -68,6 +68,7 @@ void QuasiStatic::run_through_resistance(SpecimenStep& whole, double dt_s) const
   const double smallest = 1e-6 * dt_s;
   double h = dt_s;
   while (whole.done_s < dt_s) {
+    if (exhausted(whole, tolerance_)) return;
     const double before = whole.done_s;
     const bool last = h >= dt_s - before;
     h = std::min(h, dt_s - before);
@@ -77,7 +78,9 @@ void QuasiStatic::run_through_resistance(SpecimenStep& whole, double dt_s) const
     const double error = std::abs(full.state.pore_pressure - half.state.pore_pressure);
     const double allowed = tolerance_.pore_pressure_pa * std::max(h / dt_s, 1e-3);
     const bool good = went_on(full) && went_on(half) && error <= allowed;
+    whole.law_steps += full.law_steps;
     if (!good && h > smallest) {
+      whole.law_steps += half.law_steps;
       h = std::max(h / 4, smallest);
       continue;
     }

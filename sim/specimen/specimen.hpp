@@ -37,6 +37,9 @@ struct SpecimenTolerance {
   PointTolerance point;            ///< of the material
   double pore_pressure_pa = 2;     ///< error per step through a drainage resistance
   double inertial_substep = 0.05;  ///< longest substep of inertial motion over √(m/|k|)
+  /// Steps of the law's integration after which a step of the specimen is given up, as where the
+  /// law goes no further: near p′ = 0 each is so short that there is no end to them.
+  std::int64_t law_steps = 100000;
 };
 
 /// σ₃′, Pa

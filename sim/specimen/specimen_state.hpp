@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 
 #include "sim/point/point_driver.hpp"
@@ -56,6 +57,8 @@ struct SpecimenStep {
   bool at_stop = false;    ///< the cap rests against its stop
   bool ran_away = false;   ///< some of the step was integrated with inertia after loss of control
   int substeps = 0;        ///< parts the step was integrated in
+  /// Steps in which the law was integrated, those of parts that were given up among them.
+  std::int64_t law_steps = 0;
 };
 
 }  // namespace triax::sim

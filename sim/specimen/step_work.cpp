@@ -1,5 +1,7 @@
 #include "sim/specimen/step_work.hpp"
 
+#include <cmath>
+
 namespace triax::sim {
 namespace {
 
@@ -48,6 +50,15 @@ StepWork work_between(const Specimen& specimen, const SpecimenState& before,
   return work;
 }
 
+bool exhausted(SpecimenStep& whole, const SpecimenTolerance& tolerance) {
+  if (whole.law_steps <= tolerance.law_steps) return false;
+  whole.outcome = StepOutcome::failed;
+  whole.law_ended = true;
+  whole.message = "it asks for ever shorter steps, p' = " +
+                  std::to_string(std::lround(whole.state.material.p())) + " Pa";
+  return true;
+}
+
 void append(SpecimenStep& whole, const SpecimenStep& part) {
   whole.state = part.state;
   whole.done_s += part.done_s;
@@ -65,6 +76,7 @@ void append(SpecimenStep& whole, const SpecimenStep& part) {
   whole.at_stop = part.at_stop;
   whole.ran_away = whole.ran_away || part.ran_away;
   whole.substeps += part.substeps;
+  whole.law_steps += part.law_steps;
 }
 
 }  // namespace triax::sim

@@ -49,6 +49,29 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   control.add(at(300, 5e3, 0.15), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading == 299);
+  CHECK(control.sudden());
+}
+
+TEST_CASE("what creeps faster before a fall is not yet the fall") {
+  LossOfControl control;
+  control.start_stage(&kHeld);
+  for (int i = 0; i < 300; ++i) control.add(at(i, 60e3, i * 1e-6), true);
+  double strain = 299e-6;
+  for (int i = 300; i < 304; ++i) control.add(at(i, 60e3, strain += 2e-5), true);
+  CHECK_FALSE(control.finding());
+  control.add(at(304, 1e3, 0.15), true);
+  REQUIRE(control.finding());
+  CHECK(control.finding()->instant.reading == 303);
+  CHECK(control.sudden());
+}
+
+TEST_CASE("a burst over many readings is no fall") {
+  LossOfControl control;
+  control.start_stage(&kHeld);
+  for (int i = 0; i < 300; ++i) control.add(at(i, 60e3, i * 1e-6), true);
+  for (int i = 300; i < 320; ++i) control.add(at(i, 60e3, 3e-4 + (i - 299) * 5e-4), true);
+  REQUIRE(control.finding());
+  CHECK_FALSE(control.sudden());
 }
 
 TEST_CASE("a prescribed displacement is never lost") {

@@ -101,6 +101,28 @@ TEST_CASE("at held q with the valve closed the pore pressure places the onset") 
   CHECK(c.kind == CollapseKind::flow);
 }
 
+TEST_CASE("a fall is the onset, whatever the volume did before; alone it is a flow") {
+  const LimitSurface limit = sand();
+  const Instant fall{.reading = 90, .q_pa = 60e3, .p_eff_pa = 100e3};
+  const Finding burst{fall, "the specimen fell"};
+  Descent held = descent(60e3, 105e3, 0, 60e3);
+  held.axial_strain_last = held.onset.axial_strain + 0.02;
+  const Finding turn{{.reading = 40, .q_pa = 60e3, .p_eff_pa = 110e3}, "turned"};
+  const Collapse c = verdict({.at_held_q = held,
+                              .loss_of_control = burst,
+                              .fall = fall,
+                              .control_peak = turn,
+                              .points = 50,
+                              .limit = limit});
+  REQUIRE(c.onset);
+  CHECK(c.onset->reading == 90);
+  CHECK(c.criteria[2].reading == 40);
+  const Collapse alone =
+      verdict({.loss_of_control = burst, .fall = fall, .points = 50, .limit = limit});
+  CHECK(alone.kind == CollapseKind::flow);
+  CHECK(alone.onset->reading == 90);
+}
+
 TEST_CASE(
     "a collapse over in a reading or two keeps the onset that the pore pressure showed before") {
   const LimitSurface limit = sand();

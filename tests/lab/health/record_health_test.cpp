@@ -122,3 +122,20 @@ TEST_CASE("findings of one kind are one warning with a count, each is news") {
   REQUIRE(health.warnings().size() == 1);
   CHECK(found(health, "and 9 more times"));
 }
+
+TEST_CASE("a specimen that falls between two readings outruns its water: the gauge is not stuck") {
+  const auto stuck = [](double per_reading) {
+    RecordHeader header = driven(Drainage::open);
+    header.stages[2].control = AxialControl::constant_q;
+    const RecordHealth health = watched(header, 600, [&](Reading& reading) {
+      if (reading.number < 500) return;
+      reading[Quantity::back_volume] = shear(500)[Quantity::back_volume];
+      const double after = static_cast<double>(std::min<std::int64_t>(reading.number - 500, 80));
+      if (reading.number > 540)
+        reading[Quantity::axial_displacement] += std::min((after - 40) * per_reading, 20e-3);
+    });
+    return found(health, "back_volume");
+  };
+  CHECK_FALSE(stuck(20e-3));
+  CHECK(stuck(0.2e-3));
+}

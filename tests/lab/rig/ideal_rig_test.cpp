@@ -19,19 +19,28 @@ using Control = sim::MixedControl<sim::Axisymmetric>;
 
 namespace {
 
-constexpr double kHeight = 0.14, kVoidRatio = 1.086;
+constexpr double kHeight = 0.14;
 constexpr double kVolume = std::numbers::pi / 4 * 0.07 * 0.07 * kHeight;
 
+// Keys of [rig]: nothing imperfect; most of what is.
+const std::string kReal =
+    "water_bulk_modulus_GPa = 2.2\nsystem_compliance_mm3_per_kPa = 0.5\n"
+    "drainage_resistance_kPa_s_per_mm3 = 0.1\n[rig.frame]\nstiffness_kN_per_mm = 20.0\n"
+    "moving_mass_kg = 5.0\ndamping_N_s_per_m = 20.0\ntravel_mm = 20.0\n";
+const std::string kMembrane =
+    "membrane_thickness_mm = 0.3\nmembrane_modulus_kPa = 1400.0\n"
+    "membrane_penetration_mm3_per_mm2 = 0.005\n";
+const std::string kBare = "[rig.frame]\nmoving_mass_kg = 0.0\n";
+
 /// One tick a scan, so that nothing lies between two readings.
-std::string programme_text(const std::string& stages, const std::string& rig = {},
+std::string programme_text(const std::string& stages, const std::string& rig = kBare,
                            const std::string& material = "inl2/S28-general") {
   return "[test]\nname = \"ideal\"\ntype = \"ICU\"\nseed = 1\nscan_interval_s = 0.25\n"
          "[specimen]\nmaterial = \"" +
          material +
          "\"\nheight_mm = 140.0\ndiameter_mm = 70.0\nvoid_ratio = 1.086\n"
-         "initial_effective_stress_kPa = 100.0\n[rig]\nback_pressure_kPa = "
-         "300.0\n[rig.frame]\nmoving_mass_kg = 0.0\n" +
-         rig + stages;
+         "initial_effective_stress_kPa = 100.0\n" +
+         (rig == kReal ? kMembrane : "") + "[rig]\nback_pressure_kPa = 300.0\n" + rig + stages;
 }
 
 lab::Programme programme(const std::string& text) { return lab::read_programme(text, "p.toml"); }
@@ -113,13 +122,13 @@ TEST_CASE("ideal rig: undrained and drained compression are those of the bare po
                   stage("shear", "closed", "displacement",
                         "axial_rate_mm_per_min = 1.0\nend = [{quantity = \"axial_strain_pct\", "
                         "above = 2.0}]"),
-                  {}, law)),
+                  kBare, law)),
               [](const Increment& d, const auto&) { return Control::strain_path(d.axial_strain); });
     deviation(programme(programme_text(
                   stage("shear", "open", "displacement",
                         "axial_rate_mm_per_min = 1.0\nend = [{quantity = \"axial_strain_pct\", "
                         "above = 2.0}]"),
-                  {}, law)),
+                  kBare, law)),
               [](const Increment& d, const auto&) {
                 return Control::drained_compression(d.axial_strain);
               });
@@ -165,4 +174,76 @@ TEST_CASE("ideal rig: proportional strain paths are those of the bare point") {
                       "\nend = [{quantity = \"axial_strain_pct\", above = 0.4}]"))),
         [R](const Increment& d, const auto&) { return Control::strain_path(d.axial_strain, R); });
   }
+}
+
+namespace {
+
+struct Balance {
+  double energy = 0;  ///< largest part of a tick's work that is not accounted for
+  double water = 0;   ///< largest part of the specimen's volume
+  int ticks = 0, run_away = 0;
+};
+
+double turned_over(const sim::StepWork& w) {
+  double sum = 0;
+  for (const double part : {w.axial, w.cell, w.drainage, w.skeleton, w.membrane, w.water, w.damping,
+                            w.stop, w.kinetic, w.impulse})
+    sum += std::fabs(part);
+  return sum;
+}
+
+/// Of ticks in which hardly anything happens, against the mean of the ticks so far.
+Balance balance(const std::string& text) {
+  lab::VirtualRig rig(programme(text));
+  Balance worst;
+  double sum = 0;
+  for (lab::Reading r; rig.next(r);) {
+    if (r.number == 0) continue;
+    const sim::SpecimenStep& step = rig.plant().last_step();
+    const double work = turned_over(step.work);
+    sum += work;
+    ++worst.ticks;
+    worst.energy =
+        std::max(worst.energy, std::fabs(step.work.balance()) / std::max(work, sum / worst.ticks));
+    const auto& specimen = rig.plant().specimen();
+    worst.water = std::max(worst.water, std::fabs(specimen.water_imbalance_m3(step.state)) /
+                                            specimen.volume_m3(step.state));
+    worst.run_away += step.ran_away ? 1 : 0;
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("energy and water balance at every tick of every kind of test") {
+  const std::string icu =
+      stage("shear", "closed", "displacement",
+            "axial_rate_mm_per_min = 1.0\nend = [{quantity = \"axial_strain_pct\", above = 2.0}]");
+  const std::string lowered =
+      "cell_rate_kPa_per_min = -6.0\nend = [{quantity = \"stress_ratio\", above = 0.5}]";
+  const std::string csd = kDrainedShear + stage("shear", "open", "constant_q", lowered);
+  const std::string csu =
+      kDrainedShear + stage("shear", "closed", "constant_q",
+                            "cell_rate_kPa_per_min = -6.0\nend = [{quantity = \"time_min\", above "
+                            "= 10.0}]");
+  const std::string path =
+      stage("shear", "open", "displacement",
+            "axial_rate_mm_per_min = 0.5\nstrain_path_R = 0.7\nend = [{quantity = "
+            "\"axial_strain_pct\", above = 0.4}]");
+  for (const std::string& rig : {kBare, kReal})
+    for (const std::string& stages : {icu, csd, csu, path}) {
+      INFO(rig << stages);
+      const Balance quiet = balance(programme_text(stages, rig));
+      CHECK(quiet.ticks > 200);
+      CHECK(quiet.run_away == 0);
+      CHECK(quiet.energy < 1e-5);  // of the trapezoid, in the first tick
+      CHECK(quiet.water < 1e-12);
+    }
+  const Balance collapse = balance(programme_text(
+      stage("shear", "closed", "load",
+            "load_rate_N_per_min = 60.0\nend = [{quantity = \"axial_strain_pct\", above = 12.0}]"),
+      kReal));
+  CHECK(collapse.run_away > 0);
+  CHECK(collapse.energy < 1e-3);
+  CHECK(collapse.water < 1e-12);
 }

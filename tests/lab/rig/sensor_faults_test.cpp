@@ -63,6 +63,16 @@ bool harmless(const DrawnTest& test, Quantity q, const Case& c) {
          test.header.stage(test.readings.back().stage)->drainage == Drainage::closed;
 }
 
+/// A dead sensor is known by standing still for a while. A collapse under load is over in less: the
+/// record ends ten readings after it.
+constexpr std::int64_t kReadingsToTell = 60;
+
+/// What is true of the programmes themselves: B, a slow drain in CSD 51, a rest cut short.
+bool of_the_test_not_its_sensors(const Check& c) {
+  return c.name.starts_with("b_value") || c.name.starts_with("rate") ||
+         c.name.starts_with("consolidation");
+}
+
 }  // namespace
 
 TEST_CASE("sound sensors, real or perfect: nothing is found and everything is judged") {
@@ -76,7 +86,7 @@ TEST_CASE("sound sensors, real or perfect: nothing is found and everything is ju
       CHECK(s.collapse.judged_until_reason.empty());
       for (const Check& c : s.checks) {
         INFO(c.name << ": " << c.note);
-        CHECK((c.ok || c.name.starts_with("b_value")));
+        CHECK((c.ok || of_the_test_not_its_sensors(c)));
       }
     }
   }
@@ -90,6 +100,7 @@ TEST_CASE("a sensor that dies for good ends the verdict there, and a collapse be
     const std::int64_t onset =
         whole.collapse.onset ? whole.collapse.onset->reading : (start + end) / 2;
     for (std::int64_t at : {start - 200, (start + onset) / 2, onset - 5, (onset + end) / 2}) {
+      if (end - at < kReadingsToTell) continue;
       for (Quantity q : kNeeded) {
         for (const Case& c : dead_for_good(q, at)) {
           if (harmless(test, q, c)) continue;
@@ -124,6 +135,7 @@ TEST_CASE(
     const std::int64_t onset =
         whole.collapse.onset ? whole.collapse.onset->reading : (start + end) / 2;
     for (std::int64_t at : {(start + onset) / 2, onset - 5, onset + 20}) {
+      if (end - at < kReadingsToTell) continue;
       for (Quantity q : kNeeded) {
         for (const Case& c : dead_for_a_while(q, at)) {
           if (harmless(test, q, c) || (q == Quantity::back_volume && c.name == "stuck for 100"))
@@ -179,7 +191,8 @@ TEST_CASE("slow faults show where one sensor is held against another") {
   const Break offset = [](Reading& r) { r[Quantity::pore_pressure] += 5e3; };
   const TestSummary shifted = judge(drained, {offset});
   CHECK_FALSE(check(shifted, "zero_difference")->ok);
-  CHECK(check(shifted, "rate")->ok);  // it is the same at rest and in shear
+  // It is the same at rest and in shear.
+  CHECK(check(shifted, "rate")->ok == check(judge(drained), "rate")->ok);
 
   const DrawnTest& closed = drawn("icu_6");
   const Break leak = [](Reading& r) { r[Quantity::back_volume] -= 2e-10 * r.time_s; };

@@ -1,8 +1,10 @@
 #include "lab/rig/supervision.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <string>
 
+#include "lab/devices/noise.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
@@ -140,4 +142,74 @@ TEST_CASE("water that flows through a closed valve is told of once") {
   CHECK(w.look(5).empty());
   CHECK_THAT(w.notes, Contains("water flows although the valve is closed (-400 mm3"));
   CHECK(w.notes.find("closed") == w.notes.rfind("closed"));
+}
+
+TEST_CASE("spikes stop nothing and are not told of as water") {
+  Watch w(crosshead_stage());
+  w.asked.valve_open = false;
+  w.asked.crosshead_velocity = 1e-5;
+  for (int i = 0; i < 300; ++i) {
+    const bool spike = i % 32 == 16;
+    w.reading[Quantity::axial_displacement] = 1e-5 * i + (spike ? -2e-3 : 0);
+    w.reading[Quantity::back_volume] = spike ? 2e-6 : 0;
+    REQUIRE(w.look(1).empty());
+  }
+  CHECK(w.notes.empty());
+}
+
+TEST_CASE("a noisy load cell that stands still stops the stage that follows it, and no other") {
+  for (const bool by_load : {true, false}) {
+    Watch w(by_load ? load_stage() : crosshead_stage());
+    if (by_load) w.asked.force_n = 100;
+    const auto noise = [](std::uint64_t i) {
+      return 0.1 * std::round(5 * standard_normal(1, 2, i));
+    };
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      w.reading[Quantity::axial_force] = 100 + noise(i);
+      REQUIRE(w.look(1).empty());
+    }
+    const std::string reason = w.look(60);
+    if (by_load) CHECK_THAT(reason, Contains("axial_force has stood at"));
+    if (!by_load) CHECK(reason.empty());
+  }
+}
+
+TEST_CASE("a cell that takes water at rest, and a valve that does not open") {
+  Watch cell(crosshead_stage());
+  cell.asked.valve_open = false;
+  CHECK(cell.look(5).empty());
+  cell.reading[Quantity::cell_volume] = 3e-6;
+  CHECK(cell.look(5).empty());
+  CHECK_THAT(cell.notes, Contains("the cell takes water although") && Contains("3000 mm3"));
+  Watch ramping(crosshead_stage());
+  ramping.asked.valve_open = false;
+  for (int i = 0; i < 20; ++i) {
+    ramping.asked.cell_pa += 100;
+    ramping.reading[Quantity::cell_volume] += 1e-6;
+    CHECK(ramping.look(1).empty());
+  }
+  CHECK(ramping.notes.empty());
+
+  Watch blocked(crosshead_stage()), draining(crosshead_stage());
+  for (Watch* w : {&blocked, &draining}) w->reading[Quantity::pore_pressure] += 20e3;
+  for (int i = 0; i < 100; ++i) {
+    CHECK(blocked.look(1).empty());
+    draining.reading[Quantity::back_volume] -= 1e-9;
+    CHECK(draining.look(1).empty());
+  }
+  CHECK_THAT(blocked.notes, Contains("no water flows"));
+  CHECK(draining.notes.empty());
+}
+
+TEST_CASE("a channel at the end of its range or silent ends no stage") {
+  Programme p = read_programme(test::programme_text(), "p.toml");
+  p.faults = {{"axial_displacement", FaultKind::drop_out, 1, {}, 0}};
+  Instruments instruments(p, 1);
+  const Plant plant(p);
+  Reading reading;
+  instruments.look(plant, 0, reading);
+  CHECK(Supervision::can_tell(EndQuantity::axial_strain, reading, instruments));
+  instruments.look(plant, 1, reading);
+  CHECK_FALSE(Supervision::can_tell(EndQuantity::axial_strain, reading, instruments));
+  CHECK(Supervision::can_tell(EndQuantity::time, reading, instruments));
 }

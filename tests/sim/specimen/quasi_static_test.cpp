@@ -79,3 +79,22 @@ TEST_CASE("what drainage holds up only slowly is lost to a mass") {
   CHECK(state.run_away.largest_kinetic_energy_j > 0.1);
   CHECK(state.pore_pressure > 350e3);  // it liquefied: the water had no time to leave
 }
+
+TEST_CASE("a step that asks for more of the law's integration than allowed ends as where it ends") {
+  SpecimenProperties p = bare();
+  p.drainage_resistance = 1e10;
+  const Specimen specimen = loose(sanisand_of_s28(), p);
+  const SpecimenBoundary b = moved(1e-5, Water::drained);
+  const auto whole = specimen.advance(specimen.start(), b, 10);
+  REQUIRE(accepted(whole));
+  SpecimenTolerance little;
+  little.law_steps = whole.law_steps / 2;
+  const auto cut = specimen.advance(specimen.start(), b, 10, little);
+  CHECK(cut.outcome == StepOutcome::failed);
+  CHECK(cut.law_ended);
+  CHECK(cut.message.find("ever shorter steps") != std::string::npos);
+  CHECK(cut.done_s < 10);
+  CHECK(cut.done_s > 0);
+  little.law_steps = whole.law_steps;
+  CHECK(accepted(specimen.advance(specimen.start(), b, 10, little)));
+}
