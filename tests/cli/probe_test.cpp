@@ -1,8 +1,7 @@
 // triax probe: what it prints and writes, and how it ends.
-#include <fmt/format.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
@@ -110,9 +109,9 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   CHECK(space["own_increment"]["alpha_deg"] == own["alpha_deg"]);
   CHECK(space["own_increment"]["w2_normalised_law"].get<double>() ==
         Approx(own["w2_normalised_law"].get<double>()).margin(1e-9));
-  CHECK(here.triax(probe + "--plane 3d --step 15")
-            .out.find(fmt::format("of the law {:.3f}", own["w2_normalised_law"].get<double>())) !=
-        std::string::npos);
+  char law[32];
+  std::snprintf(law, sizeof law, "of the law %.3f", own["w2_normalised_law"].get<double>());
+  CHECK(here.triax(probe + "--plane 3d --step 15").out.find(law) != std::string::npos);
 
   for (const auto& [arguments, says] : std::vector<std::pair<std::string, std::string>>{
            {"--at 99999999", "they go from 0 to"},
