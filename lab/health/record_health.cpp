@@ -131,7 +131,14 @@ std::int64_t RecordHealth::rest(const Channel& channel, const Reading& reading) 
 void RecordHealth::compare(Channel& channel, const Reading& reading) {
   ChannelHealth& health = channel.health;
   const std::int64_t at_rest = rest(channel, reading);
-  if (health.dead() || at_rest == 0 || at_rest > kLongestRest || !(volume_m3_ > 0)) return;
+  if (health.dead() || at_rest == 0 || !(volume_m3_ > 0)) return;
+  if (at_rest > kLongestRest) {
+    // Too late to hold states back: what rested on it is taken back.
+    const bool stopped = channel.quantity == Quantity::back_volume && drained_ && !fell_ &&
+                         channel.moves >= kAtRest && outlasts(channel, reading);
+    if (stopped) health.condemn();
+    return;
+  }
   if (jumped(channel)) {
     health.condemn();
     return;
@@ -165,12 +172,16 @@ bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) con
          std::fabs(way) > kRunningStrain * height;
 }
 
+/// At rest while p′ changed by more than a volume can stand still for.
+bool RecordHealth::outlasts(const Channel& channel, const Reading& reading) const {
+  const double before = p_eff(channel.at_rest);
+  return std::fabs(p_eff(now_) - before) > kLargeChangeOfP * before &&
+         cannot_rest(channel, reading);
+}
+
 /// A counter that moved before shear and in drained shear not once, whatever p′ does.
 bool RecordHealth::never_moves(const Channel& channel, const Reading& reading) const {
-  const double before = p_eff(channel.at_rest);
-  return channel.health.noise().moves() >= kAtRest &&
-         std::fabs(p_eff(now_) - before) > kLargeChangeOfP * before &&
-         cannot_rest(channel, reading);
+  return channel.health.noise().moves() >= kAtRest && outlasts(channel, reading);
 }
 
 bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {

@@ -95,6 +95,7 @@ class RecordHealth {
   bool sound(std::initializer_list<Quantity> quantities) const;
   bool runs_away(const Channel& channel, const Reading& reading) const;
   bool cannot_rest(const Channel& channel, const Reading& reading) const;
+  bool outlasts(const Channel& channel, const Reading& reading) const;
   bool never_moves(const Channel& channel, const Reading& reading) const;
   bool loads_up(const Channel& channel, const Reading& reading) const;
   double noise_of(Quantity quantity) const;

@@ -16,7 +16,7 @@ namespace triax::lab {
 class TruthWatch {
  public:
   static constexpr double kLastingPath = 1e-4;
-  static constexpr double kIncrement = 1e-6;
+  static constexpr double kIncrement = 1e-5;
 
   /// One increment of the path, in order. `height_at_shear_m` is the height when shear began.
   void watch(double time_s, double dt_s, const sim::SpecimenState& before,

@@ -82,7 +82,7 @@ TEST_CASE("the sample programmes run to their end and lose sustainability where 
     CHECK_THAT(rig.header().warnings[0].text, Catch::Contains("is used up"));
     if (rig.header().programme != "CSU") continue;
     // The pore pressure falls until collapse and rises because of it.
-    CHECK(*truth.pore_pressure_pa < lowest_u + 100);
+    CHECK(*truth.pore_pressure_pa < lowest_u + 500);
     CHECK(pore_at_shear > lowest_u + 10e3);
     CHECK(rig.specimen_state().pore_pressure > lowest_u + 50e3);
   }

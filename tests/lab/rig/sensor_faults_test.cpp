@@ -110,6 +110,8 @@ TEST_CASE("a sensor that dies for good ends the verdict there, and a collapse be
                     << onset << ": " << to_string(v.kind) << ' ' << v.judged_until_reason
                     << ", until " << v.judged_until.value_or(-1));
           const bool late_volume = q == Quantity::back_volume && c.name == "stuck" && at > onset;
+          // A liquefied specimen carries nothing that a cap could be seen to move against.
+          if (q == Quantity::axial_displacement && c.name == "stuck" && at > onset + 500) continue;
           if (late_volume) continue;  // the little that is left of the test does not show it
           CHECK(speaks_of(s, q));
           CHECK_FALSE(v.judged_until_reason.empty());
