@@ -104,6 +104,18 @@ void write(QCustomPlot& plot, const PointLabel& label, const QPointF& centre) {
   text->position->setCoords(centre);
 }
 
+// From a point to the nearest place of a text that stands away from it.
+void lead(QCustomPlot& plot, const QPointF& point, const QRectF& place) {
+  auto* leader = new QCPItemLine(&plot);
+  leader->setClipToAxisRect(false);
+  leader->setPen(line(kGrey, 0.7));
+  for (auto* end : {leader->start, leader->end}) end->setType(QCPItemPosition::ptAbsolute);
+  leader->start->setCoords(point);
+  leader->end->setCoords(std::clamp(point.x(), place.left() + 2, place.right() - 2),
+                         std::clamp(point.y(), place.top() + 2, place.bottom() - 2));
+  leader->setLayer("grid");  // behind the markers
+}
+
 }  // namespace
 
 void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels) {
@@ -131,6 +143,7 @@ void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels) {
     const double height = metrics.height();
     std::optional<QRectF> best;
     std::ptrdiff_t least = 0;
+    bool far = false;
     const auto look_around = [&](double away) {
       for (const auto& side : kSides) {
         const QPointF centre = points[i] + QPointF(side.x * ((width + kMarker + 2) / 2 + away),
@@ -142,12 +155,14 @@ void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels) {
         if (best && covered >= least) continue;
         best = place;
         least = covered;
+        far = away > 0;
       }
     };
     look_around(0);
     for (const double away : kFarther)
       if (!best || least > kMuch) look_around(away);
     if (!best) continue;
+    if (far) lead(plot, points[i], *best);
     write(plot, labels[i], best->center());
     taken.push_back(*best);
   }

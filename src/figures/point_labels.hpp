@@ -16,8 +16,9 @@ struct PointLabel {
 
 /// Writes each text beside its point on the side where it covers no marker, no other label and does
 /// not leave the axes; among such places the one that lies on the least of the plot's lines,
-/// somewhat farther off where all are crowded or there is none. A text for which there is no such
-/// place is left out. Ranges of the axes, what is drawn and the size of the plot must be final.
+/// somewhat farther off, with a thin line to the point, where all are crowded or there is none. A
+/// text for which there is no such place is left out. Ranges of the axes, what is drawn and the
+/// size of the plot must be final.
 void place_labels(QCustomPlot& plot, const std::vector<PointLabel>& labels);
 /// The same in one axis rectangle of several. Words that stand there already are kept free.
 void place_labels(QCPAxisRect& rect, const std::vector<PointLabel>& labels);

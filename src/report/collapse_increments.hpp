@@ -6,9 +6,11 @@
 
 namespace triax::src {
 
-/// What each test that collapsed was going through at its onset, in the order of `ids`: the
-/// measured increment of lab/collapse/measured_increment.hpp. A test whose increment is not to be
-/// had, or lost in the noise (45° or more), is left out. Each test's scans are visited once.
+/// What each test that collapsed was going through when collapse set in, in the order of `ids`,
+/// from the readings up to the onset: the measured increment of
+/// lab/collapse/measured_increment.hpp; at held q, where pressure controllers go in steps, that
+/// between the means of two spans of a twentieth of the stage. A test whose increment is not to be
+/// had, or lost in the noise (45° or more), is left out.
 std::vector<CollapseIncrement> collapse_increments(const db::Store& store,
                                                    const std::vector<std::int64_t>& ids);
 

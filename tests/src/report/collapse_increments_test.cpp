@@ -16,13 +16,15 @@ namespace {
 /// in.
 class StoredPath {
  public:
-  explicit StoredPath(lab::CollapseKind kind, std::int64_t onset = 600) {
+  explicit StoredPath(lab::CollapseKind kind, std::int64_t onset = 600,
+                      lab::AxialControl control = lab::AxialControl::displacement) {
     lab::Session session;
     db::Recorder recorder(file());
     recorder.listen(session);
     lab::RecordHeader header = lab::testing::undrained_header();
     header.name = "ICU 6";
     header.programme = "ICU";
+    for (auto& stage : header.stages) stage.control = control;
     emit session.started(header);
     lab::testing::SyntheticPath path;
     for (int i = 0; i < 1500; ++i) {
@@ -66,4 +68,19 @@ TEST_CASE("a test that did not collapse has no increment at collapse") {
 
 TEST_CASE("where no window of readings reaches there is no increment") {
   CHECK(StoredPath(lab::CollapseKind::flow, 1000000).increments().empty());
+}
+
+TEST_CASE(
+    "at held q the increment is the way between two means before the onset, not what follows") {
+  lab::testing::SyntheticPath path;
+  const auto increments =
+      StoredPath(lab::CollapseKind::flow, 400, lab::AxialControl::constant_q).increments();
+  REQUIRE(increments.size() == 1);
+  // Spans of 20 readings: the middles lie at 390.5 and 370.5.
+  const double dp = (path.state(390).p_eff + path.state(391).p_eff) / 2 -
+                    (path.state(370).p_eff + path.state(371).p_eff) / 2;
+  const double dq =
+      (path.state(390).q + path.state(391).q) / 2 - (path.state(370).q + path.state(371).q) / 2;
+  CHECK(increments[0].dp == Approx(dp).epsilon(0.2));
+  CHECK(increments[0].dq == Approx(dq).epsilon(0.2));
 }
