@@ -6,6 +6,7 @@
 // time.
 #include <fmt/format.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <cstdio>
 #include <fstream>
@@ -32,11 +33,16 @@ long resident_kb() {
   return resident * (sysconf(_SC_PAGESIZE) / 1024);
 }
 
+/// Its drained shear takes days.
 lab::Programme slowed(const std::string& file) {
-  return lab::read_programme(lab::read_text_file(file), file,
+  const std::string text = lab::read_text_file(file);
+  const auto stages = lab::read_programme(text, file).stages;
+  const auto shear = std::ranges::find(stages, lab::StageRole::shear, &lab::Stage::role);
+  const std::string stage = "stages." + std::to_string(shear - stages.begin() + 1);
+  return lab::read_programme(text, file,
                              {{"test.scan_interval_s", "1.0"},
-                              {"stages.4.axial_rate_mm_per_min", "0.0002"},
-                              {"stages.4.time_limit_min", "100000"}});
+                              {stage + ".axial_rate_mm_per_min", "0.0002"},
+                              {stage + ".time_limit_min", "100000"}});
 }
 
 }  // namespace
