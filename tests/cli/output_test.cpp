@@ -167,7 +167,7 @@ TEST_CASE("a simulation that is ended from outside leaves its record whole or no
   const Workplace here;
   for (const std::string name : {"TERM", "INT", "KILL"}) {
     const std::string line = "cd '" + (here / "").string() + "' && timeout -s " + name +
-                             " 1 " TRIAX_PROGRAM " simulate " +
+                             " 3 " TRIAX_PROGRAM " simulate " +
                              source("samples/programmes/icu_6.toml") +
                              " --speed 400 --record x.csv >/dev/null 2>&1";
     CHECK(std::system(line.c_str()) != 0);
