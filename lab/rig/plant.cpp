@@ -44,7 +44,6 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
   drive.damping_n_s_per_m = frame_.damping_n_s_per_m;
   drive.travel_m = frame_.travel_m;
   if (demand.kind == AxisDemand::Kind::free) return drive;
-  const double force = specimen_.axial_force(state_.specimen);
   if (demand.kind == AxisDemand::Kind::force) {
     drive.kind = Kind::force;
     const double before = demand.dead ? cylinder_force_n : state_.cylinder_force_n;
@@ -62,7 +61,9 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
                 demand.spring_n_per_m);
   drive.kind = stiffness > 0 ? Kind::force : Kind::rigid;
   drive.velocity_m_per_s = velocity;
-  drive.force_n = force;
+  // A cap in motion is not in equilibrium: the spring still holds what it held.
+  const sim::SpecimenState& now = state_.specimen;
+  drive.force_n = now.run_away.under_way ? now.applied_force_n : specimen_.axial_force(now);
   drive.force_rate_n_per_s = stiffness * velocity;
   drive.stiffness_n_per_m = stiffness;
   return drive;
