@@ -7,13 +7,16 @@ namespace triax::sim {
 namespace {
 
 constexpr double kCellOverReach = 0.55;
-constexpr int kMostCells = 1 << 10;  ///< along one axis: a box may be much longer than its grains
+constexpr int kMostCells = 1 << 10;   ///< along one axis: a box may be thin
+constexpr double kCellsPerGrain = 4;  ///< at most: a box may be nearly empty
 
 }  // namespace
 
 CellGrid::CellGrid(const GrainState& state) : low_(state.box.low_m) {
   for (const Grain& g : state.grains) largest_radius_ = std::max(largest_radius_, g.radius);
-  const double edge = kCellOverReach * (2 * largest_radius_ + state.margin.listed_m);
+  const double by_reach = kCellOverReach * (2 * largest_radius_ + state.margin.listed_m);
+  const double cells = kCellsPerGrain * static_cast<double>(state.grains.size());
+  const double edge = std::max(by_reach, std::cbrt(state.box.volume_m3() / cells));
   for (int a = 0; a < 3; ++a) {
     const double length = state.box.length_m(a);
     count_[a] = static_cast<int>(std::clamp(length / edge, 1.0, double(kMostCells)));

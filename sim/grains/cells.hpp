@@ -10,7 +10,8 @@ namespace triax::sim {
 
 class CellGrid {
  public:
-  /// Cells of about 0.55 times the largest distance at which a pair is listed.
+  /// Cells of about 0.55 times the largest distance at which a pair is listed, larger in a loose
+  /// box.
   explicit CellGrid(const GrainState& state);
 
   /// Puts the grains (and their ids) in the order of the cells, keeping the order within a cell,

@@ -25,6 +25,17 @@ void check_sphere(const Sphere& sphere, const GrainBox& box, std::size_t index) 
       throw std::invalid_argument(name + ": centre lies outside the box");
 }
 
+/// Two centres in one place have no direction to part in.
+void check_centres(const GrainState& state) {
+  const Neighbours& n = state.neighbours;
+  for (std::size_t k = 0; k < n.near.size(); ++k) {
+    const Grain &a = state.grains[n.near.i[k]], &b = state.grains[n.near.j[k]];
+    if (std::equal(a.position, a.position + 3, b.position))
+      throw std::invalid_argument("spheres " + std::to_string(state.ids[n.near.i[k]]) + " and " +
+                                  std::to_string(state.ids[n.near.j[k]]) + " have one centre");
+  }
+}
+
 Grain grain_of(const Sphere& sphere, double density) {
   const double r = sphere.radius_m, mass = density * 4 / 3 * std::numbers::pi * r * r * r;
   Grain g{};
@@ -58,6 +69,7 @@ GrainState make_grain_state(const std::vector<Sphere>& spheres, const GrainBox& 
   }
   state.margin = neighbour_margin(smallest);
   sort_grains(state);
+  check_centres(state);
   state.time_step_s = time_step_s > 0 ? time_step_s : kStepOverCritical * critical_time_step(state);
   return state;
 }

@@ -1,0 +1,49 @@
+#include "sim/grains/grain_bytes.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+#include "tests/sim/grains/packings.hpp"
+
+using namespace triax::sim;
+
+namespace {
+
+GrainState in_motion() {
+  GrainState state = test::lattice(4);
+  test::shake(state, 0.1);
+  Grains grains(state);
+  grains.drive({stress_drive(1e4), strain_rate_drive(0.3), following_drive(1, -0.5)});
+  grains.step(40);
+  return grains.state();
+}
+
+}  // namespace
+
+TEST_CASE("Grains: bytes hold the whole state") {
+  const GrainState state = in_motion();
+  const GrainState restored = load_grains(save_grains(state));
+  CHECK(restored == state);
+  CHECK(save_grains(restored) == save_grains(state));
+  GrainState other = state;
+  other.neighbours.travelled_m += 1e-9;
+  CHECK(save_grains(other) != save_grains(state));
+}
+
+TEST_CASE("Grains: damaged bytes are refused, wherever the damage is") {
+  const std::vector<std::byte> good = save_grains(in_motion());
+  for (std::size_t at = 0; at < good.size(); at += good.size() / 97 + 1) {
+    std::vector<std::byte> bad = good;
+    bad[at] ^= std::byte{0x10};
+    CHECK_THROWS_AS(load_grains(bad), std::invalid_argument);
+  }
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{7}, std::size_t{19}, good.size() / 2, good.size() - 1})
+    CHECK_THROWS_AS(load_grains(std::span(good).first(size)), std::invalid_argument);
+}
+
+TEST_CASE("Grains: bytes of another version say so") {
+  std::vector<std::byte> bytes = save_grains(in_motion());
+  bytes[8] = std::byte{9};
+  CHECK_THROWS_WITH(load_grains(bytes), "grain state of version 9, this program reads version 1");
+}
