@@ -148,7 +148,7 @@ double approach_since_sorted(const GrainState& state) {
 
 }  // namespace
 
-NeighbourMargin neighbour_margin(double radius_m) { return {0.25 * radius_m, 0.03 * radius_m}; }
+NeighbourMargin neighbour_margin(double radius_m) { return {0.25 * radius_m, 0.015 * radius_m}; }
 
 void sort_grains(GrainState& state) {
   Neighbours& n = state.neighbours;
