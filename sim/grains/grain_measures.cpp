@@ -45,7 +45,7 @@ void add_wall_contacts(const GrainState& s, std::vector<GrainContact>& contacts)
     const int axis = w / 2;
     const double outwards = w % 2 == 0 ? -1 : 1;
     const double travel =
-        0.5 * s.walls.strain_rate_per_s[axis] * s.box.length_m(axis) * s.time_step_s;
+        0.5 * std::expm1(s.walls.strain_rate_per_s[axis] * s.time_step_s) * s.box.length_m(axis);
     const double wall = w % 2 == 0 ? s.box.low_m[axis] - travel : s.box.high_m[axis] + travel;
     for (const std::int32_t i : s.neighbours.near_wall[w]) {
       const Grain& g = s.grains[i];
