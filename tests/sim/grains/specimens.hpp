@@ -1,0 +1,46 @@
+#pragma once
+// Compacted specimens for tests, made once each.
+#include "sim/grains/assembly.hpp"
+#include "sim/grains/calming.hpp"
+#include "sim/grains/grading.hpp"
+#include "sim/grains/grains.hpp"
+#include "sim/grains/triaxial_axes.hpp"
+
+namespace triax::sim::test {
+
+inline Cloud small_cloud(int grains = 500) {
+  return make_cloud(draw_diameters(paper_grading(), grains, 7), 8);
+}
+
+/// 500 grains at 100 kPa, compacted with 5°.
+inline const Compacted& dense_specimen() {
+  static const Compacted specimen = compact(small_cloud(), ContactLaw{}, Compaction{});
+  return specimen;
+}
+/// The same, compacted with 25°.
+inline const Compacted& loose_specimen() {
+  static const Compacted specimen = [] {
+    Compaction how;
+    how.friction_angle = 0.4363;
+    return compact(small_cloud(), ContactLaw{}, how);
+  }();
+  return specimen;
+}
+
+/// The dense one under 200 and 100 kPa, at rest.
+inline const GrainState& calm_state() {
+  static const GrainState state = [] {
+    Grains grains(dense_specimen().state);
+    grains.drive(triaxial_drives(stress_drive(2e5, 0.05), stress_drive(1e5, 0.05)));
+    Settling how;
+    how.unbalanced = 1e-5;
+    how.stress_error_pa = 2;
+    settle(grains, how);
+    calm(grains);
+    settle(grains, how);
+    return grains.state();
+  }();
+  return state;
+}
+
+}  // namespace triax::sim::test
