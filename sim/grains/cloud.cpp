@@ -87,7 +87,6 @@ Cloud make_cloud(const std::vector<double>& diameters_m, std::uint64_t seed, dou
     throw std::invalid_argument("cloud: the solid share must be above 0 and at most 0.45");
   const double length = std::cbrt(solid_volume(diameters_m) / solid_share);
   const double widest = *std::max_element(diameters_m.begin(), diameters_m.end());
-  if (!(widest < length)) throw std::invalid_argument("cloud: a grain is wider than the box");
 
   std::vector<std::size_t> order(diameters_m.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -81,12 +81,18 @@ TEST_CASE("Grain path: isotropic loading comes to rest at its pressure") {
 
 TEST_CASE("Grain path: a mark from above waits until the quantity was above") {
   GrainPath path = strain_path(0.6, 0.02);
-  path.marks = {{PathMark::Quantity::path_stress_pa, -5e4, true}};
-  const GrainPathResult r = follow(test::loose_specimen().state, path);
-  double peak = -1e9;
-  for (const GrainPathPoint& p : r.points) peak = std::max(peak, p.path_stress_pa);
-  REQUIRE(peak > -5e4);
-  CHECK(r.marked[0].has_value() == (r.points.back().path_stress_pa < -5e4));
+  path.collapse_share = 0.05;
+  const double level = -2e4;
+  using Quantity = PathMark::Quantity;
+  path.marks = {{Quantity::path_stress_pa, level, true}, {Quantity::path_stress_pa, level, false}};
+  const GrainState& start = test::loose_specimen().state;
+  REQUIRE(path_point(start, start.box, 0.6).path_stress_pa < level);
+  const GrainPathResult r = follow(start, path);
+  REQUIRE(r.marked[0]);
+  REQUIRE(r.marked[1]);
+  CHECK(r.marked[0]->time_s > r.marked[1]->time_s);
+  CHECK(path_point(*r.marked[0], start.box, 0.6).path_stress_pa < level);
+  CHECK(path_point(*r.marked[1], start.box, 0.6).path_stress_pa >= level);
 }
 
 TEST_CASE("Grain path: an expanding specimen collapses") {

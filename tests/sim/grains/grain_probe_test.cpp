@@ -35,13 +35,15 @@ TEST_CASE("Grain probe: the increment has the direction of Fig. 13 and its norm"
   CHECK(p.work.normalised > 0.5);
 }
 
-TEST_CASE("Grain probe: unloading is reversed by its opposite, and a null probe hardly drifts") {
+TEST_CASE(
+    "Grain probe: after unloading opposite probes mirror each other, and a null probe hardly "
+    "drifts") {
   GrainProbing nothing = small_probe();
   nothing.norm_pa = 0;
-  const GrainProbe none = probe(test::calm_state(), 0, nothing);
+  const GrainProbe none = probe(test::unloaded_state(), 0, nothing);
   for (const double angle : {240.0, 255.0, 270.0}) {
-    const GrainProbe there = probe(test::calm_state(), degrees_of(angle), small_probe());
-    const GrainProbe back = probe(test::calm_state(), degrees_of(angle - 180), small_probe());
+    const GrainProbe there = probe(test::unloaded_state(), degrees_of(angle), small_probe());
+    const GrainProbe back = probe(test::unloaded_state(), degrees_of(angle - 180), small_probe());
     const double size = std::hypot(there.strain.axial, std::sqrt(2.0) * there.strain.radial);
     const double differs = std::hypot(there.strain.axial + back.strain.axial,
                                       std::sqrt(2.0) * (there.strain.radial + back.strain.radial));

@@ -27,19 +27,25 @@ inline const Compacted& loose_specimen() {
   return specimen;
 }
 
-/// The dense one under 200 and 100 kPa, at rest.
+/// The dense one under σ₁ (Pa) and 100 kPa, at rest.
+inline GrainState rested(const GrainState& from, double axial_pa) {
+  Grains grains(from);
+  grains.drive(triaxial_drives(stress_drive(axial_pa, 0.05), stress_drive(1e5, 0.05)));
+  Settling how;
+  how.unbalanced = 1e-5;
+  how.stress_error_pa = 2;
+  settle(grains, how);
+  calm(grains);
+  settle(grains, how);
+  return grains.state();
+}
 inline const GrainState& calm_state() {
-  static const GrainState state = [] {
-    Grains grains(dense_specimen().state);
-    grains.drive(triaxial_drives(stress_drive(2e5, 0.05), stress_drive(1e5, 0.05)));
-    Settling how;
-    how.unbalanced = 1e-5;
-    how.stress_error_pa = 2;
-    settle(grains, how);
-    calm(grains);
-    settle(grains, how);
-    return grains.state();
-  }();
+  static const GrainState state = rested(dense_specimen().state, 2e5);
+  return state;
+}
+/// The same after some unloading: small increments slide little in any direction.
+inline const GrainState& unloaded_state() {
+  static const GrainState state = rested(calm_state(), 1.7e5);
   return state;
 }
 
