@@ -36,8 +36,10 @@ struct GrainWork {
   double tangential_part = 0;     ///< of contacts in both states
   double non_permanent_part = 0;  ///< of contacts in one of the two states only
   double microscopic() const { return normal_part + tangential_part + non_permanent_part; }
-  /// Σ F_ext · δ²u over grains at walls, δ²u = change of their velocity × duration; the paper
-  /// neglects it
+  /// Σ F_ext · δ²u over grains at walls, with δ²u = change of their velocity × duration, which is
+  /// all that two states tell. F_ext is the whole force, not its change: the rest of motion at a
+  /// settled end makes this larger than W₂ itself. A sign of motion, no correction; the paper
+  /// neglects it.
   double boundary_part = 0;
 
   double kinetic_before_j = 0, kinetic_after_j = 0;

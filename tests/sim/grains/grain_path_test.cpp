@@ -80,19 +80,21 @@ TEST_CASE("Grain path: isotropic loading comes to rest at its pressure") {
 }
 
 TEST_CASE("Grain path: a mark from above waits until the quantity was above") {
-  GrainPath path = strain_path(0.6, 0.02);
-  path.collapse_share = 0.05;
-  const double level = -2e4;
-  using Quantity = PathMark::Quantity;
-  path.marks = {{Quantity::path_stress_pa, level, true}, {Quantity::path_stress_pa, level, false}};
-  const GrainState& start = test::loose_specimen().state;
-  REQUIRE(path_point(start, start.box, 0.6).path_stress_pa < level);
-  const GrainPathResult r = follow(start, path);
-  REQUIRE(r.marked[0]);
-  REQUIRE(r.marked[1]);
-  CHECK(r.marked[0]->time_s > r.marked[1]->time_s);
-  CHECK(path_point(*r.marked[0], start.box, 0.6).path_stress_pa < level);
-  CHECK(path_point(*r.marked[1], start.box, 0.6).path_stress_pa >= level);
+  GrainPath path;
+  path.strain_rate_per_s = 0.3;
+  path.axial_strain = 0.05;
+  path.stress_ratio = 0.3;
+  path.marks = {{PathMark::Quantity::stress_ratio, 0.5, true}};
+  CHECK_FALSE(follow(test::dense_specimen().state, path).marked[0]);
+
+  path.strain_rate_per_s = -0.3;
+  path.axial_strain = 0.005;
+  path.stress_ratio.reset();
+  const GrainPathResult falls = follow(test::calm_state(), path);
+  REQUIRE(falls.points.front().stress_ratio() > 0.7);
+  REQUIRE(falls.marked[0]);
+  CHECK(path_point(*falls.marked[0], test::calm_state().box, 1).stress_ratio() ==
+        Approx(0.5).margin(0.05));
 }
 
 TEST_CASE("Grain path: an expanding specimen collapses") {

@@ -14,9 +14,9 @@ TEST_CASE("Sliding record: a contact counts once, and stays counted") {
   grains.step(1);
   record.add(grains.state());
   CHECK(record.count() == 0);
-  test::grain(state, 1).velocity[1] = 50;
+  test::grain(state, 1).velocity[1] = 100;
   grains.restore(state);
-  grains.step(2);
+  grains.step(4);
   REQUIRE(measure(grains.state()).sliding_contacts == 1);
   record.add(grains.state());
   record.add(grains.state());

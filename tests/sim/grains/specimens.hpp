@@ -45,7 +45,7 @@ inline const GrainState& calm_state() {
 }
 /// The same after some unloading: small increments slide little in any direction.
 inline const GrainState& unloaded_state() {
-  static const GrainState state = rested(calm_state(), 1.7e5);
+  static const GrainState state = rested(calm_state(), 1.4e5);
   return state;
 }
 
