@@ -43,9 +43,9 @@ inline const GrainState& calm_state() {
   static const GrainState state = rested(dense_specimen().state, 2e5);
   return state;
 }
-/// The same after some unloading: small increments slide little in any direction.
+/// The same after a little unloading: hardly a contact is at its limit in any direction.
 inline const GrainState& unloaded_state() {
-  static const GrainState state = rested(calm_state(), 1.4e5);
+  static const GrainState state = rested(calm_state(), 1.95e5);
   return state;
 }
 
