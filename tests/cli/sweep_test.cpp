@@ -16,13 +16,27 @@ const std::string kIcu6 = source("samples/programmes/icu_6.toml");
 /// Starts triax in the folder and leaves it running.
 pid_t start(const Workplace& here, const std::string& arguments) {
   const std::string command = "cd '" + (here / "").string() + "' && exec " TRIAX_PROGRAM " " +
-                              arguments + " >.out 2>.err </dev/null";
+                              arguments + " >.child_out 2>.child_err </dev/null";
   const pid_t child = fork();
   if (child == 0) {
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
   return child;
+}
+
+/// Waits until a count in the database exceeds `least`, for the signal to fall into the midst of
+/// the work on any machine. False after two minutes.
+bool wait_for(const Workplace& here, const std::string& database, const std::string& counted,
+              int least) {
+  for (int i = 0; i < 600; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    if (!here.has(database)) continue;
+    const Outcome found = here.triax("query \"SELECT count(*) AS n FROM " + counted + "\" --db " +
+                                     database + " --format json");
+    if (found.status == 0 && json::parse(found.out)[0]["n"].get<int>() > least) return true;
+  }
+  return false;
 }
 
 int status_of(pid_t child) {
@@ -98,11 +112,11 @@ TEST_CASE("Ctrl-C stores and judges a test as far as it went, and writes its rec
   const Workplace here;
   const pid_t child =
       start(here, "simulate " + kIcu6 + " --speed 400 --record x.csv --db a.db --json");
-  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  REQUIRE(wait_for(here, "a.db", "scans", 100));
   kill(child, SIGINT);
   CHECK(status_of(child) == 1);
-  CHECK(content(here / ".err").find("aborted by the operator") != std::string::npos);
-  const json test = json::parse(content(here / ".out"));
+  CHECK(content(here / ".child_err").find("aborted by the operator") != std::string::npos);
+  const json test = json::parse(content(here / ".child_out"));
   CHECK(test["test"]["status"] == "complete");
   CHECK(test["test"]["readings"].get<int>() > 100);
   CHECK(test["warnings"].dump().find("aborted by the operator at ") != std::string::npos);
@@ -113,10 +127,10 @@ TEST_CASE("Ctrl-C stores and judges a test as far as it went, and writes its rec
 TEST_CASE("Ctrl-C keeps the finished tests of a sweep") {
   const Workplace here;
   const pid_t child = start(here, "simulate " + kIcu6 + " --sweep seed=1..5000 --jobs 2");
-  std::this_thread::sleep_for(std::chrono::milliseconds(3000));
+  REQUIRE(wait_for(here, "triax.db", "tests WHERE status = 'complete'", 1));
   kill(child, SIGTERM);
   CHECK(status_of(child) == 1);
-  CHECK(content(here / ".err").find("stopped by the operator") != std::string::npos);
+  CHECK(content(here / ".child_err").find("stopped by the operator") != std::string::npos);
   const json tests = json::parse(
       here.triax("query \"SELECT status, count(*) AS n FROM tests GROUP BY status\" --format json")
           .out);
