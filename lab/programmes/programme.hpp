@@ -36,6 +36,12 @@ enum class AxialAction {
 /// Whether the cylinder (or masses), not the crosshead, moves the cap.
 bool by_force(AxialAction action);
 
+/// When readings are recorded.
+struct Logging {
+  double interval_s = 1;   ///< between two readings
+  double averaging_s = 0;  ///< time before a reading over which it is the mean; 0: an instant
+};
+
 struct Stage {
   std::string name;
   StageRole role = StageRole::unknown;
@@ -53,6 +59,7 @@ struct Stage {
   PressureDemand back;
   std::vector<EndCondition> end;  ///< any of them
   double time_limit_s = 0;        ///< by then the end must have been reached
+  Logging logging;
   std::int64_t line = 0;          ///< of the programme's file
 };
 
@@ -69,7 +76,7 @@ struct Programme {
   std::string source;              ///< file it was read from
   std::vector<std::string> files;  ///< that one, and the user's own file of materials
   std::uint64_t seed = 0;
-  double scan_interval_s = 1;
+  Logging logging;  ///< of the test, where a stage has none of its own
 
   MaterialSet material;
   sim::SpecimenProperties specimen;

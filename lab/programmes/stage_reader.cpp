@@ -190,6 +190,18 @@ void check_ends(const TomlTable& table, const Stage& stage, const Programme& pro
 
 }  // namespace
 
+Logging read_logging(const TomlTable& table, const Logging& otherwise) {
+  Logging logging;
+  logging.interval_s = table.number("scan_interval_s", {.at_least = 1e-3, .at_most = 3600})
+                           .value_or(otherwise.interval_s);
+  const auto averaging = table.number("averaging_s", {.at_least = 0, .at_most = 3600});
+  logging.averaging_s = averaging.value_or(otherwise.averaging_s);
+  if (logging.averaging_s <= logging.interval_s) return logging;
+  table.fail(averaging ? "averaging_s" : "scan_interval_s",
+             fmt::format("a reading every {:g} s cannot be the mean of {:g} s", logging.interval_s,
+                         logging.averaging_s));
+}
+
 Stage read_stage(const TomlTable& table, const Programme& programme, double& cell_pa,
                  double& back_pa) {
   Stage stage;
@@ -210,6 +222,7 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   stage.cell = read_demand(table, "cell", programme.cell_controller, cell_pa);
   stage.back = read_demand(table, "back", programme.back_controller, back_pa);
   if (stage.strain_path_R) check_strain_path(table, stage);
+  stage.logging = read_logging(table, programme.logging);
   stage.time_limit_s =
       60 * table.number("time_limit_min", {.above = 0, .at_most = 1e5}).value_or(1440);
   const auto ends = table.tables("end");

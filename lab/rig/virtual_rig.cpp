@@ -9,6 +9,7 @@
 
 #include "lab/records/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
+#include "lab/rig/logger.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "lab/rig/run_away_log.hpp"
 #include "lab/rig/supervision.hpp"
@@ -36,6 +37,7 @@ struct VirtualRig::Impl {
         header(rig_header(p, used_seed)),
         plant(make_plant(p)),
         instruments(p, used_seed),
+        logger(p.transducers),
         seen(header),
         supervision(p),
         axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
@@ -69,6 +71,7 @@ struct VirtualRig::Impl {
   RecordHeader header;
   Plant plant;
   Instruments instruments;
+  Logger logger;
   Seen seen;
   Supervision supervision;
   AxisControl axis;
@@ -108,6 +111,7 @@ void VirtualRig::Impl::begin_stage() {
   const sim::SpecimenState& specimen = plant.state().specimen;
   axis.begin_stage(stage(), seen, plant.specimen().axial_force(specimen));
   supervision.begin_stage(stage());
+  logger.begin(stage().logging, time_s);
   before = {};
   path_height = programme.specimen.height_m - seen[Quantity::axial_displacement];
   path_volume = seen.state().area_m2 * path_height;
@@ -285,13 +289,17 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
 }
 
 bool VirtualRig::Impl::advance_to_next_scan() {
-  const double interval = programme.scan_interval_s;
+  const double due = logger.due_s();
+  const double interval = stage().logging.interval_s;
   const auto ticks = static_cast<int>(std::ceil(interval / kTick_s - 1e-9));
   for (int i = 0; i < ticks; ++i) {
-    if (i > 0) look();
+    if (i > 0) {
+      look();
+      logger.add(reading);
+    }
     if (!tick(interval / ticks)) return false;
   }
-  time_s = static_cast<double>(number + 1) * interval;
+  time_s = due;
   return true;
 }
 
@@ -342,7 +350,7 @@ bool VirtualRig::next(Reading& reading) {
   if (rig.number == 0) rig.begin_stage();
   rig.check_ranges();
   if (rig.mode == Impl::Mode::safe || rig.mode == Impl::Mode::fallen) ++rig.safe_readings;
-  reading = rig.reading;
+  reading = rig.logger.record(rig.reading);
   return true;
 }
 
