@@ -333,10 +333,10 @@ bool VirtualRig::next(Reading& reading) {
   }
   ++rig.number;
   rig.look();
+  reading = rig.logger.record(rig.reading);
   if (rig.number == 0) rig.begin_stage();
   rig.check_ranges();
   if (rig.mode == Impl::Mode::safe || rig.mode == Impl::Mode::fallen) ++rig.safe_readings;
-  reading = rig.logger.record(rig.reading);
   return true;
 }
 

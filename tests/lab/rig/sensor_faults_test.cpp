@@ -81,6 +81,9 @@ TEST_CASE("sound sensors, real or perfect: nothing is found and everything is ju
       const DrawnTest test = perfect ? draw(name, 1, true) : drawn(name);
       const TestSummary s = judge(test);
       INFO(name << (perfect ? ", perfect" : ""));
+      std::string said;
+      for (const Warning& w : s.warnings) said += w.text + '\n';
+      INFO(said << s.collapse.judged_until_reason);
       for (const auto& row : quantities()) CHECK_FALSE(speaks_of(s, row.quantity));
       CHECK_FALSE(s.collapse.judged_until);
       CHECK(s.collapse.judged_until_reason.empty());
