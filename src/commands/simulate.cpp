@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/record_writer.hpp"
+#include "lab/records/text.hpp"
 #include "lab/rig/virtual_rig.hpp"
 #include "src/commands/interruption.hpp"
 #include "src/commands/output_guard.hpp"
@@ -67,10 +67,8 @@ void run(const Options& o) {
 
 // The conversion to a number alone would take -1 for the largest seed there is.
 std::string refusal_of_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
-  if (error == std::errc() && stopped == end && seed <= lab::kLargestSeed) return {};
+  const auto seed = lab::whole_text_as<std::uint64_t>(text);
+  if (seed && *seed <= lab::kLargestSeed) return {};
   return fmt::format("'{}' is no whole number from 0 to {}", text, lab::kLargestSeed);
 }
 
