@@ -5,7 +5,6 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "db/connection.hpp"
@@ -13,6 +12,7 @@
 #include "db/scan_codec.hpp"
 #include "db/test_reader.hpp"
 #include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
 
 namespace triax::db {
 namespace {
@@ -104,15 +104,12 @@ struct Store::Impl {
 };
 
 std::int64_t Store::Impl::find_one(const std::string& name) {
-  std::int64_t id = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), id);
-  const bool is_number = error == std::errc{} && end == name.data() + name.size();
   // A test that is called "42" is meant rather than the forty-second of the database.
   Statement select(database,
                    "SELECT id FROM tests WHERE name = ?1 OR id = ?2 "
                    "ORDER BY name = ?1 DESC, id DESC LIMIT 1");
   select.bind(1, name);
-  select.bind(2, is_number ? id : 0);
+  select.bind(2, lab::whole_text_as<std::int64_t>(name).value_or(0));
   return select.executeStep() ? select.getColumn(0).getInt64() : find_by_short_name(name);
 }
 

@@ -4,32 +4,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lab/collapse/instant.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr double kBurst = 10;  ///< times the rate of the stage so far
+constexpr double kBurst = 10;    ///< times the rate of the stage so far
+constexpr double kFall = 0.01;   ///< axial strain between two readings
+constexpr double kLostQ = 0.05;  ///< share of the q that was
 
 }  // namespace
 
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   const bool sudden = sudden_;
+  const State before = before_;
   *this = LossOfControl();
   finding_ = found;
   sudden_ = sudden;
+  before_ = before;
   control_ = stage ? stage->control : AxialControl::unknown;
   drainage_ = stage ? stage->drainage : Drainage::unknown;
 }
 
 void LossOfControl::add(const State& state, bool has_time) {
+  const State before = std::exchange(before_, state);
   const bool watched = control_ == AxialControl::constant_q || control_ == AxialControl::load;
   if (!watched || finding_) return;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
   check_bursts(state, has_time);
+  if (steps_ < kReference && !finding_) check_leap(before, state, has_time);
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
@@ -41,7 +48,7 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
     return;
   }
   const double deviation = std::sqrt(q_square_ / (kReference - 1));
-  if (q > q_mean_ - std::max(0.05 * q_mean_, 6 * deviation)) {
+  if (q > q_mean_ - std::max(kLostQ * q_mean_, 6 * deviation)) {
     below_ = 0;
     return;
   }
@@ -83,10 +90,23 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
   if (!finding_) check_pore_burst(has_time);
 }
 
+/// A displacement that was set to zero between two stages leaps too, but q does not.
+void LossOfControl::check_leap(const State& before, const State& state, bool has_time) {
+  const bool next = state.reading == before.reading + 1;
+  const double leap = std::fabs(state.strain.axial - before.strain.axial);
+  const double q_left = std::fabs(state.q / before.q);
+  if (!next || !(leap >= kFall) || !(q_left < 1 - kLostQ)) return;
+  finding_ =
+      Finding{instant_of(before, has_time),
+              fmt::format("axial strain leapt from {:.3f} % to {:.3f} % between two readings "
+                          "and q fell from {:.2f} kPa to {:.2f} kPa",
+                          before.strain.axial * 100, state.strain.axial * 100, before.q / 1e3,
+                          state.q / 1e3)};
+}
+
 void LossOfControl::check_strain_burst(bool has_time) {
   constexpr double kLeastRise = 1e-3;
   constexpr double kCreep = 0.01;  ///< of the fastest step
-  constexpr double kFall = 0.01;   ///< axial strain between two readings
   const State& last = recent_.back();
   const auto rate = [&](const State& a, const State& b) {
     return std::fabs(b.strain.axial - a.strain.axial) / lapse(a, b, has_time);

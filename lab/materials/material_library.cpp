@@ -176,12 +176,10 @@ MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
       changed.source = key + " changed for this run, not calibrated";
     }
   } else {
-    double number = 0;
-    const char* const end = value.data() + value.size();
-    const auto [stopped, error] = std::from_chars(value.data(), end, number);
-    if (error != std::errc() || stopped != end || found->kind != sim::ParameterKind::number)
+    const auto number = whole_text_as<double>(value);
+    if (!number || found->kind != sim::ParameterKind::number)
       throw BadInput(fmt::format("{}={}: must be one number", key, excerpt(value)));
-    changed.parameters.numbers[key] = number;
+    changed.parameters.numbers[key] = *number;
   }
   changed.name += fmt::format(" ({} = {})", key, value);
   try {

@@ -47,14 +47,14 @@ struct Stage {
   StageRole role = StageRole::unknown;
   bool valve_open = true;
   AxialAction axial = AxialAction::free;
-  double axial_rate_m_per_s = 0;         ///< displacement, spring: of the crosshead
-  double spring_stiffness_n_per_m = 0;   ///< spring
-  double load_rate_n_per_s = 0;          ///< load
-  std::optional<double> held_q_pa;       ///< constant_q; empty: q as it is when the stage starts
-  double held_stress_ratio = 0;          ///< stress_ratio
-  std::optional<double> strain_path_R;   ///< dε₁ + 2R dε₃ = 0: the back controller follows in volume
-  double load_step_n = 0;                ///< perturbation at the start, of a stage by force
-  double impulse_n_s = 0;                ///< the same, given to the moving mass
+  double axial_rate_m_per_s = 0;        ///< displacement, spring: of the crosshead
+  double spring_stiffness_n_per_m = 0;  ///< spring
+  double load_rate_n_per_s = 0;         ///< load
+  std::optional<double> held_q_pa;      ///< constant_q; empty: q as it is when the stage starts
+  double held_stress_ratio = 0;         ///< stress_ratio
+  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0: the back controller follows in volume
+  double load_step_n = 0;               ///< perturbation at the start, of a stage by force
+  double impulse_n_s = 0;               ///< the same, given to the moving mass
   PressureDemand cell;
   PressureDemand back;
   std::vector<EndCondition> end;  ///< any of them

@@ -86,6 +86,10 @@ TEST_CASE("every way of moving the axis has its own keys") {
     CHECK(complaint(good + kEnd) == "accepted");
   CHECK_THAT(complaint("axial = \"spring\"\naxial_rate_mm_per_min = 0.1\n" + kEnd),
              Contains("spring_stiffness_N_per_mm is missing"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0\n" + kEnd),
+             Contains("is 0; give a rate or write axial = \"hold\""));
+  CHECK_THAT(complaint("axial = \"load\"\nload_rate_N_per_min = 0\n" + kEnd),
+             Contains("write axial = \"dead_load\""));
   CHECK_THAT(complaint("axial = \"stress_ratio\"\nheld_stress_ratio = 3\n" + kEnd),
              Contains("held_stress_ratio"));
   CHECK_THAT(
