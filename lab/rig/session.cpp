@@ -65,14 +65,6 @@ Event sensor_event(const SensorFinding& finding) {
           .detail = describe(finding)};
 }
 
-/// The reading without the channels that cannot be believed.
-Reading believed(const JudgedStates::Judged& judged) {
-  Reading reading = judged.reading;
-  for (std::size_t i = 0; i < kQuantityCount; ++i)
-    if (judged.wrong & channel_bit(static_cast<Quantity>(i))) reading.si[i] = kMissing;
-  return reading;
-}
-
 /// Takes back what was measured with a sensor that could not be believed.
 void take_back(const JudgedStates& states, TestSummary& summary) {
   constexpr ChannelSet kPressures =
@@ -101,9 +93,11 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   monitor.on_event = [this](const Event& e) { emit happened(e); };
   JudgedStates states(back_end.header());
   CrossChecks cross_checks(back_end.header());
+  Collapse until_mark;
   const auto pass_on = [&] {
     while (const auto* judged = states.next()) {
       cross_checks.add(believed(*judged), judged->state);
+      if (judged->mark) until_mark = monitor.so_far();
       if (!judged->live) continue;
       if (judged->after_gap) monitor.interrupt();
       monitor.watch(judged->state);
@@ -141,7 +135,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   for (const Event& event : back_end.events()) emit happened(event);
   states.finish();
   pass_on();
-  summary.collapse = monitor.finish();
+  summary.collapse = states.ends_at_mark() ? until_mark : monitor.finish();
   states.bound(summary.collapse);
   summary.peak = monitor.peak();
   summary.consolidation = reduction.consolidation();
