@@ -59,15 +59,16 @@ void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State&
   }
   if (!(start_p_eff_ > 0)) return;
   const double size = std::fabs(pore - back_ - start_difference_);
-  look_for_return(size, believed.number);
+  look_for_return(size, total_p, believed.number);
   look_for_silence(total_p);
 }
 
-void ClosedDrainage::look_for_return(double size, std::int64_t number) {
+void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t number) {
   if (size >= largest_) {
     largest_ = size;
     returning_ = false;
     back_from_.reset();
+    near_.reset();
     return;
   }
   if (largest_ < kWorth * start_p_eff_) return;
@@ -76,17 +77,27 @@ void ClosedDrainage::look_for_return(double size, std::int64_t number) {
     turned_ = before_;
   }
   if (size > kNotTurned * largest_) returning_ = false;
-  if (size > kBack * largest_) {
+  if (size > kBack * largest_)
     back_from_.reset();
-    return;
-  }
-  if (!back_from_) back_from_ = number;
-  const std::int64_t rest = number - *back_from_;
-  if (rest < std::max(kLeastRest, *back_from_ - turned_)) return;
+  else if (!back_from_)
+    back_from_ = number;
+  const bool rests =
+      back_from_ && number - *back_from_ >= std::max(kLeastRest, *back_from_ - turned_);
+  if (!is_silent_near(size, total_p) && !rests) return;
   conclude(turned_,
            fmt::format("the pore pressure came back to the back pressure, from {:.1f} kPa off, and "
                        "stays there: the valve is open",
                        largest_ / 1e3));
+}
+
+bool ClosedDrainage::is_silent_near(double size, double total_p) {
+  const double loading = kLoading * start_p_eff_;
+  if (size > kNear * largest_ || std::isnan(total_p)) {
+    near_.reset();
+  } else if (!near_ || std::fabs(size - near_->size) > kAnswer * loading) {
+    near_ = Answer{size, total_p};
+  }
+  return near_ && std::fabs(total_p - near_->total_p) >= loading;
 }
 
 void ClosedDrainage::look_for_silence(double total_p) {

@@ -18,15 +18,16 @@ namespace triax::lab {
 ///   return  |d| was kWorth p′_0 or more, came back to a tenth of its largest and rests there, for
 ///           as long as it took to come back, and kLeastRest readings: through an open valve u
 ///           comes to u_b and stays, while a specimen that dilates passes it by;
-///   silence the mean total stress p = σ_c + q/3 changed by kLoading p′_0 and |d| never reached
-///           kAnswer of that, nor kWorth p′_0: a saturated specimen answers with B, of nearly 1.
+///   silence the mean total stress p = σ_c + q/3 changed by kLoading p′_0 and |d| not by kAnswer of
+///           that, nor did it reach kWorth p′_0: a saturated specimen answers with B, of nearly 1.
 /// The last two are known late. The verdict then ends where |d| began to shrink, or where the valve
 /// was shut. Where the back pressure is not read its last value stands, the value of u at the start
 /// if there was none. Slow leaks, which let u build up, only the volume shows.
 class ClosedDrainage {
  public:
   static constexpr double kWater = 5e-4;
-  static constexpr double kWorth = 0.05, kTurned = 0.9, kNotTurned = 0.95, kBack = 0.1;
+  static constexpr double kWorth = 0.05, kTurned = 0.9, kNotTurned = 0.95, kNear = 1.0 / 3,
+                          kBack = 0.1;
   static constexpr std::int64_t kLeastRest = 10;
   static constexpr double kLoading = 0.15, kAnswer = 0.2;
 
@@ -56,7 +57,8 @@ class ClosedDrainage {
   void look_for_water(const Reading& believed);
   void look_at_pore_pressure(const Reading& believed, const State& state);
   void look_for_silence(double total_p);
-  void look_for_return(double size, std::int64_t number);
+  void look_for_return(double size, double total_p, std::int64_t number);
+  bool is_silent_near(double size, double total_p);
   void conclude(std::int64_t last, std::string reason);
 
   double volume_m3_;
@@ -76,6 +78,11 @@ class ClosedDrainage {
   double largest_ = 0;        ///< of |d|
   bool returning_ = false;    ///< |d| fell below kTurned of the largest, not above kNotTurned since
   std::int64_t turned_ = -1;  ///< reading before it did
+  struct Answer {
+    double size = 0, total_p = 0;
+  };
+  std::optional<Answer>
+      near_;  ///< |d| and p since when it does not answer, within kNear of the largest
   std::optional<std::int64_t> back_from_;  ///< since when |d| is within kBack of the largest
 };
 

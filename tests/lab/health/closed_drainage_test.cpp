@@ -104,6 +104,23 @@ TEST_CASE("a pore pressure that comes back to the back pressure and stays: the v
               }).drainage.doubt());
 }
 
+TEST_CASE("it need not come all the way back, where it then no longer answers to the load") {
+  // Water runs on through the valve: a sixth of the largest remains, and grows slowly.
+  const auto flows = [](std::int64_t i) {
+    return i <= 60 ? double(i) : 10 + 0.01 * double(i) + 50 * std::exp(-double(i - 60) / 4);
+  };
+  const Watched near(200, flows);
+  REQUIRE(near.drainage.doubt());
+  CHECK(near.drainage.doubt()->last == 60);
+  // Near from about reading 67; 15 kPa of p later:
+  CHECK(std::abs(*near.known_at - 115) <= 5);
+  CHECK_FALSE(Watched(100, flows).drainage.doubt());
+  // A specimen that dilates slowly near the back pressure answers to the load.
+  CHECK_FALSE(Watched(500, [](auto i) {
+                return i <= 60 ? double(i) : 60 - 0.2 * double(i - 60);
+              }).drainage.doubt());
+}
+
 TEST_CASE("a volume gauge that comes late does not move the end to when it came") {
   const Watched late(85, until_opened, [](Reading& r) {
     if (r.number > 67) r[Quantity::back_volume] -= 1e-6;

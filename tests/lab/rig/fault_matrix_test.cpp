@@ -175,9 +175,9 @@ TEST_CASE("faults in pairs: both are said, the dense specimen never collapses by
   };
   const std::map<std::string, Share> shares = {{"loose, by displacement", {5, 1}},
                                                {"dense, by displacement", {4, 1}},
-                                               {"loose, by load", {7, 26}},
-                                               {"loose, drained at constant q", {17, 1}},
-                                               {"loose, undrained at constant q", {19, 26}}};
+                                               {"loose, by load", {11, 26}},
+                                               {"loose, drained at constant q", {23, 1}},
+                                               {"loose, undrained at constant q", {29, 26}}};
   std::size_t subject = 0;
   for (const Subject& s : subjects()) {
     const auto& [every, of_the_slow] = shares.at(s.test.name);
