@@ -190,6 +190,22 @@ TEST_CASE("faults in pairs: both are said, the dense specimen never collapses by
   }
 }
 
+TEST_CASE("a channel that spikes and then dies, or dies twice, gives no verdict") {
+  const Subject& s = subjects()[2];
+  const auto fault = [&](const char* device, FaultKind kind, double at) {
+    const std::vector<Fault> all = every_fault(at);
+    return *std::ranges::find_if(
+        all, [&](const Fault& f) { return f.device == device && f.kind == kind; });
+  };
+  using enum FaultKind;
+  const double at = s.shearing_s();
+  for (const FaultKind then : {open_circuit, drop_out})
+    run_pair(s,
+             {fault("axial_displacement", spike, at), fault("axial_displacement", then, at + 7)});
+  run_pair(s, {fault("back_volume", open_circuit, at), fault("back_volume", drop_out, at + 7)});
+  run_pair(s, {fault("pore_pressure", spike, at), fault("valve", does_not_open, at + 7)});
+}
+
 TEST_CASE("all faults in pairs, in all tests", "[.all-pairs]") {
   for (const Subject& s : subjects())
     for (const Pair& pair : every_pair(s)) run_pair(s, pair);
