@@ -15,6 +15,12 @@ constexpr double kBurst = 10;    ///< times the rate of the stage so far
 constexpr double kFall = 0.01;   ///< axial strain between two readings
 constexpr double kLostQ = 0.05;  ///< share of the q that was
 
+/// Per second where there is time, so that a logger that slows down makes no burst; else per
+/// reading.
+double lapse(const State& from, const State& to, bool has_time) {
+  return has_time ? to.time_s - from.time_s : static_cast<double>(to.reading - from.reading);
+}
+
 }  // namespace
 
 void LossOfControl::start_stage(const StageInfo* stage) {
@@ -57,12 +63,6 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
   finding_ = Finding{instant_of(first_below_, has_time),
                      fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa",
                                  q_mean_ / 1e3, deviation / 1e3, q / 1e3)};
-}
-
-/// Per second where there is time, so that a logger that slows down makes no burst; else per
-/// reading.
-double LossOfControl::lapse(const State& from, const State& to, bool has_time) const {
-  return has_time ? to.time_s - from.time_s : static_cast<double>(to.reading - from.reading);
 }
 
 /// Rise of the pore pressure beyond what the programme asks; unknown (NaN) without pore pressure.

@@ -36,7 +36,6 @@ class LossOfControl {
   void check_leap(const State& before, const State& state, bool has_time);
   void check_strain_burst(bool has_time);
   void check_pore_burst(bool has_time);
-  double lapse(const State& from, const State& to, bool has_time) const;
   double pore_excess(const State& from, const State& to) const;
 
   static constexpr int kReference = 20;  ///< readings that say at which q a stage holds
