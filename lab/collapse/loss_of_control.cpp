@@ -25,11 +25,11 @@ double lapse(const State& from, const State& to, bool has_time) {
 
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
-  const bool sudden = sudden_;
+  const auto fall = fall_;
   const State before = before_;
   *this = LossOfControl();
   finding_ = found;
-  sudden_ = sudden;
+  fall_ = fall;
   before_ = before;
   control_ = stage ? stage->control : AxialControl::unknown;
   drainage_ = stage ? stage->drainage : Drainage::unknown;
@@ -122,7 +122,8 @@ void LossOfControl::check_strain_burst(bool has_time) {
   const double least = std::max(kBurst / 2 * mean_rate_, kCreep * fastest);
   std::size_t start = 0;
   while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < least) ++start;
-  sudden_ = std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall;
+  if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
+    fall_ = Fall{recent_[start], last};
   finding_ = Finding{instant_of(recent_[start], has_time),
                      fmt::format("axial strain ran from {:.3f} % to {:.3f} % within {} readings{}",
                                  recent_[start].strain.axial * 100, last.strain.axial * 100,

@@ -28,7 +28,12 @@ class LossOfControl {
   const std::optional<Finding>& finding() const { return finding_; }
   /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a
   /// specimen that had carried its stage until then.
-  bool sudden() const { return sudden_; }
+  bool sudden() const { return fall_.has_value(); }
+  /// Of a sudden one the reading before it and the one that shows it.
+  struct Fall {
+    State before, after;
+  };
+  const std::optional<Fall>& fall() const { return fall_; }
 
  private:
   void check_held_q(const State& state, bool has_time);
@@ -53,7 +58,7 @@ class LossOfControl {
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
-  bool sudden_ = false;
+  std::optional<Fall> fall_;
 };
 
 }  // namespace triax::lab

@@ -48,6 +48,8 @@ struct CollapseMonitor::Impl {
   DescentTracker descents;
   LossOfControl control;
   std::optional<Instant> fall;  ///< where a sudden loss of control began
+  std::optional<FallWork> fall_work;
+  std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   ControlPeak control_peak;
   LimitSurface limit;
   std::optional<State> peak;
@@ -126,6 +128,8 @@ void CollapseMonitor::Impl::place_fall(const Finding& burst) {
   const auto last = static_cast<double>(burst.instant.reading);
   const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
   fall = fit ? instant_of(*fit, header.has_time) : burst.instant;
+  if (before_fall)
+    fall_work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -139,6 +143,7 @@ void CollapseMonitor::Impl::end_stage() {
 
 void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
   ++points;
+  if (!control.finding()) before_fall = point;
   limit.add(point);
   descents.add(point);
   control_peak.add(point, header.has_time);
@@ -185,6 +190,7 @@ Collapse CollapseMonitor::Impl::judge() const {
                   .at_held_q = same ? latest : held_descent,
                   .loss_of_control = control.finding(),
                   .fall = fall,
+                  .fall_work = fall_work,
                   .control_peak = control_peak_found,
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
