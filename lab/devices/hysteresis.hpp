@@ -11,8 +11,9 @@ namespace triax::lab {
 /// for it. The loops are Rayleigh's: their width grows with the square of the amplitude. Over a
 /// cycle between 0 and full scale R rising and falling readings are 2h apart in the middle, as a
 /// data sheet states it, and equal at both ends; over half of full scale, a quarter of that; and a
-/// small turn shows at once, smaller by the factor 1 − 7h/R. (A single play of half width h would
-/// hide every turn below 2h; no strain gauge does that.)
+/// small turn shows at once, smaller by the factor 1 − 7h/R. From
+/// rest at 0 the first loading stays behind, by 1.75 h at R, and zero comes back at +1.75 h. (A
+/// single play of half width h would hide every turn below 2h; no strain gauge does that.)
 class Hysteresis {
  public:
   static constexpr int kPlays = 7;

@@ -200,8 +200,10 @@ Logging read_logging(const TomlTable& table, const Logging& otherwise) {
   logging.averaging_s = averaging.value_or(otherwise.averaging_s);
   if (logging.averaging_s <= logging.interval_s) return logging;
   table.fail(averaging ? "averaging_s" : "scan_interval_s",
-             fmt::format("a reading every {:g} s cannot be the mean of {:g} s", logging.interval_s,
-                         logging.averaging_s));
+             fmt::format("a reading every {:g} s cannot be the mean of {:g} s; write averaging_s = "
+                         "{:g} or less{}",
+                         logging.interval_s, logging.averaging_s, logging.interval_s,
+                         averaging ? "" : " here, too"));
 }
 
 Stage read_stage(const TomlTable& table, const Programme& programme, double& cell_pa,

@@ -2,6 +2,7 @@
 // The data logger: when a reading is recorded, and over which looks at the transducers it is the
 // mean.
 #include <array>
+#include <vector>
 
 #include "lab/programmes/programme.hpp"
 #include "lab/records/reading.hpp"
@@ -22,18 +23,15 @@ class Logger {
 
   /// A look on the way to the next reading; looks before its averaging window count for nothing.
   void add(const Reading& look);
-  /// The reading now due: `look`, taken at that time, in its raw channels the mean of the looks in
-  /// the window (t − averaging, t], this one among them. A channel that was missing in some of them
-  /// is the mean of the others. The next reading is waited for from here on.
+  /// The reading now due: `look`, taken at that time; where the logger averages, each raw channel
+  /// is the mean of the middle half of what it said in the window (t − averaging, t], this look
+  /// among them, so that a spike in some looks does not show. Looks that a channel misses do not
+  /// count. The next reading is waited for from here on.
   Reading record(const Reading& look);
 
  private:
-  struct Mean {
-    double sum = 0;
-    int count = 0;
-  };
   std::array<sim::Unit, kRawQuantityCount> units_;
-  std::array<Mean, kRawQuantityCount> means_{};
+  std::array<std::vector<double>, kRawQuantityCount> looks_;  ///< of the window, in those units
   Logging logging_;
   double began_s_ = 0;
   std::int64_t recorded_ = -1;  ///< since it began

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/specimen/step_work.hpp"
 
@@ -43,6 +44,10 @@ void InertialMotion::begin(SpecimenState& state, double elapsed_s) const {
   const double pulls = pull(state, elapsed_s);
   const double direction = state.velocity_m_per_s != 0 ? state.velocity_m_per_s : pulls;
   found.stiffness_at_start_n_per_m = implicit_.stiffness(state, direction) + axis.stiffness_n_per_m;
+  // Water that has to flow makes the force one of time, too: no expansion in Δx tells the ratio.
+  if (boundary_.water.kind != WaterDrive::Kind::closed &&
+      specimen_.properties().drainage_resistance > 0)
+    found.stiffness_at_start_n_per_m = std::numeric_limits<double>::quiet_NaN();
   state.run_away = found;
 }
 

@@ -54,7 +54,7 @@ class PorePressure {
   void add(const State& state) { values_.emplace_back(state.reading, state.pore_pressure); }
   void start_again() { values_.clear(); }
 
-  /// Means of so many readings each up to that one, Pa: 0.05 kPa of noise leave 2 Pa and less.
+  /// Means of so many readings each up to that one, Pa: 0.05 kPa of noise leave 4 Pa and less.
   std::vector<double> means_until(std::int64_t reading) const {
     constexpr std::size_t kReadings = 20;
     std::vector<double> means;
