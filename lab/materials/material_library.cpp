@@ -32,7 +32,7 @@ std::optional<ValidRange> read_range(const TomlTable& table, const char* key) {
 /// In so many digits that one sees that it is not within.
 std::string digits_outside(const ValidRange& range, double value) {
   for (int digits = 4; digits < 10; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value, digits);
     double read = 0;
     std::from_chars(text.data(), text.data() + text.size(), read);
     if (!range.holds(read)) return text;
