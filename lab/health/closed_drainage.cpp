@@ -54,10 +54,12 @@ void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State&
     mark_ = true;
     start_ = believed.number - 1;
     start_difference_ = pore - back_;
+  }
+  if (std::isnan(start_p_) || std::isnan(start_p_eff_)) {
     start_p_eff_ = state.p_eff;
     start_p_ = total_p;
   }
-  if (!(start_p_eff_ > 0)) return;
+  if (std::isnan(start_p_) || !(start_p_eff_ > 0)) return;
   const double size = std::fabs(pore - back_ - start_difference_);
   look_for_return(size, total_p, believed.number);
   look_for_silence(total_p);
@@ -92,7 +94,8 @@ void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t n
 
 bool ClosedDrainage::is_silent_near(double size, double total_p) {
   const double loading = kLoading * start_p_eff_;
-  if (size > kNear * largest_ || std::isnan(total_p)) {
+  if (std::isnan(total_p)) return false;
+  if (size > kNear * largest_) {
     near_.reset();
   } else if (!near_ || std::fabs(size - near_->size) > kAnswer * loading) {
     near_ = Answer{size, total_p};

@@ -22,7 +22,8 @@ namespace triax::lab {
 ///           that, nor did it reach kWorth p′_0: a saturated specimen answers with B, of nearly 1.
 /// The last two are known late. The verdict then ends where |d| began to shrink, or where the valve
 /// was shut. Where the back pressure is not read its last value stands, the value of u at the start
-/// if there was none. Slow leaks, which let u build up, only the volume shows.
+/// if there was none; p and p′_0 are those of the first reading at which they are known. Slow
+/// leaks, which let u build up, only the volume shows.
 class ClosedDrainage {
  public:
   static constexpr double kWater = 5e-4;
@@ -42,8 +43,8 @@ class ClosedDrainage {
 
   /// The programme has the valve open.
   void open();
-  /// The programme has it shut; `believed` lacks what cannot be believed. Pre-condition: numbers
-  /// ascend.
+  /// The programme has it shut; `believed` lacks what cannot be believed, and so does `state`: q
+  /// and p′ are NaN where a channel behind them is wrong. Pre-condition: numbers ascend.
   void add(const Reading& believed, const State& state);
 
   /// V_b was off when it was last read: water, or a stray reading.

@@ -28,6 +28,16 @@ bool serves_the_state(Quantity q, const RecordHeader& header) {
   return q != Quantity::cell_volume;
 }
 
+/// The state without the stresses that stand on a channel that cannot be believed.
+State believed_state(const JudgedStates::Judged& judged) {
+  constexpr ChannelSet kLoad = channel_bit(Quantity::axial_force) |
+                               channel_bit(Quantity::axial_displacement) |
+                               channel_bit(Quantity::cell_pressure);
+  State state = judged.state;
+  if (judged.wrong & kLoad) state.q = state.p_eff = kMissing;
+  return state;
+}
+
 double volume_of(const RecordHeader& header) {
   const double diameter = header.specimen.diameter_m.value_or(0);
   return std::numbers::pi / 4 * diameter * diameter * header.specimen.height_m.value_or(0);
@@ -77,6 +87,8 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
     entry.live = false;
     entry.no_origin = entry.no_origin || counts_from_shear(wrong.finding.channel);
   }
+  // A few readings that went in before they were known for a spike are no dead sensor.
+  if (wrong.finding.fault == SensorFault::spike) return;
   if (wrong.from <= judged_last_ && withheld_.empty() && last_live_ &&
       spoils(wrong.finding, last_live_->stage))
     withheld_ = fmt::format("{} since reading {}", reason(wrong.finding), wrong.from);
@@ -105,7 +117,7 @@ bool JudgedStates::watch_drainage(Judged& entry, const StageInfo* stage) {
   if (!header_.is_raw() || !stage) return true;
   if (stage->drainage == Drainage::open) drainage_.open();
   if (stage->drainage != Drainage::closed || !is_watched(stage)) return true;
-  drainage_.add(believed(entry), entry.state);
+  drainage_.add(believed(entry), believed_state(entry));
   entry.mark = drainage_.is_mark();
   const auto& doubt = drainage_.doubt();
   const auto known = end();

@@ -11,7 +11,8 @@ namespace {
 constexpr double kVolume_m3 = 5e-4;
 
 /// An undrained stage as its instruments show it: the excess pore pressure, kPa, of each reading,
-/// and whatever else is done to the reading. q grows by 1 kPa a reading, p′ starts at 100 kPa.
+/// and whatever else is done to the reading; q and p′ are not known at readings that are `blind`. q
+/// grows by 1 kPa a reading, p′ starts at 100 kPa.
 struct Watched {
   ClosedDrainage drainage{kVolume_m3};
   std::vector<std::int64_t> marks;
@@ -19,7 +20,8 @@ struct Watched {
 
   Watched(
       std::int64_t n, const std::function<double(std::int64_t)>& excess_kPa,
-      const std::function<void(Reading&)>& spoil = [](Reading&) {}) {
+      const std::function<void(Reading&)>& spoil = [](Reading&) {},
+      const std::function<bool(std::int64_t)>& blind = [](std::int64_t) { return false; }) {
     for (std::int64_t i = 0; i < n; ++i) {
       Reading r;
       r.number = i;
@@ -32,6 +34,7 @@ struct Watched {
       State s;
       s.q = 1e3 * double(i);
       s.p_eff = 400e3 - r[Quantity::pore_pressure] + s.q / 3;
+      if (blind(i)) s.q = s.p_eff = kMissing;
       drainage.add(r, s);
       if (drainage.is_mark()) marks.push_back(i);
       if (drainage.doubt() && !known_at) known_at = i;
@@ -156,6 +159,25 @@ TEST_CASE("a dead sensor of the back pressure leaves its last value; a dead gaug
         Watched(120, until_opened, without(Quantity::back_pressure, from)).drainage.doubt()->last ==
         60);
   CHECK_FALSE(Watched(120, until_opened, without(Quantity::pore_pressure, 0)).drainage.doubt());
+}
+
+TEST_CASE("stresses that are not known are no load, and hide none") {
+  const auto still = [](std::int64_t) { return 0.0; };
+  const auto nothing = [](Reading&) {};
+  CHECK_FALSE(Watched(200, still, nothing, [](auto i) { return i >= 30; }).drainage.doubt());
+  // What it started from is that of the first reading at which it is known.
+  const Watched late(200, still, nothing, [](auto i) { return i < 10; });
+  REQUIRE(late.drainage.doubt());
+  CHECK(late.known_at == 57);  // p′ is 103.3 kPa by then, 15 % of it 15.5 kPa
+  CHECK(late.drainage.doubt()->last == -1);
+  // One in seven is not known: that u no longer answers shows all the same.
+  const auto flows = [](std::int64_t i) {
+    return i <= 60 ? double(i) : 10 + 0.01 * double(i) + 50 * std::exp(-double(i - 60) / 4);
+  };
+  const Watched near(200, flows, nothing, [](auto i) { return i % 7 == 0; });
+  REQUIRE(near.drainage.doubt());
+  CHECK(near.drainage.doubt()->last == 60);
+  CHECK(std::abs(*near.known_at - 115) <= 5);
 }
 
 TEST_CASE("an open valve wipes the slate clean") {

@@ -156,7 +156,7 @@ TEST_CASE("no strain counts from a displacement that was dead where shear began:
 namespace {
 
 /// Drained to reading 100, then with the drainage shut, where u rises by 1 kPa in three readings
-/// and q by 1 kPa in each; `broken` as above.
+/// and q by 1 kPa in each; `broken` as above. What the load cell is off by goes into q.
 template <class Break>
 Run undrained(std::int64_t n, Break broken) {
   RecordHeader header = raw_header();
@@ -171,8 +171,10 @@ Run undrained(std::int64_t n, Break broken) {
       r[Quantity::back_volume] = -5e-7;
       r[Quantity::pore_pressure] += 1e3 * double(i - 100) / 3;
     }
+    const double force = r[Quantity::axial_force];
     broken(r);
-    states.add(r, state_of(r, 100e3 + 1e3 * double(std::max<std::int64_t>(i - 100, 0))));
+    const double off_pa = (r[Quantity::axial_force] - force) / 3.848e-3;
+    states.add(r, state_of(r, 100e3 + 1e3 * double(std::max<std::int64_t>(i - 100, 0)) + off_pa));
     while (const auto* judged = states.next()) out.passed.push_back(*judged);
   }
   states.finish();
@@ -244,4 +246,25 @@ TEST_CASE("a logger that writes no volume while the drainage is shut loses no ve
   });
   for (const auto& judged : out.passed) CHECK(judged.live);
   CHECK_FALSE(out.verdict.judged_until);
+}
+
+TEST_CASE("undrained, a load cell that spikes or dies early is no load that u fails to answer") {
+  // 900 N are 78 kPa of mean stress, by which u does not move.
+  const Run spiked = undrained(400, [](Reading& r) {
+    if (r.number == 104) r[Quantity::axial_force] += 900;
+  });
+  for (const auto& judged : spiked.passed) CHECK(judged.live == (judged.reading.number != 104));
+  CHECK(spiked.verdict.judged);
+  CHECK_FALSE(spiked.verdict.judged_until);
+  const Run dead = undrained(400, [](Reading& r) {
+    if (r.number >= 104) r[Quantity::axial_force] = 2000;
+  });
+  CHECK(dead.verdict.judged_until == 103);
+  CHECK(dead.verdict.judged_until_reason.find("the load cell (axial_force) is saturated") == 0);
+  // At the first reading with the valve shut: the stresses that it starts from are not that one's.
+  const Run first = undrained(400, [](Reading& r) {
+    if (r.number == 100) r[Quantity::axial_force] += 900;
+  });
+  CHECK(first.verdict.judged);
+  CHECK_FALSE(first.verdict.judged_until);
 }

@@ -81,6 +81,26 @@ bool masked(const Fault& fault, const std::vector<Fault>& faults) {
   });
 }
 
+/// Wrong or not, nothing that q, p′, the strains or the drainage are known by stands on it, and no
+/// loop reads it; a spike is left out.
+bool spoils_nothing(const Subject& s, const Fault& f) {
+  if (f.kind == FaultKind::spike) return true;
+  if (f.device == "cell_volume") return true;
+  return f.device == "back_volume" && f.kind == FaultKind::stuck && s.test.type == "ICU";
+}
+
+/// A sound verdict must not be lost.
+void check_verdict_stands(const Subject& s, const std::vector<Fault>& faults, const Outcome& out) {
+  const Collapse& sound = s.sound.summary.collapse;
+  if (!sound.detected() || out.safe()) return;
+  const bool stands = std::ranges::all_of(
+      faults, [&](const Fault& f) { return f.from_s > s.collapse_s() || spoils_nothing(s, f); });
+  if (!stands) return;
+  const Collapse& v = out.summary.collapse;
+  CHECK(v.detected());
+  if (v.detected()) CHECK(*v.onset->time_s == Approx(*sound.onset->time_s).margin(5));
+}
+
 void check_always(const Subject& s, const std::vector<Fault>& faults, const Outcome& out) {
   for (const Fault& f : faults) {
     CHECK(std::ranges::any_of(out.summary.warnings,
@@ -88,6 +108,7 @@ void check_always(const Subject& s, const std::vector<Fault>& faults, const Outc
   }
   CHECK(out.last_time_s < 4000);
   CHECK(out.last_time_s > faults.front().from_s - 1);
+  check_verdict_stands(s, faults, out);
   const Collapse& v = out.summary.collapse;
   if (!v.detected()) return;
   // The specimen itself must have collapsed.
@@ -259,6 +280,9 @@ TEST_CASE("the programmes with faults tell what became of them") {
   const Outcome open = run("load_cell_open");
   CHECK(open.safe());
   CHECK_FALSE(open.summary.collapse.detected());
+  CHECK(open.summary.collapse.judged_until == 1439);
+  CHECK_THAT(open.summary.collapse.judged_until_reason,
+             Contains("the load cell (axial_force) is saturated"));
   const Outcome leaks = run("valve_leaks");
   CHECK_THAT(leaks.said(),
              Contains("although the valve is closed") && Contains("undrained_volume"));
