@@ -166,6 +166,7 @@ struct Outcome {
   std::vector<Event> events;
   double last_time_s = 0;
   std::optional<double> shear_from_s;
+  std::optional<double> told_s;  ///< when the first collapse was told, while the test ran
   bool safe() const {
     return std::ranges::any_of(summary.warnings,
                                [](const Warning& w) { return w.text.starts_with("safe state"); });
@@ -184,8 +185,11 @@ inline Outcome run_with(Programme programme, std::vector<Fault> faults) {
   VirtualRig rig(programme);
   Session session;
   Outcome out;
-  QObject::connect(&session, &Session::happened,
-                   [&](const Event& event) { out.events.push_back(event); });
+  QObject::connect(&session, &Session::happened, [&](const Event& event) {
+    out.events.push_back(event);
+    const bool collapse = event.kind == "loss_of_sustainability" || event.kind == "limit_surface";
+    if (collapse && !out.told_s) out.told_s = out.last_time_s;
+  });
   QObject::connect(&session, &Session::scanned, [&](const Reading& reading, const State&) {
     out.last_time_s = reading.time_s;
     if (!out.shear_from_s && rig.header().stage(reading.stage)->role == StageRole::shear)

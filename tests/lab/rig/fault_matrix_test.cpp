@@ -89,16 +89,23 @@ bool spoils_nothing(const Subject& s, const Fault& f) {
   return f.device == "back_volume" && f.kind == FaultKind::stuck && s.test.type == "ICU";
 }
 
-/// A sound verdict must not be lost.
-void check_verdict_stands(const Subject& s, const std::vector<Fault>& faults, const Outcome& out) {
-  const Collapse& sound = s.sound.summary.collapse;
-  if (!sound.detected() || out.safe()) return;
-  const bool stands = std::ranges::all_of(
-      faults, [&](const Fault& f) { return f.from_s > s.collapse_s() || spoils_nothing(s, f); });
-  if (!stands) return;
+/// By then the collapse had cost what counts as one, a leap of it not taken for the death of a
+/// sensor included.
+bool comes_too_late(const Subject& s, const Fault& f) {
+  constexpr double kLeap_s = 4;
+  return s.sound.told_s && f.from_s > *s.sound.told_s + kLeap_s;
+}
+
+/// A sound verdict must not be lost. Where a loop followed a spike it is another test.
+void check_verdict_stands(const Subject& s, const Fault& f, const Outcome& out) {
+  const TestSummary& sound = s.sound.summary;
+  const Truth& truth = *out.summary.truth;
+  if (!sound.collapse.detected() || !truth.lost_sustainability || out.safe()) return;
+  if (!truth.time_s || std::fabs(*truth.time_s - *sound.truth->time_s) > 5) return;
+  if (!comes_too_late(s, f) && !spoils_nothing(s, f)) return;
   const Collapse& v = out.summary.collapse;
   CHECK(v.detected());
-  if (v.detected()) CHECK(*v.onset->time_s == Approx(*sound.onset->time_s).margin(5));
+  if (v.detected()) CHECK(*v.onset->time_s == Approx(*sound.collapse.onset->time_s).margin(5));
 }
 
 void check_always(const Subject& s, const std::vector<Fault>& faults, const Outcome& out) {
@@ -108,7 +115,6 @@ void check_always(const Subject& s, const std::vector<Fault>& faults, const Outc
   }
   CHECK(out.last_time_s < 4000);
   CHECK(out.last_time_s > faults.front().from_s - 1);
-  check_verdict_stands(s, faults, out);
   const Collapse& v = out.summary.collapse;
   if (!v.detected()) return;
   // The specimen itself must have collapsed.
@@ -152,6 +158,7 @@ TEST_CASE("every fault alone: said, noticed where it can be, no verdict on a dea
                          << ", ends at " << out.last_time_s << "\n"
                          << out.said());
         check_always(s, {fault}, out);
+        check_verdict_stands(s, fault, out);
         if (at < s.collapse_s() && !unnoticeable(s, fault)) CHECK(out.said() != sound);
       }
     }
