@@ -234,9 +234,13 @@ TEST_CASE("a channel that spikes and then dies, or dies twice, gives no verdict"
   run_pair(s, {fault("pore_pressure", spike, at), fault("valve", does_not_open, at + 7)});
 }
 
+/// For hand: `lab_tests "[.all-pairs]"`, or one test of them with -c "loose, by load".
 TEST_CASE("all faults in pairs, in all tests", "[.all-pairs]") {
-  for (const Subject& s : subjects())
-    for (const Pair& pair : every_pair(s)) run_pair(s, pair);
+  for (const Subject& s : subjects()) {
+    DYNAMIC_SECTION(s.test.name) {
+      for (const Pair& pair : every_pair(s)) run_pair(s, pair);
+    }
+  }
 }
 
 TEST_CASE("what drains is not judged as undrained, whatever else is broken") {
