@@ -70,3 +70,13 @@ TEST_CASE("looks that a channel misses do not count; a channel that says nothing
   CHECK(reading[Quantity::pore_pressure] == Approx(101e3));
   CHECK_FALSE(reading.has(Quantity::axial_force));
 }
+
+TEST_CASE("noise that moves a coarse converter by a step now and then is in the mean") {
+  auto coarse = transducers();
+  coarse[index(Quantity::pore_pressure)].step = 1;  // kPa
+  Logger logger(coarse);
+  logger.begin({.interval_s = 2, .averaging_s = 2}, 0);
+  for (const double value : {100e3, 100e3, 101e3, 100e3, 100e3, 100e3, 99e3, 101e3, 140e3})
+    logger.add(look(1, value));
+  CHECK(logger.record(look(2, 100e3))[Quantity::pore_pressure] == Approx(901e3 / 9));
+}
