@@ -85,6 +85,8 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
     if (!spoils(wrong.finding, entry.reading.stage)) continue;
     if (entry.live) entry.reason = reason(wrong.finding);
     entry.live = false;
+    entry.dead = entry.dead || wrong.finding.fault == SensorFault::stuck ||
+                 wrong.finding.fault == SensorFault::saturated;
     entry.no_origin = entry.no_origin || counts_from_shear(wrong.finding.channel);
   }
   // A few readings that went in before they were known for a spike are no dead sensor.
@@ -143,6 +145,7 @@ void JudgedStates::judge(Judged& entry) {
   entry.live = entry.live && undrained;
   if (!entry.live) {
     if (left_out_++ == 0) gap_reason_ = entry.reason;
+    died_ = entry.dead;
     return;
   }
   if (!complete(entry.state)) return;
@@ -161,7 +164,9 @@ void JudgedStates::judge(Judged& entry) {
 }
 
 std::optional<JudgedStates::End> JudgedStates::end() const {
-  if (end_ || left_out_ <= kShortGap) return end_;
+  if (end_ || left_out_ == 0) return end_;
+  const bool all_judged = finished_ && held_.empty();
+  if (left_out_ <= kShortGap && !(all_judged && died_)) return end_;
   return End{last_live_ ? last_live_->reading : -1, gap_reason_};
 }
 

@@ -16,7 +16,8 @@ namespace triax::lab {
 /// those on a sensor that was dead. Readings and states themselves are not touched. After a longer
 /// stretch of dead readings judgement goes on only where nothing that counts as a collapse can hide
 /// in it: q and p′ changed by less than a tenth, the axial strain by less than 1 %; else it ends
-/// there. It ends too where displacement or volume, which count from the start of shear, was dead
+/// there. A shorter one, in which a sensor died, ends it where no live reading of shear follows. It
+/// ends too where displacement or volume, which count from the start of shear, was dead
 /// then, and where a specimen whose drainage is shut turns out not to be undrained, or nobody reads
 /// any more whether it is.
 class JudgedStates {
@@ -29,6 +30,7 @@ class JudgedStates {
     State state;
     ChannelSet wrong = 0;    ///< channels that cannot be believed at this reading
     bool live = true;        ///< the state can be judged
+    bool dead = false;       ///< not live because a sensor is stuck or saturated
     bool after_gap = false;  ///< first of its kind after a longer stretch that could not
     bool no_origin = false;  ///< a sensor whose readings count from the start of shear is wrong
     /// What was found before this state is to be kept: the verdict may come to end there.
@@ -85,6 +87,7 @@ class JudgedStates {
   bool gauge_was_absent_ = false;  ///< at the last reading
   std::int64_t left_out_ = 0;      ///< readings since last_live_
   std::string gap_reason_;
+  bool died_ = false;  ///< the last of those was on a sensor that is stuck or saturated
   ChannelSet wrong_at_shear_ = 0, wrong_in_b_check_ = 0;
   bool sheared_ = false;
   std::optional<End> end_;

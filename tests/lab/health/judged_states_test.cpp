@@ -268,3 +268,28 @@ TEST_CASE("undrained, a load cell that spikes or dies early is no load that u fa
   CHECK(first.verdict.judged);
   CHECK_FALSE(first.verdict.judged_until);
 }
+
+TEST_CASE("a sensor that died in the last readings of shear ends the verdict before them") {
+  const auto held_from = [](std::int64_t hold) {
+    RecordHeader header = raw_header();
+    header.stages.push_back({.number = 4, .name = "hold", .role = StageRole::hold});
+    JudgedStates states(header);
+    for (std::int64_t i = 0; i < 400; ++i) {
+      Reading r = noisy(i);
+      if (i >= hold) r.stage = 4;
+      if (i >= 300) r[Quantity::axial_force] = 2000;
+      states.add(r, state_of(r));
+    }
+    states.finish();
+    while (states.next()) continue;
+    Collapse verdict;
+    states.bound(verdict);
+    return verdict;
+  };
+  for (const std::int64_t hold : {302, 310}) {
+    CHECK(held_from(hold).judged_until == 299);
+    CHECK(held_from(hold).judged_until_reason.find("the load cell") == 0);
+  }
+  // It died afterwards.
+  CHECK_FALSE(held_from(300).judged_until);
+}
