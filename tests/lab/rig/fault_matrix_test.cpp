@@ -57,6 +57,10 @@ bool kills(const Fault& f, bool drained) {
 /// What docs/faults.md says that nobody can notice, or that does nothing in this test.
 bool unnoticeable(const Subject& s, const Fault& f) {
   if (f.kind == FaultKind::drift || f.kind == FaultKind::latency) return true;
+  // What stands out of the looks of a reading is not in their mean.
+  const bool averages = std::ranges::any_of(
+      s.programme.stages, [](const Stage& stage) { return stage.logging.averaging_s > 0; });
+  if (f.kind == FaultKind::spike && averages) return true;
   if (is_volume(f.device)) return f.kind == FaultKind::stuck || f.kind == FaultKind::spike;
   if (f.kind == FaultKind::leak) return true;
   if (f.device.ends_with("_controller")) return f.kind == FaultKind::stuck;
