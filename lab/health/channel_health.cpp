@@ -65,7 +65,8 @@ void ChannelHealth::add(std::int64_t number, double value) {
 void ChannelHealth::miss(std::int64_t number) {
   if (gap_++ == 0) gap_from_ = number;
   if (dead_ || gap_ <= kGap || steady_ < kSteady) return;
-  dead_ = Dead{SensorFault::missing, last_leap().value_or(gap_from_)};
+  // What stood still since a jump was dead by then.
+  dead_ = Dead{SensorFault::missing, jump_ ? jump_begin_ : last_leap().value_or(gap_from_)};
   leap_.reset();
 }
 

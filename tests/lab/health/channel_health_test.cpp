@@ -198,3 +198,14 @@ TEST_CASE("that a channel may rest from now on does not excuse the jump it rests
   quiet.feed(3, [](std::int64_t) { return live(499); });
   CHECK(quiet.health.run() == 3);
 }
+
+TEST_CASE("what stands still since a jump, and then says nothing, was dead from the jump on") {
+  Watched w;
+  w.feed(100, live);
+  w.feed(7, [](std::int64_t) { return 1e5; });
+  w.feed(10, [](std::int64_t) { return kNone; });
+  REQUIRE(w.health.dead());
+  CHECK(w.health.dead()->fault == SensorFault::missing);
+  CHECK(w.health.dead()->from == 100);
+  CHECK(w.spikes.empty());
+}
