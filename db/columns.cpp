@@ -2,9 +2,9 @@
 
 #include <SQLiteCpp/Column.h>
 
-#include <charconv>
 #include <cmath>
 
+#include "lab/records/text.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::db {
@@ -40,19 +40,9 @@ Binder& Binder::text_or_null(std::string_view value) {
   return *this;
 }
 
-namespace {
-template <class Number>
-std::optional<Number> whole_text_as(const std::string& text) {
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
-}
-}  // namespace
-
 Binder& Binder::number_or_text(const std::string& value) {
-  if (const auto whole = whole_text_as<std::int64_t>(value)) return integer(whole);
-  const auto real = whole_text_as<double>(value);
+  if (const auto whole = lab::whole_text_as<std::int64_t>(value)) return integer(whole);
+  const auto real = lab::whole_text_as<double>(value);
   return real && std::isfinite(*real) ? number(real) : text(value);
 }
 

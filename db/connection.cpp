@@ -41,8 +41,10 @@ bool is_empty(SQLite::Database& database) {
 
 /// Refuses what is not ours before anything is written.
 void check_ours(SQLite::Database& database, const std::string& path) {
+  // In this order: another program may make the file ours between the two.
+  const bool empty = is_empty(database);
   const int id = read_int(database, "PRAGMA application_id");
-  if (id != kApplicationId && (id != 0 || !is_empty(database)))
+  if (id != kApplicationId && (id != 0 || !empty))
     throw lab::BadInput(path, 0,
                         "this SQLite database was made by another program; name a triax database, "
                         "or a file that does not exist yet");

@@ -3,9 +3,9 @@
 #include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "db/connection.hpp"
@@ -13,13 +13,14 @@
 #include "db/scan_codec.hpp"
 #include "db/test_reader.hpp"
 #include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
 
 namespace triax::db {
 namespace {
 
 using SQLite::Statement;
 
-constexpr char kScans[] =
+constexpr const char* kScans =
     "SELECT s.id & 4294967295, s.time_s, s.stage, s.axial_displacement_mm, s.axial_force_kN, "
     "s.cell_pressure_kPa, s.back_pressure_kPa, s.pore_pressure_kPa, s.back_volume_mm3, "
     "s.cell_volume_mm3, s.axial_strain, s.volumetric_strain, s.q_Pa, s.p_eff_Pa, s.last_bits, d.* "
@@ -28,7 +29,7 @@ constexpr char kScans[] =
     "AND (s.id & 4294967295) % ?2 = 0 ORDER BY s.id";
 constexpr int kDetailColumn = 15;
 /// Oldest first; the tests of a sweep together, in its order.
-constexpr char kAllTests[] =
+constexpr const char* kAllTests =
     "WITH places AS (SELECT DISTINCT test_id, sweep, place FROM sweep_members), "
     "firsts AS (SELECT sweep, min(test_id) AS first FROM places GROUP BY sweep) "
     "SELECT t.id FROM tests t LEFT JOIN places p ON p.test_id = t.id "
@@ -96,28 +97,25 @@ struct Store::Impl {
     }
   }
 
-  std::int64_t find_one(const std::string& name);
-  std::int64_t find_by_short_name(const std::string& name);
+  std::int64_t find_one(const std::string& name) const;
+  std::int64_t find_by_short_name(const std::string& name) const;
 
   std::string path;
   SQLite::Database database;
 };
 
-std::int64_t Store::Impl::find_one(const std::string& name) {
-  std::int64_t id = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), id);
-  const bool is_number = error == std::errc{} && end == name.data() + name.size();
+std::int64_t Store::Impl::find_one(const std::string& name) const {
   // A test that is called "42" is meant rather than the forty-second of the database.
   Statement select(database,
                    "SELECT id FROM tests WHERE name = ?1 OR id = ?2 "
                    "ORDER BY name = ?1 DESC, id DESC LIMIT 1");
   select.bind(1, name);
-  select.bind(2, is_number ? id : 0);
+  select.bind(2, lab::whole_text_as<std::int64_t>(name).value_or(0));
   return select.executeStep() ? select.getColumn(0).getInt64() : find_by_short_name(name);
 }
 
 /// "csu_26" and "26" for "CSU 26", as long as no other name may be meant.
-std::int64_t Store::Impl::find_by_short_name(const std::string& name) {
+std::int64_t Store::Impl::find_by_short_name(const std::string& name) const {
   Statement select(database,
                    "SELECT id, name FROM tests "
                    "WHERE lower(replace(name, '_', ' ')) = lower(replace(?1, '_', ' ')) "
@@ -129,8 +127,9 @@ std::int64_t Store::Impl::find_by_short_name(const std::string& name) {
     const std::string other = select.getColumn(1).getString();
     if (latest != 0 && other != called)
       throw lab::BadInput(path, 0,
-                          "'" + name + "' may be the test '" + called + "' or '" + other +
-                              "'; give the whole name or the id");
+                          fmt::format("'{}' may be the test '{}' or '{}'; give the whole name or "
+                                      "the id",
+                                      name, called, other));
     if (latest == 0) latest = select.getColumn(0).getInt64();
     called = other;
   }
@@ -147,6 +146,7 @@ Store::~Store() = default;
 std::vector<std::int64_t> Store::find(const std::vector<std::string>& names) const {
   return impl_->guarded([&] {
     std::vector<std::int64_t> ids;
+    ids.reserve(names.size());
     for (const std::string& name : names) ids.push_back(impl_->find_one(name));
     if (!names.empty()) return ids;
     Statement select(impl_->database, kAllTests);

@@ -201,7 +201,8 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
            });
   for_rows(database, id,
            "SELECT start_s, largest_kinetic_energy_J, largest_at_s, kinetic_energy_J, "
-           "second_order_work_J, expected_ratio, end_s, ending FROM run_aways WHERE test_id = ? ORDER BY number",
+           "second_order_work_J, expected_ratio, end_s, ending FROM run_aways WHERE test_id = ? "
+           "ORDER BY number",
            [&](Columns& c) {
              if (!truth) return;
              lab::RunAwayTruth& run_away = truth->run_aways.emplace_back();

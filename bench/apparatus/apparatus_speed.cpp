@@ -26,9 +26,12 @@ namespace {
 constexpr double kInterval_s = 0.1;
 constexpr int kRepetitions = 7;
 
+/// Every stage read as densely as all others, whatever its own interval.
 lab::Programme programme_of(const std::string& file) {
-  return lab::read_programme(lab::read_text_file(file), file,
-                             {{"test.scan_interval_s", std::to_string(kInterval_s)}});
+  auto programme = lab::read_programme(lab::read_text_file(file), file);
+  programme.logging = {.interval_s = kInterval_s, .averaging_s = 0};
+  for (lab::Stage& stage : programme.stages) stage.logging = programme.logging;
+  return programme;
 }
 
 struct Increment {

@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", options.seeds, "tests of each subject")->check(CLI::PositiveNumber);
   app.add_option("--first-seed", options.first_seed, "number of the first seed");
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::PositiveNumber);
-  app.add_option("--only", options.only, "ICU, CSD, CSU or controls");
+  app.add_option("--only", options.only, "ICU, CSD, CSU, SP or controls");
   app.add_option("--csv", options.csv, "file for one line a test and method");
   app.add_option("--list", options.list, "list of subjects");
   app.add_option("--programmes", options.folder, "folder of the programmes");

@@ -1,21 +1,20 @@
 #include "bench/detection/subjects.hpp"
 
-#include <charconv>
 #include <fstream>
 #include <sstream>
 
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
 
 namespace triax::bench {
 namespace {
 
 double void_ratio_from(const std::string& text, const std::string& list, std::int64_t line) {
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || stop != text.data() + text.size() || !(value > 0))
+  const auto value = lab::whole_text_as<double>(text);
+  if (!value || !(*value > 0))
     throw lab::BadInput(list, line, "void ratio \"" + text + "\": a number above 0 or - is asked");
-  return value;
+  return *value;
 }
 
 }  // namespace

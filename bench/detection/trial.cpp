@@ -48,6 +48,11 @@ Outcome outcome_of(const TrialResult& result, const std::optional<Onset>& onset)
   return o;
 }
 
+/// Number of the first reading at or after a time; readings are numbered from 0.
+std::int64_t first_reading_at(const std::vector<double>& times, double time_s) {
+  return std::ranges::lower_bound(times, time_s - 1e-9) - times.begin();
+}
+
 /// Scales everything that follows the consolidation stress: effective cell pressures, and the q at
 /// which stages end.
 void scale_stress(lab::Programme& programme, double factor) {
@@ -109,10 +114,12 @@ TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
   Naive naive(rig.header());
   lab::Session session;
   std::int64_t now = 0;
+  std::vector<double> times;
   std::optional<std::int64_t> noticed;
   QObject::connect(&session, &lab::Session::scanned,
                    [&](const lab::Reading& reading, const lab::State& state) {
                      now = reading.number;
+                     times.push_back(reading.time_s);
                      naive.add(state);
                    });
   QObject::connect(&session, &lab::Session::happened, [&](const lab::Event& event) {
@@ -131,8 +138,7 @@ TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
     r.truth_lost = true;
     r.truth_time_s = *summary.truth->time_s;
     r.truth_eta = *summary.truth->q_pa / *summary.truth->p_eff_pa;
-    r.truth_reading =
-        static_cast<std::int64_t>(std::ceil(r.truth_time_s / programme.scan_interval_s - 1e-9));
+    r.truth_reading = first_reading_at(times, r.truth_time_s);
   }
   const lab::Collapse& c = summary.collapse;
   r.kind = std::string(lab::to_string(c.kind));

@@ -79,8 +79,9 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
   const double error = drained_ ? point.volumetric_rate_error : point.pore_rate_error;
   if (!(norm > 0) || std::isnan(rate)) return;
   const double weight = std::min(1.0, advance / static_cast<double>(point.window_readings));
-  if (contraction_.add(-rate / norm, error / norm, weight)) before_ = point;
-  if (!contraction_.found() || !before_) return;
+  // Where it contracts from the start of the stage, that is where it was turning at the latest.
+  if (contraction_.add(-rate / norm, error / norm, weight) || !before_) before_ = point;
+  if (!contraction_.found()) return;
   const std::string what =
       drained_ ? fmt::format("the volume turned to contraction while p' fell (ε_v {:.4f} %, ",
                              before_->volumetric_strain * 100)

@@ -4,32 +4,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lab/collapse/instant.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr double kBurst = 10;  ///< times the rate of the stage so far
+constexpr double kBurst = 10;    ///< times the rate of the stage so far
+constexpr double kFall = 0.01;   ///< axial strain between two readings
+constexpr double kLostQ = 0.05;  ///< share of the q that was
+
+/// Per second where there is time, so that a logger that slows down makes no burst; else per
+/// reading.
+double lapse(const State& from, const State& to, bool has_time) {
+  return has_time ? to.time_s - from.time_s : static_cast<double>(to.reading - from.reading);
+}
 
 }  // namespace
 
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
-  const bool sudden = sudden_;
+  const auto fall = fall_;
+  const State before = before_;
   *this = LossOfControl();
   finding_ = found;
-  sudden_ = sudden;
+  fall_ = fall;
+  before_ = before;
   control_ = stage ? stage->control : AxialControl::unknown;
   drainage_ = stage ? stage->drainage : Drainage::unknown;
 }
 
 void LossOfControl::add(const State& state, bool has_time) {
+  const State before = std::exchange(before_, state);
   const bool watched = control_ == AxialControl::constant_q || control_ == AxialControl::load;
   if (!watched || finding_) return;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
   check_bursts(state, has_time);
+  if (steps_ < kReference && !finding_) check_leap(before, state, has_time);
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
@@ -41,7 +54,7 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
     return;
   }
   const double deviation = std::sqrt(q_square_ / (kReference - 1));
-  if (q > q_mean_ - std::max(0.05 * q_mean_, 6 * deviation)) {
+  if (q > q_mean_ - std::max(kLostQ * q_mean_, 6 * deviation)) {
     below_ = 0;
     return;
   }
@@ -50,12 +63,6 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
   finding_ = Finding{instant_of(first_below_, has_time),
                      fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa",
                                  q_mean_ / 1e3, deviation / 1e3, q / 1e3)};
-}
-
-/// Per second where there is time, so that a logger that slows down makes no burst; else per
-/// reading.
-double LossOfControl::lapse(const State& from, const State& to, bool has_time) const {
-  return has_time ? to.time_s - from.time_s : static_cast<double>(to.reading - from.reading);
 }
 
 /// Rise of the pore pressure beyond what the programme asks; unknown (NaN) without pore pressure.
@@ -83,10 +90,23 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
   if (!finding_) check_pore_burst(has_time);
 }
 
+/// A displacement that was set to zero between two stages leaps too, but q does not.
+void LossOfControl::check_leap(const State& before, const State& state, bool has_time) {
+  const bool next = state.reading == before.reading + 1;
+  const double leap = std::fabs(state.strain.axial - before.strain.axial);
+  const double q_left = std::fabs(state.q / before.q);
+  if (!next || !(leap >= kFall) || !(q_left < 1 - kLostQ)) return;
+  finding_ =
+      Finding{instant_of(before, has_time),
+              fmt::format("axial strain leapt from {:.3f} % to {:.3f} % between two readings "
+                          "and q fell from {:.2f} kPa to {:.2f} kPa",
+                          before.strain.axial * 100, state.strain.axial * 100, before.q / 1e3,
+                          state.q / 1e3)};
+}
+
 void LossOfControl::check_strain_burst(bool has_time) {
   constexpr double kLeastRise = 1e-3;
   constexpr double kCreep = 0.01;  ///< of the fastest step
-  constexpr double kFall = 0.01;   ///< axial strain between two readings
   const State& last = recent_.back();
   const auto rate = [&](const State& a, const State& b) {
     return std::fabs(b.strain.axial - a.strain.axial) / lapse(a, b, has_time);
@@ -102,7 +122,8 @@ void LossOfControl::check_strain_burst(bool has_time) {
   const double least = std::max(kBurst / 2 * mean_rate_, kCreep * fastest);
   std::size_t start = 0;
   while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < least) ++start;
-  sudden_ = std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall;
+  if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
+    fall_ = Fall{recent_[start], last};
   finding_ = Finding{instant_of(recent_[start], has_time),
                      fmt::format("axial strain ran from {:.3f} % to {:.3f} % within {} readings{}",
                                  recent_[start].strain.axial * 100, last.strain.axial * 100,

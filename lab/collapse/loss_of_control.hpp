@@ -9,34 +9,44 @@
 
 namespace triax::lab {
 
-/// Watches single readings, because a run-away may be over before any window is full. Three signs:
+/// Watches single readings, because a run-away may be over before any window is full. Four signs:
 /// - a held q (constant_q) falls by more than 5 % and six standard deviations of what it was held
-/// to;
+///   to;
 /// - the axial strain bursts, under load or held q, at ten times the rate of the stage so far or
-/// more;
-/// - so does the pore pressure beyond what the programme asks of it, by 5 % of p' at least. With
-/// the valve closed it is asked to follow the cell pressure (B near 1), with the valve open to
-/// stand, or to go on as the controller took it so far. A frame that prescribes displacement keeps
-/// its control through a peak: nothing is looked for.
+///   more;
+/// - before the stage has shown a rate, the axial strain leaps by 1 % or more from one reading to
+///   the next, be it from the last reading of the stage before, and q falls by more than 5 % with
+///   it: a load that the specimen carries does not fall;
+/// - the pore pressure bursts, like the strain, beyond what the programme asks of it, by 5 % of p'
+///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
+///   valve open to stand, or to go on as the controller took it so far.
+/// A frame that prescribes displacement keeps its control through a peak: nothing is looked for.
 class LossOfControl {
  public:
   void start_stage(const StageInfo* stage);
   void add(const State& state, bool has_time);
   const std::optional<Finding>& finding() const { return finding_; }
-  /// Whether the finding is a fall: 1 % of axial strain or more from one reading to the next.
-  bool sudden() const { return sudden_; }
+  /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a
+  /// specimen that had carried its stage until then.
+  bool sudden() const { return fall_.has_value(); }
+  /// Of a sudden one the reading before it and the one that shows it.
+  struct Fall {
+    State before, after;
+  };
+  const std::optional<Fall>& fall() const { return fall_; }
 
  private:
   void check_held_q(const State& state, bool has_time);
   void check_bursts(const State& state, bool has_time);
+  void check_leap(const State& before, const State& state, bool has_time);
   void check_strain_burst(bool has_time);
   void check_pore_burst(bool has_time);
-  double lapse(const State& from, const State& to, bool has_time) const;
   double pore_excess(const State& from, const State& to) const;
 
   static constexpr int kReference = 20;  ///< readings that say at which q a stage holds
   static constexpr int kRecent = 5;      ///< readings over which a burst is looked for
 
+  State before_;  ///< the last one, of whatever stage
   Drainage drainage_ = Drainage::unknown;
   AxialControl control_ = AxialControl::displacement;
   std::int64_t count_ = 0;
@@ -48,7 +58,7 @@ class LossOfControl {
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
-  bool sudden_ = false;
+  std::optional<Fall> fall_;
 };
 
 }  // namespace triax::lab

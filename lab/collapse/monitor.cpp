@@ -37,6 +37,7 @@ struct CollapseMonitor::Impl {
   void sharpen();
   void place_fall(const Finding& burst);
   void end_stage();
+  Collapse judge() const;
 
   const RecordHeader header;
   PathSampler sampler;
@@ -47,6 +48,8 @@ struct CollapseMonitor::Impl {
   DescentTracker descents;
   LossOfControl control;
   std::optional<Instant> fall;  ///< where a sudden loss of control began
+  std::optional<FallWork> fall_work;
+  std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   ControlPeak control_peak;
   LimitSurface limit;
   std::optional<State> peak;
@@ -125,6 +128,8 @@ void CollapseMonitor::Impl::place_fall(const Finding& burst) {
   const auto last = static_cast<double>(burst.instant.reading);
   const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
   fall = fit ? instant_of(*fit, header.has_time) : burst.instant;
+  if (before_fall)
+    fall_work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -138,6 +143,7 @@ void CollapseMonitor::Impl::end_stage() {
 
 void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
   ++points;
+  if (!control.finding()) before_fall = point;
   limit.add(point);
   descents.add(point);
   control_peak.add(point, header.has_time);
@@ -174,24 +180,30 @@ void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
+Collapse CollapseMonitor::Impl::judge() const {
+  const auto& latest = descents.latest();
+  const bool same = latest && held_descent && held_descent->onset.reading == latest->onset.reading;
+  auto control_peak_found = control_peak.finding();
+  if (control_peak_found && pore_turn.onset())
+    control_peak_found->instant = instant_of(pore_turn.onset()->point, header.has_time);
+  return verdict({.worst = descents.worst(),
+                  .at_held_q = same ? latest : held_descent,
+                  .loss_of_control = control.finding(),
+                  .fall = fall,
+                  .fall_work = fall_work,
+                  .control_peak = control_peak_found,
+                  .volume_by_pore_pressure = held_undrained,
+                  .states = watched_states,
+                  .points = points,
+                  .limit = limit,
+                  .has_time = header.has_time});
+}
+
+Collapse CollapseMonitor::so_far() const { return impl_->judge(); }
+
 Collapse CollapseMonitor::finish() {
   impl_->end_stage();
-  const auto& latest = impl_->descents.latest();
-  if (latest && impl_->held_descent && impl_->held_descent->onset.reading == latest->onset.reading)
-    impl_->held_descent = latest;
-  auto control_peak = impl_->control_peak.finding();
-  if (control_peak && impl_->pore_turn.onset())
-    control_peak->instant = instant_of(impl_->pore_turn.onset()->point, impl_->header.has_time);
-  return verdict({.worst = impl_->descents.worst(),
-                  .at_held_q = impl_->held_descent,
-                  .loss_of_control = impl_->control.finding(),
-                  .fall = impl_->fall,
-                  .control_peak = control_peak,
-                  .volume_by_pore_pressure = impl_->held_undrained,
-                  .states = impl_->watched_states,
-                  .points = impl_->points,
-                  .limit = impl_->limit,
-                  .has_time = impl_->header.has_time});
+  return impl_->judge();
 }
 
 std::optional<Instant> CollapseMonitor::peak() const {

@@ -29,6 +29,8 @@ class CollapseMonitor {
   void interrupt();
   /// No more states will come; gives the verdict on all that was seen.
   Collapse finish();
+  /// The verdict as it stands now, without closing the windows that are open.
+  Collapse so_far() const;
   /// The largest q seen in shear.
   std::optional<Instant> peak() const;
 

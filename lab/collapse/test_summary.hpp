@@ -69,8 +69,8 @@ struct Collapse {
   CollapseKind kind = CollapseKind::none;
   std::optional<bool> inside_limit_surface;
   std::optional<Instant> onset;
-  std::optional<double>
-      second_order_work_normalised;  ///< at the first significant window, or the nearest to it
+  std::optional<double> second_order_work_normalised;  ///< at the first significant window (or the
+                                                       ///< nearest to it), or over a fall
   std::optional<double> second_order_work_error;
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
   std::string limit_source;                  ///< where M comes from, in words

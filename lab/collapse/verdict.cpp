@@ -62,6 +62,18 @@ Criterion by_finding(std::string name, const std::optional<Finding>& finding,
   return c;
 }
 
+/// The windows before the fall say nothing, the fall itself does.
+void prove_by_fall(const FallWork& work, Collapse& c) {
+  c.second_order_work_normalised = work.normalised;
+  c.second_order_work_error = work.error;
+  Criterion& criterion = c.criteria.front();
+  criterion.detected = true;
+  criterion.reading = c.onset->reading;
+  criterion.time_s = c.onset->time_s;
+  criterion.eta = c.onset->eta();
+  criterion.evidence = work.evidence;
+}
+
 /// Too little was seen of shear: nothing is known, which is not the same as no collapse.
 Collapse not_judged(const Evidence& e) {
   Collapse c;
@@ -109,6 +121,7 @@ Collapse verdict(const Evidence& e) {
     c.onset = e.loss_of_control->instant;
   }
   if (c.onset && e.fall) c.onset = e.fall;
+  if (c.onset && e.fall_work && !c.criteria.front().detected) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   if (!c.onset || !c.onset->eta() || !c.limit_stress_ratio) return c;
   c.inside_limit_surface = e.limit.inside(*c.onset->eta());

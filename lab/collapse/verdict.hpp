@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lab/collapse/descent.hpp"
+#include "lab/collapse/fall_work.hpp"
 #include "lab/collapse/finding.hpp"
 #include "lab/collapse/limit_surface.hpp"
 
@@ -17,6 +18,7 @@ struct Evidence {
   /// Whatever turned before, until then it carried the programme, the second-order work of whose
   /// slow trend is hundreds of times smaller than that of the servo's search.
   std::optional<Instant> fall;
+  std::optional<FallWork> fall_work;  ///< its second-order work, where readings prove it
   std::optional<Finding> control_peak;
   /// At held q with the valve closed the measured volume stands still and second-order work is zero
   /// within its error until q is lost; the pore pressure, gauge of the volume, gives the onset.

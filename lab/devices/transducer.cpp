@@ -10,13 +10,16 @@
 namespace triax::lab {
 namespace {
 
-/// Moves lag and play from the last look to `time_s`, when the true value is `field`.
+/// Moves lag and hysteresis from the last look to `time_s`, when the true value is `field`.
 void follow(const Transducer& t, TransducerState& state, double field, double time_s) {
-  state.lagged = state.lagged ? first_order(*state.lagged, state.true_field, field,
-                                            time_s - state.time_s, t.time_constant_s)
-                              : field;
-  state.played = std::clamp(state.played.value_or(*state.lagged), *state.lagged - t.hysteresis,
-                            *state.lagged + t.hysteresis);
+  if (state.lagged) {
+    state.lagged = first_order(*state.lagged, state.true_field, field, time_s - state.time_s,
+                               t.time_constant_s);
+  } else {
+    state.lagged = field;
+    state.hysteresis.rest_at(field);
+  }
+  state.sensed = state.hysteresis.follow(*state.lagged, t.hysteresis, t.range);
   state.true_field = field;
   state.time_s = time_s;
 }
@@ -55,7 +58,7 @@ void sample(const Transducer& t, TransducerState& state, std::uint64_t seed, std
   const double normal =
       t.noise_rms > 0 ? standard_normal(seed, stream, static_cast<std::uint64_t>(state.samples))
                       : 0;
-  const TransducerReading reading = converted(t, *state.played, state.time_s, normal);
+  const TransducerReading reading = converted(t, state.sensed, state.time_s, normal);
   state.held_si = reading.si;
   state.saturated = reading.saturated;
   ++state.samples;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "lab/devices/hysteresis.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
@@ -11,7 +12,7 @@ namespace triax::lab {
 /// 0 is absent, and with all of it absent the true value passes through to the bit. The chain:
 ///
 ///   x₁  lag            τ ẋ₁ = x − x₁, the true value taken as linear between two looks
-///   x₂  hysteresis     play: x₂ follows x₁ as far as x₁ − h ≤ x₂ ≤ x₁ + h asks for it
+///   x₂  hysteresis     what an elastic element remembers (hysteresis.hpp)
 ///   x₃  non-linearity  x₂ + 4 n r (1 − r) sign x₂,  r = |x₂|/range ≤ 1: 0 at both ends, at most n
 ///   x₄  zero           x₃ + offset + drift t + noise_rms · (standard normal number of the sample)
 ///   s   converter      x₄ rounded to the step and held within ±range
@@ -27,7 +28,7 @@ struct Transducer {
   double offset = 0;
   double drift_per_hour = 0;        ///< of the zero, linear in test time
   double time_constant_s = 0;       ///< τ
-  double hysteresis = 0;            ///< h: half the distance between rising and falling
+  double hysteresis = 0;            ///< h: half of what rising and falling differ over full scale
   double nonlinearity = 0;          ///< n, of either sign; needs a range
   double sensitivity_mV = 0;        ///< electrical output at full scale; a polynomial needs it
   std::vector<double> calibration;  ///< c₀, c₁...: of mV; empty: the linear one
@@ -37,12 +38,13 @@ struct Transducer {
 /// What a transducer remembers; plain values, to be kept from look to look.
 struct TransducerState {
   std::optional<double> lagged;  ///< x₁
-  std::optional<double> played;  ///< x₂
-  double true_field = 0;         ///< x at the last look
-  double time_s = 0;             ///< of the last look
-  std::int64_t samples = 0;      ///< number of the next sample
-  double held_si = 0;            ///< the last sample
-  bool saturated = false;        ///< of the last sample
+  Hysteresis hysteresis;
+  double sensed = 0;         ///< x₂
+  double true_field = 0;     ///< x at the last look
+  double time_s = 0;         ///< of the last look
+  std::int64_t samples = 0;  ///< number of the next sample
+  double held_si = 0;        ///< the last sample
+  bool saturated = false;    ///< of the last sample
   bool operator==(const TransducerState&) const = default;
 };
 

@@ -33,7 +33,8 @@ double finest_of(Quantity quantity) {
 }
 
 void ChannelHealth::may_rest(bool yes) {
-  if (may_rest_ != yes) noise_.forget_run();
+  // What began with a jump is no rest.
+  if (may_rest_ != yes && !jump_) noise_.forget_run();
   may_rest_ = yes;
 }
 
@@ -63,7 +64,16 @@ void ChannelHealth::add(std::int64_t number, double value) {
 
 void ChannelHealth::miss(std::int64_t number) {
   if (gap_++ == 0) gap_from_ = number;
-  if (!dead_ && gap_ > kGap && steady_ >= kSteady) dead_ = Dead{SensorFault::missing, gap_from_};
+  if (dead_ || gap_ <= kGap || steady_ < kSteady) return;
+  // What stood still since a jump was dead by then.
+  dead_ = Dead{SensorFault::missing, jump_ ? jump_begin_ : last_leap().value_or(gap_from_)};
+  leap_.reset();
+}
+
+/// A leap of which nobody will learn whether it was a spike: the channel died of it.
+std::optional<std::int64_t> ChannelHealth::last_leap() const {
+  const bool last = leap_ && window_.back().number - *leap_ < kWidest;
+  return last ? leap_ : std::nullopt;
 }
 
 void ChannelHealth::follow_jump(std::int64_t number, double value) {
@@ -77,6 +87,7 @@ void ChannelHealth::follow_jump(std::int64_t number, double value) {
   if (off > allowed && std::fabs(value - before - slope) > allowed) {
     if (!leap_) leap_ = number;
     jump_ = number;
+    jump_begin_ = number - *leap_ <= kWidest ? *leap_ : number;
     jump_height_ = off;
   } else if (value != before) {
     jump_.reset();
@@ -109,7 +120,8 @@ bool ChannelHealth::revived(bool moved) {
 
 void ChannelHealth::condemn() {
   const bool outside = jump_ && (last_ >= noise_.highest() || last_ <= noise_.lowest());
-  dead_ = Dead{outside ? SensorFault::saturated : SensorFault::stuck, jump_.value_or(run_from_)};
+  dead_ =
+      Dead{outside ? SensorFault::saturated : SensorFault::stuck, jump_ ? jump_begin_ : run_from_};
   noise_.forget_run();
   jump_.reset();
   leap_.reset();
@@ -125,12 +137,10 @@ bool ChannelHealth::is_spike(int width) const {
   const double low = (at(0) + at(1)) / 2, high = (at(length - 2) + at(length - 1)) / 2;
   const double slope = (high - low) / (length - 2);
   const auto off = [&](int i) { return at(i) - (low + slope * (i - 0.5)); };
-  double scatter = 0, least = INFINITY;
+  double scatter = 0;
   for (int i : {0, 1, length - 2, length - 1}) scatter = std::max(scatter, std::fabs(off(i)));
-  for (int i = 2; i < 2 + width; ++i) {
-    if (off(i) * off(2) <= 0) return false;
-    least = std::min(least, std::fabs(off(i)));
-  }
+  // Between the first and the last there may be a sound one: then they are two spikes.
+  const double least = std::min(std::fabs(off(2)), std::fabs(off(1 + width)));
   // Neither side may run: what changes by itself that fast needs no fault.
   scatter = std::max(scatter, std::fabs(high - low) / 2);
   return least > 5 * scatter && least > kOutlier * noise_.roughness() &&
@@ -159,8 +169,9 @@ std::optional<std::int64_t> ChannelHealth::first_doubt() const {
   if (dead_) return std::nullopt;
   if (gap_ > 0 && steady_ >= kSteady) doubt(gap_from_);
   if (leap_) doubt(*leap_);
-  if (jump_ && noise_.run() < kFlat) doubt(*jump_);
-  if (!may_rest_ && noise_.run() > 0 && noise_.impossible_run()) doubt(jump_.value_or(run_from_));
+  if (jump_ && noise_.run() < kFlat) doubt(jump_begin_);
+  if (!may_rest_ && noise_.run() > 0 && noise_.impossible_run())
+    doubt(jump_ ? jump_begin_ : run_from_);
   return first;
 }
 

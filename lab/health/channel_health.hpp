@@ -64,12 +64,14 @@ class ChannelHealth {
   double jump_height() const { return jump_height_; }
   double value() const { return last_; }
   const ChannelNoise& noise() const { return noise_; }
-  /// Declares the channel dead from the start of the run (from the jump, where one led to it).
+  /// Declares the channel dead from the start of the run; from the jump, where one led to it, and
+  /// from a leap just before that, which may have been a spike.
   void condemn();
 
  private:
   std::optional<std::int64_t> first_doubt() const;
   void miss(std::int64_t number);
+  std::optional<std::int64_t> last_leap() const;
   void follow_run(std::int64_t number, double value);
   void follow_jump(std::int64_t number, double value);
   void look_for_spike();
@@ -89,6 +91,7 @@ class ChannelHealth {
   int filled_ = 0;
   std::int64_t run_from_ = 0;
   std::optional<std::int64_t> jump_;  ///< reading of a jump from which the value has not moved
+  std::int64_t jump_begin_ = 0;       ///< or of a leap just before, from which it did not come back
   std::optional<std::int64_t> leap_;  ///< reading that may begin a spike
   double jump_height_ = 0;
   double last_ = 0;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "lab/collapse/path_sampler.hpp"
@@ -26,11 +28,45 @@ bool serves_the_state(Quantity q, const RecordHeader& header) {
   return q != Quantity::cell_volume;
 }
 
+/// The state without the stresses that stand on a channel that cannot be believed.
+State believed_state(const JudgedStates::Judged& judged) {
+  constexpr ChannelSet kLoad = channel_bit(Quantity::axial_force) |
+                               channel_bit(Quantity::axial_displacement) |
+                               channel_bit(Quantity::cell_pressure);
+  State state = judged.state;
+  if (judged.wrong & kLoad) state.q = state.p_eff = kMissing;
+  return state;
+}
+
+double volume_of(const RecordHeader& header) {
+  const double diameter = header.specimen.diameter_m.value_or(0);
+  return std::numbers::pi / 4 * diameter * diameter * header.specimen.height_m.value_or(0);
+}
+
 }  // namespace
 
-JudgedStates::JudgedStates(const RecordHeader& header) : header_(header), health_(header) {}
+JudgedStates::JudgedStates(const RecordHeader& header)
+    : header_(header), health_(header), drainage_(volume_of(header)) {}
+
+Reading believed(const JudgedStates::Judged& judged) {
+  Reading reading = judged.reading;
+  for (std::size_t i = 0; i < kQuantityCount; ++i)
+    if (judged.wrong & channel_bit(static_cast<Quantity>(i))) reading.si[i] = kMissing;
+  return reading;
+}
+
+/// Some do not log a volume that stands still: the column then ends with the drainage being shut.
+void JudgedStates::note_volume_gauge(const Reading& reading) {
+  const bool absent = !reading.has(Quantity::back_volume);
+  const bool rested = stage_ == reading.stage ? gauge_rests_ : !gauge_was_absent_;
+  const StageInfo* info = header_.stage(reading.stage);
+  gauge_rests_ = absent && rested && info && info->drainage == Drainage::closed;
+  gauge_was_absent_ = absent;
+  stage_ = reading.stage;
+}
 
 void JudgedStates::add(const Reading& reading, const State& state) {
+  note_volume_gauge(reading);
   held_.push_back({.reading = reading, .state = state});
   health_.watch(reading);
   for (const auto& wrong : health_.wrong()) mark(wrong);
@@ -38,10 +74,8 @@ void JudgedStates::add(const Reading& reading, const State& state) {
 
 bool JudgedStates::spoils(const SensorFinding& finding, int stage) const {
   if (!serves_the_state(finding.channel, header_)) return false;
-  // With the valve closed the volume stands still, and is held where it is not read.
-  const StageInfo* info = header_.stage(stage);
   return !(finding.channel == Quantity::back_volume && finding.fault == SensorFault::missing &&
-           info && info->drainage == Drainage::closed);
+           gauge_rests_ && stage == stage_);
 }
 
 void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
@@ -51,8 +85,12 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
     if (!spoils(wrong.finding, entry.reading.stage)) continue;
     if (entry.live) entry.reason = reason(wrong.finding);
     entry.live = false;
+    entry.dead = entry.dead || wrong.finding.fault == SensorFault::stuck ||
+                 wrong.finding.fault == SensorFault::saturated;
     entry.no_origin = entry.no_origin || counts_from_shear(wrong.finding.channel);
   }
+  // A few readings that went in before they were known for a spike are no dead sensor.
+  if (wrong.finding.fault == SensorFault::spike) return;
   if (wrong.from <= judged_last_ && withheld_.empty() && last_live_ &&
       spoils(wrong.finding, last_live_->stage))
     withheld_ = fmt::format("{} since reading {}", reason(wrong.finding), wrong.from);
@@ -76,9 +114,26 @@ bool JudgedStates::may_go_on(const State& state) const {
          std::fabs(state.strain.axial - last_live_->strain.axial) < kChangeOfStrain;
 }
 
+/// False where the verdict has to end before this state.
+bool JudgedStates::watch_drainage(Judged& entry, const StageInfo* stage) {
+  if (!header_.is_raw() || !stage) return true;
+  if (stage->drainage == Drainage::open) drainage_.open();
+  if (stage->drainage != Drainage::closed || !is_watched(stage)) return true;
+  drainage_.add(believed(entry), believed_state(entry));
+  entry.mark = drainage_.is_mark();
+  const auto& doubt = drainage_.doubt();
+  const auto known = end();
+  if (!doubt || (known && known->last <= doubt->last)) return !drainage_.wet();
+  const bool any = judged_first_ >= 0 && judged_first_ <= doubt->last;
+  end_ = End{any ? std::min(doubt->last, judged_last_) : -1, doubt->reason};
+  ends_at_mark_ = doubt->last < judged_last_;
+  return false;
+}
+
 void JudgedStates::judge(Judged& entry) {
   const StageInfo* stage = header_.stage(entry.reading.stage);
   if (stage && stage->role == StageRole::b_check) wrong_in_b_check_ |= entry.wrong;
+  const bool undrained = watch_drainage(entry, stage);
   if (!is_watched(stage)) return;
   const bool first = !std::exchange(sheared_, true);
   if (first) wrong_at_shear_ = entry.wrong;
@@ -87,8 +142,10 @@ void JudgedStates::judge(Judged& entry) {
     entry.live = false;
     return;
   }
+  entry.live = entry.live && undrained;
   if (!entry.live) {
     if (left_out_++ == 0) gap_reason_ = entry.reason;
+    died_ = entry.dead;
     return;
   }
   if (!complete(entry.state)) return;
@@ -103,10 +160,13 @@ void JudgedStates::judge(Judged& entry) {
   left_out_ = 0;
   last_live_ = entry.state;
   judged_last_ = entry.reading.number;
+  if (judged_first_ < 0) judged_first_ = judged_last_;
 }
 
 std::optional<JudgedStates::End> JudgedStates::end() const {
-  if (end_ || left_out_ <= kShortGap) return end_;
+  if (end_ || left_out_ == 0) return end_;
+  const bool all_judged = finished_ && held_.empty();
+  if (left_out_ <= kShortGap && !(all_judged && died_)) return end_;
   return End{last_live_ ? last_live_->reading : -1, gap_reason_};
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/health/closed_drainage.hpp"
 #include "lab/health/record_health.hpp"
 #include "lab/reduction/state.hpp"
 
@@ -15,8 +16,10 @@ namespace triax::lab {
 /// those on a sensor that was dead. Readings and states themselves are not touched. After a longer
 /// stretch of dead readings judgement goes on only where nothing that counts as a collapse can hide
 /// in it: q and p′ changed by less than a tenth, the axial strain by less than 1 %; else it ends
-/// there. It ends too where displacement or volume, which count from the start of shear, was dead
-/// then.
+/// there. A shorter one, in which a sensor died, ends it where no live reading of shear follows. It
+/// ends too where displacement or volume, which count from the start of shear, was dead
+/// then, and where a specimen whose drainage is shut turns out not to be undrained, or nobody reads
+/// any more whether it is.
 class JudgedStates {
  public:
   static constexpr std::int64_t kHeld = 1024;
@@ -27,9 +30,12 @@ class JudgedStates {
     State state;
     ChannelSet wrong = 0;    ///< channels that cannot be believed at this reading
     bool live = true;        ///< the state can be judged
+    bool dead = false;       ///< not live because a sensor is stuck or saturated
     bool after_gap = false;  ///< first of its kind after a longer stretch that could not
     bool no_origin = false;  ///< a sensor whose readings count from the start of shear is wrong
-    std::string reason{};    ///< why it is not live
+    /// What was found before this state is to be kept: the verdict may come to end there.
+    bool mark = false;
+    std::string reason{};  ///< why it is not live
   };
 
   explicit JudgedStates(const RecordHeader& header);
@@ -45,6 +51,8 @@ class JudgedStates {
   /// Channels that could not be believed at the first reading of shear, and at any of a B check.
   ChannelSet wrong_at_shear() const { return wrong_at_shear_; }
   ChannelSet wrong_in_b_check() const { return wrong_in_b_check_; }
+  /// The verdict is what was found before the last mark.
+  bool ends_at_mark() const { return ends_at_mark_; }
   /// Writes into the verdict how far it reaches, and takes it back where a sensor turned out to
   /// have been dead among states that had already been judged. Call after the last next().
   void bound(Collapse& collapse) const;
@@ -58,6 +66,8 @@ class JudgedStates {
   };
   bool spoils(const SensorFinding& finding, int stage) const;
   void mark(const RecordHealth::Wrong& wrong);
+  void note_volume_gauge(const Reading& reading);
+  bool watch_drainage(Judged& entry, const StageInfo* stage);
   void judge(Judged& entry);
   bool may_go_on(const State& state) const;
   std::optional<End> end() const;
@@ -69,12 +79,22 @@ class JudgedStates {
   bool finished_ = false;
   std::optional<State> last_live_;  ///< the last that was judged, in shear
   std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged
-  std::int64_t left_out_ = 0;       ///< readings since last_live_
+  std::int64_t judged_first_ = -1;  ///< and of the first
+  ClosedDrainage drainage_;
+  bool ends_at_mark_ = false;
+  std::optional<int> stage_;  ///< of the last reading
+  bool gauge_rests_ = false;  ///< no volume is logged in this stage, where the drainage is shut
+  bool gauge_was_absent_ = false;  ///< at the last reading
+  std::int64_t left_out_ = 0;      ///< readings since last_live_
   std::string gap_reason_;
+  bool died_ = false;  ///< the last of those was on a sensor that is stuck or saturated
   ChannelSet wrong_at_shear_ = 0, wrong_in_b_check_ = 0;
   bool sheared_ = false;
   std::optional<End> end_;
   std::string withheld_;  ///< why the verdict cannot stand; empty: it can
 };
+
+/// The reading without the channels that cannot be believed.
+Reading believed(const JudgedStates::Judged& judged);
 
 }  // namespace triax::lab

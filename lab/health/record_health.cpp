@@ -48,7 +48,9 @@ void RecordHealth::start_stage(const Reading& reading) {
   shear_ = info && info->role == StageRole::shear;
   driven_ = shear_ && info->control == AxialControl::displacement;
   const bool was_drained = drained_;
-  drained_ = shear_ && info->drainage == Drainage::open;
+  path_flow_.reset();
+  if (shear_ && info->strain_path_R) path_flow_ = std::fabs(1 - 1 / *info->strain_path_R);
+  drained_ = shear_ && info->drainage == Drainage::open && path_flow_.value_or(1) > kLeastFlow;
   fell_ = false;
   closed_ = info && info->drainage == Drainage::closed;
   held_ = info && info->role == StageRole::hold;
@@ -210,6 +212,8 @@ bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) c
     const double strain = change(Quantity::axial_force) / area_m2_ / kStiffest_pa;
     return strain * height > kLeastSteps * step || loads_up(channel, reading);
   }
+  const double strain = change(Quantity::axial_displacement) / height;
+  if (path_flow_ && !(*path_flow_ * strain * volume_m3_ > kSteps * step)) return false;
   if (runs_away(channel, reading)) return true;
   const double before = p_eff(channel.at_rest);
   const double share = std::fabs(p_eff(now_) - before) / before;

@@ -30,7 +30,9 @@ constexpr ChannelSet channel_bit(Quantity q) { return ChannelSet{1} << index(q);
 ///   kLeastSteps steps: at a turn of the volume it rests three times as long as just before, and
 ///   where it has come to rest for good, so has p′; or it moved before shear and in shear not once,
 ///   while p′ changes by kLargeChangeOfP; or, under a load or a held q, while the axial
-///   strain grows by kRunningStrain: nothing shears like that at constant volume;
+///   strain grows by kRunningStrain: nothing shears like that at constant volume. Along a strain
+///   path, dε_v = (1 − 1/R) dε₁, only where more than kSteps steps of flow were prescribed, and not
+///   at all where that is next to nothing (kLeastFlow);
 /// - in shear, the pore pressure (driven by displacement, force and displacement too) jumps alone
 ///   and then stands still to the last digit; at any time the volume, by kVolumeJump of the
 ///   specimen's. With the valve closed, or by kImpossibleVolume, it need not be alone.
@@ -45,6 +47,7 @@ class RecordHealth {
   static constexpr double kGainOfLoad = 0.01;
   static constexpr double kChangeOfP = 0.01, kLargeChangeOfP = 0.05;
   static constexpr double kRunningStrain = 3e-3;
+  static constexpr double kLeastFlow = 0.05;  ///< |dε_v/dε₁| of a strain path that is no flow
   /// Axial strain between two readings, for which water needs longer than a specimen that falls.
   static constexpr double kFall = 1e-2;
   static constexpr std::int64_t kAtRest = 30;  ///< readings for which a channel must stand still
@@ -114,8 +117,9 @@ class RecordHealth {
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0;
   bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, held_ = false;
-  bool fell_ = false;          ///< in this stage, by kFall from one reading to the next
-  double displacement_ = NAN;  ///< axial, at the last reading
+  std::optional<double> path_flow_;  ///< |dε_v/dε₁| that the stage prescribes
+  bool fell_ = false;                ///< in this stage, by kFall from one reading to the next
+  double displacement_ = NAN;        ///< axial, at the last reading
   static constexpr std::size_t kTimes = 1024;  ///< more than any hindsight
   std::array<double, kTimes> times_{};         ///< of the last readings
   RawValues now_{};

@@ -32,7 +32,7 @@ std::optional<ValidRange> read_range(const TomlTable& table, const char* key) {
 /// In so many digits that one sees that it is not within.
 std::string digits_outside(const ValidRange& range, double value) {
   for (int digits = 4; digits < 10; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value, digits);
     double read = 0;
     std::from_chars(text.data(), text.data() + text.size(), read);
     if (!range.holds(read)) return text;
@@ -176,12 +176,10 @@ MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
       changed.source = key + " changed for this run, not calibrated";
     }
   } else {
-    double number = 0;
-    const char* const end = value.data() + value.size();
-    const auto [stopped, error] = std::from_chars(value.data(), end, number);
-    if (error != std::errc() || stopped != end || found->kind != sim::ParameterKind::number)
+    const auto number = whole_text_as<double>(value);
+    if (!number || found->kind != sim::ParameterKind::number)
       throw BadInput(fmt::format("{}={}: must be one number", key, excerpt(value)));
-    changed.parameters.numbers[key] = number;
+    changed.parameters.numbers[key] = *number;
   }
   changed.name += fmt::format(" ({} = {})", key, value);
   try {

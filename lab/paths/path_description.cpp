@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <stdexcept>
 
 #include "lab/paths/path_reader.hpp"
@@ -19,13 +18,11 @@ constexpr double kMostParts = 4e6;
 
 double number_within(const std::string& key, const std::string& value, double lowest,
                      double highest) {
-  double number = 0;
-  const char* const end = value.data() + value.size();
-  const auto [stopped, error] = std::from_chars(value.data(), end, number);
-  if (error != std::errc() || stopped != end || !(number >= lowest && number <= highest))
+  const auto number = whole_text_as<double>(value);
+  if (!number || !(*number >= lowest && *number <= highest))
     throw BadInput(fmt::format("{}={}: must be a number, {} to {}", key, excerpt(value),
                                fmt::to_string(lowest), fmt::to_string(highest)));
-  return number;
+  return *number;
 }
 
 template <class Space>

@@ -24,10 +24,10 @@ enum class EndQuantity {
   effective_axial_stress,
   effective_radial_stress,
   void_ratio,
-  back_volume,   ///< into the specimen
-  volume_rate,   ///< |dV_b/dt| over the last half minute
-  axial_rate,    ///< |dδ/dt| over the last half minute
-  b_value,       ///< Δu/Δσ_c since the start of the stage, once σ_c has moved by 5 kPa
+  back_volume,  ///< into the specimen
+  volume_rate,  ///< |dV_b/dt| over the last half minute
+  axial_rate,   ///< |dδ/dt| over the last half minute
+  b_value,      ///< Δu/Δσ_c since the start of the stage, once σ_c has moved by 5 kPa
 };
 inline constexpr int kEndQuantityCount = 19;
 

@@ -49,7 +49,7 @@ double read_size(const TomlTable& table, const Fault& fault, const Programme& pr
       return 1e-9 / 60 / 100e3 * table.required_number("leak_mm3_per_min_at_100kPa", positive);
     case FaultKind::latency:
       return table.required_number(
-          "latency_s", {.above = 0, .at_most = kLongestLatency * programme.scan_interval_s});
+          "latency_s", {.above = 0, .at_most = kLongestLatency * programme.logging.interval_s});
     case FaultKind::spike: {
       const sim::Unit unit = spoken_unit(*find_quantity(fault.device));
       return unit.scale * table.required_number(fmt::format("spike_{}", unit.name), positive);

@@ -31,10 +31,11 @@ std::vector<OperatorAction> read_operator(const std::vector<TomlTable>& tables) 
     if (!actions.empty() && action.at_s <= actions.back().at_s)
       table.fail("at_min", "is not later than the action before");
     if (!actions.empty() && actions.back().kind == Kind::abort)
-      table.fail("action", "comes after an abort");
+      table.fail("action", "comes after an abort, which ends the test");
     if (action.kind == Kind::resume && !holding)
       table.fail("action", "nothing is held that could be resumed");
-    if (action.kind == Kind::hold && holding) table.fail("action", "is held already");
+    if (action.kind == Kind::hold && holding)
+      table.fail("action", "holds a test that is held already: resume it first");
     actions.push_back(action);
   }
   if (!actions.empty() && actions.back().kind == Kind::hold)

@@ -36,23 +36,30 @@ enum class AxialAction {
 /// Whether the cylinder (or masses), not the crosshead, moves the cap.
 bool by_force(AxialAction action);
 
+/// When readings are recorded.
+struct Logging {
+  double interval_s = 1;   ///< between two readings
+  double averaging_s = 0;  ///< time before a reading over which it is the mean; 0: an instant
+};
+
 struct Stage {
   std::string name;
   StageRole role = StageRole::unknown;
   bool valve_open = true;
   AxialAction axial = AxialAction::free;
-  double axial_rate_m_per_s = 0;         ///< displacement, spring: of the crosshead
-  double spring_stiffness_n_per_m = 0;   ///< spring
-  double load_rate_n_per_s = 0;          ///< load
-  std::optional<double> held_q_pa;       ///< constant_q; empty: q as it is when the stage starts
-  double held_stress_ratio = 0;          ///< stress_ratio
-  std::optional<double> strain_path_R;   ///< dε₁ + 2R dε₃ = 0: the back controller follows in volume
-  double load_step_n = 0;                ///< perturbation at the start, of a stage by force
-  double impulse_n_s = 0;                ///< the same, given to the moving mass
+  double axial_rate_m_per_s = 0;        ///< displacement, spring: of the crosshead
+  double spring_stiffness_n_per_m = 0;  ///< spring
+  double load_rate_n_per_s = 0;         ///< load
+  std::optional<double> held_q_pa;      ///< constant_q; empty: q as it is when the stage starts
+  double held_stress_ratio = 0;         ///< stress_ratio
+  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0: the back controller follows in volume
+  double load_step_n = 0;               ///< perturbation at the start, of a stage by force
+  double impulse_n_s = 0;               ///< the same, given to the moving mass
   PressureDemand cell;
   PressureDemand back;
   std::vector<EndCondition> end;  ///< any of them
   double time_limit_s = 0;        ///< by then the end must have been reached
+  Logging logging;
   std::int64_t line = 0;          ///< of the programme's file
 };
 
@@ -69,7 +76,7 @@ struct Programme {
   std::string source;              ///< file it was read from
   std::vector<std::string> files;  ///< that one, and the user's own file of materials
   std::uint64_t seed = 0;
-  double scan_interval_s = 1;
+  Logging logging;  ///< of the test, where a stage has none of its own
 
   MaterialSet material;
   sim::SpecimenProperties specimen;

@@ -16,8 +16,8 @@ void read_test(const TomlTable& table, Programme& programme) {
   programme.name = table.required_text("name");
   programme.type = table.required_text("type");
   programme.seed = static_cast<std::uint64_t>(table.integer("seed", 0).value_or(1));
-  programme.scan_interval_s =
-      table.required_number("scan_interval_s", {.at_least = 1e-3, .at_most = 3600});
+  table.required_number("scan_interval_s");
+  programme.logging = read_logging(table, {});
   table.finish();
 }
 

@@ -89,7 +89,8 @@ LoadingFrame read_frame(const std::optional<TomlTable>& base, const std::optiona
   LoadingFrame f{.slowest_m_per_s = 0.00001 * kMmPerMin,
                  .fastest_m_per_s = 5.99999 * kMmPerMin,
                  .travel_m = 0.05,
-                 .moving_mass_kg = 5};
+                 .moving_mass_kg = 5,
+                 .damping_n_s_per_m = 50};
   if (base) read_over(f, *base);
   if (own) read_over(f, *own);
   if (!base && !own) return f;

@@ -33,14 +33,16 @@ AxialAction read_action(const TomlTable& table) {
   table.fail("axial", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
 }
 
-double nonzero(const TomlTable& table, std::string_view key) {
+/// A rate; `at_rest` is the word for an axis that has none.
+double read_rate(const TomlTable& table, std::string_view key, std::string_view at_rest) {
   const double value = table.required_number(key);
-  if (value == 0) table.fail(key, "is 0; leave the stage's axis free or give a rate");
+  if (value == 0)
+    table.fail(key, fmt::format("is 0; give a rate or write axial = \"{}\"", at_rest));
   return value;
 }
 
 double read_velocity(const TomlTable& table, const LoadingFrame& frame) {
-  const double velocity = nonzero(table, "axial_rate_mm_per_min") * 1e-3 / 60;
+  const double velocity = read_rate(table, "axial_rate_mm_per_min", "hold") * 1e-3 / 60;
   if (!gives(frame, velocity))
     table.fail("axial_rate_mm_per_min",
                fmt::format("the frame gives {:g} to {:g} mm/min", frame.slowest_m_per_s * 6e4,
@@ -67,7 +69,7 @@ void read_axis(const TomlTable& table, const LoadingFrame& frame, Stage& stage) 
       stage.strain_path_R = table.number("strain_path_R", {.at_least = 0.05, .at_most = 20});
       break;
     case AxialAction::load:
-      stage.load_rate_n_per_s = nonzero(table, "load_rate_N_per_min") / 60;
+      stage.load_rate_n_per_s = read_rate(table, "load_rate_N_per_min", "dead_load") / 60;
       break;
     case AxialAction::constant_q:
       if (const auto q = table.number(
@@ -190,6 +192,20 @@ void check_ends(const TomlTable& table, const Stage& stage, const Programme& pro
 
 }  // namespace
 
+Logging read_logging(const TomlTable& table, const Logging& otherwise) {
+  Logging logging;
+  logging.interval_s = table.number("scan_interval_s", {.at_least = 1e-3, .at_most = 3600})
+                           .value_or(otherwise.interval_s);
+  const auto averaging = table.number("averaging_s", {.at_least = 0, .at_most = 3600});
+  logging.averaging_s = averaging.value_or(otherwise.averaging_s);
+  if (logging.averaging_s <= logging.interval_s) return logging;
+  table.fail(averaging ? "averaging_s" : "scan_interval_s",
+             fmt::format("a reading every {:g} s cannot be the mean of {:g} s; write averaging_s = "
+                         "{:g} or less{}",
+                         logging.interval_s, logging.averaging_s, logging.interval_s,
+                         averaging ? "" : " here, too"));
+}
+
 Stage read_stage(const TomlTable& table, const Programme& programme, double& cell_pa,
                  double& back_pa) {
   Stage stage;
@@ -210,6 +226,7 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   stage.cell = read_demand(table, "cell", programme.cell_controller, cell_pa);
   stage.back = read_demand(table, "back", programme.back_controller, back_pa);
   if (stage.strain_path_R) check_strain_path(table, stage);
+  stage.logging = read_logging(table, programme.logging);
   stage.time_limit_s =
       60 * table.number("time_limit_min", {.above = 0, .at_most = 1e5}).value_or(1440);
   const auto ends = table.tables("end");

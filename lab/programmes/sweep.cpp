@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -14,14 +13,6 @@ namespace triax::lab {
 namespace {
 
 constexpr std::string_view kSeed = "seed", kSeedInFile = "test.seed";
-
-template <class Number>
-std::optional<Number> whole_text_as(std::string_view text) {
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
-}
 
 /// Reads the values of one axis.
 class ValueReader {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -18,17 +17,8 @@ std::string full_name(std::string_view name, std::string_view unit) {
   return unit.empty() ? std::string(name) : fmt::format("{}_{}", name, unit);
 }
 
-// The whole of the text as a number.
-template <class Number>
-std::optional<Number> number_of(std::string_view text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return stop == end && error == std::errc{} ? std::optional(value) : std::nullopt;
-}
-
 double parse_number(const std::string& where, std::string_view key, std::string_view text) {
-  const auto value = number_of<double>(text);
+  const auto value = whole_text_as<double>(text);
   if (!value || !std::isfinite(*value))
     throw BadInput(
         fmt::format("{}: {} = {} is no number (write it like 12.5)", where, key, excerpt(text)));
@@ -65,7 +55,7 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
     if (value == "simulated") origin = Origin::simulated;
     header.origin = one_of(where, key, value, origin, {"recorded", "simulated"});
   } else if (name == "seed") {
-    const auto seed = number_of<std::uint64_t>(value);
+    const auto seed = whole_text_as<std::uint64_t>(value);
     if (!seed || *seed > kLargestSeed)
       throw BadInput(fmt::format("{}: {} = {} is no whole number from 0 to {}", where, key,
                                  excerpt(value), kLargestSeed));
@@ -187,7 +177,7 @@ void set_metadata(RecordHeader& header, const std::string& where, std::string_vi
     set_specimen(header.specimen, where, key, rest, value);
   } else if (group == "stages") {
     const auto second = rest.find('.');
-    const auto number = number_of<int>(rest.substr(0, second));
+    const auto number = whole_text_as<int>(rest.substr(0, second));
     if (second == std::string_view::npos || !number || *number < 0) unknown_key(where, key);
     // A copy first: a bad value leaves no stage behind.
     StageInfo probe;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <limits>
 
@@ -133,6 +134,18 @@ std::string excerpt(std::string_view text) {
   }
   return out + "'";
 }
+
+template <class Number>
+std::optional<Number> whole_text_as(std::string_view text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
+template std::optional<int> whole_text_as(std::string_view);
+template std::optional<std::int64_t> whole_text_as(std::string_view);
+template std::optional<std::uint64_t> whole_text_as(std::string_view);
+template std::optional<double> whole_text_as(std::string_view);
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   // Longer words are no misspelt keys, and would cost time to compare.

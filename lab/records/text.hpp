@@ -1,5 +1,6 @@
 #pragma once
 // Text as laboratories write it: two encodings, blanks in odd places, keys typed almost right.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,12 @@ std::string_view trimmed(std::string_view text);
 std::string folded(std::string_view text);
 /// The text in single quotes for a message: UTF-8, no control characters, cut after 40 bytes or so.
 std::string excerpt(std::string_view text);
+
+/// The number that the text is from its first character to its last, with a decimal point; empty
+/// for anything else: blanks, a leading +, a number beyond its type. Number is int, std::int64_t,
+/// std::uint64_t or double ("inf" and "nan" are some).
+template <class Number>
+std::optional<Number> whole_text_as(std::string_view text);
 
 /// The candidate with the fewest typing errors (insert, delete, replace, swap) from `word`; empty
 /// where none is near enough to be meant: one error and another for every three letters, or a part

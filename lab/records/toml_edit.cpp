@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -11,14 +10,6 @@
 
 namespace triax::lab {
 namespace {
-
-template <class Number>
-std::optional<Number> whole_text_as(std::string_view text) {
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
-}
 
 class Editor {
  public:
@@ -43,7 +34,7 @@ class Editor {
   }
 
   toml::node& item(toml::array& list, const std::string& part) const {
-    const auto number = whole_text_as<std::size_t>(part);
+    const auto number = whole_text_as<std::uint64_t>(part);
     if (!number || *number < 1 || *number > list.size())
       fail(fmt::format("{} is none of the {} of {}; they count from 1", excerpt(part), list.size(),
                        way_));
@@ -62,7 +53,7 @@ class Editor {
     if (auto* list = at.as_array()) {
       const auto& old = item(*list, part);
       if (old.is_table() || old.is_array()) fail("is a table; name one of its keys");
-      const auto place = list->cbegin() + (whole_text_as<std::ptrdiff_t>(part).value_or(1) - 1);
+      const auto place = list->cbegin() + (whole_text_as<std::int64_t>(part).value_or(1) - 1);
       with_value(old.is_string(), [&](auto value) { list->replace(place, std::move(value)); });
       return;
     }

@@ -52,7 +52,7 @@ std::optional<double> ConsolidationEnd::difference() const {
 std::optional<double> ConsolidationEnd::rate_pct_per_h() const {
   if (!timed_ || kept_ < 2 || !(volume_m3_ > 0)) return std::nullopt;
   const double span = std::max(kLastShare * (last_.time_s - points_[0].time_s), kLeastTime_s);
-  const auto* from = &points_[0];
+  const auto* from = points_.data();
   for (std::size_t i = 0; i < kept_ && last_.time_s - points_[i].time_s >= span; ++i)
     from = &points_[i];
   const double lapse = last_.time_s - from->time_s;

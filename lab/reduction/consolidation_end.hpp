@@ -28,7 +28,6 @@ class ConsolidationEnd {
   struct Point {
     double time_s = 0, volume = 0;
   };
-  void start(const Reading& reading);
   void keep(const Point& point);
   std::optional<double> rate_pct_per_h() const;
 

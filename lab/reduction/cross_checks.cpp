@@ -17,7 +17,9 @@ void CrossChecks::add(const Reading& reading, const State& state) {
   sheared_ = sheared_ || shear;
   consolidation_.add(reading, state, !sheared_ && open && stage->role == StageRole::consolidation,
                      volume_m3_);
-  rate_.add(reading, state, shear && open, consolidation_.difference().value_or(0));
+  // Along a strain path the controller pumps: u_b is what it takes to move the water.
+  const bool drains = shear && open && !stage->strain_path_R;
+  rate_.add(reading, state, drains, consolidation_.difference().value_or(0));
   valve_.add(reading, shear && stage->drainage == Drainage::closed, volume_m3_);
 }
 

@@ -1,13 +1,12 @@
 #include "lab/rig/axis_control.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace triax::lab {
 
 void AxisControl::begin_stage(const Stage& stage, const Seen& seen, double true_force_n) {
   *this = AxisControl(servo_);
-  area_ = seen.state().area_m2;
+  area_.start(seen.steady_area_m2(), 0);
   stage_ = stage;
   force_at_start_ = seen[Quantity::axial_force];
   dead_force_ = true_force_n + stage.load_step_n;
@@ -21,17 +20,10 @@ void AxisControl::resume(const Seen& seen, double true_force_n) {
   trim_ = true_force_n - seen[Quantity::axial_force];
 }
 
-/// Level and trend in critical damping; without a filter the last two areas.
+/// Without a filter the last two areas tell.
 void AxisControl::smooth_area(const Seen& seen, double dt_s) {
-  if (servo_.filter_s == 0) {
-    next_area_ = seen.next_area_m2();
-    return;
-  }
-  const double keep = std::exp(-dt_s / servo_.filter_s);
-  const double off = seen.state().area_m2 - (area_ + area_rate_ * dt_s);
-  area_ += area_rate_ * dt_s + (1 - keep * keep) * off;
-  area_rate_ += (1 - keep) * (1 - keep) * off / dt_s;
-  next_area_ = area_ + area_rate_ * dt_s;
+  if (area_.active()) area_.take(seen.steady_area_m2(), dt_s);
+  next_area_ = area_.active() ? area_.expected(dt_s) : seen.next_area_m2();
 }
 
 bool AxisControl::follows_area() const {
@@ -59,7 +51,7 @@ double AxisControl::wanted_force(const Seen& seen, double next_cell_pa, double d
 }
 
 void AxisControl::follow_area(const Seen& seen, double next_cell_pa, AxisDemand& d) {
-  d.area_m2 = seen.state().area_m2;
+  d.area_m2 = seen.steady_area_m2();
   d.start_stress_pa = stress_;
   d.stress_pa = stress_ = wanted_stress(seen, next_cell_pa);
   d.force_n = stage_.load_step_n + trim_;
@@ -86,7 +78,7 @@ AxisDemand AxisControl::demand(const Seen& seen, double next_cell_pa, double dt_
     return d;
   }
   smooth_area(seen, dt_s);
-  if (follows_area() && !first) wanted_ = stress_ * seen.state().area_m2 + stage_.load_step_n;
+  if (follows_area() && !first) wanted_ = stress_ * seen.steady_area_m2() + stage_.load_step_n;
   if (!first) trim_ += kTrim_per_s * dt_s * (*wanted_ - seen[Quantity::axial_force]);
   d.start_force_n = *wanted_ + trim_;
   wanted_ = wanted_force(seen, next_cell_pa, dt_s);

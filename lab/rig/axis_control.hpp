@@ -14,6 +14,7 @@
 // or η is held at every instant.
 #include "lab/rig/plant.hpp"
 #include "lab/rig/seen.hpp"
+#include "lab/rig/trend_filter.hpp"
 
 namespace triax::lab {
 
@@ -26,7 +27,7 @@ class AxisControl {
     double filter_s = 0;  ///< over which the area is smoothed; 0: not at all
   };
   AxisControl() = default;
-  explicit AxisControl(const Servo& servo) : servo_(servo) {}
+  explicit AxisControl(const Servo& servo) : servo_(servo), area_(servo.filter_s) {}
 
   /// A new stage takes over from what is; `true_force_n` is what stands on the piston.
   void begin_stage(const Stage& stage, const Seen& seen, double true_force_n);
@@ -45,7 +46,7 @@ class AxisControl {
   void follow_area(const Seen& seen, double next_cell_pa, AxisDemand& d);
 
   Servo servo_;
-  double area_ = 0, area_rate_ = 0;  ///< smoothed, at the last tick
+  TrendFilter area_;
   double next_area_ = 0;
   Stage stage_;
   double force_at_start_ = 0;  ///< as read

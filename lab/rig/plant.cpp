@@ -36,8 +36,8 @@ Plant::Plant(const Programme& p)
   state_.back = at_rest(back_controller_, p.initial_back_pressure_pa);
 }
 
-sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, double dt_s,
-                            const std::vector<Fault>& faults) const {
+sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, bool stuck,
+                            double dt_s) const {
   using Kind = sim::AxialDrive::Kind;
   sim::AxialDrive drive;
   drive.mass_kg = frame_.moving_mass_kg;
@@ -54,8 +54,7 @@ sim::AxialDrive Plant::axis(const AxisDemand& demand, double cylinder_force_n, d
     if (demand.dead) drive.mass_kg += std::max(0.0, cylinder_force_n) / kGravity;
     return drive;
   }
-  const double velocity =
-      holds(faults, FaultKind::stuck) ? 0 : given_velocity(frame_, demand.velocity_m_per_s);
+  const double velocity = stuck ? 0 : given_velocity(frame_, demand.velocity_m_per_s);
   const double stiffness =
       in_series(in_series(frame_.stiffness_n_per_m, frame_.load_cell_stiffness_n_per_m),
                 demand.spring_n_per_m);
@@ -78,50 +77,56 @@ void Plant::follow_area(const AxisDemand& demand, double dt_s, sim::AxialDrive& 
   drive.stress_rate_pa_per_s = (demand.stress_pa - demand.start_stress_pa) / dt_s;
 }
 
+/// Moves the back controller on; what that is to the specimen's water.
+sim::WaterDrive Plant::water(const PlantDemand& demand, double time_s, double dt_s,
+                             ControllerState& back) const {
+  const auto faults = active_faults(faults_, "back_controller", time_s);
+  const auto valve_faults = active_faults(faults_, "valve", time_s);
+  double pushed = -demand.outflow_m3_per_s.value_or(0);
+  if (demand.outflow_m3_per_s)
+    push(back_controller_, back, pushed, state_.specimen.pore_pressure, dt_s, faults);
+  else
+    triax::lab::advance(back_controller_, back, demand.back, back_inflow_m3_, dt_s, faults);
+  sim::WaterDrive water;
+  const bool open = (demand.valve_open || holds(valve_faults, FaultKind::does_not_close)) &&
+                    !holds(valve_faults, FaultKind::does_not_open);
+  if (!open) return water;
+  if (demand.outflow_m3_per_s) {
+    water.kind = sim::WaterDrive::Kind::flow;
+    water.flow_m3_per_s = -pushed;
+  } else {
+    water.kind = sim::WaterDrive::Kind::drained;
+    water.back_pressure_pa = state_.back.pressure_pa;
+    water.back_pressure_rate_pa_per_s = (back.pressure_pa - state_.back.pressure_pa) / dt_s;
+  }
+  return water;
+}
+
+/// The cylinder's force at the end of the tick. Where it moves nothing it stands ready at the
+/// specimen's, so that it takes over without a jump.
+double Plant::next_cylinder_force_n(const AxisDemand& demand, bool stuck, double dt_s) const {
+  if (demand.kind != AxisDemand::Kind::force) return specimen_.axial_force(state_.specimen);
+  if (demand.dead) return demand.force_n;
+  ForceCylinderState cylinder{state_.cylinder_force_n};
+  if (!stuck && demand.area_m2 == 0)
+    triax::lab::advance(frame_, cylinder, demand.start_force_n, demand.force_n, dt_s);
+  return cylinder.force_n;
+}
+
 const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s, double dt_s) {
   const auto cell_faults = active_faults(faults_, "cell_controller", time_s);
-  const auto back_faults = active_faults(faults_, "back_controller", time_s);
   const auto frame_faults = active_faults(faults_, "frame", time_s);
-  const auto valve_faults = active_faults(faults_, "valve", time_s);
+  const bool stuck = holds(frame_faults, FaultKind::stuck);
   PlantState next = state_;
   triax::lab::advance(cell_controller_, next.cell, demand.cell, cell_inflow_m3_, dt_s, cell_faults);
+  next.cylinder_force_n = next_cylinder_force_n(demand.axis, stuck, dt_s);
 
   sim::SpecimenBoundary boundary;
   boundary.cell_pressure_rate_pa_per_s =
       (next.cell.pressure_pa - state_.specimen.cell_pressure) / dt_s;
-  const bool open = (demand.valve_open || holds(valve_faults, FaultKind::does_not_close)) &&
-                    !holds(valve_faults, FaultKind::does_not_open);
-  double outflow = demand.outflow_m3_per_s.value_or(0);
-  if (demand.outflow_m3_per_s) {
-    double pushed = -outflow;
-    push(back_controller_, next.back, pushed, state_.specimen.pore_pressure, dt_s, back_faults);
-    outflow = -pushed;
-  } else {
-    triax::lab::advance(back_controller_, next.back, demand.back, back_inflow_m3_, dt_s,
-                        back_faults);
-  }
-  auto& water = boundary.water;
-  if (open && demand.outflow_m3_per_s) {
-    water.kind = sim::WaterDrive::Kind::flow;
-    water.flow_m3_per_s = outflow;
-  } else if (open) {
-    water.kind = sim::WaterDrive::Kind::drained;
-    water.back_pressure_pa = state_.back.pressure_pa;
-    water.back_pressure_rate_pa_per_s = (next.back.pressure_pa - state_.back.pressure_pa) / dt_s;
-  }
-
-  const double force = specimen_.axial_force(state_.specimen);
-  const bool follows_area = demand.axis.area_m2 > 0 && !holds(frame_faults, FaultKind::stuck);
-  if (demand.axis.kind != AxisDemand::Kind::force) {
-    next.cylinder_force_n = force;  // so that it takes over without a jump
-  } else if (demand.axis.dead) {
-    next.cylinder_force_n = demand.axis.force_n;
-  } else if (!holds(frame_faults, FaultKind::stuck) && !follows_area) {
-    ForceCylinderState cylinder{state_.cylinder_force_n};
-    triax::lab::advance(frame_, cylinder, demand.axis.start_force_n, demand.axis.force_n, dt_s);
-    next.cylinder_force_n = cylinder.force_n;
-  }
-  boundary.axis = axis(demand.axis, next.cylinder_force_n, dt_s, frame_faults);
+  boundary.water = water(demand, time_s, dt_s, next.back);
+  boundary.axis = axis(demand.axis, next.cylinder_force_n, stuck, dt_s);
+  const bool follows_area = demand.axis.area_m2 > 0 && !stuck;
   if (follows_area) follow_area(demand.axis, dt_s, boundary.axis);
 
   step_ = specimen_.advance(state_.specimen, boundary, dt_s);

@@ -61,8 +61,11 @@ class Plant {
   double true_value(Quantity channel) const;
 
  private:
-  sim::AxialDrive axis(const AxisDemand& demand, double cylinder_force_n, double dt_s,
-                       const std::vector<Fault>& active) const;
+  sim::WaterDrive water(const PlantDemand& demand, double time_s, double dt_s,
+                        ControllerState& back) const;
+  double next_cylinder_force_n(const AxisDemand& demand, bool stuck, double dt_s) const;
+  sim::AxialDrive axis(const AxisDemand& demand, double cylinder_force_n, bool stuck,
+                       double dt_s) const;
   void follow_area(const AxisDemand& demand, double dt_s, sim::AxialDrive& drive) const;
 
   std::vector<Fault> faults_;

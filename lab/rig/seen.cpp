@@ -20,11 +20,17 @@ void Seen::take(const Reading& reading) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i)
     if (std::isnan(known.si[i])) known.si[i] = held_.si[i];
   held_ = known;
-  area_before_ = state_.area_m2;
   state_ = reduction_.reduce(held_);
+  take_area();
   count_rates();
   before_ = now_;
   now_ = values();
+}
+
+void Seen::take_area() {
+  area_before_ = area_;
+  leapt_ = !leapt_ && std::fabs(state_.area_m2 - area_) > kLeap * area_;
+  if (!leapt_) area_ = state_.area_m2;
 }
 
 void Seen::begin_stage() {
@@ -49,8 +55,8 @@ void Seen::count_rates() {
 }
 
 double Seen::next_area_m2() const {
-  const double change = state_.area_m2 - area_before_;
-  return std::isnan(change) ? state_.area_m2 : state_.area_m2 + change;
+  const double change = area_ - area_before_;
+  return std::isnan(change) ? area_ : area_ + change;
 }
 
 Seen::Values Seen::values() const {

@@ -11,6 +11,9 @@ namespace triax::lab {
 
 class Seen {
  public:
+  /// Share of the area; a specimen that has not lost control stays far below it from look to look.
+  static constexpr double kLeap = 2e-3;
+
   explicit Seen(const RecordHeader& header);
 
   /// The next look, at a raw reading with its time and stage. A channel in a gap (NaN) keeps its
@@ -24,7 +27,10 @@ class Seen {
   double operator[](Quantity channel) const { return held_[channel]; }
   const State& state() const { return state_; }
   double stage_time_s() const { return stage_time_s_; }
-  /// Area expected one look later, from the last two.
+  /// The area for a control loop: a leap by more than kLeap is believed from the second look on, so
+  /// that a spike moves no force.
+  double steady_area_m2() const { return area_; }
+  /// That area as expected one look later, from the last two.
   double next_area_m2() const;
   /// SI; NaN while unknown (a rate before half a minute, B before σ_c has moved).
   double value(EndQuantity quantity) const;
@@ -38,11 +44,13 @@ class Seen {
   using Values = std::array<double, kEndQuantityCount>;
   Values values() const;
   void count_rates();
+  void take_area();
 
   RawReduction reduction_;
   Reading held_;
   State state_;
-  double area_before_ = kMissing;
+  double area_ = kMissing, area_before_ = kMissing;
+  bool leapt_ = false;
   double stage_time_s_ = 0;
   Mark mark_;
   double volume_rate_ = kMissing, axial_rate_ = kMissing;

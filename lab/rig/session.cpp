@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "lab/health/gaps.hpp"
 #include "lab/health/judged_states.hpp"
 #include "lab/reduction/cross_checks.hpp"
 
@@ -65,14 +66,6 @@ Event sensor_event(const SensorFinding& finding) {
           .detail = describe(finding)};
 }
 
-/// The reading without the channels that cannot be believed.
-Reading believed(const JudgedStates::Judged& judged) {
-  Reading reading = judged.reading;
-  for (std::size_t i = 0; i < kQuantityCount; ++i)
-    if (judged.wrong & channel_bit(static_cast<Quantity>(i))) reading.si[i] = kMissing;
-  return reading;
-}
-
 /// Takes back what was measured with a sensor that could not be believed.
 void take_back(const JudgedStates& states, TestSummary& summary) {
   constexpr ChannelSet kPressures =
@@ -97,15 +90,24 @@ void take_back(const JudgedStates& states, TestSummary& summary) {
 TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   Reduction reduction(back_end.header(), options.reduction);
   CollapseMonitor monitor(back_end.header());
-  monitor.on_point = [this](const SecondOrderWorkPoint& p) { emit second_order_work(p); };
+  Gaps gaps;
+  monitor.on_point = [&](const SecondOrderWorkPoint& p) {
+    gaps.add(p);
+    emit second_order_work(p);
+  };
   monitor.on_event = [this](const Event& e) { emit happened(e); };
   JudgedStates states(back_end.header());
   CrossChecks cross_checks(back_end.header());
+  Collapse until_mark;
   const auto pass_on = [&] {
     while (const auto* judged = states.next()) {
       cross_checks.add(believed(*judged), judged->state);
+      if (judged->mark) until_mark = monitor.so_far();
       if (!judged->live) continue;
-      if (judged->after_gap) monitor.interrupt();
+      if (judged->after_gap) {
+        monitor.interrupt();
+        gaps.end(judged->reading.number);
+      }
       monitor.watch(judged->state);
     }
   };
@@ -141,8 +143,11 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   for (const Event& event : back_end.events()) emit happened(event);
   states.finish();
   pass_on();
-  summary.collapse = monitor.finish();
+  summary.collapse = states.ends_at_mark() ? until_mark : monitor.finish();
   states.bound(summary.collapse);
+  const auto caveat = gaps.caveat(summary.collapse);
+  if (caveat && summary.collapse.judged_until_reason.empty())
+    summary.collapse.judged_until_reason = *caveat;
   summary.peak = monitor.peak();
   summary.consolidation = reduction.consolidation();
   summary.truth = back_end.truth();
@@ -156,6 +161,7 @@ TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
   for (auto& warning : reduction.warnings()) summary.warnings.push_back(std::move(warning));
   for (auto& warning : warnings_of(crossed)) summary.warnings.push_back(std::move(warning));
   for (auto& warning : states.warnings()) summary.warnings.push_back(std::move(warning));
+  if (caveat) summary.warnings.push_back({0, "the onset of collapse is " + *caveat});
   emit progressed(1.0);
   return summary;
 }

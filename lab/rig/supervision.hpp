@@ -5,16 +5,17 @@
 // needs is reported, and the test goes on.
 //
 // Looked for:
-//   a transducer without a reading, or at the end of its range, for kDeaf_s
-//   a channel that a loop or the end needs and that stands still as noise never would
-//   a force that stays away from what the servo wants although the cap stands: in a collapse it
-//   moves a pressure that stays away from what its controller was asked for a crosshead that was
-//   asked to move and a displacement that does not, twice in a row a controller that is full or
-//   empty; a load above the frame's limit (emergency stop)
+// - a transducer without a reading, or at the end of its range, for kDeaf_s;
+// - a channel that a loop or the end needs and that stands still as noise never would;
+// - a force that stays away from what the servo wants although the cap stands (in a collapse it
+//   moves);
+// - a pressure that stays away from what its controller was asked for;
+// - a crosshead that was asked to move and a displacement that does not, twice in a row;
+// - a controller that is full or empty; a load above the frame's limit (emergency stop);
 // and, only reported:
-//   water that flows from or to the back controller although the valve is closed, or that the cell
-//   takes although valve and pressures rest
-//   a pore pressure away from the back pressure and no water that flows although the valve is open
+// - water that flows from or to the back controller although the valve is closed, or that the cell
+//   takes although valve and pressures rest;
+// - a pore pressure away from the back pressure and no water that flows although the valve is open.
 #include <array>
 #include <optional>
 #include <string>

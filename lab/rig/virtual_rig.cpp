@@ -9,8 +9,10 @@
 
 #include "lab/records/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
+#include "lab/rig/logger.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "lab/rig/run_away_log.hpp"
+#include "lab/rig/strain_path_control.hpp"
 #include "lab/rig/supervision.hpp"
 #include "lab/rig/truth_watch.hpp"
 
@@ -36,10 +38,12 @@ struct VirtualRig::Impl {
         header(rig_header(p, used_seed)),
         plant(make_plant(p)),
         instruments(p, used_seed),
+        logger(p.transducers),
         seen(header),
         supervision(p),
         axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
-                                .filter_s = p.frame.servo_filter_s}) {}
+                                .filter_s = p.frame.servo_filter_s}),
+        strain_path(p.specimen.height_m, p.frame.servo_filter_s) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
@@ -56,7 +60,6 @@ struct VirtualRig::Impl {
   bool stage_over();
   void act_as_operator();
   void go(Mode next, const std::string& kind, const std::string& detail);
-  std::optional<double> outflow(double dt_s) const;
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
   bool tick(double dt_s);
@@ -69,9 +72,11 @@ struct VirtualRig::Impl {
   RecordHeader header;
   Plant plant;
   Instruments instruments;
+  Logger logger;
   Seen seen;
   Supervision supervision;
   AxisControl axis;
+  StrainPathControl strain_path;
   TruthWatch watch;
   RunAwayLog run_aways;
   std::vector<Event> events;
@@ -85,8 +90,6 @@ struct VirtualRig::Impl {
   std::size_t next_action = 0;
   PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
-  /// As seen when the stage began, for a strain path.
-  double path_height = 0, path_volume = 0, path_back_volume = 0;
   std::array<double, kEndQuantityCount> at_stage_start{};
   bool finished = false;
   std::array<bool, kRawQuantityCount> saturation_warned{};
@@ -107,11 +110,10 @@ void VirtualRig::Impl::begin_stage() {
   seen.begin_stage();
   const sim::SpecimenState& specimen = plant.state().specimen;
   axis.begin_stage(stage(), seen, plant.specimen().axial_force(specimen));
+  strain_path.begin_stage(stage(), seen);
   supervision.begin_stage(stage());
+  logger.begin(stage().logging, time_s);
   before = {};
-  path_height = programme.specimen.height_m - seen[Quantity::axial_displacement];
-  path_volume = seen.state().area_m2 * path_height;
-  path_back_volume = seen[Quantity::back_volume];
   if (stage().role == StageRole::shear && !shear_height) {
     shear_height = specimen.height_m;
     for (const auto& outside :
@@ -174,18 +176,6 @@ void VirtualRig::Impl::act_as_operator() {
   }
 }
 
-/// Flow out of the specimen that keeps dε₁ + 2R dε₃ = 0 in natural strains: V = V₀ (H/H₀)^(1 −
-/// 1/R).
-std::optional<double> VirtualRig::Impl::outflow(double dt_s) const {
-  if (!stage().strain_path_R || mode != Mode::running) return std::nullopt;
-  const double height = programme.specimen.height_m - seen[Quantity::axial_displacement] -
-                        stage().axial_rate_m_per_s * dt_s;
-  const double wanted =
-      path_volume * std::pow(height / path_height, 1 - 1 / *stage().strain_path_R);
-  const double volume = path_volume + seen[Quantity::back_volume] - path_back_volume;
-  return (volume - wanted) / dt_s;
-}
-
 PlantDemand VirtualRig::Impl::demand(double dt_s) {
   PlantDemand d;
   d.valve_open = stage().valve_open;
@@ -196,7 +186,7 @@ PlantDemand VirtualRig::Impl::demand(double dt_s) {
   }
   d.cell = stage().cell;
   d.back = stage().back;
-  d.outflow_m3_per_s = outflow(dt_s);
+  d.outflow_m3_per_s = strain_path.outflow_m3_per_s(seen, dt_s);
   d.axis = axis.demand(seen, plant.next_cell_pa(d.cell, dt_s), dt_s);
   return d;
 }
@@ -285,13 +275,17 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
 }
 
 bool VirtualRig::Impl::advance_to_next_scan() {
-  const double interval = programme.scan_interval_s;
+  const double due = logger.due_s();
+  const double interval = stage().logging.interval_s;
   const auto ticks = static_cast<int>(std::ceil(interval / kTick_s - 1e-9));
   for (int i = 0; i < ticks; ++i) {
-    if (i > 0) look();
+    if (i > 0) {
+      look();
+      logger.add(reading);
+    }
     if (!tick(interval / ticks)) return false;
   }
-  time_s = static_cast<double>(number + 1) * interval;
+  time_s = due;
   return true;
 }
 
@@ -339,10 +333,10 @@ bool VirtualRig::next(Reading& reading) {
   }
   ++rig.number;
   rig.look();
+  reading = rig.logger.record(rig.reading);
   if (rig.number == 0) rig.begin_stage();
   rig.check_ranges();
   if (rig.mode == Impl::Mode::safe || rig.mode == Impl::Mode::fallen) ++rig.safe_readings;
-  reading = rig.reading;
   return true;
 }
 

@@ -13,10 +13,10 @@ namespace triax::sim {
 /// There is no elastic range: the yield surface always passes through the stress, α = r − √(2/3) m
 /// n with n along r, and below a stress ratio of 1.001 m it is taken as there. Fabric is left out.
 ///
-/// Memory: α_in, α at the last reversal of dη, and the sign of dη since. What goes back by less than
-/// the base law's elastic range, 2 m in η, is no reversal (the turning point is remembered until it
-/// is passed again): to the base law that is elastic, and a real servo's noise of some Pa would make
-/// the specimen stiff anew again and again.
+/// Memory: α_in, α at the last reversal of dη, and the sign of dη since. What goes back by less
+/// than the base law's elastic range, 2 m in η, is no reversal (the turning point is remembered
+/// until it is passed again): to the base law that is elastic, and a real servo's noise of some Pa
+/// would make the specimen stiff anew again and again.
 template <class Space>
 class SanisandModuli : public GeneralisedTriaxial<Space> {
  public:

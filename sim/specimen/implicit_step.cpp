@@ -38,12 +38,11 @@ struct ImplicitStep::Conditions {
   std::string objection;
 };
 
-double ImplicitStep::applied_force(const SpecimenState& state, double height_at_start_m,
-                                   double elapsed_s) const {
+double ImplicitStep::applied_force(const SpecimenState& state, double elapsed_s) const {
   const AxialDrive& axis = boundary_.axis;
   if (axis.kind == AxialDrive::Kind::free) return 0;
   return axis.force_n + axis.force_rate_n_per_s * elapsed_s -
-         axis.stiffness_n_per_m * (height_at_start_m - state.height_m) +
+         axis.stiffness_n_per_m * (height_at_start_m_ - state.height_m) +
          (axis.stress_pa + axis.stress_rate_pa_per_s * elapsed_s) * specimen_.area_m2(state);
 }
 
@@ -66,44 +65,53 @@ ImplicitStep::Instant ImplicitStep::instant(const SpecimenState& start, const In
 }
 
 /// The conditions, linearised about an increment.
-ImplicitStep::Conditions ImplicitStep::conditions(const SpecimenState& start,
-                                                  double height_at_start_m, double elapsed_s,
+ImplicitStep::Conditions ImplicitStep::conditions(const SpecimenState& start, double elapsed_s,
                                                   double dt_s, const Increment& about) const {
   Conditions found;
-  auto& control = found.control;
-  const Membrane& membrane = specimen_.membrane();
   found.cell_increment = boundary_.cell_pressure_rate_pa_per_s * dt_s;
   const Instant at = instant(start, about, start.cell_pressure + found.cell_increment);
+  if (boundary_.axis.kind == AxialDrive::Kind::rigid)
+    move_cap(start, dt_s, found);
+  else
+    balance_force(start, at, elapsed_s + dt_s, about, found);
+  balance_water(start, at, elapsed_s, dt_s, about, found);
+  return found;
+}
 
+void ImplicitStep::move_cap(const SpecimenState& start, double dt_s, Conditions& found) const {
+  const double shortening = boundary_.axis.velocity_m_per_s * dt_s / start.height_m;
+  if (!(shortening < 1)) found.objection = "the cap would pass the base of the specimen";
+  found.control.strain.row(0) << 1, 0;
+  found.control.increment(0) = -std::log1p(-shortening);
+}
+
+void ImplicitStep::balance_force(const SpecimenState& start, const Instant& at, double end_s,
+                                 const Increment& about, Conditions& found) const {
   const AxialDrive& axis = boundary_.axis;
-  if (axis.kind == AxialDrive::Kind::rigid) {
-    const double shortening = axis.velocity_m_per_s * dt_s / start.height_m;
-    if (!(shortening < 1)) found.objection = "the cap would pass the base of the specimen";
-    control.strain.row(0) << 1, 0;
-    control.increment(0) = -std::log1p(-shortening);
-  } else {
-    const bool free = axis.kind == AxialDrive::Kind::free;
-    const double end_s = elapsed_s + dt_s;
-    const double stress = free ? 0 : axis.stress_pa + axis.stress_rate_pa_per_s * end_s;
-    const double k = free ? 0 : axis.stiffness_n_per_m;
-    const double load = free ? 0 : axis.force_n + axis.force_rate_n_per_s * end_s;
-    const double missed =
-        at.force - (load - k * (height_at_start_m - at.height) + stress * at.area);
-    const double by_height =
-        at.force + membrane.axial_slope_pa(at.height) * at.area + k * at.height - stress * at.area;
-    const double by_volume = stress * at.area - at.force;
-    control.stress.row(0) << at.area, -at.area * kRoot;
-    control.strain.row(0) << by_height + by_volume, 2 * kRoot * by_volume;
-    control.increment(0) =
-        at.area * about.q + by_height * about.axial + by_volume * about.volume - missed;
-    const double size =
-        std::max(std::abs(at.force), kSmallForce * std::abs(start.material.p()) * at.area);
-    found.force_missed = std::abs(missed) / (kForceMissed * size);
-    found.linear = !membrane.stiff() && k == 0 && load == 0 && start.material.q() == stress;
-  }
+  const Membrane& membrane = specimen_.membrane();
+  const bool free = axis.kind == AxialDrive::Kind::free;
+  const double stress = free ? 0 : axis.stress_pa + axis.stress_rate_pa_per_s * end_s;
+  const double k = free ? 0 : axis.stiffness_n_per_m;
+  const double load = free ? 0 : axis.force_n + axis.force_rate_n_per_s * end_s;
+  const double missed = at.force - (load - k * (height_at_start_m_ - at.height) + stress * at.area);
+  const double by_height =
+      at.force + membrane.axial_slope_pa(at.height) * at.area + k * at.height - stress * at.area;
+  const double by_volume = stress * at.area - at.force;
+  found.control.stress.row(0) << at.area, -at.area * kRoot;
+  found.control.strain.row(0) << by_height + by_volume, 2 * kRoot * by_volume;
+  found.control.increment(0) =
+      at.area * about.q + by_height * about.axial + by_volume * about.volume - missed;
+  const double size =
+      std::max(std::abs(at.force), kSmallForce * std::abs(start.material.p()) * at.area);
+  found.force_missed = std::abs(missed) / (kForceMissed * size);
+  found.linear = !membrane.stiff() && k == 0 && load == 0 && start.material.q() == stress;
+}
 
-  // Water with du = dσ_c − dΔσ₃ₘ − dσ₃′ put in; nothing is divided by a compliance that may be 0.
+/// With du = dσ_c − dΔσ₃ₘ − dσ₃′ put in; nothing is divided by a compliance that may be 0.
+void ImplicitStep::balance_water(const SpecimenState& start, const Instant& at, double elapsed_s,
+                                 double dt_s, const Increment& about, Conditions& found) const {
   const WaterDrive& water = boundary_.water;
+  const Membrane& membrane = specimen_.membrane();
   const double back =
       water.back_pressure_pa + water.back_pressure_rate_pa_per_s * (elapsed_s + dt_s);
   const double by_skin = membrane.radial_slope_pa(at.volume);
@@ -130,10 +138,9 @@ ImplicitStep::Conditions ImplicitStep::conditions(const SpecimenState& start,
     found.water_missed = std::abs(missed) / (allowed * at.volume);
     found.linear = found.linear && !drained && by_radial == 0 && flowed == 0;
   }
-  control.strain.row(1) << by_volume, 2 * kRoot * by_volume;
-  control.stress.row(1) << 0, kRoot * by_radial;
-  control.increment(1) = missed + by_volume * about.volume + by_radial * about.radial;
-  return found;
+  found.control.strain.row(1) << by_volume, 2 * kRoot * by_volume;
+  found.control.stress.row(1) << 0, kRoot * by_radial;
+  found.control.increment(1) = missed + by_volume * about.volume + by_radial * about.radial;
 }
 
 ImplicitStep::Increment ImplicitStep::predict(const SpecimenState& start,
@@ -168,10 +175,9 @@ SpecimenStep ImplicitStep::integrate(const SpecimenState& start, const Condition
   return step;
 }
 
-SpecimenStep ImplicitStep::take(const SpecimenState& state, double height_at_start_m,
-                                double elapsed_s, double dt_s) const {
+SpecimenStep ImplicitStep::take(const SpecimenState& state, double elapsed_s, double dt_s) const {
   const auto about = [&](const Increment& moved) {
-    return conditions(state, height_at_start_m, elapsed_s, dt_s, moved);
+    return conditions(state, elapsed_s, dt_s, moved);
   };
   Conditions asked = about({});
   SpecimenStep step;
@@ -214,7 +220,7 @@ void ImplicitStep::settle_water(const SpecimenState& start, SpecimenStep& step) 
 }
 
 double ImplicitStep::stiffness(const SpecimenState& state, double direction) const {
-  Conditions asked = conditions(state, state.height_m, 0, 0, {});
+  Conditions asked = conditions(state, 0, 0, {});
   asked.control.stress.row(0).setZero();
   asked.control.strain.row(0) << 1, 0;
   asked.control.increment << std::copysign(1e-6, direction), 0;
@@ -230,7 +236,7 @@ double ImplicitStep::stiffness(const SpecimenState& state, double direction) con
 }
 
 bool ImplicitStep::sustains(const SpecimenState& state) const {
-  Conditions asked = conditions(state, state.height_m, 0, 0, {});
+  Conditions asked = conditions(state, 0, 0, {});
   const double small = 1e-6 * specimen_.area_m2(state) * std::abs(state.material.p());
   for (const double force : {small, -small}) {
     asked.control.increment << force, 0;

@@ -3,21 +3,38 @@
 
 namespace triax::sim {
 
+/// A specimen through one step of its boundary: what every way of moving it on has at hand. All
+/// that is given has to live as long.
+class DrivenSpecimen {
+ public:
+  /// `height_at_start_m` is that at the start of the boundary's step, from which the drive's spring
+  /// counts.
+  DrivenSpecimen(const Specimen& specimen, const SpecimenBoundary& boundary,
+                 const SpecimenTolerance& tolerance, double height_at_start_m)
+      : specimen_(specimen),
+        boundary_(boundary),
+        tolerance_(tolerance),
+        height_at_start_m_(height_at_start_m) {}
+
+ protected:
+  const Specimen& specimen_;
+  const SpecimenBoundary& boundary_;
+  const SpecimenTolerance& tolerance_;
+  double height_at_start_m_;
+};
+
 /// One implicit step of a specimen under a boundary: the conditions of axis and water hold at its
 /// end. They are linear in the increments of σ′ and ε but for the change of height, area and volume
 /// and for water and air; these are found by Newton's method around the whole increment, which the
 /// point driver integrates as one path each time.
-class ImplicitStep {
+class ImplicitStep : DrivenSpecimen {
  public:
-  ImplicitStep(const Specimen& specimen, const SpecimenBoundary& boundary,
-               const SpecimenTolerance& tolerance)
-      : specimen_(specimen), boundary_(boundary), tolerance_(tolerance) {}
+  using DrivenSpecimen::DrivenSpecimen;
+  explicit ImplicitStep(const DrivenSpecimen& driven) : DrivenSpecimen(driven) {}
 
-  /// From `elapsed_s` after the start of the boundary's step over `dt_s`. `height_at_start_m` is
-  /// that at the start of the boundary's step, from which the drive's spring counts. Lost control
-  /// and failure leave the state where they came; no work is told.
-  SpecimenStep take(const SpecimenState& state, double height_at_start_m, double elapsed_s,
-                    double dt_s) const;
+  /// From `elapsed_s` after the start of the boundary's step over `dt_s`. Lost control and failure
+  /// leave the state where they came; no work is told.
+  SpecimenStep take(const SpecimenState& state, double elapsed_s, double dt_s) const;
 
   /// dF/dx (N/m) under this boundary's water at this instant, without flow through a resistance;
   /// `direction` is +1 for compression, −1 for extension. NaN where no rate exists.
@@ -28,8 +45,7 @@ class ImplicitStep {
   bool sustains(const SpecimenState& state) const;
 
   /// F_a at an instant of the boundary's step.
-  double applied_force(const SpecimenState& state, double height_at_start_m,
-                       double elapsed_s) const;
+  double applied_force(const SpecimenState& state, double elapsed_s) const;
 
  private:
   struct Increment {
@@ -40,16 +56,17 @@ class ImplicitStep {
   struct Conditions;
 
   Instant instant(const SpecimenState& start, const Increment& moved, double cell) const;
-  Conditions conditions(const SpecimenState& start, double height_at_start_m, double elapsed_s,
-                        double dt_s, const Increment& about) const;
+  Conditions conditions(const SpecimenState& start, double elapsed_s, double dt_s,
+                        const Increment& about) const;
+  void move_cap(const SpecimenState& start, double dt_s, Conditions& found) const;
+  void balance_force(const SpecimenState& start, const Instant& at, double end_s,
+                     const Increment& about, Conditions& found) const;
+  void balance_water(const SpecimenState& start, const Instant& at, double elapsed_s, double dt_s,
+                     const Increment& about, Conditions& found) const;
   Increment predict(const SpecimenState& start, const Conditions& linear) const;
   SpecimenStep integrate(const SpecimenState& start, const Conditions& conditions,
                          double dt_s) const;
   void settle_water(const SpecimenState& start, SpecimenStep& step) const;
-
-  const Specimen& specimen_;
-  const SpecimenBoundary& boundary_;
-  const SpecimenTolerance& tolerance_;
 };
 
 }  // namespace triax::sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/specimen/step_work.hpp"
 
@@ -43,13 +44,16 @@ void InertialMotion::begin(SpecimenState& state, double elapsed_s) const {
   const double pulls = pull(state, elapsed_s);
   const double direction = state.velocity_m_per_s != 0 ? state.velocity_m_per_s : pulls;
   found.stiffness_at_start_n_per_m = implicit_.stiffness(state, direction) + axis.stiffness_n_per_m;
+  // Water that has to flow makes the force one of time, too: no expansion in Δx tells the ratio.
+  if (boundary_.water.kind != WaterDrive::Kind::closed &&
+      specimen_.properties().drainage_resistance > 0)
+    found.stiffness_at_start_n_per_m = std::numeric_limits<double>::quiet_NaN();
   state.run_away = found;
 }
 
 /// F_a − F
 double InertialMotion::pull(const SpecimenState& state, double elapsed_s) const {
-  return implicit_.applied_force(state, height_at_start_m_, elapsed_s) -
-         specimen_.axial_force(state);
+  return implicit_.applied_force(state, elapsed_s) - specimen_.axial_force(state);
 }
 
 /// |k| of specimen and spring in the direction of the motion, or of what pulls.
@@ -74,7 +78,7 @@ double InertialMotion::longest_substep(const SpecimenState& state, double pull_n
 SpecimenStep InertialMotion::substep(const SpecimenState& state, double elapsed_s, double h) const {
   const AxialDrive& axis = boundary_.axis;
   const double m = axis.mass_kg, c = axis.damping_n_s_per_m;
-  const double applied = implicit_.applied_force(state, height_at_start_m_, elapsed_s);
+  const double applied = implicit_.applied_force(state, elapsed_s);
   const double v = state.velocity_m_per_s;
   const double acceleration = (applied - specimen_.axial_force(state) - c * v) / m;
   double half = v + acceleration * h / 2;
@@ -92,12 +96,12 @@ SpecimenStep InertialMotion::substep(const SpecimenState& state, double elapsed_
   moving.axis.kind = AxialDrive::Kind::rigid;
   moving.axis.velocity_m_per_s = half;
   SpecimenStep step =
-      ImplicitStep(specimen_, moving, tolerance_).take(state, state.height_m, elapsed_s, h);
+      ImplicitStep(specimen_, moving, tolerance_, state.height_m).take(state, elapsed_s, h);
   step.at_stop = stops;
   if (!went_on(step)) return step;
 
   SpecimenState& end = step.state;
-  end.applied_force_n = implicit_.applied_force(end, height_at_start_m_, elapsed_s + h);
+  end.applied_force_n = implicit_.applied_force(end, elapsed_s + h);
   const double pull = end.applied_force_n - specimen_.axial_force(end);
   end.velocity_m_per_s = (half + pull * h / (2 * m)) / (1 + c * h / (2 * m));
 
@@ -126,8 +130,8 @@ void InertialMotion::record(const SpecimenState& before, double elapsed_s,
   if (found.compared_at_s > 0) return;
   const double k = boundary_.axis.stiffness_n_per_m;
   const auto without_spring = [&](const SpecimenState& s, double at_s) {
-    return implicit_.applied_force(s, height_at_start_m_, at_s) +
-           k * (found.start_height_m - s.height_m) - found.start_force_n;
+    return implicit_.applied_force(s, at_s) + k * (found.start_height_m - s.height_m) -
+           found.start_force_n;
   };
   found.first_order_work_j +=
       0.5 *

@@ -17,20 +17,13 @@ namespace triax::sim {
 /// kRestForce of the force of p′ (or of F), and the energy of what vibration is left,
 /// E_c + (F_a − F)²/(2k), is below kRestShare of the largest kinetic energy of this run-away or,
 /// once the motion has turned, below what changes F by kRestForce of the force of p′.
-class InertialMotion {
+class InertialMotion : DrivenSpecimen {
  public:
   static constexpr double kRestShare = 1e-3;
   static constexpr double kRestForce = 0.02;
 
-  /// Pre-condition: the axis is driven by a force and has a mass. `height_at_start_m` is that at
-  /// the start of the boundary's step.
-  InertialMotion(const Specimen& specimen, const SpecimenBoundary& boundary,
-                 const SpecimenTolerance& tolerance, double height_at_start_m)
-      : specimen_(specimen),
-        boundary_(boundary),
-        tolerance_(tolerance),
-        implicit_(specimen, boundary, tolerance),
-        height_at_start_m_(height_at_start_m) {}
+  /// Pre-condition: the axis is driven by a force and has a mass.
+  using DrivenSpecimen::DrivenSpecimen;
 
   /// Opens a record of a run-away at this state, with its velocity.
   void begin(SpecimenState& state, double elapsed_s) const;
@@ -49,11 +42,7 @@ class InertialMotion {
   bool at_rest(const SpecimenState& state, double pull_n) const;
   void stop(SpecimenStep& whole) const;
 
-  const Specimen& specimen_;
-  const SpecimenBoundary& boundary_;
-  const SpecimenTolerance& tolerance_;
-  ImplicitStep implicit_;
-  double height_at_start_m_;
+  ImplicitStep implicit_{*this};
 };
 
 }  // namespace triax::sim

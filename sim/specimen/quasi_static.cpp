@@ -15,7 +15,7 @@ constexpr double kAtStop = 1e-12;
 
 SpecimenStep QuasiStatic::driven(const ImplicitStep& by, const SpecimenState& state,
                                  double elapsed_s, double h) const {
-  SpecimenStep step = by.take(state, height_at_start_m_, elapsed_s, h);
+  SpecimenStep step = by.take(state, elapsed_s, h);
   const WaterDrive& water = boundary_.water;
   step.work = work_between(
       specimen_, state, step,
@@ -31,10 +31,10 @@ SpecimenStep QuasiStatic::to_stop(const SpecimenState& state, double elapsed_s, 
   held.axis.kind = AxialDrive::Kind::rigid;
   held.axis.velocity_m_per_s =
       std::max(boundary_.axis.travel_m - specimen_.displacement_m(state), 0.0) / h;
-  SpecimenStep step = driven(ImplicitStep(specimen_, held, tolerance_), state, elapsed_s, h);
+  SpecimenStep step =
+      driven(ImplicitStep(specimen_, held, tolerance_, state.height_m), state, elapsed_s, h);
   step.at_stop = true;
-  step.state.applied_force_n =
-      implicit_.applied_force(step.state, height_at_start_m_, elapsed_s + h);
+  step.state.applied_force_n = implicit_.applied_force(step.state, elapsed_s + h);
   return step;
 }
 

@@ -6,16 +6,9 @@ namespace triax::sim {
 /// The specimen through a succession of equilibria. Flow through a resistance is integrated
 /// implicitly in u with error-controlled substeps; a cap that a force drives ends at its stop,
 /// which carries the rest until the drive pulls away.
-class QuasiStatic {
+class QuasiStatic : DrivenSpecimen {
  public:
-  /// `height_at_start_m` is that at the start of the boundary's step.
-  QuasiStatic(const Specimen& specimen, const SpecimenBoundary& boundary,
-              const SpecimenTolerance& tolerance, double height_at_start_m)
-      : specimen_(specimen),
-        boundary_(boundary),
-        tolerance_(tolerance),
-        implicit_(specimen, boundary, tolerance),
-        height_at_start_m_(height_at_start_m) {}
+  using DrivenSpecimen::DrivenSpecimen;
 
   /// Moves `whole` on from whole.done_s until dt_s, or to where its outcome tells.
   void run(SpecimenStep& whole, double dt_s) const;
@@ -27,11 +20,7 @@ class QuasiStatic {
   SpecimenStep to_stop(const SpecimenState& state, double elapsed_s, double h) const;
   void run_through_resistance(SpecimenStep& whole, double dt_s) const;
 
-  const Specimen& specimen_;
-  const SpecimenBoundary& boundary_;
-  const SpecimenTolerance& tolerance_;
-  ImplicitStep implicit_;
-  double height_at_start_m_;
+  ImplicitStep implicit_{*this};
 };
 
 }  // namespace triax::sim

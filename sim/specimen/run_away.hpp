@@ -39,7 +39,7 @@ struct RunAway {
   double kinetic_energy_j = 0;
   double second_order_work_j = 0;         ///< W2
   double spring_stiffness_n_per_m = 0;    ///< k of the drive
-  double stiffness_at_start_n_per_m = 0;  ///< k₀ + k; NaN: unknown
+  double stiffness_at_start_n_per_m = 0;  ///< k₀ + k; NaN: unknown, or of time as well (flow)
   double secant_stiffness_n_per_m = 0;    ///< ΔF/Δx + k
   double initial_kinetic_energy_j = 0;    ///< of an impulse, or of the quasi-static velocity
   /// ∫(F_a − F₀) dx without the spring: first-order work of a load step or of loads that go on

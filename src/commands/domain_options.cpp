@@ -6,7 +6,6 @@
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "lab/records/bad_input.hpp"
@@ -25,9 +24,9 @@ struct Line {
 
 template <class Number>
 bool read(std::string_view text, Number& value) {
-  const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stopped == end;
+  const auto number = lab::whole_text_as<Number>(text);
+  value = number.value_or(value);
+  return number.has_value();
 }
 
 std::vector<std::string_view> split(std::string_view text, char at) {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/bad_input.hpp"
 #include "lab/records/record_writer.hpp"
+#include "lab/records/text.hpp"
 #include "lab/rig/virtual_rig.hpp"
 #include "src/commands/interruption.hpp"
 #include "src/commands/output_guard.hpp"
@@ -54,7 +54,8 @@ void run_test_of(const Options& o) {
 
 void run(const Options& o) {
   if (o.sweeps.empty()) {
-    if (o.jobs > 0) throw lab::BadInput("--jobs is for the tests of a --sweep");
+    if (o.jobs > 0)
+      throw lab::BadInput("--jobs without --sweep: one test runs on one core; leave it out");
     return run_test_of(o);
   }
   if (o.seed)
@@ -67,10 +68,8 @@ void run(const Options& o) {
 
 // The conversion to a number alone would take -1 for the largest seed there is.
 std::string refusal_of_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, seed);
-  if (error == std::errc() && stopped == end && seed <= lab::kLargestSeed) return {};
+  const auto seed = lab::whole_text_as<std::uint64_t>(text);
+  if (seed && *seed <= lab::kLargestSeed) return {};
   return fmt::format("'{}' is no whole number from 0 to {}", text, lab::kLargestSeed);
 }
 
@@ -82,15 +81,12 @@ Command simulate_command() {
       .purpose = "run a programme on the virtual apparatus, keep and report the test",
       .description =
           {"The specimen, its pore water, the frame, the pressure controllers and noisy "
-           "transducers of "
-           "limited resolution are simulated as the programme says; readings then go the way of "
-           "real "
-           "ones. The test is marked as simulated wherever it appears, and the report adds the "
-           "truth: "
-           "when the specimen itself lost sustainability.",
+           "transducers of limited resolution are simulated as the programme says; readings then "
+           "go the way of real ones. The test is marked as simulated wherever it appears, and the "
+           "report adds the truth: when the specimen itself lost sustainability.",
            "The same programme and seed give the same readings, to the bit. --record also writes "
-           "them "
-           "as a logger would; replaying that file gives the same states and the same verdict.",
+           "them as a logger would; replaying that file gives the same states and the same "
+           "verdict.",
            "--sweep runs the programme with every combination of the values given for some of its "
            "keys, several tests at a time, and stores all of them. KEY is written as in the file: "
            "seed, specimen.void_ratio, rig.transducers.axial_force.noise_N, "

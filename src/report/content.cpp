@@ -106,7 +106,7 @@ std::string limit_line(const lab::Collapse& collapse) {
 std::string work_line(const lab::Collapse& collapse) {
   auto line = number(collapse.second_order_work_normalised, 3);
   if (collapse.second_order_work_error) line += " ± " + number(collapse.second_order_work_error, 3);
-  return line + " at the first significant window (normalised, between −1 and 1)";
+  return line + " where it is first significant (normalised, between −1 and 1)";
 }
 
 std::string truth_line(const lab::Truth& truth) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "lab/records/bad_input.hpp"
@@ -38,13 +37,11 @@ std::optional<std::int64_t> reading_of(const db::StoredTest& test, const std::st
     throw lab::BadInput(fmt::format(
         "{} has no collapse: --at peak, --at end, or --at with the number of a reading", name));
   }
-  std::int64_t reading = 0;
-  const char* const end = at.data() + at.size();
-  const auto [stopped, error] = std::from_chars(at.data(), end, reading);
-  if (error != std::errc() || stopped != end || reading < 0)
+  const auto reading = lab::whole_text_as<std::int64_t>(at);
+  if (!reading || *reading < 0)
     throw lab::BadInput(fmt::format(
         "--at {}: must be collapse, peak, end or the number of a reading", lab::excerpt(at)));
-  return reading;
+  return *reading;
 }
 
 struct Readings {

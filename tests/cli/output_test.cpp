@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/running.hpp"
 
 using namespace triax::cli_tests;
 using nlohmann::json;
@@ -164,16 +164,15 @@ TEST_CASE("reports go through pipes, devices and links, which stay what they are
 }
 
 TEST_CASE("a simulation that is ended from outside leaves its record whole or not at all") {
-  const Workplace here;
-  for (const std::string name : {"TERM", "INT", "KILL"}) {
-    const std::string line = "cd '" + (here / "").string() + "' && timeout -s " + name +
-                             " 3 " TRIAX_PROGRAM " simulate " +
-                             source("samples/programmes/icu_6.toml") +
-                             " --speed 400 --record x.csv >/dev/null 2>&1";
-    CHECK(std::system(line.c_str()) != 0);
+  for (const int signal : {SIGTERM, SIGINT, SIGKILL}) {
+    const Workplace here;
+    const Running test(here, "simulate " + source("samples/programmes/icu_6.toml") +
+                                 " --speed 400 --record x.csv --db a.db");
+    REQUIRE(test.reaches("a.db", "scans", 100));
     // Asked to end it ends in order; killed it leaves nothing.
-    const bool asked = name != "KILL";
-    CHECK(std::filesystem::exists(here / "x.csv") == asked);
+    const bool asked = signal != SIGKILL;
+    CHECK(test.end_by(signal) == (asked ? 1 : -1));
+    CHECK(here.has("x.csv") == asked);
     if (asked) CHECK(here.triax("replay x.csv --db replayed.db").status == 0);
     std::filesystem::remove(here / "x.csv");
     for (const auto& entry : std::filesystem::directory_iterator(here / ""))

@@ -94,7 +94,7 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   const json& own = d["own_increment"];
   CHECK(d["state"]["test"]["name"] == "ICU 6");
   CHECK(d["state"]["test"]["origin"] == "simulated");
-  CHECK(own["alpha_deg"].get<double>() == Approx(215.26).margin(1));
+  CHECK(own["alpha_deg"].get<double>() == Approx(215.26).margin(2));
   CHECK(own["w2_normalised_measured"].get<double>() == Approx(0).margin(0.05));
   CHECK(own["nearest_edge_deg"].get<double>() < 1.5);  // the specimen's own law
   CHECK(own["in_cone"].is_boolean());

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/running.hpp"
 
 using namespace triax::cli_tests;
 using nlohmann::json;
@@ -103,21 +103,12 @@ TEST_CASE("reports are written whole, and queries cannot write") {
 TEST_CASE(
     "a killed test keeps what was read, passes the integrity check and is marked as interrupted") {
   const Workplace here;
-  const std::string command =
-      "cd '" + (here / "").string() + "' && exec " TRIAX_PROGRAM " simulate " +
-      source("samples/programmes/icu_6.toml") + " --speed 400 >/dev/null 2>&1";
-  const pid_t child = fork();
-  if (child == 0) {
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(3500));
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
+  const Running test(here, "simulate " + source("samples/programmes/icu_6.toml") + " --speed 400");
+  REQUIRE(test.reaches("triax.db", "scans", 200));
+  CHECK(test.end_by(SIGKILL) == -1);
   const json tests = json::parse(here.triax("query tests --format json").out);
   REQUIRE(tests.size() == 1);
   CHECK(tests[0]["status"] == "interrupted");
-  // 3.5 s at 400 s of test a second and a scan every 2 s, less start-up and the last second.
   const json count = json::parse(
       here.triax("query \"SELECT count(*) AS n, max(reading) AS last FROM readings\" --format json")
           .out);

@@ -2,9 +2,8 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/running.hpp"
 
 using namespace triax::cli_tests;
 using nlohmann::json;
@@ -12,24 +11,6 @@ using nlohmann::json;
 namespace {
 
 const std::string kIcu6 = source("samples/programmes/icu_6.toml");
-
-/// Starts triax in the folder and leaves it running.
-pid_t start(const Workplace& here, const std::string& arguments) {
-  const std::string command = "cd '" + (here / "").string() + "' && exec " TRIAX_PROGRAM " " +
-                              arguments + " >.out 2>.err </dev/null";
-  const pid_t child = fork();
-  if (child == 0) {
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
-  }
-  return child;
-}
-
-int status_of(pid_t child) {
-  int status = -1;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 }  // namespace
 
@@ -96,27 +77,24 @@ TEST_CASE("values that make no sense fail alone, a sweep that makes none fails a
 
 TEST_CASE("Ctrl-C stores and judges a test as far as it went, and writes its record") {
   const Workplace here;
-  const pid_t child =
-      start(here, "simulate " + kIcu6 + " --speed 400 --record x.csv --db a.db --json");
-  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
-  kill(child, SIGINT);
-  CHECK(status_of(child) == 1);
-  CHECK(content(here / ".err").find("aborted by the operator") != std::string::npos);
-  const json test = json::parse(content(here / ".out"));
-  CHECK(test["test"]["status"] == "complete");
-  CHECK(test["test"]["readings"].get<int>() > 100);
-  CHECK(test["warnings"].dump().find("aborted by the operator at ") != std::string::npos);
+  const Running test(here, "simulate " + kIcu6 + " --speed 400 --record x.csv --db a.db --json");
+  REQUIRE(test.reaches("a.db", "scans", 100));
+  CHECK(test.end_by(SIGINT) == 1);
+  CHECK(test.err().find("aborted by the operator") != std::string::npos);
+  const json document = json::parse(test.out());
+  CHECK(document["test"]["status"] == "complete");
+  CHECK(document["test"]["readings"].get<int>() > 100);
+  CHECK(document["warnings"].dump().find("aborted by the operator at ") != std::string::npos);
   const json again = json::parse(here.triax("replay x.csv --db b.db --json").out);
-  CHECK(again["test"]["readings"] == test["test"]["readings"]);
+  CHECK(again["test"]["readings"] == document["test"]["readings"]);
 }
 
 TEST_CASE("Ctrl-C keeps the finished tests of a sweep") {
   const Workplace here;
-  const pid_t child = start(here, "simulate " + kIcu6 + " --sweep seed=1..5000 --jobs 2");
-  std::this_thread::sleep_for(std::chrono::milliseconds(3000));
-  kill(child, SIGTERM);
-  CHECK(status_of(child) == 1);
-  CHECK(content(here / ".err").find("stopped by the operator") != std::string::npos);
+  const Running sweep(here, "simulate " + kIcu6 + " --sweep seed=1..5000 --jobs 2");
+  REQUIRE(sweep.reaches("triax.db", "tests WHERE status = 'complete'", 1));
+  CHECK(sweep.end_by(SIGTERM) == 1);
+  CHECK(sweep.err().find("stopped by the operator") != std::string::npos);
   const json tests = json::parse(
       here.triax("query \"SELECT status, count(*) AS n FROM tests GROUP BY status\" --format json")
           .out);

@@ -3,7 +3,9 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "db/writer_identity.hpp"
 #include "lab/records/bad_input.hpp"
@@ -131,6 +133,49 @@ TEST_CASE("what is no database of ours is refused and not touched") {
     CHECK_THROWS_WITH(db::open_for_writing(path), Contains(path) && Contains(words));
     CHECK_THROWS_WITH(db::open_for_reading(path), Contains(path) && Contains(words));
     CHECK(bytes_of(path) == before);
+  }
+}
+
+TEST_CASE("two threads make the same new database, and neither takes it for a foreign one") {
+  TemporaryFolder folder;
+  for (int round = 0; round < 200; ++round) {
+    const std::string path = folder.file(std::to_string(round) + ".db");
+    const auto failure = [&path] {
+      try {
+        db::open_for_writing(path);
+      } catch (const std::exception& error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+    std::string first, second;
+    {
+      std::jthread other([&] { first = failure(); });
+      // So that some round looks at the file just when the other's tables appear.
+      std::this_thread::sleep_for(std::chrono::microseconds(50) * round);
+      second = failure();
+    }
+    INFO("round " << round);
+    REQUIRE(first == "");
+    REQUIRE(second == "");
+  }
+}
+
+TEST_CASE("a database that another thread is making is empty or ours to a reader") {
+  TemporaryFolder folder;
+  for (int round = 0; round < 50; ++round) {
+    const std::string path = folder.file(std::to_string(round) + ".db");
+    std::ofstream(path).flush();
+    const std::jthread writer([&] { db::open_for_writing(path); });
+    for (bool ours = false; !ours;) {
+      try {
+        db::open_for_reading(path);
+        ours = true;
+      } catch (const lab::BadInput& error) {
+        INFO("round " << round);
+        REQUIRE_THAT(error.what(), Contains("is empty"));
+      }
+    }
   }
 }
 

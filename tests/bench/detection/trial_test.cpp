@@ -39,7 +39,7 @@ TEST_CASE("a trial of a loose specimen: truth, the monitor and the naive methods
   const bench::TrialResult r = bench::run_trial(icu(), 1);
   REQUIRE(r.truth_lost);
   CHECK(r.comparable());
-  const double reading = r.truth_time_s / icu().programme.scan_interval_s;
+  const double reading = r.truth_time_s / icu().programme.logging.interval_s;
   CHECK(double(r.truth_reading) >= reading);
   CHECK(double(r.truth_reading) < reading + 1);
   CHECK(r.outcomes[0].detected);

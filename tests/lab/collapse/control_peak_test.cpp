@@ -138,3 +138,20 @@ TEST_CASE("on a strain path the peak is that of σ₁' − σ₃'/R, while q sti
   CHECK(with_R.finding()->evidence.find("R = 1.5") != std::string::npos);
   CHECK_FALSE(with_q.finding());
 }
+
+TEST_CASE("with the valve closed, a pore pressure that only rises places the turn at the start") {
+  const StageInfo stage{
+      .role = StageRole::shear, .drainage = Drainage::closed, .control = AxialControl::constant_q};
+  ControlPeak peak;
+  peak.start_stage(&stage);
+  for (int i = 0; i < 400; ++i) {
+    PathPoint p = point(i, 60e3);
+    p.p_rate = -50;
+    p.p_rate_error = 1;
+    p.pore_rate = 10 + 0.1 * i;
+    p.pore_rate_error = 1;
+    peak.add(p, true);
+  }
+  REQUIRE(peak.finding());
+  CHECK(peak.finding()->instant.reading == 0);
+}

@@ -52,6 +52,37 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   CHECK(control.sudden());
 }
 
+TEST_CASE("a specimen that falls before the stage has shown a rate has lost control all the same") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  const auto finding = [&](int standing, const State& after) {
+    StageInfo displacement = kHeld;
+    displacement.control = AxialControl::displacement;
+    LossOfControl control;
+    control.start_stage(&displacement);
+    for (int i = 0; i < 100 - standing; ++i) control.add(at(i, 40e3, i * 1e-5), true);
+    control.start_stage(&load);
+    for (int i = 100 - standing; i < 100; ++i) control.add(at(i, 40e3, 1e-3), true);
+    CHECK_FALSE(control.finding());
+    control.add(after, true);
+    CHECK_FALSE(control.sudden());
+    return control.finding();
+  };
+  for (const int standing : {0, 1, 10}) {
+    INFO(standing);
+    const auto found = finding(standing, at(100, 2e3, 0.15));
+    REQUIRE(found);
+    CHECK(found->instant.reading == 99);
+    CHECK(found->evidence.find("axial strain leapt from") == 0);
+    // A displacement set to zero; a load step that the specimen carries; a blow that settles; a
+    // pause of the logger.
+    CHECK_FALSE(finding(standing, at(100, 39e3, 0.15)));
+    CHECK_FALSE(finding(standing, at(100, 60e3, 0.02)));
+    CHECK_FALSE(finding(standing, at(100, 36e3, 0.002)));
+    CHECK_FALSE(finding(standing, at(110, 2e3, 0.15)));
+  }
+}
+
 TEST_CASE("what creeps faster before a fall is not yet the fall") {
   LossOfControl control;
   control.start_stage(&kHeld);

@@ -1,6 +1,7 @@
 #include "lab/collapse/monitor.hpp"
 
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "tests/lab/collapse/synthetic_path.hpp"
 
@@ -28,6 +29,26 @@ TEST_CASE("a clean peak is a flow collapse with its onset at the peak") {
   CHECK_FALSE(c.criteria[1].detected);  // a prescribed displacement is never lost
   CHECK(c.criteria[2].detected);
   CHECK(*c.second_order_work_normalised < 0);
+}
+
+TEST_CASE("what was found so far can be asked for at any time, and changes nothing") {
+  SyntheticPath path;
+  CollapseMonitor monitor(undrained_header()), other(undrained_header());
+  std::vector<CollapseKind> kinds;
+  for (int i = 0; i < 5000; ++i) {
+    if (i % 500 == 0) kinds.push_back(monitor.so_far().kind);
+    monitor.watch(path.state(i));
+  }
+  SyntheticPath same;
+  for (int i = 0; i < 5000; ++i) other.watch(same.state(i));
+  // The peak is at 600; half the strength is lost later.
+  CHECK(kinds[0] == CollapseKind::none);
+  CHECK(kinds[1] == CollapseKind::none);
+  CHECK(kinds.back() == CollapseKind::flow);
+  const Collapse one = monitor.finish(), two = other.finish();
+  CHECK(one.kind == two.kind);
+  CHECK(one.onset->reading == two.onset->reading);
+  CHECK(one.onset->q_pa == two.onset->q_pa);
 }
 
 TEST_CASE("through noise the onset stays near, over many seeds") {

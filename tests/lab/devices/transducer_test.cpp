@@ -102,14 +102,15 @@ TEST_CASE("a slow transducer answers a ramp with the lag of its time constant") 
 
 TEST_CASE("rising and falling readings are two half widths of the hysteresis apart") {
   Transducer t = in_kPa();
-  t.hysteresis = 1.5;
+  t.range = 160;
+  t.hysteresis = 1.6;
   lab::TransducerState state;
-  CHECK(seen_kPa(t, state, 0, 0) == 0);
-  CHECK(seen_kPa(t, state, 1, 1) == 0);
-  CHECK(seen_kPa(t, state, 10, 2) == 8.5);
-  CHECK(seen_kPa(t, state, 8, 3) == 8.5);
-  CHECK(seen_kPa(t, state, 5, 4) == 6.5);
-  CHECK(seen_kPa(t, state, 10, 5) == 8.5);
+  double time = 0;
+  const auto at = [&](double field) { return seen_kPa(t, state, field, time++); };
+  at(0), at(160), at(0);
+  const double rising = at(80);
+  at(160);
+  CHECK(at(80) - rising == Approx(2 * 1.6));
 }
 
 TEST_CASE("non-linearity is 0 at both ends, greatest in the middle and of the reading's sign") {
@@ -208,6 +209,7 @@ TEST_CASE("samples are held, and depend on how often one looks neither in value 
 TEST_CASE("a copied state goes on like its original") {
   Transducer t = in_kPa();
   t.noise_rms = 0.5;
+  t.range = 100;
   t.hysteresis = 0.2;
   t.time_constant_s = 1;
   lab::TransducerState state;

@@ -146,3 +146,66 @@ TEST_CASE("what may rest is not called stuck, and what may not again only from t
   REQUIRE(w.health.dead());
   CHECK(w.health.dead()->from == 800);
 }
+
+TEST_CASE("two spikes within three readings are left out with what is between them") {
+  for (const std::int64_t apart : {1, 2}) {
+    for (const double second : {500.0, -500.0}) {
+      Watched w;
+      w.feed(540, [&](std::int64_t i) {
+        return live(i) + (i == 510 ? 500 : i == 510 + apart ? second : 0);
+      });
+      INFO(apart << " apart, the second of " << second);
+      CHECK_FALSE(w.health.dead());
+      REQUIRE(w.spikes.size() == 1);
+      CHECK(w.spikes[0].from == 510);
+      CHECK(w.spikes[0].until == 510 + apart);
+    }
+  }
+}
+
+TEST_CASE("a leap of which nobody learns whether it was a spike, for the channel dies, is dead") {
+  const auto leap = [](std::int64_t i) { return live(i) + 500; };
+  for (const double rest : {kNone, 32767.0}) {
+    Watched w;
+    w.feed(500, live);
+    w.feed(1, leap);
+    w.feed(ChannelHealth::kFlat + 1, [&](std::int64_t) { return rest; });
+    REQUIRE(w.health.dead());
+    CHECK(w.health.dead()->from == 500);
+  }
+  // A spike long before is another matter.
+  Watched w;
+  w.feed(500, live);
+  w.feed(1, leap);
+  w.feed(19, live);
+  w.feed(10, [](std::int64_t) { return kNone; });
+  CHECK(w.spikes.size() == 1);
+  CHECK(w.health.dead()->from == 520);
+}
+
+TEST_CASE("that a channel may rest from now on does not excuse the jump it rests after") {
+  Watched w;
+  w.feed(500, live);
+  w.feed(5, [](std::int64_t) { return 32767.0; });
+  w.health.may_rest(true);
+  w.feed(ChannelHealth::kFlat - 4, [](std::int64_t) { return 32767.0; });
+  CHECK(w.health.jumped_at() == 500);
+  CHECK(w.health.run() == ChannelHealth::kFlat);
+  Watched quiet;
+  quiet.feed(500, live);
+  quiet.feed(5, [](std::int64_t) { return live(499); });
+  quiet.health.may_rest(true);
+  quiet.feed(3, [](std::int64_t) { return live(499); });
+  CHECK(quiet.health.run() == 3);
+}
+
+TEST_CASE("what stands still since a jump, and then says nothing, was dead from the jump on") {
+  Watched w;
+  w.feed(100, live);
+  w.feed(7, [](std::int64_t) { return 1e5; });
+  w.feed(10, [](std::int64_t) { return kNone; });
+  REQUIRE(w.health.dead());
+  CHECK(w.health.dead()->fault == SensorFault::missing);
+  CHECK(w.health.dead()->from == 100);
+  CHECK(w.spikes.empty());
+}

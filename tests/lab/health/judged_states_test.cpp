@@ -1,6 +1,8 @@
 #include "lab/health/judged_states.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <vector>
 
 #include "lab/devices/noise.hpp"
@@ -36,6 +38,7 @@ struct Run {
   Collapse verdict;
   std::vector<Warning> warnings;
   std::size_t most_held = 0;
+  bool ends_at_mark = false;
 };
 
 template <class Break>
@@ -148,4 +151,145 @@ TEST_CASE("no strain counts from a displacement that was dead where shear began:
   CHECK_FALSE(verdict.judged);
   CHECK_FALSE(verdict.judged_until);
   CHECK(verdict.judged_until_reason.find("axial_displacement") != std::string::npos);
+}
+
+namespace {
+
+/// Drained to reading 100, then with the drainage shut, where u rises by 1 kPa in three readings
+/// and q by 1 kPa in each; `broken` as above. What the load cell is off by goes into q.
+template <class Break>
+Run undrained(std::int64_t n, Break broken) {
+  RecordHeader header = raw_header();
+  header.stages.push_back(
+      {.number = 4, .name = "u", .role = StageRole::shear, .drainage = Drainage::closed});
+  JudgedStates states(header);
+  Run out;
+  for (std::int64_t i = 0; i < n; ++i) {
+    Reading r = noisy(i);
+    r.stage = i < 100 ? 3 : 4;
+    if (i >= 100) {
+      r[Quantity::back_volume] = -5e-7;
+      r[Quantity::pore_pressure] += 1e3 * double(i - 100) / 3;
+    }
+    const double force = r[Quantity::axial_force];
+    broken(r);
+    const double off_pa = (r[Quantity::axial_force] - force) / 3.848e-3;
+    states.add(r, state_of(r, 100e3 + 1e3 * double(std::max<std::int64_t>(i - 100, 0)) + off_pa));
+    while (const auto* judged = states.next()) out.passed.push_back(*judged);
+  }
+  states.finish();
+  while (const auto* judged = states.next()) out.passed.push_back(*judged);
+  out.ends_at_mark = states.ends_at_mark();
+  states.bound(out.verdict);
+  out.warnings = states.warnings();
+  return out;
+}
+
+std::int64_t last_mark(const Run& run) {
+  std::int64_t last = -1;
+  for (const auto& judged : run.passed)
+    if (judged.mark) last = judged.reading.number;
+  return last;
+}
+
+}  // namespace
+
+TEST_CASE("an undrained stage with sound sensors is judged to its end") {
+  const Run out = undrained(400, [](Reading&) {});
+  CHECK(out.passed.size() == 400);
+  for (const auto& judged : out.passed) CHECK(judged.live);
+  CHECK_FALSE(out.ends_at_mark);
+  CHECK_FALSE(out.verdict.judged_until);
+  CHECK(out.warnings.empty());
+}
+
+TEST_CASE("water through a shut valve: no state after it is judged") {
+  const Run out = undrained(400, [](Reading& r) {
+    if (r.number > 200) r[Quantity::back_volume] += 1e-7 * double(r.number - 200);
+  });
+  // 5 · 10⁻⁴ of the volume are 269 mm³.
+  for (const auto& judged : out.passed) CHECK(judged.live == (judged.reading.number <= 202));
+  CHECK_FALSE(out.ends_at_mark);
+  CHECK(out.verdict.judged_until == 202);
+  CHECK(out.verdict.judged_until_reason.find("water flows although the valve is closed") == 0);
+}
+
+TEST_CASE("a valve that turns out to have opened: the verdict is that of the mark before") {
+  const Run out = undrained(400, [](Reading& r) {
+    if (r.number <= 200) return;
+    const double noise = r[Quantity::pore_pressure] - 300e3 - 1e3 * double(r.number - 100) / 3;
+    r[Quantity::pore_pressure] = 300e3 + noise + 33e3 * std::exp(-double(r.number - 200) / 4);
+  });
+  CHECK(out.ends_at_mark);
+  CHECK(out.verdict.judged_until == last_mark(out) - 1);
+  CHECK(std::abs(*out.verdict.judged_until - 200) <= 1);
+  CHECK(out.verdict.judged_until_reason.find("the valve is open") != std::string::npos);
+  CHECK_FALSE(out.passed.back().live);
+}
+
+TEST_CASE("undrained and the volume gauge dies: nobody knows any more whether the valve is shut") {
+  const Run out = undrained(400, [](Reading& r) {
+    if (r.number > 200) r[Quantity::back_volume] = kMissing;
+  });
+  CHECK(out.verdict.judged_until == 200);
+  CHECK(out.verdict.judged_until_reason.find("(back_volume) gives nothing") != std::string::npos);
+  // It died before the valve was shut: the same.
+  const Run before = undrained(400, [](Reading& r) {
+    if (r.number > 60) r[Quantity::back_volume] = kMissing;
+  });
+  CHECK(before.verdict.judged_until == 60);
+}
+
+TEST_CASE("a logger that writes no volume while the drainage is shut loses no verdict") {
+  const Run out = undrained(400, [](Reading& r) {
+    if (r.stage == 4) r[Quantity::back_volume] = kMissing;
+  });
+  for (const auto& judged : out.passed) CHECK(judged.live);
+  CHECK_FALSE(out.verdict.judged_until);
+}
+
+TEST_CASE("undrained, a load cell that spikes or dies early is no load that u fails to answer") {
+  // 900 N are 78 kPa of mean stress, by which u does not move.
+  const Run spiked = undrained(400, [](Reading& r) {
+    if (r.number == 104) r[Quantity::axial_force] += 900;
+  });
+  for (const auto& judged : spiked.passed) CHECK(judged.live == (judged.reading.number != 104));
+  CHECK(spiked.verdict.judged);
+  CHECK_FALSE(spiked.verdict.judged_until);
+  const Run dead = undrained(400, [](Reading& r) {
+    if (r.number >= 104) r[Quantity::axial_force] = 2000;
+  });
+  CHECK(dead.verdict.judged_until == 103);
+  CHECK(dead.verdict.judged_until_reason.find("the load cell (axial_force) is saturated") == 0);
+  // At the first reading with the valve shut: the stresses that it starts from are not that one's.
+  const Run first = undrained(400, [](Reading& r) {
+    if (r.number == 100) r[Quantity::axial_force] += 900;
+  });
+  CHECK(first.verdict.judged);
+  CHECK_FALSE(first.verdict.judged_until);
+}
+
+TEST_CASE("a sensor that died in the last readings of shear ends the verdict before them") {
+  const auto held_from = [](std::int64_t hold) {
+    RecordHeader header = raw_header();
+    header.stages.push_back({.number = 4, .name = "hold", .role = StageRole::hold});
+    JudgedStates states(header);
+    for (std::int64_t i = 0; i < 400; ++i) {
+      Reading r = noisy(i);
+      if (i >= hold) r.stage = 4;
+      if (i >= 300) r[Quantity::axial_force] = 2000;
+      states.add(r, state_of(r));
+    }
+    states.finish();
+    while (states.next()) continue;
+    Collapse verdict;
+    states.bound(verdict);
+    return verdict;
+  };
+  for (const std::int64_t hold : {302, 310}) {
+    CHECK(held_from(hold).judged_until == 299);
+    CHECK(held_from(hold).judged_until_reason.find("the load cell") == 0);
+  }
+  // It died afterwards.
+  CHECK_FALSE(held_from(300).judged_until);
 }

@@ -139,3 +139,20 @@ TEST_CASE("a specimen that falls between two readings outruns its water: the gau
   CHECK_FALSE(stuck(20e-3));
   CHECK(stuck(0.2e-3));
 }
+
+TEST_CASE("along a strain path a volume that rests is stuck only where it was to flow") {
+  const auto along = [](double R) {
+    RecordHeader header = driven(Drainage::open);
+    header.stages[2].strain_path_R = R;
+    return header;
+  };
+  const auto broken = [](Reading& r) {
+    if (r.number > 100) r[Quantity::back_volume] = -70e-9;
+  };
+  // dε_v = (1 − 1/R) dε₁: nothing flows at R = 1.
+  CHECK(watched(along(1), 1500, broken).warnings().empty());
+  CHECK(
+      watched(along(1), 1500, [](Reading& r) { r[Quantity::back_volume] = 0; }).warnings().empty());
+  for (const double R : {0.7, 1.5})
+    CHECK(found(watched(along(R), 300, broken), "(back_volume) is stuck"));
+}

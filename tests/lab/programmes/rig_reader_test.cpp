@@ -27,7 +27,7 @@ TEST_CASE("a rig of which nothing is said is ideal, with a piston of 5 kg") {
   CHECK(p.frame.load_limit_n == 0);
   CHECK(p.frame.bandwidth_hz == 0);
   CHECK(p.frame.moving_mass_kg == 5);
-  CHECK(p.frame.damping_n_s_per_m == 0);
+  CHECK(p.frame.damping_n_s_per_m == 50);
   CHECK(p.faults.empty());
 }
 

@@ -86,6 +86,10 @@ TEST_CASE("every way of moving the axis has its own keys") {
     CHECK(complaint(good + kEnd) == "accepted");
   CHECK_THAT(complaint("axial = \"spring\"\naxial_rate_mm_per_min = 0.1\n" + kEnd),
              Contains("spring_stiffness_N_per_mm is missing"));
+  CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = 0\n" + kEnd),
+             Contains("is 0; give a rate or write axial = \"hold\""));
+  CHECK_THAT(complaint("axial = \"load\"\nload_rate_N_per_min = 0\n" + kEnd),
+             Contains("write axial = \"dead_load\""));
   CHECK_THAT(complaint("axial = \"stress_ratio\"\nheld_stress_ratio = 3\n" + kEnd),
              Contains("held_stress_ratio"));
   CHECK_THAT(
@@ -95,4 +99,25 @@ TEST_CASE("every way of moving the axis has its own keys") {
                        "0.8\nback_rate_kPa_per_min = 1\n" +
                        kEnd),
              Contains("cannot follow strain_path_R as well"));
+}
+
+TEST_CASE("a stage is logged as it says, else as the test is") {
+  const std::string free = "axial = \"free\"\n" + kEnd;
+  const auto logging = [](const std::string& lines) {
+    return read_programme(test::programme_text("[[stages]]\nname = \"s\"\nrole = \"shear\"\n"
+                                               "drainage = \"open\"\n" +
+                                               lines),
+                          "p.toml")
+        .stages[0]
+        .logging;
+  };
+  const double of_the_test = logging(free).interval_s;
+  CHECK(logging("scan_interval_s = 30\naveraging_s = 10\n" + free).interval_s == 30);
+  CHECK(logging("scan_interval_s = 30\naveraging_s = 10\n" + free).averaging_s == 10);
+  CHECK(logging("averaging_s = 0.5\n" + free).interval_s == of_the_test);
+  CHECK(logging(free).averaging_s == 0);
+  CHECK_THAT(complaint("scan_interval_s = 5\naveraging_s = 6\n" + free),
+             Contains("cannot be the mean of 6 s") && Contains("averaging_s = 5 or less"));
+  CHECK_THAT(complaint("scan_interval_s = 0\n" + free), Contains("scan_interval_s"));
+  CHECK_THAT(complaint("averaging_s = -1\n" + free), Contains("averaging_s"));
 }

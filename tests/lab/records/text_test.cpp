@@ -1,6 +1,7 @@
 #include "lab/records/text.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstdint>
 
 using namespace triax::lab;
 
@@ -37,6 +38,21 @@ TEST_CASE("an excerpt is short, printable UTF-8") {
   std::string greek;
   for (int i = 0; i < 50; ++i) greek += "xσ";
   CHECK(is_utf8(excerpt(greek)));
+}
+
+TEST_CASE("a text is a number only if nothing of it is left over") {
+  CHECK(whole_text_as<int>("-12") == -12);
+  CHECK(whole_text_as<std::int64_t>("9223372036854775807") == 9223372036854775807);
+  CHECK(whole_text_as<double>("1.5e-3") == 1.5e-3);
+  for (const char* text : {"", " 1", "1 ", "+1", "1x", "1,5", "0x10", "x"}) {
+    INFO(text);
+    CHECK_FALSE(whole_text_as<std::int64_t>(text));
+    CHECK_FALSE(whole_text_as<double>(text));
+  }
+  CHECK_FALSE(whole_text_as<std::int64_t>("1.0"));
+  CHECK_FALSE(whole_text_as<std::int64_t>("9223372036854775808"));
+  CHECK_FALSE(whole_text_as<std::uint64_t>("-1"));
+  CHECK_FALSE(whole_text_as<double>("1e999"));
 }
 
 TEST_CASE("the nearest key is the one with the fewest typing errors") {

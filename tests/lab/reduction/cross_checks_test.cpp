@@ -15,9 +15,10 @@ std::vector<std::string> names(const std::vector<Check>& checks) {
 }
 
 /// 200 s of consolidation and 200 s of shear.
-CrossChecks checked(Drainage shear, double lag_kPa) {
+CrossChecks checked(Drainage shear, double lag_kPa, std::optional<double> strain_path_R = {}) {
   RecordHeader header = triax::lab::testing::raw_header();
   header.stages[2].drainage = shear;
+  header.stages[2].strain_path_R = strain_path_R;
   CrossChecks checks(header);
   for (int i = 0; i < 400; ++i) {
     const bool sheared = i >= 200;
@@ -39,6 +40,11 @@ TEST_CASE("drained shear is checked for its rate, undrained for its valve") {
         std::vector<std::string>{"consolidation", "zero_difference", "rate"});
   CHECK(names(checked(Drainage::closed, 0).checks({})) ==
         std::vector<std::string>{"consolidation", "zero_difference", "undrained_volume"});
+}
+
+TEST_CASE("where the controller drives the volume, u need not stay near u_b") {
+  CHECK(names(checked(Drainage::open, 9, 0.7).checks({})) ==
+        std::vector<std::string>{"consolidation", "zero_difference"});
 }
 
 TEST_CASE("what failed becomes a warning, what came after the onset does not") {

@@ -138,3 +138,29 @@ TEST_CASE("a filter takes the noise out of the area, and follows a steady change
   CHECK(filtered < 1.3 * still);
   CHECK(bare > 4 * still);
 }
+
+TEST_CASE("at constant q a spike of the displacement or the volume moves no force") {
+  for (const auto& [channel, size] :
+       {std::pair(Quantity::axial_displacement, 1e-3), std::pair(Quantity::back_volume, 2e-6)}) {
+    Stage stage;
+    stage.axial = AxialAction::constant_q;
+    stage.held_q_pa = 100e3;
+    Seen seen = seen_with(100e3 * kArea);
+    AxisControl axis = started(stage, seen, 100e3 * kArea);
+    double largest = 0;
+    for (int look = 1; look < 20; ++look) {
+      Reading r;
+      r.time_s = 0.25 * look;
+      for (std::size_t i = 0; i < kRawQuantityCount; ++i) r.si[i] = 0;
+      r[Quantity::axial_force] = 100e3 * kArea;
+      r[Quantity::cell_pressure] = 400e3;
+      r[Quantity::pore_pressure] = 300e3;
+      if (look == 7 || look == 12) r[channel] = look == 7 ? size : -size;
+      seen.take(r);
+      const double force = axis.demand(seen, 400e3, 0.25).force_n;
+      largest = std::max(largest, std::fabs(force - 100e3 * kArea));
+    }
+    INFO(info(channel).name);
+    CHECK(largest < 0.01);  // N; followed, a spike makes up to 5 N
+  }
+}

@@ -133,19 +133,19 @@ TEST_CASE("moist sand is saturated by ramps: B of at least 0.96 before it is she
 
 TEST_CASE("a stage ends by B, by a rate that has died away, by a pressure that reads wrong") {
   // B of a saturated specimen is above 0.9 as soon as the cell pressure has moved by 5 kPa.
-  VirtualRig by_b(rig_programme(
-      "[[stages]]\nname = \"b\"\nrole = \"b_check\"\ndrainage = \"closed\"\naxial = \"free\"\n"
-      "cell_rate_kPa_per_min = 30.0\nend = [{quantity = \"b_value\", above = 0.9}]\n",
-      kReal));
+  VirtualRig by_b(
+      rig_programme(stage_text("b_check", "closed", "free", "cell_rate_kPa_per_min = 30.0",
+                               R"("b_value", above = 0.9)"),
+                    kReal));
   const auto checked = all_readings(by_b);
   CHECK(checked.back().time_s == Approx(10).margin(0.6));
   CHECK(by_b.header().warnings.empty());
 
-  VirtualRig by_rate(rig_programme(
-      "[[stages]]\nname = \"c\"\nrole = \"consolidation\"\ndrainage = \"open\"\naxial = \"free\"\n"
-      "cell_rate_kPa_per_min = 60.0\ncell_target_kPa = 500.0\nend = [{quantity = "
-      "\"volume_rate_mm3_per_min\", below = 5.0}]\n",
-      "drainage_resistance_kPa_s_per_mm3 = 5.0\n" + kIdealFrame, 1.0));
+  VirtualRig by_rate(
+      rig_programme(stage_text("consolidation", "open", "free",
+                               "cell_rate_kPa_per_min = 60.0\ncell_target_kPa = 500.0",
+                               R"("volume_rate_mm3_per_min", below = 5.0)"),
+                    "drainage_resistance_kPa_s_per_mm3 = 5.0\n" + kIdealFrame, 1.0));
   const auto drained = all_readings(by_rate);
   CHECK(by_rate.header().warnings.empty());
   CHECK(drained.back().time_s > 60);
@@ -154,11 +154,11 @@ TEST_CASE("a stage ends by B, by a rate that has died away, by a pressure that r
                half_a_minute_ago = drained[drained.size() - 31][Quantity::back_volume];
   CHECK(std::fabs(last - half_a_minute_ago) < 5e-9);
 
-  VirtualRig offset(rig_programme(
-      "[[stages]]\nname = \"c\"\nrole = \"consolidation\"\ndrainage = \"open\"\naxial = \"free\"\n"
-      "cell_rate_kPa_per_min = 60.0\ncell_target_kPa = 430.0\nend = [{quantity = "
-      "\"cell_pressure_kPa\", above = 430.0}]\n",
-      kIdealFrame + "[rig.transducers.cell_pressure]\noffset_kPa = -2.0\n"));
+  VirtualRig offset(
+      rig_programme(stage_text("consolidation", "open", "free",
+                               "cell_rate_kPa_per_min = 60.0\ncell_target_kPa = 430.0",
+                               R"("cell_pressure_kPa", above = 430.0)"),
+                    kIdealFrame + "[rig.transducers.cell_pressure]\noffset_kPa = -2.0\n"));
   const auto ramp = all_readings(offset);
   CHECK(ramp.back().time_s == Approx(30).margin(0.6));
   CHECK(ramp.back()[Quantity::cell_pressure] == Approx(428e3).epsilon(1e-6));

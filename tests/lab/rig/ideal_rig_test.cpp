@@ -7,13 +7,14 @@
 #include <numbers>
 #include <string>
 
-#include "lab/programmes/programme_reader.hpp"
 #include "lab/reduction/reduction.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "lab/rig/virtual_rig.hpp"
 #include "sim/point/point_driver.hpp"
+#include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax;
+using namespace triax::lab::test;
 using lab::Quantity;
 using Control = sim::MixedControl<sim::Axisymmetric>;
 
@@ -22,33 +23,18 @@ namespace {
 constexpr double kHeight = 0.14;
 constexpr double kVolume = std::numbers::pi / 4 * 0.07 * 0.07 * kHeight;
 
-// Keys of [rig]: nothing imperfect; most of what is.
 const std::string kReal =
     "water_bulk_modulus_GPa = 2.2\nsystem_compliance_mm3_per_kPa = 0.5\n"
     "drainage_resistance_kPa_s_per_mm3 = 0.1\n[rig.frame]\nstiffness_kN_per_mm = 20.0\n"
     "moving_mass_kg = 5.0\ndamping_N_s_per_m = 20.0\ntravel_mm = 20.0\n";
-const std::string kMembrane =
-    "membrane_thickness_mm = 0.3\nmembrane_modulus_kPa = 1400.0\n"
-    "membrane_penetration_mm3_per_mm2 = 0.005\n";
-const std::string kBare = "[rig.frame]\nmoving_mass_kg = 0.0\n";
 
-/// One tick a scan, so that nothing lies between two readings.
-std::string programme_text(const std::string& stages, const std::string& rig = kBare,
-                           const std::string& material = "inl2/S28-general") {
-  return "[test]\nname = \"ideal\"\ntype = \"ICU\"\nseed = 1\nscan_interval_s = 0.25\n"
-         "[specimen]\nmaterial = \"" +
-         material +
-         "\"\nheight_mm = 140.0\ndiameter_mm = 70.0\nvoid_ratio = 1.086\n"
-         "initial_effective_stress_kPa = 100.0\n" +
-         (rig == kReal ? kMembrane : "") + "[rig]\nback_pressure_kPa = 300.0\n" + rig + stages;
-}
-
-lab::Programme programme(const std::string& text) { return lab::read_programme(text, "p.toml"); }
-
-std::string stage(const std::string& role, const std::string& drainage, const std::string& axial,
-                  const std::string& keys) {
-  return "[[stages]]\nname = \"s\"\nrole = \"" + role + "\"\ndrainage = \"" + drainage +
-         "\"\naxial = \"" + axial + "\"\n" + keys + "\n";
+/// Most of what is imperfect.
+lab::Programme real_programme(const std::string& stages) {
+  lab::Programme p = rig_programme(stages, kReal);
+  p.specimen.membrane_thickness_m = 0.3e-3;
+  p.specimen.membrane_young_modulus_pa = 1.4e6;
+  p.specimen.membrane_penetration_m = 5e-6;
+  return p;
 }
 
 struct Deviation {
@@ -110,25 +96,29 @@ Deviation deviation(const lab::Programme& p, const Drive& control) {
 }
 
 const std::string kDrainedShear =
-    stage("shear", "open", "displacement",
-          "axial_rate_mm_per_min = 0.1\nend = [{quantity = \"q_kPa\", above = 30.0}]");
+    shear_stage("open", "displacement", "axial_rate_mm_per_min = 0.1", R"("q_kPa", above = 30.0)");
+const std::string kLoweredCell = "cell_rate_kPa_per_min = -6.0";
+const std::string kHighStressRatio = R"("stress_ratio", above = 0.5)";
+
+std::string compression(const std::string& drainage) {
+  return shear_stage(drainage, "displacement", "axial_rate_mm_per_min = 1.0",
+                     R"("axial_strain_pct", above = 2.0)");
+}
+
+std::string strain_path(double R) {
+  return shear_stage("open", "displacement",
+                     "axial_rate_mm_per_min = 0.5\nstrain_path_R = " + std::to_string(R),
+                     R"("axial_strain_pct", above = 0.4)");
+}
 
 }  // namespace
 
 TEST_CASE("ideal rig: undrained and drained compression are those of the bare point") {
   for (const char* law : {"inl2/S28-general", "sanisand/S28-general"}) {
     INFO(law);
-    deviation(programme(programme_text(
-                  stage("shear", "closed", "displacement",
-                        "axial_rate_mm_per_min = 1.0\nend = [{quantity = \"axial_strain_pct\", "
-                        "above = 2.0}]"),
-                  kBare, law)),
+    deviation(rig_programme(compression("closed"), kIdealFrame, 0.25, law),
               [](const Increment& d, const auto&) { return Control::strain_path(d.axial_strain); });
-    deviation(programme(programme_text(
-                  stage("shear", "open", "displacement",
-                        "axial_rate_mm_per_min = 1.0\nend = [{quantity = \"axial_strain_pct\", "
-                        "above = 2.0}]"),
-                  kBare, law)),
+    deviation(rig_programme(compression("open"), kIdealFrame, 0.25, law),
               [](const Increment& d, const auto&) {
                 return Control::drained_compression(d.axial_strain);
               });
@@ -137,15 +127,10 @@ TEST_CASE("ideal rig: undrained and drained compression are those of the bare po
 
 TEST_CASE("ideal rig: constant shear with falling cell pressure is the bare point at constant q") {
   double held = 0;
-  deviation(programme(programme_text(kDrainedShear +
-                                     stage("shear", "open", "constant_q",
-                                           "cell_rate_kPa_per_min = -6.0\nend = [{quantity = "
-                                           "\"stress_ratio\", above = 0.5}]"))),
+  deviation(rig_programme(kDrainedShear +
+                          shear_stage("open", "constant_q", kLoweredCell, kHighStressRatio)),
             [&](const Increment& d, const auto& point) {
-              if (d.stage == 1) {
-                auto control = Control::drained_compression(d.axial_strain);
-                return control;
-              }
+              if (d.stage == 1) return Control::drained_compression(d.axial_strain);
               if (held == 0) held = point.q();
               return Control::stress_path(d.cell_pa, held - point.q());
             });
@@ -153,10 +138,10 @@ TEST_CASE("ideal rig: constant shear with falling cell pressure is the bare poin
 
 TEST_CASE("ideal rig: consolidation at a constant stress ratio is that of the bare point") {
   constexpr double kEta = 0.3;
-  deviation(programme(programme_text(
-                stage("consolidation", "open", "stress_ratio",
-                      "held_stress_ratio = 0.3\ncell_rate_kPa_per_min = 20.0\ncell_target_kPa = "
-                      "500.0\nend = [{quantity = \"cell_pressure_kPa\", above = 500.0}]"))),
+  const std::string keys =
+      "held_stress_ratio = 0.3\ncell_rate_kPa_per_min = 20.0\ncell_target_kPa = 500.0";
+  deviation(rig_programme(stage_text("consolidation", "open", "stress_ratio", keys,
+                                     R"("cell_pressure_kPa", above = 500.0)")),
             [](const Increment& d, const auto& point) {
               const double q = kEta * (d.cell_after_pa - 300e3) / (1 - kEta / 3);
               const double dq = q - point.q();
@@ -167,12 +152,9 @@ TEST_CASE("ideal rig: consolidation at a constant stress ratio is that of the ba
 TEST_CASE("ideal rig: proportional strain paths are those of the bare point") {
   for (const double R : {0.7, 1.3}) {
     INFO(R);
-    deviation(
-        programme(programme_text(
-            stage("shear", "open", "displacement",
-                  "axial_rate_mm_per_min = 0.5\nstrain_path_R = " + std::to_string(R) +
-                      "\nend = [{quantity = \"axial_strain_pct\", above = 0.4}]"))),
-        [R](const Increment& d, const auto&) { return Control::strain_path(d.axial_strain, R); });
+    deviation(rig_programme(strain_path(R)), [R](const Increment& d, const auto&) {
+      return Control::strain_path(d.axial_strain, R);
+    });
   }
 }
 
@@ -193,8 +175,8 @@ double turned_over(const sim::StepWork& w) {
 }
 
 /// Of ticks in which hardly anything happens, against the mean of the ticks so far.
-Balance balance(const std::string& text) {
-  lab::VirtualRig rig(programme(text));
+Balance balance(const lab::Programme& programme) {
+  lab::VirtualRig rig(programme);
   Balance worst;
   double sum = 0;
   for (lab::Reading r; rig.next(r);) {
@@ -216,33 +198,21 @@ Balance balance(const std::string& text) {
 }  // namespace
 
 TEST_CASE("energy and water balance at every tick of every kind of test") {
-  const std::string icu =
-      stage("shear", "closed", "displacement",
-            "axial_rate_mm_per_min = 1.0\nend = [{quantity = \"axial_strain_pct\", above = 2.0}]");
-  const std::string lowered =
-      "cell_rate_kPa_per_min = -6.0\nend = [{quantity = \"stress_ratio\", above = 0.5}]";
-  const std::string csd = kDrainedShear + stage("shear", "open", "constant_q", lowered);
-  const std::string csu =
-      kDrainedShear + stage("shear", "closed", "constant_q",
-                            "cell_rate_kPa_per_min = -6.0\nend = [{quantity = \"time_min\", above "
-                            "= 10.0}]");
-  const std::string path =
-      stage("shear", "open", "displacement",
-            "axial_rate_mm_per_min = 0.5\nstrain_path_R = 0.7\nend = [{quantity = "
-            "\"axial_strain_pct\", above = 0.4}]");
-  for (const std::string& rig : {kBare, kReal})
-    for (const std::string& stages : {icu, csd, csu, path}) {
-      INFO(rig << stages);
-      const Balance quiet = balance(programme_text(stages, rig));
+  const std::string csd =
+      kDrainedShear + shear_stage("open", "constant_q", kLoweredCell, kHighStressRatio);
+  const std::string csu = kDrainedShear + shear_stage("closed", "constant_q", kLoweredCell,
+                                                      R"("time_min", above = 10.0)");
+  for (const std::string& stages : {compression("closed"), csd, csu, strain_path(0.7)})
+    for (const lab::Programme& programme : {rig_programme(stages), real_programme(stages)}) {
+      INFO(stages << programme.frame.moving_mass_kg << " kg");
+      const Balance quiet = balance(programme);
       CHECK(quiet.ticks > 200);
       CHECK(quiet.run_away == 0);
       CHECK(quiet.energy < 1e-5);  // of the trapezoid, in the first tick
       CHECK(quiet.water < 1e-12);
     }
-  const Balance collapse = balance(programme_text(
-      stage("shear", "closed", "load",
-            "load_rate_N_per_min = 60.0\nend = [{quantity = \"axial_strain_pct\", above = 12.0}]"),
-      kReal));
+  const Balance collapse = balance(real_programme(shear_stage(
+      "closed", "load", "load_rate_N_per_min = 60.0", R"("axial_strain_pct", above = 12.0)")));
   CHECK(collapse.run_away > 0);
   CHECK(collapse.energy < 1e-3);
   CHECK(collapse.water < 1e-12);

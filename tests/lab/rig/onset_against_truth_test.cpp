@@ -1,5 +1,6 @@
 // The monitor, which sees noisy readings only, against the virtual specimen's own loss of
 // sustainability.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -34,6 +35,22 @@ TEST_CASE(
       CHECK(std::fabs(*s.collapse.onset->eta() - truth) < 0.02);
     }
   }
+}
+
+TEST_CASE(
+    "a blow under dead load past the peak of q: the fall is seen, its onset is that of the peak") {
+  const TestSummary s = run("perturbed", 1);
+  REQUIRE(s.truth->run_aways.size() == 2);
+  const RunAwayTruth& fall = s.truth->run_aways[1];
+  const auto lost = std::ranges::find(s.collapse.criteria, "loss_of_control", &Criterion::name);
+  REQUIRE(lost != s.collapse.criteria.end());
+  // At the last reading before it, which belongs to the stage before.
+  CHECK(lost->detected);
+  REQUIRE(lost->time_s);
+  CHECK(*lost->time_s <= fall.start_s);
+  CHECK(*lost->time_s > fall.start_s - 0.5);
+  const double truth = *s.truth->q_pa / *s.truth->p_eff_pa;
+  CHECK(std::fabs(*s.collapse.onset->eta() - truth) < 0.02);
 }
 
 TEST_CASE("dense sand is a control: it must not collapse, whatever the noise") {

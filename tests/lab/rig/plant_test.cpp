@@ -109,6 +109,28 @@ TEST_CASE("a force that is not carried leaves the plant as it was") {
   CHECK(plant.state().cylinder_force_n == demand.axis.start_force_n);
 }
 
+TEST_CASE("a spring keeps what it holds while the cap runs away through many ticks") {
+  constexpr double kSpring = 2e3, kVelocity = 1e-5;  // N/m, softer than the specimen softens; m/s
+  Programme programme = plain();
+  programme.frame.moving_mass_kg = 2000;  // so that it takes its time
+  Plant plant(programme);
+  advance(plant, moving(kVelocity, false), 480);
+  const sim::SpecimenState start = plant.state().specimen;  // past the peak of q
+  const double force = plant.specimen().axial_force(start);
+  PlantDemand sprung = moving(kVelocity, false);
+  sprung.axis.spring_n_per_m = kSpring;
+  int ticks = 0;
+  do {
+    plant.advance(sprung, 120 + 0.25 * ticks, 0.25);
+    ++ticks;
+    const auto& now = plant.state().specimen;
+    const double crosshead = kVelocity * 0.25 * ticks, cap = start.height_m - now.height_m;
+    CHECK(now.applied_force_n == Approx(force + kSpring * (crosshead - cap)).epsilon(1e-9));
+  } while (plant.state().specimen.run_away.under_way && ticks < 100);
+  CHECK(ticks > 3);
+  CHECK(plant.state().specimen.run_away.count == 1);
+}
+
 TEST_CASE("the transducer outside sees the load cell shorten, the crosshead the frame too") {
   Plant plant(
       plain("[rig.frame]\nstiffness_kN_per_mm = 10.0\nload_cell_stiffness_kN_per_mm = 5.0\n"));

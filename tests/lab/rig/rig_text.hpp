@@ -23,11 +23,17 @@ inline Programme rig_programme(const std::string& stages, const std::string& rig
                         "p.toml");
 }
 
-/// A stage of shear; `keys` are lines, `end` one condition.
+/// `keys` are lines, `end` one condition.
+inline std::string stage_text(const std::string& role, const std::string& drainage,
+                              const std::string& axial, const std::string& keys,
+                              const std::string& end) {
+  return "[[stages]]\nname = \"" + axial + "\"\nrole = \"" + role + "\"\ndrainage = \"" + drainage +
+         "\"\naxial = \"" + axial + "\"\n" + keys + "\nend = [{quantity = " + end + "}]\n";
+}
+
 inline std::string shear_stage(const std::string& drainage, const std::string& axial,
                                const std::string& keys, const std::string& end) {
-  return "[[stages]]\nname = \"" + axial + "\"\nrole = \"shear\"\ndrainage = \"" + drainage +
-         "\"\naxial = \"" + axial + "\"\n" + keys + "\nend = [{quantity = " + end + "}]\n";
+  return stage_text("shear", drainage, axial, keys, end);
 }
 
 inline std::vector<Reading> all_readings(VirtualRig& rig) {

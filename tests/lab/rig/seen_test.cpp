@@ -38,10 +38,18 @@ TEST_CASE("what is seen is reduced as in a report") {
   const double area = M_PI / 4 * 0.07 * 0.07 / 0.99;
   CHECK(seen.value(EndQuantity::deviator_stress) == Approx(10 / area).epsilon(1e-5));
   CHECK(seen.value(EndQuantity::pore_pressure_lag) == Approx(980));
-  CHECK(seen.next_area_m2() == Approx(2 * area - area * 0.99).epsilon(1e-5));
   CHECK(std::isnan(seen.value(EndQuantity::b_value)));
   for (int i = 2; i <= 10; ++i) seen.take(at(i, 1.4e-3, 10));
   CHECK(seen.value(EndQuantity::b_value) == Approx(0.98));
+}
+
+TEST_CASE("the area is expected to go on as between the last two looks") {
+  Seen seen(header());
+  seen.take(at(0, 0, 0));
+  seen.begin_stage();
+  seen.take(at(1, 1.4e-4, 0));
+  const double area = M_PI / 4 * 0.07 * 0.07 / 0.999;
+  CHECK(seen.next_area_m2() == Approx(2 * area - area * 0.999).epsilon(1e-5));
 }
 
 TEST_CASE("rates run over half a minute") {
@@ -68,6 +76,24 @@ TEST_CASE("a spike ends no stage, a gap keeps the last value") {
   seen.take(at(4, 0, kMissing));
   CHECK(seen[Quantity::axial_force] == 60);
   CHECK(seen.met(end));
+}
+
+TEST_CASE("an area that leaps and comes back moves no control loop; one that stays does") {
+  Seen seen(header());
+  seen.take(at(0, 0, 0));
+  seen.begin_stage();
+  seen.take(at(1, 1e-5, 0));
+  const double area = seen.steady_area_m2();
+  CHECK(area == Approx(seen.state().area_m2));
+  seen.take(at(2, 1e-3, 0));
+  CHECK(seen.state().area_m2 > 1.005 * area);
+  CHECK(seen.steady_area_m2() == area);
+  CHECK(seen.next_area_m2() == area);
+  seen.take(at(3, 1e-5, 0));
+  CHECK(seen.steady_area_m2() == Approx(area).epsilon(1e-4));
+  seen.take(at(4, 1e-3, 0));
+  seen.take(at(5, 1e-3, 0));
+  CHECK(seen.steady_area_m2() == seen.state().area_m2);
 }
 
 TEST_CASE("time of a stage is what ran of it") {

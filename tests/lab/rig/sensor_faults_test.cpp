@@ -81,6 +81,9 @@ TEST_CASE("sound sensors, real or perfect: nothing is found and everything is ju
       const DrawnTest test = perfect ? draw(name, 1, true) : drawn(name);
       const TestSummary s = judge(test);
       INFO(name << (perfect ? ", perfect" : ""));
+      std::string said;
+      for (const Warning& w : s.warnings) said += w.text + '\n';
+      INFO(said << s.collapse.judged_until_reason);
       for (const auto& row : quantities()) CHECK_FALSE(speaks_of(s, row.quantity));
       CHECK_FALSE(s.collapse.judged_until);
       CHECK(s.collapse.judged_until_reason.empty());
@@ -229,4 +232,68 @@ TEST_CASE("nothing measured with a dead sensor is reported as measured") {
   const TestSummary gauge = judge(test, {missing(Quantity::axial_displacement, 100)});
   CHECK(gauge.consolidation.b_value);
   CHECK_FALSE(gauge.consolidation.void_ratio);
+}
+
+TEST_CASE("undrained, spikes of the load cell cost no verdict, whenever they begin") {
+  const DrawnTest& test = drawn("icu_6");
+  const TestSummary whole = judge(test);
+  REQUIRE(whole.collapse.detected());
+  for (const std::int64_t at : {test.last_stage(), test.last_stage() + 10}) {
+    const Break spikes = [at](Reading& r) {
+      if (r.number >= at && (r.number - at) % 40 == 0) r[Quantity::axial_force] += 900;
+    };
+    const TestSummary s = judge(test, {spikes});
+    INFO(s.collapse.judged_until_reason);
+    CHECK(s.collapse.kind == whole.collapse.kind);
+    REQUIRE(s.collapse.onset);
+    CHECK(std::abs(s.collapse.onset->reading - whole.collapse.onset->reading) <= 12);
+  }
+}
+
+TEST_CASE("an onset that was lost in a gap is said to lie at or before what was found after it") {
+  const DrawnTest& test = drawn("icu_6");
+  const auto number_at = [&](double time_s) {
+    return std::ranges::find_if(test.readings, [&](const Reading& r) { return r.time_s >= time_s; })
+        ->number;
+  };
+  const double onset_s = *test.truth->time_s;
+  const auto between = [&](double from_s, double until_s) {
+    return judge(test, {missing(Quantity::axial_force, number_at(onset_s + from_s),
+                                number_at(onset_s + until_s))});
+  };
+  const auto warned = [](const TestSummary& s) {
+    return std::ranges::any_of(s.warnings, [](const Warning& w) {
+      return w.text.find("readings are missing before it") != std::string::npos;
+    });
+  };
+  const TestSummary after = between(21, 41);
+  REQUIRE(after.collapse.onset);
+  const std::string said = fmt::format("at or before reading {}: readings are missing before it",
+                                       after.collapse.onset->reading);
+  CHECK(after.collapse.judged_until_reason == said);
+  CHECK(warned(after));
+  const TestSummary before = between(-300, -250);
+  REQUIRE(before.collapse.onset);
+  CHECK(std::fabs(*before.collapse.onset->time_s - onset_s) < 10);
+  CHECK(before.collapse.judged_until_reason.empty());
+  CHECK_FALSE(warned(before));
+}
+
+TEST_CASE("along a strain path without flow (R = 1) a collapse is judged") {
+  Programme programme = load_programme("samples/programmes/strain_path_070.toml");
+  programme.stages.back().strain_path_R = 1.0;
+  VirtualRig rig(programme);
+  Session session;
+  const TestSummary s = session.run(rig, {});
+  std::string said;
+  for (const Warning& w : s.warnings) said += w.text + '\n';
+  INFO(said);
+  REQUIRE(s.truth);
+  REQUIRE(s.truth->lost_sustainability);
+  CHECK(s.collapse.detected());
+  CHECK(s.collapse.judged_until_reason.empty());
+  CHECK_FALSE(speaks_of(s, Quantity::back_volume));
+  CHECK_FALSE(check(s, "rate"));
+  REQUIRE(s.collapse.onset);
+  CHECK(std::fabs(*s.collapse.onset->time_s - *s.truth->time_s) < 60);
 }

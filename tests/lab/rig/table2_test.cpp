@@ -54,9 +54,9 @@ class PorePressure {
   void add(const State& state) { values_.emplace_back(state.reading, state.pore_pressure); }
   void start_again() { values_.clear(); }
 
-  /// Means of so many readings each up to that one, Pa: 0.05 kPa of noise leave 6 Pa.
+  /// Means of so many readings each up to that one, Pa: 0.05 kPa of noise leave 4 Pa and less.
   std::vector<double> means_until(std::int64_t reading) const {
-    constexpr std::size_t kReadings = 60;
+    constexpr std::size_t kReadings = 20;
     std::vector<double> means;
     for (std::size_t i = 0; i + kReadings <= values_.size(); i += kReadings) {
       if (values_[i + kReadings - 1].first > reading) break;

@@ -216,3 +216,18 @@ TEST_CASE("any law can be the specimen; where one ends the test ends with its re
              Contains("the law goes no further") && Contains("liquefied"));
   CHECK(liquefied.truth()->lost_sustainability);
 }
+
+TEST_CASE("each stage is read at its own interval, from where it begins") {
+  const lab::Programme slow = lab::load_programme("samples/programmes/csu_31.toml");
+  lab::VirtualRig rig(slow);
+  lab::Reading last, reading;
+  std::size_t compared = 0;
+  REQUIRE(rig.next(last));
+  for (; compared < 3900 && rig.next(reading); last = reading) {
+    if (reading.stage > static_cast<int>(slow.stages.size())) break;
+    const double interval = slow.stages[std::size_t(reading.stage - 1)].logging.interval_s;
+    CHECK(reading.time_s - last.time_s == Approx(interval).epsilon(1e-9));
+    ++compared;
+  }
+  CHECK(last.stage == static_cast<int>(slow.stages.size()));
+}

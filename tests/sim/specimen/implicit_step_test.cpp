@@ -15,7 +15,7 @@ TEST_CASE("stiffness is the slope of the force") {
   const SpecimenState next = specimen.advance(state, b, 1).state;
   const double slope =
       (specimen.axial_force(next) - specimen.axial_force(state)) / (state.height_m - next.height_m);
-  const ImplicitStep step(specimen, b, tolerance);
+  const ImplicitStep step(specimen, b, tolerance, state.height_m);
   CHECK(step.stiffness(state, 1) == Approx(slope).epsilon(1e-3));
   CHECK(step.stiffness(state, -1) > 1.5 * std::abs(slope));
 }
@@ -24,7 +24,7 @@ TEST_CASE("an equilibrium is sustained before the peak of the force and not beyo
   const Specimen specimen = loose(GENERATE(inl2_law_of_s28(), sanisand_of_s28()), bare());
   const SpecimenTolerance tolerance;
   SpecimenBoundary dead = dead_load(0, 0);
-  const ImplicitStep step(specimen, dead, tolerance);
+  const ImplicitStep step(specimen, dead, tolerance, specimen.start().height_m);
   const SpecimenState before = run(specimen, specimen.start(), moved(1e-5), 0.25, 100);
   CHECK(step.sustains(before));
   const SpecimenState beyond = past_peak(specimen);
@@ -42,7 +42,7 @@ TEST_CASE("an implicit step leaves the given state alone") {
   const SpecimenTolerance tolerance;
   const SpecimenState start = specimen.start();
   const SpecimenBoundary b = moved(1e-5);
-  const auto step = ImplicitStep(specimen, b, tolerance).take(start, start.height_m, 0, 2);
+  const auto step = ImplicitStep(specimen, b, tolerance, start.height_m).take(start, 0, 2);
   CHECK(step.state.height_m == Approx(0.14 - 2e-5).epsilon(1e-14));
   CHECK(step.done_s == 2);
   CHECK(start.height_m == 0.14);
