@@ -79,8 +79,9 @@ class Marks {
 
 class Follower {
  public:
-  Follower(const GrainState& state, const GrainPath& path, int threads)
+  Follower(const GrainState& state, const GrainPath& path, int threads, const GrainPathWatch& watch)
       : path_(path),
+        watch_(watch),
         grains_(state, threads),
         start_(state.box),
         start_time_(state.time_s),
@@ -126,6 +127,7 @@ class Follower {
     next_sample_ += interval_;
     if (static_cast<int>(result_.points.size()) > path_.samples) thin();
     result_.points.push_back(point);
+    if (watch_) watch_(s, point);
   }
   /// Paths whose duration is not known beforehand: every other point goes, the interval doubles.
   void thin() {
@@ -161,6 +163,7 @@ class Follower {
   }
 
   const GrainPath& path_;
+  const GrainPathWatch& watch_;
   Grains grains_;
   GrainBox start_;
   double start_time_, start_p_, interval_;
@@ -191,9 +194,9 @@ GrainPathPoint path_point(const GrainState& state, const GrainBox& start, double
 }
 
 GrainPathResult follow(const GrainState& state, const GrainPath& path, int threads,
-                       const GrainProgress& progress) {
+                       const GrainProgress& progress, const GrainPathWatch& watch) {
   check(path);
-  return Follower(state, path, threads).run(progress);
+  return Follower(state, path, threads, watch).run(progress);
 }
 
 }  // namespace triax::sim

@@ -7,6 +7,7 @@
 //   strain_path   ε̇₁ given, dε₁ + 2R dε₃ = 0 (Eq. 28); R = 1 is undrained (constant volume)
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -79,9 +80,12 @@ struct GrainPathResult {
 /// A point without history: strains since `start`.
 GrainPathPoint path_point(const GrainState& state, const GrainBox& start, double ratio);
 
+/// Told of every point when it is taken, with the state that it shows.
+using GrainPathWatch = std::function<void(const GrainState&, const GrainPathPoint&)>;
+
 /// Follows the path from `state` on `threads` threads (same bits on any). Throws GrainsFailed, also
 /// when a grain lies outside, and std::invalid_argument on settings out of their ranges.
 GrainPathResult follow(const GrainState& state, const GrainPath& path, int threads = 1,
-                       const GrainProgress& progress = {});
+                       const GrainProgress& progress = {}, const GrainPathWatch& watch = {});
 
 }  // namespace triax::sim

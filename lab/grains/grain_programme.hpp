@@ -1,0 +1,70 @@
+#pragma once
+// A programme of a specimen of grains: how the specimen is made, and what is done to it, SI. How it
+// is written is in docs/grains.md; how it is read, grain_programme_reader.hpp; what carries it out,
+// grain_run.hpp.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/grains/assembly.hpp"
+#include "sim/grains/calming.hpp"
+#include "sim/grains/grading.hpp"
+#include "sim/grains/grain_path.hpp"
+#include "sim/grains/grain_probe.hpp"
+#include "sim/grains/perturbation.hpp"
+#include "sim/grains/porosity_search.hpp"
+
+namespace triax::lab {
+
+/// Where the grains come from: a file of a state, or a cloud that is compressed.
+struct GrainSource {
+  std::string state_file;  ///< empty: they are made
+  int grains = 10000;
+  std::uint64_t seed = 1;
+  sim::GradingCurve grading = sim::paper_grading();
+  sim::Compaction compaction;
+  std::optional<sim::PorositySearch> search;  ///< wanted porosity; empty: friction of `compaction`
+};
+
+/// isotropic, drained, undrained (a strain path with R = 1), strain_path
+struct GrainPathStage {
+  sim::GrainPath path;
+  std::vector<std::string> mark_names;  ///< as path.marks
+  int snapshots = 0;                    ///< pictures along it, as VTK files
+  bool lammps = false;                  ///< the stage is written for LAMMPS too
+};
+/// The stresses are held (rest), or the walls where `strain_held` (equilibrium), until the specimen
+/// is settled, which is then calmed.
+struct GrainRestStage {
+  bool strain_held = false;
+  sim::Settling settling;
+};
+struct GrainProbeStage {
+  sim::GrainProbing probing;
+  int directions = 36;
+};
+struct GrainPerturbationStage {
+  sim::Perturbation perturbation;
+};
+
+struct GrainStage {
+  std::string name;    ///< unique among stages and marks
+  std::string action;  ///< as the programme has it
+  std::string from;    ///< stage or mark whose state it starts from; empty: the specimen as made
+  std::variant<GrainPathStage, GrainRestStage, GrainProbeStage, GrainPerturbationStage> work;
+  bool save = false;  ///< its last state is kept in a file
+  std::int64_t line = 0;
+};
+
+struct GrainProgramme {
+  std::string name;
+  std::string source;              ///< file it was read from
+  std::vector<std::string> files;  ///< that one, and the state's
+  sim::ContactLaw law;
+  GrainSource grains;
+  std::vector<GrainStage> stages;
+};
+
+}  // namespace triax::lab

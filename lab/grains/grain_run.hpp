@@ -1,0 +1,59 @@
+#pragma once
+// Carries a programme of grains out: stages one after the other, each from the state that it names.
+#include <functional>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lab/grains/grain_programme.hpp"
+#include "sim/grains/grain_measures.hpp"
+#include "sim/grains/grain_progress.hpp"
+
+namespace triax::lab {
+
+/// The specimen that the stages begin with.
+struct GrainsMade {
+  sim::GrainState state;
+  sim::GrainMeasures measures;
+  double compaction_friction_angle = 0;  ///< rad; 0 where the state was loaded
+  int trials = 0;                        ///< compactions made; 0 where it was loaded
+};
+
+struct GrainRest {
+  bool settled = false;
+  sim::Settled settling;
+  double path_stress_pa = 0;  ///< σ₁ − σ₃/R at the end, with the R of the path that it came from
+};
+struct GrainRose {
+  sim::AxisymmetricStress stress;  ///< that was probed, Pa
+  std::vector<double> angles;      ///< rad, as rose.probes
+  sim::ProbeRose rose;
+};
+
+struct GrainStageResult {
+  const GrainStage* stage = nullptr;  ///< of the programme, which has to live as long
+  sim::GrainMeasures before, after;   ///< a rose leaves its state alone: both are the same
+  double seconds = 0;                 ///< on the clock of the wall
+  std::int64_t steps = 0;             ///< of the engine; of all probes together
+  std::variant<sim::GrainPathResult, GrainRest, GrainRose, sim::PerturbationResult> outcome;
+};
+
+/// What is told while it runs, in this order; any may be empty.
+struct GrainListener {
+  std::function<void(const GrainsMade&)> made;
+  /// A stage begins with this state.
+  std::function<void(const GrainStage&, const sim::GrainState&)> begins;
+  /// A point of a path was kept.
+  std::function<void(const GrainStage&, const sim::GrainState&, const sim::GrainPathPoint&)> point;
+  std::function<void(const GrainStage&, const sim::GrainState&, const GrainStageResult&)> ends;
+  sim::GrainProgress progress;  ///< share of the stage, and what is done
+};
+
+/// False: the progress stopped it; stages that ended before have been told. The results are the
+/// same on any number of threads. Throws BadInput (a state file that cannot be read, a specimen
+/// that cannot be made so), WorkFailed with the stage's name (GrainsFailed, a porosity that no
+/// friction gives).
+bool run_grains(const GrainProgramme& programme, int threads, const GrainListener& listener);
+
+}  // namespace triax::lab
