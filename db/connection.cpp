@@ -154,13 +154,14 @@ SQLite::Database open_for_writing(const std::string& path) {
 SQLite::Database open_for_reading(const std::string& path) {
   check_path(path);
   if (!fs::exists(path))
-    throw lab::BadInput(path, 0,
-                        "there is no such database; `triax replay` and `triax simulate` make one");
+    throw lab::BadInput(
+        path, 0, "there is no such database; `triax replay`, `simulate` and `grains` make one");
   tidy_up(path);
   const auto checked = [&](SQLite::Database database) {
     check_ours(database, path);
     if (is_empty(database))
-      throw lab::BadInput(path, 0, "is empty; `triax replay` and `triax simulate` fill a database");
+      throw lab::BadInput(path, 0,
+                          "is empty; `triax replay`, `simulate` and `grains` fill a database");
     const int version = read_int(database, "PRAGMA user_version");
     if (version < newest_schema())
       throw lab::BadInput(path, 0,
@@ -183,25 +184,39 @@ SQLite::Database open_for_reading(const std::string& path) {
   }
 }
 
-void mark_abandoned_tests(SQLite::Database& database) {
-  SQLite::Statement running(database,
-                            "SELECT id, writer_pid, writer_started, writer_host FROM tests "
-                            "WHERE status = 'running'");
-  std::vector<std::int64_t> abandoned;
+namespace {
+
+std::vector<std::int64_t> abandoned(SQLite::Database& database, const std::string& table) {
+  SQLite::Statement running(database, "SELECT id, writer_pid, writer_started, writer_host FROM " +
+                                          table + " WHERE status = 'running'");
+  std::vector<std::int64_t> ids;
   while (running.executeStep())
     if (!may_be_alive({running.getColumn(1).getInt64(), running.getColumn(2).getInt64(),
                        running.getColumn(3).getString()}))
-      abandoned.push_back(running.getColumn(0).getInt64());
-  running.reset();
-  for (const std::int64_t id : abandoned) {
-    SQLite::Statement mark(
-        database,
-        "UPDATE tests SET status = 'interrupted', readings = (SELECT count(*) FROM scans "
-        "WHERE scans.id BETWEEN tests.id << 32 AND tests.id << 32 | 4294967295) "
-        "WHERE id = ? AND status = 'running'");
-    mark.bind(1, id);
-    mark.exec();
+      ids.push_back(running.getColumn(0).getInt64());
+  return ids;
+}
+
+void run_for_each(SQLite::Database& database, const char* sql,
+                  const std::vector<std::int64_t>& ids) {
+  for (const std::int64_t id : ids) {
+    SQLite::Statement statement(database, sql);
+    statement.bind(1, id);
+    statement.exec();
   }
+}
+
+}  // namespace
+
+void mark_abandoned_tests(SQLite::Database& database) {
+  run_for_each(database,
+               "UPDATE tests SET status = 'interrupted', readings = (SELECT count(*) FROM scans "
+               "WHERE scans.id BETWEEN tests.id << 32 AND tests.id << 32 | 4294967295) "
+               "WHERE id = ? AND status = 'running'",
+               abandoned(database, "tests"));
+  run_for_each(database,
+               "UPDATE grain_runs SET status = 'interrupted' WHERE id = ? AND status = 'running'",
+               abandoned(database, "grain_runs"));
 }
 
 void throw_for(const SQLite::Exception& error, const std::string& path) {

@@ -25,7 +25,7 @@ SQLite::Database open_for_writing(const std::string& path);
 /// missing, no triax database, of a newer schema, or of an older one that cannot be migrated.
 SQLite::Database open_for_reading(const std::string& path);
 
-/// Marks running tests whose writer is gone as interrupted.
+/// Marks running tests and runs of grains whose writer is gone as interrupted.
 void mark_abandoned_tests(SQLite::Database& database);
 
 /// lab::BadInput or lab::WorkFailed for what SQLite says about `path`.

@@ -38,6 +38,29 @@ const std::vector<NamedQuery>& named_queries() {
       {"sweep", "the tests of every sweep: each swept key with its value, and what was found",
        "SELECT r.* FROM sweep_results r JOIN sweep_members m ON m.test_id = r.test_id "
        "AND m.key = r.key ORDER BY r.sweep, r.place, m.position"},
+      {"grain_runs", "the runs of specimens of grains: how they were made, what they are",
+       "SELECT id AS run_id, name AS run, origin, status, recorded_at, grains, seed, "
+       "compaction_friction_deg, friction_angle_deg, stiffness_reading, porosity, void_ratio, "
+       "coordination, floating_grains, grains_outside, source FROM grain_runs ORDER BY id"},
+      {"grain_stages", "the stages of every run of grains, and how each ended",
+       "SELECT r.id AS run_id, r.name AS run, r.origin, s.number AS stage, s.name AS stage_name, "
+       "s.action, s.started_from, s.strain_path_R, s.ending, s.porosity, s.coordination, "
+       "s.axial_stress_kPa, s.radial_stress_kPa, s.unbalanced, s.kinetic_energy_J, s.engine_steps, "
+       "s.wall_clock_s FROM grain_stages s JOIN grain_runs r ON r.id = s.run_id "
+       "ORDER BY r.id, s.number"},
+      {"grain_peaks", "peak of s1 - s3/R of every path of grains, and what came after it",
+       "SELECT * FROM grain_peaks ORDER BY run_id, stage"},
+      {"grain_probes",
+       "second-order work of every stress probe of grains; number 0 is the null probe",
+       "SELECT r.name AS run, r.origin, s.name AS stage_name, p.* FROM grain_probes p "
+       "JOIN grain_runs r ON r.id = p.run_id "
+       "JOIN grain_stages s ON s.run_id = p.run_id AND s.number = p.stage "
+       "ORDER BY p.run_id, p.stage, p.number"},
+      {"grain_perturbations", "equilibria of grains that were perturbed: sustained or collapsed",
+       "SELECT r.name AS run, r.origin, s.name AS stage_name, s.started_from, s.strain_path_R, "
+       "s.ending, p.* FROM grain_perturbations p JOIN grain_runs r ON r.id = p.run_id "
+       "JOIN grain_stages s ON s.run_id = p.run_id AND s.number = p.stage "
+       "ORDER BY p.run_id, p.stage"},
       {"specimens", "dimensions and void ratio of every specimen, as built and consolidated",
        "SELECT t.id AS test_id, t.name AS test, t.origin, s.material, s.height_mm, s.diameter_mm, "
        "s.void_ratio, k.p_eff_kPa AS p0_eff_kPa, k.b_value, "

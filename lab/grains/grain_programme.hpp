@@ -39,6 +39,9 @@ struct GrainPathStage {
 /// is settled, which is then calmed.
 struct GrainRestStage {
   bool strain_held = false;
+  /// Of a rest: what is held; empty: what the servo's goal is, or what the walls carry.
+  std::optional<double> axial_stress_pa, radial_stress_pa;
+  double ratio = 1;  ///< R of the σ₁ − σ₃/R that is told at the end
   sim::Settling settling;
 };
 struct GrainProbeStage {
@@ -49,10 +52,13 @@ struct GrainPerturbationStage {
   sim::Perturbation perturbation;
 };
 
+/// `from` of a stage that starts from the specimen itself.
+inline constexpr const char* kAsMade = "specimen";
+
 struct GrainStage {
   std::string name;    ///< unique among stages and marks
   std::string action;  ///< as the programme has it
-  std::string from;    ///< stage or mark whose state it starts from; empty: the specimen as made
+  std::string from;    ///< stage or mark whose state it starts from, or kAsMade
   std::variant<GrainPathStage, GrainRestStage, GrainProbeStage, GrainPerturbationStage> work;
   bool save = false;  ///< its last state is kept in a file
   std::int64_t line = 0;
@@ -66,5 +72,9 @@ struct GrainProgramme {
   GrainSource grains;
   std::vector<GrainStage> stages;
 };
+
+/// A name as a part of the name of a file: letters, digits, dots and hyphens, the rest as '_'. No
+/// two stages or marks of a programme share one.
+std::string in_file_name(const std::string& name);
 
 }  // namespace triax::lab

@@ -60,14 +60,14 @@ void press(Grains& grains, const Compaction& how, const GrainProgress& progress,
 
 }  // namespace
 
-Compacted compact(const Cloud& cloud, const ContactLaw& law, const Compaction& how,
+Compacted compact(const Cloud& cloud, const ContactLaw& law, const Compaction& how, int threads,
                   const GrainProgress& progress) {
   check(how);
   check(law);
   ContactLaw slippery = law;
   slippery.friction_angle = how.friction_angle;
   Compacted result;
-  Grains grains(make_grain_state(cloud.spheres, cloud.box, slippery));
+  Grains grains(make_grain_state(cloud.spheres, cloud.box, slippery), threads);
   grains.set_margin(loose_margin(grains.state()));
   const AxisDrive servo = stress_drive(how.pressure_pa, how.wall_speed_m_per_s);
   grains.drive(triaxial_drives(servo, servo));

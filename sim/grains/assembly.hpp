@@ -30,7 +30,8 @@ struct Compacted {
 /// it the friction of `law` and waits until it is calm again. The time step follows the critical
 /// one (factor 0.6) as contacts form. All axes stay stress-driven at the pressure. Throws
 /// std::invalid_argument (law, settings), GrainsFailed (guarded_steps.hpp) if a grain got outside.
-Compacted compact(const Cloud& cloud, const ContactLaw& law, const Compaction& how,
+/// The bits are the same on any number of threads.
+Compacted compact(const Cloud& cloud, const ContactLaw& law, const Compaction& how, int threads = 1,
                   const GrainProgress& progress = {});
 
 }  // namespace triax::sim

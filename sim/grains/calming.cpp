@@ -5,6 +5,7 @@
 
 #include "sim/grains/grain_measures.hpp"
 #include "sim/grains/guarded_steps.hpp"
+#include "sim/grains/triaxial_axes.hpp"
 #include "sim/grains/walls.hpp"
 
 namespace triax::sim {
@@ -43,6 +44,19 @@ Settled settle(Grains& grains, const Settling& settling, const GrainProgress& pr
     if (result.stopped) return result;
   }
   return result;
+}
+
+Settled rest(Grains& grains, const AxisymmetricStress& stress, const Settling& settling,
+             const GrainProgress& progress) {
+  constexpr double kSpeedLimit = 0.005;  // a settled specimen needs no more
+  grains.drive(triaxial_drives(stress_drive(stress.axial, kSpeedLimit),
+                               stress_drive(stress.radial, kSpeedLimit)));
+  const Settled first = settle(grains, settling, progress);
+  if (!first.settled) return first;
+  calm(grains);
+  Settled second = settle(grains, settling, progress);
+  second.steps += first.steps;
+  return second;
 }
 
 }  // namespace triax::sim

@@ -4,6 +4,7 @@
 
 #include "sim/grains/grain_progress.hpp"
 #include "sim/grains/grains.hpp"
+#include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::sim {
 
@@ -31,5 +32,10 @@ double stress_error(const GrainState& state);
 
 /// Steps until the specimen is settled. Throws GrainsFailed, also when a grain lies outside.
 Settled settle(Grains& grains, const Settling& settling, const GrainProgress& progress = {});
+
+/// Holds these stresses (axis 1 and both others, Pa, > 0) by servos, settles, calms, and settles
+/// again: what a probe may start from. Throws GrainsFailed.
+Settled rest(Grains& grains, const AxisymmetricStress& stress, const Settling& settling,
+             const GrainProgress& progress = {});
 
 }  // namespace triax::sim

@@ -144,7 +144,9 @@ class Follower {
     if (steps >= path_.most_steps) return GrainPathEnd::most_steps;
     if (path_.kind == Kind::isotropic) return at_rest(steps);
     if (p < path_.collapse_share * start_p_) return GrainPathEnd::collapse;
-    if (path_.stress_ratio && p > 0 && deviator_stress(stress) / p >= *path_.stress_ratio)
+    const double way = path_.strain_rate_per_s > 0 ? 1 : -1;
+    if (path_.stress_ratio && p > 0 &&
+        way * (deviator_stress(stress) / p - *path_.stress_ratio) >= 0)
       return GrainPathEnd::stress_ratio;
     if (std::abs(axial) >= path_.axial_strain) return GrainPathEnd::axial_strain;
     return {};

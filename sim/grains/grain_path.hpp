@@ -35,7 +35,8 @@ struct GrainPath {
   double ratio = 1;                 ///< R of a strain path, and of path_stress_pa; > 0
 
   double axial_strain = 0.02;  ///< the path ends at this |ε₁| (drained, strain path), > 0
-  std::optional<double> stress_ratio;  ///< it ends where η reaches this
+  /// It ends where η reaches this: from below in compression, from above in extension.
+  std::optional<double> stress_ratio;
   /// It has collapsed where p falls below this share of what it was at the start, ≥ 0.
   double collapse_share = 0.01;
   /// Isotropic: at rest where unbalanced is below this and stresses are as near to the pressure.

@@ -44,8 +44,8 @@ std::vector<std::int32_t> floating(const GrainState& state) {
 
 class Perturbed {
  public:
-  Perturbed(const GrainState& state, const Perturbation& how)
-      : how_(how), grains_(state), start_(state.box), start_time_(state.time_s) {
+  Perturbed(const GrainState& state, const Perturbation& how, int threads)
+      : how_(how), grains_(state, threads), start_(state.box), start_time_(state.time_s) {
     const AxisymmetricStress stress = axisymmetric_stress(state);
     start_stress_ = path_stress(stress, how.ratio);
     start_p_ = mean_stress(stress);
@@ -128,13 +128,14 @@ class Perturbed {
 
 }  // namespace
 
-Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling& settling) {
+Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling& settling,
+                           int threads, const GrainProgress& progress) {
   if (!(ratio > 0)) throw std::invalid_argument("equilibrium: R must be above 0");
-  Grains grains(state);
+  Grains grains(state, threads);
   grains.drive({});
   calm(grains);
   Equilibrium result;
-  result.settled = settle(grains, settling);
+  result.settled = settle(grains, settling, progress);
   calm(grains);
   result.state = grains.state();
   result.path_stress_pa = path_stress(axisymmetric_stress(result.state), ratio);
@@ -159,10 +160,10 @@ std::int64_t give_energy(Grains& grains, double energy_j, double share, std::uin
   return static_cast<std::int64_t>(chosen.size());
 }
 
-PerturbationResult perturb(const GrainState& equilibrium, const Perturbation& how,
+PerturbationResult perturb(const GrainState& equilibrium, const Perturbation& how, int threads,
                            const GrainProgress& progress) {
   check(how);
-  return Perturbed(equilibrium, how).run(progress);
+  return Perturbed(equilibrium, how, threads).run(progress);
 }
 
 }  // namespace triax::sim

@@ -19,7 +19,8 @@ struct Equilibrium {
   double path_stress_pa = 0;  ///< σ₁ − σ₃/R that it carries
   Settled settled;
 };
-Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling& settling = {});
+Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling& settling = {},
+                           int threads = 1, const GrainProgress& progress = {});
 
 struct Perturbation {
   double ratio = 0.825;         ///< R, > 0
@@ -66,7 +67,7 @@ std::int64_t give_energy(Grains& grains, double energy_j, double share, std::uin
 /// Perturbs a state that is in equilibrium (equilibrium_at). With no load and no energy it shows
 /// whether the state rests under its controls. Throws GrainsFailed, std::invalid_argument on
 /// settings out of their ranges or a state whose σ₁ − σ₃/R is 0.
-PerturbationResult perturb(const GrainState& equilibrium, const Perturbation& how,
+PerturbationResult perturb(const GrainState& equilibrium, const Perturbation& how, int threads = 1,
                            const GrainProgress& progress = {});
 
 }  // namespace triax::sim

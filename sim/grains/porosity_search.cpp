@@ -31,16 +31,22 @@ class Bracket {
 class Trials {
  public:
   Trials(const Cloud& cloud, const ContactLaw& law, const Compaction& how,
-         const PorositySearch& search, const GrainProgress& progress)
-      : cloud_(cloud), law_(law), how_(how), search_(search), progress_(progress) {}
+         const PorositySearch& search, int threads, const GrainProgress& progress)
+      : cloud_(cloud),
+        law_(law),
+        how_(how),
+        search_(search),
+        threads_(threads),
+        progress_(progress) {}
 
   /// Porosity over what is wanted.
   double excess(double log_friction) {
     how_.friction_angle = std::exp(log_friction);
     const double part = 1.0 / search_.most_trials, before = part * found_.trials;
-    Compacted one = compact(cloud_, law_, how_, [&](double done, const std::string& what) {
-      return goes_on(progress_, before + part * done, what);
-    });
+    Compacted one =
+        compact(cloud_, law_, how_, threads_, [&](double done, const std::string& what) {
+          return goes_on(progress_, before + part * done, what);
+        });
     ++found_.trials;
     const double over = one.porosity - search_.porosity;
     const bool nearer = std::abs(over) < std::abs(found_.best.porosity - search_.porosity);
@@ -61,6 +67,7 @@ class Trials {
   const ContactLaw& law_;
   Compaction how_;
   const PorositySearch& search_;
+  int threads_;
   const GrainProgress& progress_;
   PorosityFound found_;
 };
@@ -68,13 +75,14 @@ class Trials {
 }  // namespace
 
 PorosityFound seek_porosity(const Cloud& cloud, const ContactLaw& law, const Compaction& how,
-                            const PorositySearch& search, const GrainProgress& progress) {
+                            const PorositySearch& search, int threads,
+                            const GrainProgress& progress) {
   if (!(search.lowest_friction > 0 && search.lowest_friction < search.highest_friction) ||
       !(search.tolerance > 0) || search.most_trials < 1)
     throw std::invalid_argument(
         "porosity search: 0 < lowest friction < highest, a tolerance above 0 and a trial are "
         "needed");
-  Trials trials(cloud, law, how, search, progress);
+  Trials trials(cloud, law, how, search, threads, progress);
   const double low = std::log(search.lowest_friction), high = std::log(search.highest_friction);
   const double over_low = trials.excess(low);
   if (trials.done() || over_low > 0) {

@@ -25,6 +25,7 @@ struct PorosityFound {
 /// logarithm of the friction angle, which a bracketed secant uses (Illinois variant of the regula
 /// falsi). Throws as compact(), and std::invalid_argument on a bracket out of order.
 PorosityFound seek_porosity(const Cloud& cloud, const ContactLaw& law, const Compaction& how,
-                            const PorositySearch& search, const GrainProgress& progress = {});
+                            const PorositySearch& search, int threads = 1,
+                            const GrainProgress& progress = {});
 
 }  // namespace triax::sim

@@ -2,6 +2,7 @@
 
 #include "src/commands/domain.hpp"
 #include "src/commands/element.hpp"
+#include "src/commands/grains.hpp"
 #include "src/commands/materials.hpp"
 #include "src/commands/probe.hpp"
 #include "src/commands/query.hpp"
@@ -13,8 +14,8 @@ namespace triax::src {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
-      simulate_command(), replay_command(),    report_command(), query_command(),
-      element_command(),  materials_command(), probe_command(),  domain_command()};
+      simulate_command(),  replay_command(), report_command(), query_command(), element_command(),
+      materials_command(), probe_command(),  domain_command(), grains_command()};
   return all;
 }
 

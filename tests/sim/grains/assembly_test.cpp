@@ -31,14 +31,14 @@ TEST_CASE("Compaction: less friction makes a denser specimen") {
 
 TEST_CASE("Compaction: the same cloud gives the same bits") {
   const Cloud cloud = test::small_cloud(60);
-  CHECK(test::same_bits(compact(cloud, {}, {}).state, compact(cloud, {}, {}).state));
+  CHECK(test::same_bits(compact(cloud, {}, {}).state, compact(cloud, {}, {}, 2).state));
 }
 
 TEST_CASE("Compaction: progress never falls, and stops the work") {
   double last = 0;
   int calls = 0;
   const Compacted stopped =
-      compact(test::small_cloud(60), {}, {}, [&](double done, const std::string& what) {
+      compact(test::small_cloud(60), {}, {}, 1, [&](double done, const std::string& what) {
         CHECK(done >= last);
         CHECK_FALSE(what.empty());
         last = done;

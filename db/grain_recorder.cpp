@@ -1,0 +1,78 @@
+#include "db/grain_recorder.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+
+#include <QDateTime>
+#include <optional>
+
+#include "db/connection.hpp"
+#include "db/grain_writer.hpp"
+#include "lab/records/bad_input.hpp"
+
+namespace triax::db {
+
+struct GrainRecorder::Impl {
+  const std::string path;
+  const lab::GrainProgramme& programme;
+  std::optional<SQLite::Database> database;
+  std::int64_t id = 0, stages = 0;
+  bool finished = false;
+
+  /// Runs `write` in a transaction of its own. IMMEDIATE: a second writer waits here.
+  template <class Write>
+  void in_transaction(const Write& write) {
+    try {
+      if (!database) database.emplace(open_for_writing(path));
+      SQLite::Transaction transaction(*database, SQLite::TransactionBehavior::IMMEDIATE);
+      write(*database);
+      transaction.commit();
+    } catch (const SQLite::Exception& error) {
+      throw_for(error, path);
+    }
+  }
+  void mark(const char* status) {
+    in_transaction([&](SQLite::Database& d) {
+      SQLite::Statement mark(d, "UPDATE grain_runs SET status = ? WHERE id = ?");
+      mark.bind(1, status);
+      mark.bind(2, id);
+      mark.exec();
+    });
+  }
+};
+
+GrainRecorder::GrainRecorder(std::string path, const lab::GrainProgramme& programme)
+    : impl_(std::make_unique<Impl>(Impl{std::move(path), programme})) {}
+
+GrainRecorder::~GrainRecorder() {
+  if (impl_->id == 0 || impl_->finished) return;
+  try {
+    impl_->mark("interrupted");
+  } catch (...) {  // NOLINT(bugprone-empty-catch)
+    // What was committed stands; the next to open the database marks the run.
+  }
+}
+
+void GrainRecorder::made(const lab::GrainsMade& made) {
+  const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  std::int64_t id = 0;
+  impl_->in_transaction(
+      [&](SQLite::Database& d) { id = insert_grain_run(d, impl_->programme, made, now); });
+  impl_->id = id;
+}
+
+void GrainRecorder::ended(const lab::GrainStageResult& result) {
+  if (impl_->id == 0) throw lab::WorkFailed(impl_->path + ": a stage before the specimen");
+  impl_->in_transaction(
+      [&](SQLite::Database& d) { insert_grain_stage(d, impl_->id, impl_->stages + 1, result); });
+  ++impl_->stages;
+}
+
+std::int64_t GrainRecorder::finish() {
+  if (impl_->id == 0) throw lab::WorkFailed(impl_->path + ": no run of grains was started");
+  impl_->mark("complete");
+  impl_->finished = true;
+  return impl_->id;
+}
+
+}  // namespace triax::db

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "lab/grains/grain_run.hpp"
+
+namespace triax::db {
+
+/// Writes one run of grains into the database: the specimen when it is made, each stage when it is
+/// over, so that a kill loses at most the stage under way and others can read meanwhile. Nothing is
+/// touched on disk before the specimen is made.
+///
+/// Throws lab::BadInput (no database of ours), lab::WorkFailed (disk full); what was committed
+/// before stands.
+class GrainRecorder {
+ public:
+  /// `programme` has to outlive it.
+  GrainRecorder(std::string path, const lab::GrainProgramme& programme);
+  ~GrainRecorder();  ///< a run that was not finished stays behind as interrupted
+  GrainRecorder(const GrainRecorder&) = delete;
+  GrainRecorder& operator=(const GrainRecorder&) = delete;
+
+  void made(const lab::GrainsMade& made);
+  /// After made(). All of the stage or nothing.
+  void ended(const lab::GrainStageResult& result);
+  /// The run is complete; gives its id.
+  std::int64_t finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace triax::db

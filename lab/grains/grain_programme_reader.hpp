@@ -1,0 +1,23 @@
+#pragma once
+// Reads a programme of grains from TOML; the keys are in docs/grains.md.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/grains/grain_programme.hpp"
+#include "lab/records/toml_reader.hpp"
+
+namespace triax::lab {
+
+/// Most grains of a specimen.
+inline constexpr int kMostGrains = 2000000;
+
+/// Throws BadInput, one line with file, line and key: a key that is unknown or missing, a value out
+/// of its bounds, a stage that starts from one that is not before it. Files that it names are not
+/// opened.
+GrainProgramme read_grain_programme(std::string_view toml_text, const std::string& file,
+                                    const std::vector<TomlEdit>& edits = {});
+GrainProgramme load_grain_programme(const std::string& path,
+                                    const std::vector<TomlEdit>& edits = {});
+
+}  // namespace triax::lab

@@ -1,0 +1,13 @@
+#pragma once
+#include "lab/grains/grain_programme.hpp"
+#include "lab/records/toml_reader.hpp"
+
+namespace triax::lab {
+
+/// One table of [[stages]] with all but what its `from` means. Throws BadInput.
+GrainStage read_grain_stage(const TomlTable& table);
+
+/// The words for `action`.
+std::vector<std::string> grain_actions();
+
+}  // namespace triax::lab

@@ -1,0 +1,76 @@
+#include "lab/grains/grain_words.hpp"
+
+#include <algorithm>
+
+namespace triax::lab {
+namespace {
+
+bool all_settled(const sim::ProbeRose& rose) {
+  return rose.null_probe.settled && std::all_of(rose.probes.begin(), rose.probes.end(),
+                                                [](const auto& probe) { return probe.settled; });
+}
+
+}  // namespace
+
+std::string_view word(sim::StiffnessReading reading) {
+  return reading == sim::StiffnessReading::literal ? "literal" : "in_series";
+}
+
+std::string_view word(sim::GrainPathEnd end) {
+  switch (end) {
+    case sim::GrainPathEnd::axial_strain:
+      return "axial strain reached";
+    case sim::GrainPathEnd::stress_ratio:
+      return "stress ratio reached";
+    case sim::GrainPathEnd::settled:
+      return "settled";
+    case sim::GrainPathEnd::collapse:
+      return "collapsed";
+    case sim::GrainPathEnd::most_steps:
+      return "most steps made";
+    case sim::GrainPathEnd::stopped:
+      break;
+  }
+  return "stopped";
+}
+
+std::string_view word(sim::PerturbationEnd end) {
+  switch (end) {
+    case sim::PerturbationEnd::settled:
+      return "settled";
+    case sim::PerturbationEnd::collapsed:
+      return "collapsed";
+    case sim::PerturbationEnd::undecided:
+      return "undecided";
+    case sim::PerturbationEnd::stopped:
+      break;
+  }
+  return "stopped";
+}
+
+std::string_view ending(const GrainStageResult& result) {
+  struct {
+    std::string_view operator()(const sim::GrainPathResult& r) const { return word(r.end); }
+    std::string_view operator()(const GrainRest& r) const {
+      return r.settled ? "settled" : "not settled";
+    }
+    std::string_view operator()(const GrainRose& r) const {
+      return all_settled(r.rose) ? "all settled" : "some not settled";
+    }
+    std::string_view operator()(const sim::PerturbationResult& r) const { return word(r.end); }
+  } const of;
+  return std::visit(of, result.outcome);
+}
+
+std::optional<bool> settled(const GrainStageResult& result) {
+  if (const auto* path = std::get_if<sim::GrainPathResult>(&result.outcome)) {
+    const auto& work = std::get<GrainPathStage>(result.stage->work);
+    if (work.path.kind != sim::GrainPathKind::isotropic) return std::nullopt;
+    return path->end == sim::GrainPathEnd::settled;
+  }
+  if (const auto* rest = std::get_if<GrainRest>(&result.outcome)) return rest->settled;
+  if (const auto* rose = std::get_if<GrainRose>(&result.outcome)) return all_settled(rose->rose);
+  return std::get<sim::PerturbationResult>(result.outcome).end == sim::PerturbationEnd::settled;
+}
+
+}  // namespace triax::lab
