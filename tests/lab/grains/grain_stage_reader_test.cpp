@@ -1,0 +1,40 @@
+#include "lab/grains/grain_stage_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lab/records/bad_input.hpp"
+
+using namespace triax;
+using namespace triax::lab;
+
+TEST_CASE("every action of a stage of grains is one that can be written") {
+  for (const std::string& action : grain_actions()) {
+    INFO(action);
+    const auto table =
+        TomlTable::parse("name = 'x'\naction = '" + action +
+                             "'\nload_step_Pa = 1\nstrain_path_R = 2\n"
+                             "pressure_kPa = 10\nradial_stress_kPa = 11\nstrain_rate_per_s = -0.1\n"
+                             "end_axial_strain_pct = 3\nend_stress_ratio = -0.2\nnorm_kPa = 2\n",
+                         "s.toml");
+    // Keys that belong to other actions are refused by name.
+    CHECK_THROWS_WITH(read_grain_stage(table), Catch::StartsWith("s.toml:"));
+  }
+  const auto stage = read_grain_stage(TomlTable::parse(
+      "name = 'x'\naction = 'probes'\nnorm_kPa = 2\ndirections = 8\nstress_error_Pa = 3\n", "s"));
+  const auto& probes = std::get<GrainProbeStage>(stage.work);
+  CHECK(probes.probing.norm_pa == 2000);
+  CHECK(probes.probing.stress_error_pa == 3);
+  CHECK(probes.directions == 8);
+  CHECK(stage.from.empty());
+}
+
+TEST_CASE("extension is a negative strain rate with a stress ratio below 0 to end at") {
+  const auto stage = read_grain_stage(TomlTable::parse(
+      "name = 'x'\naction = 'drained'\nradial_stress_kPa = 50\nstrain_rate_per_s = -0.1\n"
+      "end_axial_strain_pct = 3\nend_stress_ratio = -0.2\n",
+      "s"));
+  const auto& path = std::get<GrainPathStage>(stage.work).path;
+  CHECK(path.strain_rate_per_s == -0.1);
+  CHECK(path.stress_ratio == -0.2);
+  CHECK(path.pressure_pa == 50e3);
+}

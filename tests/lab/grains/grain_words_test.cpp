@@ -1,0 +1,39 @@
+#include "lab/grains/grain_words.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace triax;
+using namespace triax::lab;
+
+TEST_CASE("how a stage of grains ended, in words") {
+  GrainStage stage;
+  stage.work = GrainPathStage{};
+  GrainStageResult result;
+  result.stage = &stage;
+  sim::GrainPathResult path;
+  path.end = sim::GrainPathEnd::collapse;
+  result.outcome = path;
+  CHECK(ending(result) == "collapsed");
+  CHECK(!settled(result));
+  std::get<GrainPathStage>(stage.work).path.kind = sim::GrainPathKind::isotropic;
+  CHECK(settled(result) == false);
+
+  GrainRose rose;
+  rose.rose.null_probe.settled = true;
+  rose.rose.probes.resize(2);
+  rose.rose.probes[0].settled = true;
+  result.outcome = rose;
+  CHECK(ending(result) == "some not settled");
+  CHECK(settled(result) == false);
+  rose.rose.probes[1].settled = true;
+  result.outcome = rose;
+  CHECK(ending(result) == "all settled");
+  CHECK(settled(result) == true);
+
+  sim::PerturbationResult hit;
+  hit.end = sim::PerturbationEnd::undecided;
+  result.outcome = hit;
+  CHECK(ending(result) == "undecided");
+  CHECK(settled(result) == false);
+  CHECK(word(sim::StiffnessReading::literal) == "literal");
+}
