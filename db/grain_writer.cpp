@@ -56,7 +56,7 @@ class StageRows {
       probe(insert, k + 1, rose.rose.probes[k], rose.rose.probes[k].angle);
   }
   void operator()(const sim::PerturbationResult& result) {
-    Statement insert(database_, "INSERT INTO grain_perturbation_points VALUES (" + places(9) + ")");
+    Statement insert(database_, "INSERT INTO grain_perturbation_points VALUES (" + places(10) + ")");
     for (std::size_t k = 0; k < result.points.size(); ++k) {
       const sim::PerturbationPoint& p = result.points[k];
       row(insert, k)

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 /// A sliding force was put at the limit in the last step; positions restored from x − Δt v differ
 /// from those it was put there by rounding only.
-constexpr double kSlides = 1 - 1e-6;
+constexpr double kSlides = 1 - 1e-9;
 
 Vector3d vector(const double* v) { return {v[0], v[1], v[2]}; }
 

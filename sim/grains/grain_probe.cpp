@@ -50,7 +50,8 @@ class Watch {
       : grains_(grains),
         result_(result),
         sample_every_(sample_every),
-        rotations_(grains.state().grains.size()) {}
+        rotations_(grains.state().grains.size()),
+        sliding_(grains.state()) {}
 
   void step(std::int64_t n) {
     for (std::int64_t s = 0; s < n; ++s) {

@@ -37,7 +37,8 @@ struct GrainProbe {
   AxisymmetricStrain strain;  ///< natural
   GrainWork work;
   double most_kinetic_j = 0;  ///< of the samples
-  /// Contacts at Coulomb's limit at a sample at least, over those of the first state: a lower bound
+  /// Contacts found to have slid (sliding_record.hpp) at a sample at least, over those of the first
+  /// state: a lower bound
   double sliding_share = 0;
   std::int64_t steps = 0;
   double unbalanced = 0;       ///< at the end
