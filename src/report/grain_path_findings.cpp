@@ -1,0 +1,61 @@
+#include "src/report/grain_path_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triax::src {
+namespace {
+
+using Points = std::vector<sim::GrainPathPoint>;
+
+template <class Value>
+std::optional<GrainPeak> peak_of(const Points& points, double sense, const Value& value) {
+  if (points.empty()) return {};
+  GrainPeak peak;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (sense * value(points[i]) > sense * value(points[peak.point])) peak.point = i;
+  peak.value = value(points[peak.point]);
+  peak.axial_strain = points[peak.point].strain.axial;
+  for (std::size_t i = peak.point; i < points.size(); ++i)
+    if (sense * (peak.value - value(points[i])) > kFallen * std::abs(peak.value)) peak.fell = true;
+  return peak;
+}
+
+std::optional<std::size_t> first_negative(const Points& points, double ratio) {
+  if (points.size() <= kWorkWindow) return {};
+  const std::size_t count = points.size() - kWorkWindow;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    run = second_order_work(points[i], points[i + kWorkWindow], ratio) < 0 ? run + 1 : 0;
+    if (run == 0 || (run <= kWorkWindow && i + 1 < count)) continue;
+    return i + 1 - run + (kWorkWindow + 1) / 2;
+  }
+  return {};
+}
+
+}  // namespace
+
+double second_order_work(const sim::GrainPathPoint& from, const sim::GrainPathPoint& to,
+                         double ratio) {
+  const double axial = to.strain.axial - from.strain.axial,
+               radial = to.strain.radial - from.strain.radial,
+               lateral_stress = to.stress.radial - from.stress.radial,
+               control = to.stress.axial - from.stress.axial - lateral_stress / ratio;
+  return control * axial + lateral_stress * (axial + 2 * ratio * radial) / ratio;
+}
+
+GrainPathFindings path_findings(const sim::GrainPath& path, const Points& points) {
+  GrainPathFindings found;
+  for (const auto& at : points)
+    found.most_kinetic_j = std::max(found.most_kinetic_j, at.kinetic_energy_j);
+  found.first_negative = first_negative(points, path.ratio);
+  if (path.kind == sim::GrainPathKind::isotropic) return found;
+  const double sense = path.strain_rate_per_s < 0 ? -1 : 1;
+  found.q = peak_of(points, sense, [](const auto& at) { return at.q_pa; });
+  found.eta = peak_of(points, sense, [](const auto& at) { return at.stress_ratio(); });
+  if (path.kind == sim::GrainPathKind::strain_path)
+    found.path_stress = peak_of(points, sense, [](const auto& at) { return at.path_stress_pa; });
+  return found;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,45 @@
+#pragma once
+// What the points of a path of a specimen of grains show. Compression positive, SI.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sim/grains/grain_path.hpp"
+
+namespace triax::src {
+
+/// Second-order work of the increment between two points, per volume, Eq. (30) of Darve, Sibille,
+/// Daouadji and Nicot (2007), J/m³:
+///
+///   W₂ = d(σ₁ − σ₃/R) dε₁ + dσ₃ (dε₁ + 2R dε₃)/R
+///
+/// which for any R is dσ₁ dε₁ + 2 dσ₃ dε₃. Pre-condition: ratio R > 0.
+double second_order_work(const sim::GrainPathPoint& from, const sim::GrainPathPoint& to,
+                         double ratio);
+
+struct GrainPeak {
+  std::size_t point = 0;  ///< of the path's points
+  double value = 0;
+  double axial_strain = 0;
+  bool fell = false;  ///< afterwards it was lower by more than kFallen of itself
+};
+
+/// Largest values in the sense of the loading: the smallest where ε₁ is driven to extension.
+struct GrainPathFindings {
+  /// Empty: an isotropic path, or no point.
+  std::optional<GrainPeak> q, eta;
+  std::optional<GrainPeak> path_stress;  ///< σ₁ − σ₃/R; of strain paths only
+  /// Where W₂ of the increment over kWorkWindow points is first negative and stays so for the next
+  /// kWorkWindow increments of that length, or to the end: the point in its middle.
+  std::optional<std::size_t> first_negative;
+  double most_kinetic_j = 0;
+};
+
+/// Points are noisy: grains rearrange in bursts.
+inline constexpr std::size_t kWorkWindow = 5;
+inline constexpr double kFallen = 0.01;
+
+GrainPathFindings path_findings(const sim::GrainPath& path,
+                                const std::vector<sim::GrainPathPoint>& points);
+
+}  // namespace triax::src

@@ -1,0 +1,190 @@
+#include "src/report/grain_tables.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/grains/triaxial_axes.hpp"
+#include "src/report/grain_path_findings.hpp"
+#include "src/report/words.hpp"
+
+namespace triax::src {
+namespace {
+
+Table with_columns(const std::vector<std::string>& left, const std::vector<std::string>& right) {
+  Table table;
+  for (const auto& heading : left) table.columns.push_back({heading, Align::left});
+  for (const auto& heading : right) table.columns.push_back({heading, Align::right});
+  return table;
+}
+
+std::string in_joule(double value) { return fmt::format("{:.2e}", value); }
+std::string yes_no(bool value) { return value ? "yes" : "no"; }
+
+/// Value and strain, or unknown.
+void put_peak(const std::optional<GrainPeak>& peak, double unit, int decimals,
+              std::vector<std::string>& row) {
+  row.push_back(number(peak ? std::optional(peak->value / unit) : std::nullopt, decimals));
+  row.push_back(in_percent(peak ? std::optional(peak->axial_strain) : std::nullopt, 3));
+}
+
+struct Came {
+  std::string operator()(const ReportedGrainPath& path) const {
+    if (path.points.empty()) return spaced(word_of(path.end));
+    const auto& last = path.points.back();
+    switch (path.end) {
+      case sim::GrainPathEnd::axial_strain:
+        return fmt::format("ε₁ = {} % reached", in_percent(last.strain.axial));
+      case sim::GrainPathEnd::stress_ratio:
+        return fmt::format("η = {} reached", number(last.stress_ratio(), 3));
+      case sim::GrainPathEnd::settled:
+        return fmt::format("settled at p = {} kPa", in_kPa(last.p_pa));
+      case sim::GrainPathEnd::collapse:
+        return fmt::format("COLLAPSED at ε₁ = {} %", in_percent(last.strain.axial));
+      default:
+        return spaced(word_of(path.end));
+    }
+  }
+  std::string operator()(const ReportedGrainRest& rest) const {
+    return rest.rest.settled ? "settled" : "NOT SETTLED";
+  }
+  std::string operator()(const ReportedGrainRose& rose) const {
+    int settled = 0;
+    for (const auto& probe : rose.made.rose.probes) settled += probe.settled;
+    return fmt::format("{} of {} probes settled", settled, rose.made.rose.probes.size());
+  }
+  std::string operator()(const ReportedPerturbation& perturbation) const {
+    return perturbation.end == sim::PerturbationEnd::collapsed ? "COLLAPSED"
+                                                               : word_of(perturbation.end);
+  }
+};
+
+template <class Kind, class Row>
+void for_each(const GrainReport& report, const Row& row) {
+  for (const auto& stage : report.stages)
+    if (const auto* came = std::get_if<Kind>(&stage.came)) row(stage, *came);
+}
+
+}  // namespace
+
+std::string came_to(const ReportedGrainStage& stage) { return std::visit(Came{}, stage.came); }
+
+Table stages_table(const GrainReport& report) {
+  Table table =
+      with_columns({"stage", "action", "from", "came to"}, {"n", "Z", "floating", "steps"});
+  for (const auto& stage : report.stages)
+    table.rows.push_back(
+        {stage.name, spaced(stage.action), stage.from.empty() ? "as made" : stage.from,
+         came_to(stage), number(stage.after.porosity, 4), number(stage.after.coordination, 2),
+         fmt::format("{}", stage.after.floating_grains), fmt::format("{}", stage.steps)});
+  return table;
+}
+
+Table paths_table(const GrainReport& report) {
+  Table table = with_columns({"stage", "path"}, {"points", "ε₁ (%)", "ε_v (%)", "peak q (kPa)",
+                                                 "at ε₁ (%)", "peak η", "at ε₁ (%)", "K most (J)"});
+  for_each<ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
+    const GrainPathFindings found = path_findings(path.path, path.points);
+    const auto* last = path.points.empty() ? nullptr : &path.points.back();
+    std::vector<std::string> row = {
+        stage.name, spaced(word_of(path.path.kind)), fmt::format("{}", path.points.size()),
+        in_percent(last ? std::optional(last->strain.axial) : std::nullopt, 3),
+        in_percent(last ? std::optional(last->volumetric_strain) : std::nullopt, 3)};
+    put_peak(found.q, 1e3, 2, row);
+    put_peak(found.eta, 1, 3, row);
+    row.push_back(in_joule(found.most_kinetic_j));
+    table.rows.push_back(std::move(row));
+  });
+  return table;
+}
+
+std::vector<std::string> paths_notes() {
+  return {"peaks: largest of the points, the smallest where ε₁ is driven to extension",
+          "K most: largest kinetic energy on the way"};
+}
+
+Table strain_paths_table(const GrainReport& report) {
+  Table table = with_columns({"stage"}, {"R", "peak σ₁−σ₃/R (kPa)", "at ε₁ (%)", "p (kPa)", "η",
+                                         "falls after", "W₂ < 0 from ε₁ (%)", "σ₁−σ₃/R (kPa)"});
+  for_each<ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
+    if (path.path.kind != sim::GrainPathKind::strain_path) return;
+    const GrainPathFindings found = path_findings(path.path, path.points);
+    const auto* top = found.path_stress ? &path.points[found.path_stress->point] : nullptr;
+    const auto* negative = found.first_negative ? &path.points[*found.first_negative] : nullptr;
+    std::vector<std::string> row = {stage.name, fmt::format("{:g}", path.path.ratio)};
+    put_peak(found.path_stress, 1e3, 2, row);
+    row.push_back(in_kPa(top ? std::optional(top->p_pa) : std::nullopt));
+    row.push_back(number(top ? std::optional(top->stress_ratio()) : std::nullopt, 3));
+    row.push_back(top ? yes_no(found.path_stress->fell) : kUnknown);
+    row.push_back(in_percent(negative ? std::optional(negative->strain.axial) : std::nullopt, 3));
+    row.push_back(in_kPa(negative ? std::optional(negative->path_stress_pa) : std::nullopt, 2));
+    table.rows.push_back(std::move(row));
+  });
+  return table;
+}
+
+std::vector<std::string> strain_paths_notes() {
+  return {
+      fmt::format("falls after: by more than {:g} % of the peak", 100 * kFallen),
+      fmt::format("W₂ < 0: of Eq. (30) over increments of {} points, first negative and for the "
+                  "next {} of them",
+                  kWorkWindow, kWorkWindow)};
+}
+
+Table marks_table(const GrainReport& report) {
+  Table table = with_columns({"mark", "of stage"},
+                             {"ε₁ (%)", "σ₁−σ₃/R (kPa)", "q (kPa)", "p (kPa)", "η", "n", "Z"});
+  for_each<ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
+    for (const ReportedGrainMark& mark : path.marks) {
+      std::vector<std::string> row = {mark.name, stage.name};
+      if (mark.at)
+        row.insert(row.end(), {in_percent(mark.at->strain.axial, 3),
+                               in_kPa(mark.at->path_stress_pa, 2), in_kPa(mark.at->q_pa, 2),
+                               in_kPa(mark.at->p_pa, 2), number(mark.at->stress_ratio(), 3),
+                               number(mark.at->porosity, 4), number(mark.at->coordination, 2)});
+      else
+        row.insert(row.end(),
+                   {"never passed", kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown});
+      table.rows.push_back(std::move(row));
+    }
+  });
+  return table;
+}
+
+Table rests_table(const GrainReport& report) {
+  Table table = with_columns({"stage", "from", "held", "settled"},
+                             {"steps", "unbalanced", "stress error (Pa)", "σ₁−σ₃/R (kPa)"});
+  for_each<ReportedGrainRest>(report, [&](const auto& stage, const auto& came) {
+    const auto& settling = came.rest.settling;
+    table.rows.push_back({stage.name, stage.from.empty() ? "as made" : stage.from,
+                          came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
+                          fmt::format("{}", settling.steps), in_joule(settling.unbalanced),
+                          came.strain_held ? kUnknown : number(settling.stress_error_pa, 2),
+                          in_kPa(came.rest.path_stress_pa, 2)});
+  });
+  return table;
+}
+
+Table perturbations_table(const GrainReport& report) {
+  Table table =
+      with_columns({"stage", "from"}, {"R", "step (Pa)", "energy (J)", "grains hit", "came to",
+                                       "after (s)", "χ", "ε₁ (%)", "K most (J)"});
+  for_each<ReportedPerturbation>(report, [&](const auto& stage, const auto& came) {
+    const auto* last = came.points.empty() ? nullptr : &came.points.back();
+    table.rows.push_back(
+        {stage.name, stage.from.empty() ? "as made" : stage.from,
+         fmt::format("{:g}", came.how.ratio), fmt::format("{:g}", came.how.load_step_pa),
+         came.how.kinetic_energy_j > 0 ? in_joule(came.how.kinetic_energy_j) : "none",
+         fmt::format("{}", came.grains_hit), came_to(stage),
+         number(last ? std::optional(last->time_s) : std::nullopt, 4),
+         number(last ? std::optional(last->stress_share) : std::nullopt, 4),
+         in_percent(last ? std::optional(last->axial_strain) : std::nullopt, 4),
+         in_joule(came.most_kinetic_j)});
+  });
+  return table;
+}
+
+std::vector<std::string> perturbations_notes() {
+  return {"χ = (σ₁ − σ₃/R)/(σ₁ − σ₃/R at the start), ε₁ since then: both where it was left",
+          "K most: largest kinetic energy after the start"};
+}
+
+}  // namespace triax::src
