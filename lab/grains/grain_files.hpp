@@ -8,7 +8,7 @@
 
 namespace triax::lab {
 
-/// No larger file is read or written: about ten million grains.
+/// No larger file is read or written: some million grains.
 inline constexpr std::uintmax_t kLargestStateFile = std::uintmax_t{4} << 30;
 
 /// The file appears whole or not at all. Throws BadInput where `path` is a folder or a device,
