@@ -1,8 +1,9 @@
 #include "lab/grains/grain_files.hpp"
 
+#include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "lab/records/bad_input.hpp"
 #include "lab/records/whole_file.hpp"
@@ -11,22 +12,33 @@
 namespace triax::lab {
 
 void save_state(const std::string& path, const sim::GrainState& state) {
-  const auto bytes = sim::save_grains(state);
+  const std::vector<std::byte> bytes = sim::save_grains(state);
+  if (bytes.size() > kLargestStateFile)
+    throw WorkFailed(path + ": the state is larger than 4 GiB, which could not be read again");
   WholeFile file(path);
   file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   file.finish();
 }
 
 sim::GrainState load_state(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw BadInput(path + ": cannot be read");
-  std::ostringstream all;
-  all << in.rdbuf();
-  const std::string text = all.str();
+  std::error_code none;
+  const auto status = std::filesystem::status(path, none);
+  if (!std::filesystem::exists(status))
+    throw BadInput(path, 0, "no such file; a state that triax grains saved is wanted");
+  if (!std::filesystem::is_regular_file(status))
+    throw BadInput(path, 0, "is no file; a state that triax grains saved is wanted");
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  if (none || size > kLargestStateFile)
+    throw BadInput(path, 0, "is larger than 4 GiB; states of grains up to that size can be read");
+  std::vector<std::byte> bytes(size);
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!file) throw BadInput(path, 0, "cannot be read");
   try {
-    return sim::load_grains(std::as_bytes(std::span(text)));
+    return sim::load_grains(bytes);
   } catch (const std::invalid_argument& error) {
-    throw BadInput(path + ": " + error.what());
+    throw BadInput(path, 0,
+                   std::string(error.what()) + "; a state that triax grains saved is wanted");
   }
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <type_traits>
 
+#include "sim/grains/grain_check.hpp"
+
 namespace triax::sim {
 namespace {
 
@@ -104,35 +106,7 @@ void visit_state(Visit& v, State& s) {
   v(s.time_s), v(s.steps), v(s.sorts);
 }
 
-void require(bool holds) {
-  if (!holds) throw std::invalid_argument("grain state does not fit together");
-}
-
-bool below(const auto& indices, std::size_t end) {
-  for (const std::int32_t i : indices)
-    if (i < 0 || static_cast<std::size_t>(i) >= end) return false;
-  return true;
-}
-
-/// Lists that point outside would be read outside.
-void check_indices(const GrainState& s) {
-  const std::size_t grains = s.grains.size(), pairs = s.neighbours.near.size();
-  const Neighbours& n = s.neighbours;
-  require(grains > 0 && s.ids.size() == grains && n.sorted_at_m.size() == grains);
-  require(below(s.ids, grains) && below(n.listed_i, grains) && below(n.listed_j, grains));
-  require(n.listed_i.size() == n.listed_j.size());
-  require(below(n.near.i, grains) && below(n.near.j, grains));
-  require(n.near.j.size() == pairs && n.near.listed.size() == pairs);
-  for (const auto& t : n.near.tangential_n) require(t.size() == pairs);
-  require(n.near.stiffness_n_per_m.size() == pairs && n.near.reach_m.size() == pairs);
-  require(n.near.half_difference_m.size() == pairs);
-  for (std::size_t k = 0; k < pairs; ++k) {
-    require(n.near.i[k] < n.near.j[k]);
-    require(k == 0 || n.near.i[k - 1] <= n.near.i[k]);
-  }
-  for (int w = 0; w < 6; ++w) require(below(n.listed_at_wall[w], grains));
-  for (int w = 0; w < 6; ++w) require(below(n.near_wall[w], grains));
-}
+constexpr std::size_t kHead = sizeof kMagic + sizeof kVersion + sizeof(std::uint64_t);
 
 }  // namespace
 
@@ -151,8 +125,7 @@ GrainState load_grains(std::span<const std::byte> bytes) {
   Reader reader(bytes);
   std::uint64_t magic = 0, sum = 0;
   std::uint32_t version = 0;
-  if (bytes.size() < sizeof magic + sizeof version + sizeof sum)
-    throw std::invalid_argument("not a grain state");
+  if (bytes.size() < kHead) throw std::invalid_argument("not a grain state");
   reader(magic);
   if (magic != kMagic) throw std::invalid_argument("not a grain state");
   reader(version);
@@ -160,13 +133,25 @@ GrainState load_grains(std::span<const std::byte> bytes) {
     throw std::invalid_argument("grain state of version " + std::to_string(version) +
                                 ", this program reads version " + std::to_string(kVersion));
   reader(sum);
-  if (checksum(bytes.subspan(sizeof magic + sizeof version + sizeof sum)) != sum)
+  if (checksum(bytes.subspan(kHead)) != sum)
     throw std::invalid_argument("grain state is damaged or cut short");
   GrainState state;
   visit_state(reader, state);
-  require(reader.at_end());
-  check_indices(state);
+  if (!reader.at_end()) throw std::invalid_argument("grain state goes on after its end");
+  check(state);
   return state;
+}
+
+std::uint64_t fingerprint(const GrainState& state) {
+  Writer body;
+  visit_state(body, state);
+  return checksum(body.bytes);
+}
+
+void seal_grains(std::span<std::byte> bytes) {
+  if (bytes.size() < kHead) return;
+  const std::uint64_t sum = checksum(bytes.subspan(kHead));
+  std::memcpy(bytes.data() + kHead - sizeof sum, &sum, sizeof sum);
 }
 
 }  // namespace triax::sim

@@ -109,16 +109,22 @@ GrainProbe probe(const GrainState& state, double angle, const GrainProbing& how,
 namespace {
 
 /// Probes handed out to threads; the first failure ends all.
-class Rose {
+class Handout {
  public:
-  Rose(const GrainState& state, const std::vector<double>& angles, const GrainProbing& how,
-       const GrainProgress& progress, ProbeRose& result)
-      : state_(state), angles_(angles), how_(how), progress_(progress), result_(result) {}
+  Handout(const GrainState& state, const std::vector<double>& angles,
+          const std::vector<int>& numbers, const GrainProbing& how, const GrainProgress& progress,
+          SomeProbes& result)
+      : state_(state),
+        angles_(angles),
+        numbers_(numbers),
+        how_(how),
+        progress_(progress),
+        result_(result) {}
 
   void work() {
     for (;;) {
       const std::size_t next = next_++;
-      if (next > angles_.size() || result_stopped_) return;
+      if (next >= numbers_.size() || result_stopped_) return;
       try {
         one(next);
       } catch (...) {
@@ -134,29 +140,29 @@ class Rose {
   }
 
  private:
-  // Number 0 is the null probe.
-  void one(std::size_t number) {
+  void one(std::size_t place) {
+    const int number = numbers_[place];
     GrainProbing how = how_;
     if (number == 0) how.norm_pa = 0;
     const double angle = number == 0 ? 0 : angles_[number - 1];
-    GrainProbe made =
+    result_.probes[place] =
         probe(state_, angle, how, [this](double, const std::string&) { return tell(0); });
-    (number == 0 ? result_.null_probe : result_.probes[number - 1]) = made;
     tell(1);
   }
   bool tell(int more) {
     const std::lock_guard lock(mutex_);
     made_ += more;
-    const auto all = static_cast<double>(angles_.size() + 1);
+    const auto all = static_cast<double>(numbers_.size());
     if (!result_stopped_ && !goes_on(progress_, made_ / all, "probing")) result_stopped_ = true;
     return !result_stopped_;
   }
 
   const GrainState& state_;
   const std::vector<double>& angles_;
+  const std::vector<int>& numbers_;
   const GrainProbing how_;
   const GrainProgress& progress_;
-  ProbeRose& result_;
+  SomeProbes& result_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> result_stopped_{false};
   std::mutex mutex_;
@@ -166,22 +172,43 @@ class Rose {
 
 }  // namespace
 
-ProbeRose probe_rose(const GrainState& state, const std::vector<double>& angles,
-                     const GrainProbing& how, int threads, const GrainProgress& progress) {
+SomeProbes some_probes(const GrainState& state, const std::vector<double>& angles,
+                       const std::vector<int>& numbers, const GrainProbing& how, int threads,
+                       const GrainProgress& progress) {
   check(how);
   if (threads < 1) throw std::invalid_argument("probe rose: at least one thread is needed");
-  ProbeRose result;
-  result.null_probe.stopped = true;
+  for (const int number : numbers)
+    if (number < 0 || static_cast<std::size_t>(number) > angles.size())
+      throw std::invalid_argument("probe rose: it has no probe of that number");
+  SomeProbes result;
   GrainProbe not_made;
   not_made.stopped = true;
-  result.probes.assign(angles.size(), not_made);
-  Rose rose(state, angles, how, progress, result);
+  result.probes.assign(numbers.size(), not_made);
+  Handout handout(state, angles, numbers, how, progress, result);
   std::vector<std::thread> others;
-  for (int t = 1; t < threads; ++t) others.emplace_back([&] { rose.work(); });
-  rose.work();
+  for (int t = 1; t < threads; ++t) others.emplace_back([&] { handout.work(); });
+  handout.work();
   for (std::thread& t : others) t.join();
-  rose.finish();
+  handout.finish();
   return result;
+}
+
+ProbeRose probe_rose(const GrainState& state, const std::vector<double>& angles,
+                     const GrainProbing& how, int threads, const GrainProgress& progress) {
+  SomeProbes all =
+      some_probes(state, angles, numbers_of_piece(static_cast<int>(angles.size()), 1, 1), how,
+                  threads, progress);
+  ProbeRose rose;
+  rose.null_probe = all.probes.front();
+  rose.probes.assign(all.probes.begin() + 1, all.probes.end());
+  rose.stopped = all.stopped;
+  return rose;
+}
+
+std::vector<int> numbers_of_piece(int directions, int index, int count) {
+  std::vector<int> numbers;
+  for (int k = index - 1; k <= directions; k += count) numbers.push_back(k);
+  return numbers;
 }
 
 std::vector<double> rose_angles(int count) {

@@ -61,6 +61,22 @@ struct ProbeRose {
 ProbeRose probe_rose(const GrainState& state, const std::vector<double>& angles,
                      const GrainProbing& how, int threads, const GrainProgress& progress = {});
 
+/// Some of the probes of a rose: number 0 is the null probe, number k the one at angles[k − 1].
+struct SomeProbes {
+  std::vector<GrainProbe> probes;  ///< as the numbers; one not made says so
+  bool stopped = false;            ///< some were not made
+};
+
+/// As probe_rose(), which is this with every number: a probe does not depend on which others are
+/// made. Throws std::invalid_argument too on a number that the rose does not have.
+SomeProbes some_probes(const GrainState& state, const std::vector<double>& angles,
+                       const std::vector<int>& numbers, const GrainProbing& how, int threads,
+                       const GrainProgress& progress = {});
+
+/// The numbers of piece `index` (1 to `count`) of a rose with `directions` angles: index − 1, and
+/// every count-th from there on. Empty if the rose has fewer probes than there are pieces before.
+std::vector<int> numbers_of_piece(int directions, int index, int count);
+
 /// 0, 360°/count, 2·360°/count, …, rad.
 std::vector<double> rose_angles(int count = 36);
 

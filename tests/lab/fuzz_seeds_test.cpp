@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "lab/grains/grain_files.hpp"
 #include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
@@ -23,6 +24,7 @@ std::vector<std::string> seeds(const std::string& fuzzer) {
 TEST_CASE("the fuzzers' seeds are accepted") {
   for (const auto& path : seeds("programme_fuzz")) CHECK_NOTHROW(load_programme(path));
   for (const auto& path : seeds("path_fuzz")) CHECK_NOTHROW(check_start(load_path(path)));
+  for (const auto& path : seeds("grain_state_fuzz")) CHECK_NOTHROW(load_state(path));
   for (const auto& path : seeds("dialect_fuzz"))
     CHECK_NOTHROW(parse_dialect(read_text_file(path), path));
   std::vector<std::string> dialects;

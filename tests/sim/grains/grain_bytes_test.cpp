@@ -1,6 +1,7 @@
 #include "sim/grains/grain_bytes.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/sim/grains/packings.hpp"
@@ -46,4 +47,30 @@ TEST_CASE("Grains: bytes of another version say so") {
   std::vector<std::byte> bytes = save_grains(in_motion());
   bytes[8] = std::byte{9};
   CHECK_THROWS_WITH(load_grains(bytes), "grain state of version 9, this program reads version 1");
+}
+
+TEST_CASE("Grains: a fingerprint tells states apart by a bit") {
+  const GrainState state = in_motion();
+  CHECK(fingerprint(state) == fingerprint(load_grains(save_grains(state))));
+  GrainState other = state;
+  other.grains[5].spin[2] = std::nextafter(other.grains[5].spin[2], 1.0);
+  CHECK(fingerprint(other) != fingerprint(state));
+}
+
+TEST_CASE("Grains: sealed bytes are past the checksum, and what they hold is looked at") {
+  std::vector<std::byte> bytes = save_grains(in_motion());
+  const std::vector<std::byte> good = bytes;
+  seal_grains(bytes);
+  CHECK(bytes == good);
+  bytes[20] = std::byte{77};  // how the stiffness is read
+  CHECK_THROWS_WITH(load_grains(bytes), Catch::Contains("damaged"));
+  seal_grains(bytes);
+  CHECK_THROWS_WITH(load_grains(bytes), Catch::Contains("no such reading"));
+  std::vector<std::byte> few(19, std::byte{1});
+  seal_grains(few);
+  CHECK(few == std::vector<std::byte>(19, std::byte{1}));
+  std::vector<std::byte> more = good;
+  more.push_back({});
+  seal_grains(more);
+  CHECK_THROWS_WITH(load_grains(more), Catch::Contains("after its end"));
 }

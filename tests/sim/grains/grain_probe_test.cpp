@@ -85,6 +85,37 @@ TEST_CASE("Grain probe: a rose that is told to stop says so") {
   CHECK(rose.probes[3].stopped);
 }
 
+TEST_CASE("Grain probe: pieces of a rose are its probes to the bit, and each is in one piece") {
+  GrainProbing how = small_probe();
+  how.unbalanced = 1e-4;
+  how.stress_error_pa = 5;
+  const auto angles = rose_angles(3);
+  const ProbeRose rose = probe_rose(test::calm_state(), angles, how, 2);
+  std::vector<int> made(angles.size() + 1);
+  for (int index = 1; index <= 3; ++index) {
+    const std::vector<int> numbers = numbers_of_piece(3, index, 3);
+    const SomeProbes some = some_probes(test::calm_state(), angles, numbers, how, index);
+    REQUIRE(some.probes.size() == numbers.size());
+    CHECK_FALSE(some.stopped);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const GrainProbe &one = some.probes[k],
+                       &same = numbers[k] == 0 ? rose.null_probe : rose.probes[numbers[k] - 1];
+      ++made[numbers[k]];
+      CHECK(one.settled);
+      CHECK(one.angle == same.angle);
+      CHECK(one.norm_pa == same.norm_pa);
+      CHECK(one.strain.axial == same.strain.axial);
+      CHECK(one.work.microscopic() == same.work.microscopic());
+      CHECK(one.steps == same.steps);
+    }
+  }
+  CHECK(made == std::vector<int>(4, 1));
+  CHECK(numbers_of_piece(36, 2, 4) == std::vector<int>{1, 5, 9, 13, 17, 21, 25, 29, 33});
+  CHECK(numbers_of_piece(2, 4, 9).empty());
+  CHECK_THROWS_AS(some_probes(test::calm_state(), angles, {4}, how, 1), std::invalid_argument);
+  CHECK_THROWS_AS(some_probes(test::calm_state(), angles, {-1}, how, 1), std::invalid_argument);
+}
+
 TEST_CASE("Grain probe: settings out of their ranges are refused") {
   GrainProbing how;
   how.norm_pa = -1;
