@@ -10,7 +10,7 @@ namespace triax::sim {
 namespace {
 
 /// Relative change of a normal force that is one: forces at rest wander by less.
-constexpr double kChanged = 1e-6;
+constexpr double kChanged = 1e-4;
 
 }  // namespace
 

@@ -6,53 +6,95 @@
 #include <thread>
 
 #include "db/grain_recorder.hpp"
-#include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "lab/records/bad_input.hpp"
+#include "src/commands/grain_outputs.hpp"
 #include "src/commands/interruption.hpp"
 #include "src/commands/output_guard.hpp"
 #include "src/commands/shared_options.hpp"
 #include "src/output/output.hpp"
 #include "src/output/task_progress.hpp"
+#include "src/report/grain_data.hpp"
+#include "src/report/grain_json.hpp"
+#include "src/report/grain_text.hpp"
 
 namespace triax::src {
 namespace {
 
 struct Options {
   std::string programme;
+  std::vector<std::string> sets;
   std::string db = "triax.db";
   std::string output;
   int threads = 0;
   bool json = false;
 };
 
-void run(const Options& o) {
-  const lab::GrainProgramme programme = lab::load_grain_programme(o.programme);
+lab::GrainProgramme programme_of(const Options& o) {
+  std::vector<lab::TomlEdit> edits;
+  for (const auto& [key, value] : key_values(o.sets, "--set specimen.seed=7"))
+    edits.push_back({key, value});
+  return lab::load_grain_programme(o.programme, edits);
+}
+
+void check_output(const Options& o, const lab::GrainProgramme& programme,
+                  const GrainOutputs& outputs) {
   refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
-  const Interruption interruption;
-  TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
-  progress.next("specimen");
+  if (o.output.empty()) return;
+  std::vector<std::string> files = outputs.files();
+  files.push_back(o.output + ".json");
+  check_targets("--output", o.output, files);
+  for (const auto& file : files) {
+    refuse_overwriting("--output", file, programme.files, "what the programme is read from");
+    refuse_overwriting("--output", file, database_files(o.db), "the database");
+  }
+}
+
+void write_files(const GrainReport& report, const std::string& prefix) {
+  write_file(prefix + ".json", grain_json(report));
+  for (const NamedBytes& csv : grain_csvs(report)) write_file(prefix + csv.suffix, csv.bytes);
+}
+
+void run(const Options& o) {
+  const lab::GrainProgramme programme = programme_of(o);
+  const GrainOutputs outputs(programme, o.output);
+  check_output(o, programme, outputs);
+  GrainReport report = grain_report(programme);
   db::GrainRecorder recorder(o.db, programme);
-  lab::GrainListener listener;
-  listener.made = [&](const lab::GrainsMade& made) { recorder.made(made); };
-  listener.begins = [&](const lab::GrainStage& stage, const sim::GrainState&) {
-    progress.next(stage.name);
-  };
-  listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                      const lab::GrainStageResult& result) {
-    recorder.ended(result);
-    if (stage.save)
-      lab::save_state(fmt::format("{}_{}.grains", o.output, lab::in_file_name(stage.name)), state);
-  };
-  listener.progress = [&](double share, const std::string& what) {
-    progress.show(share, what);
-    return !interruption.requested();
-  };
-  const int threads =
-      o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
-  if (!lab::run_grains(programme, threads, listener))
-    throw lab::WorkFailed("interrupted; the stages before are in the database");
-  print(fmt::format("run {}\n", recorder.finish()));
+  const Interruption interruption;
+  bool whole = false;
+  {
+    TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
+    progress.next("specimen");
+    lab::GrainListener listener;
+    listener.made = [&](const lab::GrainsMade& made) {
+      recorder.made(made);
+      add(report, made);
+    };
+    listener.begins = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
+      progress.next(stage.name);
+      outputs.begins(stage, state);
+    };
+    listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                        const lab::GrainStageResult& result) {
+      recorder.ended(result);
+      add(report, result);
+      outputs.ends(stage, state);
+    };
+    listener.progress = [&](double share, const std::string& what) {
+      progress.show(share, what);
+      return !interruption.requested();
+    };
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    whole = lab::run_grains(programme, o.threads > 0 ? o.threads : std::max(1, cores), listener);
+  }
+  if (whole) recorder.finish();
+  if (report.specimen) {
+    if (!o.output.empty()) write_files(report, o.output);
+    print(o.json ? grain_json(report) : grain_text(report));
+  }
+  if (!whole)
+    throw lab::WorkFailed("stopped by the operator; the stages that had ended are stored");
 }
 
 }  // namespace
@@ -60,14 +102,44 @@ void run(const Options& o) {
 Command grains_command() {
   return {
       .name = "grains",
-      .purpose = "run a programme on a specimen of grains (discrete elements)",
-      .description = {},
-      .diagnostics = {},
-      .examples = {},
+      .purpose = "run a programme on a specimen of grains, a discrete element model",
+      .description =
+          {"A specimen of spheres in a box of six frictionless walls is made (a cloud compressed "
+           "with the friction that gives the density wanted) or loaded, and taken through stages: "
+           "isotropic, drained and undrained compression or extension, proportional strain paths, "
+           "rest, stress probes in all directions with the second-order work of walls and "
+           "contacts, and perturbations of an equilibrium. The contacts are those of section 5 of "
+           "Darve, Sibille, Daouadji and Nicot (2007): linear stiffness, Coulomb friction, no "
+           "tension.",
+           "Each stage starts from the one before it, or from the stage or mark that it names. "
+           "Every stage is stored as it ends and called simulated; the same programme gives the "
+           "same bits on any number of threads, and a saved state goes on as if the run had never "
+           "ended.",
+           "--output PREFIX writes PREFIX.json, a CSV a stage, the figures, and the files that "
+           "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
+           "after the work at hand; what had ended is stored."},
+      .diagnostics =
+          {{"FILE:LINE: ...", "the programme could not be understood there"},
+           {"a porosity of ... was not reached, ...",
+            "ask for another one, or for the friction of compaction that gives the nearest"},
+           {"stage '...': its start '...' was never passed",
+            "the path ended before the mark: see the peak that it reached"}},
+      .examples = {{"triax grains samples/grains/quick.toml", "a small specimen, some seconds"},
+                   {"triax grains samples/grains/dense.toml --output dense",
+                    "probes of 10,000 grains with figures 13 to 15 of the paper"},
+                   {"triax grains samples/grains/medium.toml --output medium --threads 1",
+                    "strain paths and perturbed equilibria, figures 16 to 18, on one core"},
+                   {"triax grains dense.toml --set specimen.seed=7 --set contact.damping=0.1",
+                    "another specimen, other damping"},
+                   {"triax query grain_peaks", "peaks of s1 - s3/R of every path so far"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--output", o->output, "files named PREFIX...")->type_name("PREFIX");
+        app.add_option("--set", o->sets, "another value for a key of the programme; repeatable")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        app.add_option("--output", o->output, "also write files whose names begin so")
+            ->type_name("PREFIX");
         app.add_option("--threads", o->threads, "threads [all cores]")
             ->check(CLI::Range(1, 64).description(""))
             ->type_name("N");
