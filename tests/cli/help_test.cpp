@@ -10,8 +10,8 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {"simulate", "replay",    "report", "query",
-                                 "element",  "materials", "probe",  "domain"};
+const char* const kCommands[] = {"simulate",  "replay", "report", "query", "element",
+                                 "materials", "probe",  "domain", "grains"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
