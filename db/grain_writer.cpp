@@ -56,7 +56,8 @@ class StageRows {
       probe(insert, k + 1, rose.rose.probes[k], rose.rose.probes[k].angle);
   }
   void operator()(const sim::PerturbationResult& result) {
-    Statement insert(database_, "INSERT INTO grain_perturbation_points VALUES (" + places(10) + ")");
+    Statement insert(database_,
+                     "INSERT INTO grain_perturbation_points VALUES (" + places(10) + ")");
     for (std::size_t k = 0; k < result.points.size(); ++k) {
       const sim::PerturbationPoint& p = result.points[k];
       row(insert, k)
@@ -130,7 +131,7 @@ std::optional<double> ratio_of(const lab::GrainStage& stage) {
 std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgramme& programme,
                               const lab::GrainsMade& made, const std::string& recorded_at) {
   const lab::GrainSource& source = programme.grains;
-  const bool loaded = !source.state_file.empty();
+  const bool loaded = !source.made();
   const sim::ContactLaw& law = made.state.law;
   const sim::GrainMeasures& m = made.measures;
   const auto if_made = [&](auto value) {
@@ -148,7 +149,7 @@ std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgra
   Binder(insert)
       .text(programme.name)
       .text(programme.source)
-      .text_or_null(source.state_file)
+      .text_or_null(source.state_file.empty() ? source.packing_file : source.state_file)
       .text(recorded_at)
       .integer(static_cast<std::int64_t>(made.state.grains.size()))
       .integer(if_made(static_cast<std::int64_t>(source.seed)))

@@ -6,7 +6,7 @@ CREATE TABLE grain_runs (
   name TEXT NOT NULL,
   origin TEXT NOT NULL DEFAULT 'simulated' CHECK (origin = 'simulated'),
   source TEXT NOT NULL,      -- file of the programme
-  state_file TEXT,           -- NULL: the specimen was made
+  state_file TEXT,           -- of a state or a packing; NULL: the specimen was made
   status TEXT NOT NULL CHECK (status IN ('running', 'complete', 'interrupted')),
   recorded_at TEXT NOT NULL, -- ISO 8601, UTC
   grains INTEGER NOT NULL,

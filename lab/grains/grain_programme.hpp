@@ -18,9 +18,12 @@
 
 namespace triax::lab {
 
-/// Where the grains come from: a file of a state, or a cloud that is compressed.
+/// Where the grains come from: a file of a state, a packing, or a cloud that is compressed.
 struct GrainSource {
-  std::string state_file;  ///< empty: they are made
+  std::string state_file;    ///< empty: not from there
+  std::string packing_file;  ///< grain_packing.hpp; empty: not from there
+  int packing_axis = 2;      ///< of the packing, 0 to 2, that becomes axis 1
+  bool made() const { return state_file.empty() && packing_file.empty(); }
   int grains = 10000;
   std::uint64_t seed = 1;
   sim::GradingCurve grading = sim::paper_grading();

@@ -51,10 +51,21 @@ void read_density(const TomlTable& table, GrainSource& source) {
 
 void read_source(const TomlTable& table, GrainProgramme& programme) {
   GrainSource& source = programme.grains;
+  const auto beside = [&](const std::string& name) {
+    programme.files.push_back(
+        (std::filesystem::path(programme.source).parent_path() / name).lexically_normal());
+    return programme.files.back();
+  };
   if (const auto state = table.text("state")) {
-    source.state_file =
-        (std::filesystem::path(programme.source).parent_path() / *state).lexically_normal();
-    programme.files.push_back(source.state_file);
+    source.state_file = beside(*state);
+    return table.finish();
+  }
+  if (const auto packing = table.text("packing")) {
+    source.packing_file = beside(*packing);
+    const std::string axis = table.text("packing_axis").value_or("z");
+    if (axis != "x" && axis != "y" && axis != "z")
+      table.fail("packing_axis", fmt::format("{} is none; x, y or z", excerpt(axis)));
+    source.packing_axis = axis[0] - 'x';
     return table.finish();
   }
   source.grains = static_cast<int>(table.integer("grains", 8, kMostGrains).value_or(10000));

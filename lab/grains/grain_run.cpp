@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lab/grains/grain_files.hpp"
+#include "lab/grains/grain_packing.hpp"
 #include "lab/records/bad_input.hpp"
 #include "sim/grains/calming.hpp"
 #include "sim/grains/cloud.hpp"
@@ -51,6 +52,9 @@ std::optional<GrainsMade> make_specimen(const GrainProgramme& programme, int thr
   const GrainSource& source = programme.grains;
   if (!source.state_file.empty()) {
     made.state = load_state(source.state_file);
+  } else if (!source.packing_file.empty()) {
+    const GrainPacking packing = load_packing(source.packing_file, source.packing_axis);
+    made.state = make_grain_state(packing.spheres, packing.box, programme.law);
   } else {
     const sim::Cloud cloud = cloud_of(source);
     sim::Compacted compacted;

@@ -16,8 +16,8 @@ namespace triax::lab {
 struct GrainsMade {
   sim::GrainState state;
   sim::GrainMeasures measures;
-  double compaction_friction_angle = 0;  ///< rad; 0 where the state was loaded
-  int trials = 0;                        ///< compactions made; 0 where it was loaded
+  double compaction_friction_angle = 0;  ///< rad; 0 where it was not compacted here
+  int trials = 0;                        ///< compactions made; 0 where it was not compacted here
 };
 
 struct GrainRest {

@@ -60,9 +60,15 @@ void read_mark(const TomlTable& table, GrainPathStage& stage) {
 
 void read_course(const TomlTable& table, GrainPathStage& stage) {
   sim::GrainPath& path = stage.path;
-  path.strain_rate_per_s =
-      table.required_number("strain_rate_per_s", {.at_least = -100, .at_most = 100});
-  if (path.strain_rate_per_s == 0) table.fail("strain_rate_per_s", "is 0: nothing would move");
+  const auto strain = table.number("strain_rate_per_s", {.at_least = -100, .at_most = 100});
+  const auto load = table.number("load_rate_kPa_per_s", {.at_least = -1e9, .at_most = 1e9});
+  const char* key = load ? "load_rate_kPa_per_s" : "strain_rate_per_s";
+  if (strain.has_value() == load.has_value())
+    table.fail(strain ? key : "",
+               "axis 1 goes by strain_rate_per_s or load_rate_kPa_per_s; give one of the two");
+  if (strain.value_or(0) == 0 && load.value_or(0) == 0) table.fail(key, "is 0: nothing would move");
+  path.strain_rate_per_s = strain.value_or(0);
+  path.load_rate_pa_per_s = 1e3 * load.value_or(0);
   path.axial_strain =
       1e-2 * table.required_number("end_axial_strain_pct", {.above = 0, .at_most = 90});
   path.stress_ratio = table.number("end_stress_ratio", {.at_least = -1.5, .at_most = 3});

@@ -21,16 +21,31 @@ void check(const GrainPath& path) {
   if (!positive(path.ratio)) throw std::invalid_argument("grain path: R must be above 0");
   if (path.kind != Kind::strain_path && !positive(path.pressure_pa))
     throw std::invalid_argument("grain path: the pressure must be above 0");
-  if (path.kind != Kind::isotropic &&
-      (!positive(path.axial_strain) || !positive(std::abs(path.strain_rate_per_s))))
+  const bool driven = path.load_rate_pa_per_s != 0 ? std::isfinite(path.load_rate_pa_per_s)
+                                                   : positive(std::abs(path.strain_rate_per_s));
+  if (path.kind != Kind::isotropic && !(positive(path.axial_strain) && driven))
     throw std::invalid_argument(
-        "grain path: a strain rate and an axial strain to end at are needed");
+        "grain path: a rate of strain or load and an axial strain to end at are needed");
   if (path.samples < 1 || path.check_every < 1)
     throw std::invalid_argument("grain path: samples and steps between checks must be at least 1");
 }
 
+/// A goal that no specimen reaches: the path ends before.
+constexpr double kBeyond = 1e12;
+
+bool by_load(const GrainPath& path) {
+  return path.kind != Kind::isotropic && path.load_rate_pa_per_s != 0;
+}
+
+AxisDrive axial_drive(const GrainPath& path) {
+  if (!by_load(path)) return strain_rate_drive(path.strain_rate_per_s);
+  AxisDrive drive = stress_drive(std::copysign(kBeyond, path.load_rate_pa_per_s));
+  drive.stress_rate_pa_per_s = std::abs(path.load_rate_pa_per_s);
+  return drive;
+}
+
 std::array<AxisDrive, 3> drives_of(const GrainPath& path) {
-  const AxisDrive axial = strain_rate_drive(path.strain_rate_per_s);
+  const AxisDrive axial = axial_drive(path);
   AxisDrive servo = stress_drive(path.pressure_pa);
   servo.stress_rate_pa_per_s = path.kind == Kind::isotropic ? path.stress_rate_pa_per_s : 0;
   if (path.kind == Kind::isotropic) return triaxial_drives(servo, servo);
@@ -40,10 +55,10 @@ std::array<AxisDrive, 3> drives_of(const GrainPath& path) {
 
 /// Samples are as far apart in time as makes them as many as asked for.
 double sample_interval(const GrainState& s, const GrainPath& path) {
-  if (path.kind != Kind::isotropic)
+  if (path.kind != Kind::isotropic && !by_load(path))
     return path.axial_strain / std::abs(path.strain_rate_per_s) / path.samples;
   const double step = s.time_step_s * static_cast<double>(kSettlingCheck);
-  if (!(path.stress_rate_pa_per_s > 0)) return step;
+  if (by_load(path) || !(path.stress_rate_pa_per_s > 0)) return step;
   const double rise = std::abs(path.pressure_pa - mean_stress(axisymmetric_stress(s)));
   return std::max(step, rise / path.stress_rate_pa_per_s / path.samples);
 }
@@ -144,7 +159,7 @@ class Follower {
     if (steps >= path_.most_steps) return GrainPathEnd::most_steps;
     if (path_.kind == Kind::isotropic) return at_rest(steps);
     if (p < path_.collapse_share * start_p_) return GrainPathEnd::collapse;
-    const double way = path_.strain_rate_per_s > 0 ? 1 : -1;
+    const double way = by_load(path_) ? path_.load_rate_pa_per_s : path_.strain_rate_per_s;
     if (path_.stress_ratio && p > 0 &&
         way * (deviator_stress(stress) / p - *path_.stress_ratio) >= 0)
       return GrainPathEnd::stress_ratio;

@@ -3,8 +3,12 @@
 // the path; axis 1 as triaxial_axes.hpp has it.
 //
 //   isotropic     all stresses run to a pressure
-//   drained       ε̇₁ given, σ₃ held
-//   strain_path   ε̇₁ given, dε₁ + 2R dε₃ = 0 (Eq. 28); R = 1 is undrained (constant volume)
+//   drained       σ₃ held
+//   strain_path   dε₁ + 2R dε₃ = 0 (Eq. 28); R = 1 is undrained (constant volume)
+//
+// Axis 1 of the latter two goes by strain, ε̇₁ given, or by load: what is conjugate to ε₁ rises at a
+// given rate, σ₁ of a drained path, σ₁ − σ₃/R of a strain path. Under load the specimen runs away
+// where it cannot carry more.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -30,9 +34,11 @@ struct PathMark {
 struct GrainPath {
   GrainPathKind kind = GrainPathKind::drained;
   double pressure_pa = 1e5;         ///< isotropic: goal; drained: σ₃. > 0
-  double strain_rate_per_s = 0.1;   ///< ε̇₁ of drained and strain paths, ≠ 0
+  double strain_rate_per_s = 0.1;   ///< ε̇₁ of drained and strain paths by strain, ≠ 0
   double stress_rate_pa_per_s = 0;  ///< isotropic: of the target, ≥ 0; 0 sets the goal at once
-  double ratio = 1;                 ///< R of a strain path, and of path_stress_pa; > 0
+  /// Drained and strain paths: ≠ 0 drives axis 1 by load at this rate, negative in extension.
+  double load_rate_pa_per_s = 0;
+  double ratio = 1;  ///< R of a strain path, and of path_stress_pa; > 0
 
   double axial_strain = 0.02;  ///< the path ends at this |ε₁| (drained, strain path), > 0
   /// It ends where η reaches this: from below in compression, from above in extension.

@@ -84,6 +84,14 @@ state = "made.grains"
   CHECK(p.files == std::vector<std::string>{"there/g.toml", "there/made.grains"});
   refused(text + "[contact]\ndamping = 0.1\n", "its own law");
   refused(text + "grains = 4\n", "grains");
+  const auto packed =
+      replaced(text, "state = \"made.grains\"", "packing = \"p.txt\"\npacking_axis = \"y\"");
+  const GrainProgramme q = read_grain_programme(packed + "[contact]\ndamping = 0.1\n", "g.toml");
+  CHECK(q.grains.packing_file == "p.txt");
+  CHECK(q.grains.packing_axis == 1);
+  CHECK(q.law.damping == 0.1);
+  CHECK_FALSE(q.grains.made());
+  refused(replaced(packed, "\"y\"", "\"w\""), "x, y or z");
 }
 
 TEST_CASE("what makes no sense in a programme of grains is refused with file, line and key") {

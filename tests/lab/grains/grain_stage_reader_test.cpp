@@ -38,3 +38,12 @@ TEST_CASE("extension is a negative strain rate with a stress ratio below 0 to en
   CHECK(path.stress_ratio == -0.2);
   CHECK(path.pressure_pa == 50e3);
 }
+
+TEST_CASE("axis 1 of a path goes by strain or by load") {
+  const std::string head = "name = 'x'\naction = 'undrained'\nend_axial_strain_pct = 3\n";
+  const auto stage = read_grain_stage(TomlTable::parse(head + "load_rate_kPa_per_s = -20\n", "s"));
+  CHECK(std::get<GrainPathStage>(stage.work).path.load_rate_pa_per_s == -20e3);
+  for (const std::string keys :
+       {"", "load_rate_kPa_per_s = 0\n", "load_rate_kPa_per_s = 1\nstrain_rate_per_s = 1\n"})
+    CHECK_THROWS_AS(read_grain_stage(TomlTable::parse(head + keys, "s")), BadInput);
+}
