@@ -26,20 +26,25 @@ void hide_axes(QCPAxisRect& rect) {
   }
 }
 
-QCPAxisRect& add_axes_beside(QCustomPlot& plot) {
-  auto* own = plot.axisRect();
-  plot.plotLayout()->take(own);
-  auto* row = new QCPLayoutGrid;
-  plot.plotLayout()->addElement(0, 0, row);
-  row->setColumnSpacing(8);
-  row->addElement(0, 0, own);
-  auto* beside = new QCPAxisRect(&plot);
-  row->addElement(0, 1, beside);
-  for (auto* axis : beside->axes()) {
-    axis->setLayer("axes");
-    axis->grid()->setLayer("grid");
+QCPAxisRect& add_axes_beside(QCustomPlot& plot) { return *add_axes_in_rows(plot, 2, 2).back(); }
+
+std::vector<QCPAxisRect*> add_axes_in_rows(QCustomPlot& plot, int count, int columns) {
+  std::vector<QCPAxisRect*> all = {plot.axisRect()};
+  plot.plotLayout()->take(all.front());
+  auto* rows = new QCPLayoutGrid;
+  plot.plotLayout()->addElement(0, 0, rows);
+  rows->setColumnSpacing(8);
+  rows->addElement(0, 0, all.front());
+  for (int i = 1; i < count; ++i) {
+    auto* next = new QCPAxisRect(&plot);
+    rows->addElement(i / columns, i % columns, next);
+    for (auto* axis : next->axes()) {
+      axis->setLayer("axes");
+      axis->grid()->setLayer("grid");
+    }
+    all.push_back(next);
   }
-  return *beside;
+  return all;
 }
 
 }  // namespace triax::src

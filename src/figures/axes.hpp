@@ -2,6 +2,8 @@
 // Axis rectangles of planes whose angles are to be seen as they are, and several of them.
 #include <qcustomplot.h>
 
+#include <vector>
+
 namespace triax::src {
 
 /// Widens one of the two ranges about its middle until a unit is as long on both axes. What takes
@@ -14,5 +16,9 @@ void hide_axes(QCPAxisRect& rect);
 /// Puts a second axis rectangle to the right of the plot's own, in one row of the layout. Before
 /// legend_below().
 QCPAxisRect& add_axes_beside(QCustomPlot& plot);
+
+/// The plot's own axis rectangle and `count` − 1 others, row by row, `columns` in a row. Before
+/// legend_below(). Pre-condition: count and columns above 0.
+std::vector<QCPAxisRect*> add_axes_in_rows(QCustomPlot& plot, int count, int columns);
 
 }  // namespace triax::src

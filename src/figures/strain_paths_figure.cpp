@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <QFontMetricsF>
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "src/figures/axes.hpp"
+#include "src/figures/curve_labels.hpp"
 #include "src/figures/plot_style.hpp"
 #include "src/figures/shapes.hpp"
 
@@ -60,83 +58,16 @@ QPointF top_of(const sim::StrainPath& path) {
                                                            &sim::StrainPathPoint::control_stress));
 }
 
-/// Heights of the column of labels, px downwards: as near to those wanted, which rise, as a
-/// distance between neighbours and the border allow.
-std::vector<double> spread(std::vector<double> wanted, double distance, double border) {
-  for (std::size_t i = 1; i < wanted.size(); ++i)
-    wanted[i] = std::max(wanted[i], wanted[i - 1] + distance);
-  for (std::size_t i = wanted.size(); i-- > 0; border -= distance)
-    wanted[i] = std::min(wanted[i], border);
-  return wanted;
+std::vector<LabelledCurve> labelled(const std::vector<sim::StrainPath>& paths) {
+  std::vector<LabelledCurve> curves;
+  for (const auto& path : paths) {
+    Points points;
+    for (const auto& point : path.points) points.push_back(over_strain(point));
+    curves.push_back(
+        {std::move(points), top_of(path), label_of(path), curve_pen(curves.size()).color()});
+  }
+  return curves;
 }
-
-/// R of each curve in a column as near to the peaks as no curve passes, with a line to the peak.
-class PeakLabels {
- public:
-  PeakLabels(QCPAxisRect& rect, const std::vector<sim::StrainPath>& paths)
-      : rect_(rect), paths_(paths), order_(paths.size()) {
-    rect.parentPlot()->replot();
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::stable_sort(order_, {},
-                             [&](std::size_t i) { return pixel(top_of(paths_[i])).y(); });
-  }
-
-  void draw() {
-    std::vector<double> wanted;
-    for (const std::size_t i : order_) wanted.push_back(pixel(top_of(paths_[i])).y());
-    const double height = std::ceil(metrics_.height()) + 2;
-    const auto heights = spread(wanted, height, rect_.bottom() - height);
-    const double x = column(heights);
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-      const auto& path = paths_[order_[k]];
-      const QPointF at = coordinates({x, heights[k]});
-      auto* leader =
-          draw_curve(rect_, {top_of(path), coordinates({x - kGap, heights[k]})}, line(kGrey, 0.7));
-      lay_behind(*leader);
-      write_text(rect_, at, label_of(path), curve_pen(order_[k]).color(),
-                 Qt::AlignLeft | Qt::AlignVCenter);
-    }
-  }
-
- private:
-  static constexpr double kGap = 3;  // px between a line and its words
-
-  QPointF pixel(const QPointF& at) const {
-    return {rect_.axis(QCPAxis::atBottom)->coordToPixel(at.x()),
-            rect_.axis(QCPAxis::atLeft)->coordToPixel(at.y())};
-  }
-  QPointF coordinates(const QPointF& pixel) const {
-    return {rect_.axis(QCPAxis::atBottom)->pixelToCoord(pixel.x()),
-            rect_.axis(QCPAxis::atLeft)->pixelToCoord(pixel.y())};
-  }
-
-  /// The left of the column: to the right of every curve at its height and of every peak.
-  double column(const std::vector<double>& heights) const {
-    const double clear = 0.7 * metrics_.height();
-    double x = rect_.left();
-    for (const auto& path : paths_) {
-      x = std::max(x, pixel(top_of(path)).x());
-      for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-        const QPointF a = pixel(over_strain(path.points[i])),
-                      b = pixel(over_strain(path.points[i + 1]));
-        const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
-        if (high > heights.front() - clear && low < heights.back() + clear)
-          x = std::max({x, a.x(), b.x()});
-      }
-    }
-    double widest = 0;
-    for (const auto& path : paths_)
-      widest = std::max(widest, metrics_.horizontalAdvance(QString::fromStdString(label_of(path))));
-    return std::min(x + kDistance, rect_.right() - widest - 2 * kGap);
-  }
-
-  static constexpr double kDistance = 24;  // px from the curves
-
-  QCPAxisRect& rect_;
-  const std::vector<sim::StrainPath>& paths_;
-  std::vector<std::size_t> order_;  // from above
-  QFontMetricsF metrics_{label_font()};
-};
 
 std::string caption_of(const std::vector<sim::StrainPath>& paths, const Subject& subject) {
   const auto with_peak =
@@ -176,7 +107,7 @@ Drawing strain_paths_figure(const std::vector<sim::StrainPath>& all, const Subje
   set_ranges(right, over_strain, kRoomForLabels);
   draw_paths(left, paths, in_stress_plane);
   draw_paths(right, paths, over_strain);
-  PeakLabels(right, paths).draw();
+  label_beside(right, labelled(paths));
   return {std::move(plot), caption_of(paths, subject)};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/mechanics/axisymmetric.hpp"
+#include "src/figures/angle_axis.hpp"
 #include "src/figures/plot_style.hpp"
 #include "src/figures/shapes.hpp"
 
@@ -13,7 +14,6 @@ namespace triax::src {
 namespace {
 
 constexpr int kWidth = 720, kHeight = 440 + kOriginHeight;
-constexpr double kTurn = 360;
 
 /// α in degrees and the value of all probes, once around; a gap where one was not answered.
 Points curve_of(const std::vector<sim::Probe>& probes) {
@@ -25,34 +25,21 @@ Points curve_of(const std::vector<sim::Probe>& probes) {
   const auto& first = probes.front();
   const auto& last = probes.back();
   if (first.answered && last.answered) {
-    const double from = sim::degrees(last.angle) - kTurn, to = sim::degrees(first.angle);
+    const double from = sim::degrees(last.angle) - kTurnDeg, to = sim::degrees(first.angle);
     const double part = to > from ? (0 - from) / (to - from) : 0;
     const double at_zero = std::lerp(last.normalised, first.normalised, part);
     points.insert(points.begin(), {0, at_zero});
-    points.emplace_back(kTurn, at_zero);
+    points.emplace_back(kTurnDeg, at_zero);
   }
   return points;
 }
 
-void shade(QCPAxisRect& rect, double from, double to, const std::string& name) {
-  const auto range = rect.axis(QCPAxis::atLeft)->range();
-  QColor fill = kVermilion;
-  fill.setAlpha(45);
-  auto* area = draw_area(
-      rect, {{from, range.lower}, {to, range.lower}, {to, range.upper}, {from, range.upper}}, fill,
-      Qt::NoPen, name);
-  lay_behind(*area);
-}
-
-/// A cone that passes α = 0 is shaded in two pieces.
 void shade_cones(QCPAxisRect& rect, const std::vector<NamedCircle>& circles) {
   bool any = false;
   for (const auto& [name, circle] : circles)
     for (const auto& cone : circle.cones) {
-      const double from = sim::degrees(cone.from), to = sim::degrees(cone.to);
-      const char* entry = any ? "" : "cones with W₂ < 0";
-      shade(rect, from, std::min(to, kTurn), entry);
-      if (to > kTurn) shade(rect, 0, to - kTurn, "");
+      shade_directions(rect, sim::degrees(cone.from), sim::degrees(cone.to), kVermilion,
+                       any ? "" : "cones with W₂ < 0");
       any = true;
     }
 }
@@ -84,17 +71,9 @@ Drawing work_over_angle(const std::vector<NamedCircle>& circles, const Subject& 
   const bool stress = subject.kind == sim::ProbeKind::stress;
   auto plot = make_plot(kWidth, kHeight);
   auto& rect = *plot->axisRect();
-  style_axes(
-      rect,
-      fmt::format("direction α of the {} increment from {} (°)", stress ? "stress" : "strain",
-                  stress ? stress_x_name(subject.plane) : strain_x_name(subject.plane)),
-      "normalised second-order work (–)");
-  const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
-  ticker->setTickStep(30);
-  plot->xAxis->setTicker(ticker);
-  plot->xAxis->setRange(0, kTurn);
+  style_angle_axes(rect, subject.plane, subject.kind, "normalised second-order work (–)");
   plot->yAxis->setRange(range.with_margin(0.06, false));
-  draw_curve(rect, {{0, 0}, {kTurn, 0}}, line(kInk, 1));
+  draw_curve(rect, {{0, 0}, {kTurnDeg, 0}}, line(kInk, 1));
   for (std::size_t i = 0; i < circles.size(); ++i)
     if (!circles[i].circle.probes.empty())
       draw_curve(rect, curve_of(circles[i].circle.probes), curve_pen(i), circles[i].name);

@@ -123,15 +123,6 @@ Row probe_row(const sim::GrainProbe& p, std::optional<double> angle) {
   return row;
 }
 
-std::string file_part(const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.';
-    out += kept ? c : '_';
-  }
-  return out;
-}
-
 struct Csv {
   const GrainReport& report;
   const ReportedGrainStage& stage;
@@ -154,6 +145,15 @@ struct Csv {
 };
 
 }  // namespace
+
+std::string file_part(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.';
+    out += kept ? c : '_';
+  }
+  return out;
+}
 
 FigureData paths_data(const GrainReport& report,
                       const std::vector<const ReportedGrainStage*>& stages) {

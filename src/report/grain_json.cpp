@@ -172,23 +172,25 @@ Json came_json(const ReportedGrainRose& came) {
   Json probes = Json::array();
   for (std::size_t i = 0; i < rose.probes.size(); ++i)
     probes.push_back(probe_json(rose.probes[i], angles[i]));
-  return {{"norm_kPa", json_kPa(came.probing.norm_pa)},
-          {"stress", stress_json(stress)},
-          {"made", found.made},
-          {"settled", found.settled},
-          {"negative_w2", ranges_json(found.negative)},
-          {"least_w2_normalised", any ? json_number(found.least_normalised) : Json(nullptr)},
-          {"least_alpha_deg", any ? json_deg(found.least_angle) : Json(nullptr)},
-          {"agreement", {{"within", kAgreement}, {"ranges", ranges_json(found.agreeing)}}},
-          {"irreversible",
-           {{"contacts_above", kIrreversible}, {"ranges", ranges_json(found.irreversible)}}},
-          {"dynamic",
-           {{"times_least_kinetic_energy", kDynamic}, {"ranges", ranges_json(found.dynamic)}}},
-          {"kinetic_energy_most_J", any ? json_number(found.most_kinetic_j) : Json(nullptr)},
-          {"smallest_strain", json_number(found.smallest_strain)},
-          {"null_probe_over_smallest", json_number(found.drift)},
-          {"null_probe", probe_json(rose.null_probe, {})},
-          {"probes", std::move(probes)}};
+  return {
+      {"norm_kPa", json_kPa(came.probing.norm_pa)},
+      {"stress", stress_json(stress)},
+      {"made", found.made},
+      {"settled", found.settled},
+      {"negative_w2", ranges_json(found.negative)},
+      {"least_w2_normalised", json_number(found.least_normalised)},
+      {"least_alpha_deg", json_deg(found.least_angle)},
+      {"agreement", {{"within", kAgreement}, {"ranges", ranges_json(found.agreeing)}}},
+      {"irreversible",
+       {{"contacts_above_null_probe", kIrreversible}, {"ranges", ranges_json(found.irreversible)}}},
+      {"dynamic",
+       {{"times_least_kinetic_energy", kDynamic}, {"ranges", ranges_json(found.dynamic)}}},
+      {"unsettled", ranges_json(found.unsettled)},
+      {"kinetic_energy_most_J", any ? json_number(found.most_kinetic_j) : Json(nullptr)},
+      {"smallest_strain", json_number(found.smallest_strain)},
+      {"null_probe_over_smallest", json_number(found.drift)},
+      {"null_probe", probe_json(rose.null_probe, {})},
+      {"probes", std::move(probes)}};
 }
 
 Json came_json(const ReportedPerturbation& came) {

@@ -2,22 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace triax::src {
 namespace {
 
 using Points = std::vector<sim::GrainPathPoint>;
 
+/// Of the points with p above `least_p`.
 template <class Value>
-std::optional<GrainPeak> peak_of(const Points& points, double sense, const Value& value) {
-  if (points.empty()) return {};
-  GrainPeak peak;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (sense * value(points[i]) > sense * value(points[peak.point])) peak.point = i;
-  peak.value = value(points[peak.point]);
-  peak.axial_strain = points[peak.point].strain.axial;
-  for (std::size_t i = peak.point; i < points.size(); ++i)
-    if (sense * (peak.value - value(points[i])) > kFallen * std::abs(peak.value)) peak.fell = true;
+std::optional<GrainPeak> peak_of(const Points& points, double sense, const Value& value,
+                                 double least_p = -std::numeric_limits<double>::infinity()) {
+  std::optional<GrainPeak> peak;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(points[i].p_pa > least_p)) continue;
+    const double here = value(points[i]);
+    if (!peak || sense * here > sense * peak->value)
+      peak = GrainPeak{i, here, points[i].strain.axial, false};
+    else if (sense * (peak->value - here) > kFallen * std::abs(peak->value))
+      peak->fell = true;
+  }
   return peak;
 }
 
@@ -52,7 +56,10 @@ GrainPathFindings path_findings(const sim::GrainPath& path, const Points& points
   if (path.kind == sim::GrainPathKind::isotropic) return found;
   const double sense = path.strain_rate_per_s < 0 ? -1 : 1;
   found.q = peak_of(points, sense, [](const auto& at) { return at.q_pa; });
-  found.eta = peak_of(points, sense, [](const auto& at) { return at.stress_ratio(); });
+  if (!points.empty())
+    found.eta = peak_of(
+        points, sense, [](const auto& at) { return at.stress_ratio(); },
+        kLeastP * points.front().p_pa);
   if (path.kind == sim::GrainPathKind::strain_path)
     found.path_stress = peak_of(points, sense, [](const auto& at) { return at.path_stress_pa; });
   return found;

@@ -27,7 +27,8 @@ struct GrainPeak {
 /// Largest values in the sense of the loading: the smallest where ε₁ is driven to extension.
 struct GrainPathFindings {
   /// Empty: an isotropic path, or no point.
-  std::optional<GrainPeak> q, eta;
+  std::optional<GrainPeak> q;
+  std::optional<GrainPeak> eta;          ///< of the points with p above kLeastP of the first one's
   std::optional<GrainPeak> path_stress;  ///< σ₁ − σ₃/R; of strain paths only
   /// Where W₂ of the increment over kWorkWindow points is first negative and stays so for the next
   /// kWorkWindow increments of that length, or to the end: the point in its middle.
@@ -38,6 +39,8 @@ struct GrainPathFindings {
 /// Points are noisy: grains rearrange in bursts.
 inline constexpr std::size_t kWorkWindow = 5;
 inline constexpr double kFallen = 0.01;
+/// η of a specimen that has all but lost its stress is the ratio of two noises.
+inline constexpr double kLeastP = 0.1;
 
 GrainPathFindings path_findings(const sim::GrainPath& path,
                                 const std::vector<sim::GrainPathPoint>& points);

@@ -53,6 +53,10 @@ std::optional<double> micro_over_macro(const sim::GrainProbe& probe) {
   return probe.work.microscopic() / probe.work.lagrangian;
 }
 
+double changed_contacts(const sim::GrainProbe& probe) {
+  return probe.sliding_share + probe.work.non_permanent_share();
+}
+
 double strain_norm(const sim::GrainProbe& probe) {
   return std::hypot(probe.strain.axial, std::numbers::sqrt2 * probe.strain.radial);
 }
@@ -68,14 +72,15 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
     return [value](const auto& a, const auto& b) { return value(a) < value(b); };
   };
   const auto kinetic = [](const auto& probe) { return probe.most_kinetic_j; };
-  const auto normalised = [](const auto& probe) { return probe.work.normalised; };
   const auto [quietest, loudest] = std::minmax_element(made.begin(), made.end(), below(kinetic));
-  const auto weakest = std::min_element(made.begin(), made.end(), below(normalised));
   found.settled = static_cast<int>(
       std::count_if(made.begin(), made.end(), [](const auto& probe) { return probe.settled; }));
   found.most_kinetic_j = loudest->most_kinetic_j;
-  found.least_normalised = weakest->work.normalised;
-  found.least_angle = weakest->angle;
+  for (const auto& probe : made) {
+    if (!probe.settled || probe.work.normalised >= found.least_normalised.value_or(2)) continue;
+    found.least_normalised = probe.work.normalised;
+    found.least_angle = probe.angle;
+  }
   found.smallest_strain =
       strain_norm(*std::min_element(made.begin(), made.end(), below(strain_norm)));
   if (!rose.null_probe.stopped && *found.smallest_strain > 0)
@@ -86,9 +91,10 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
     const auto ratio = micro_over_macro(p);
     return ratio && std::abs(*ratio - 1) <= kAgreement;
   });
-  found.irreversible = ranges_where(made, [](const auto& p) {
-    return p.sliding_share + p.work.non_permanent_share() > kIrreversible;
-  });
+  const double usual = rose.null_probe.stopped ? 0 : changed_contacts(rose.null_probe);
+  found.irreversible = ranges_where(
+      made, [usual](const auto& p) { return changed_contacts(p) > usual + kIrreversible; });
+  found.unsettled = ranges_where(made, [](const auto& p) { return !p.settled; });
   found.dynamic = ranges_where(made, [least = quietest->most_kinetic_j](const auto& p) {
     return p.most_kinetic_j > kDynamic * least;
   });

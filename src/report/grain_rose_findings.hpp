@@ -23,19 +23,25 @@ std::vector<AngleRange> ranges_where(const std::vector<sim::GrainProbe>& probes,
 
 /// Microscopic over semi-Lagrangian W₂; empty where that is 0.
 std::optional<double> micro_over_macro(const sim::GrainProbe& probe);
+/// Sliding and non-permanent contacts over those at the start.
+double changed_contacts(const sim::GrainProbe& probe);
 /// |ε| in the Rendulic plane.
 double strain_norm(const sim::GrainProbe& probe);
 
 struct GrainRoseFindings {
   int made = 0, settled = 0;
-  std::vector<AngleRange> negative;      ///< semi-Lagrangian W₂ < 0: cones of unstable directions
-  std::vector<AngleRange> agreeing;      ///< micro- and macroscopic W₂ within kAgreement
-  std::vector<AngleRange> irreversible;  ///< sliding and non-permanent contacts above kIrreversible
-  std::vector<AngleRange> dynamic;       ///< kinetic energy above kDynamic times the least
+  std::vector<AngleRange> negative;  ///< semi-Lagrangian W₂ < 0: cones of unstable directions
+  std::vector<AngleRange> agreeing;  ///< micro- and macroscopic W₂ within kAgreement
+  /// Sliding and non-permanent contacts together more than kIrreversible above the null probe's:
+  /// contacts that are at their limit already when the probes begin count in all of them.
+  std::vector<AngleRange> irreversible;
+  std::vector<AngleRange> dynamic;        ///< kinetic energy above kDynamic times the least
+  std::vector<AngleRange> unsettled;      ///< did not come to rest within the bound of steps
   std::optional<double> smallest_strain;  ///< strain_norm of the probes
   std::optional<double> drift;  ///< strain_norm of the null probe over that; empty: not made
   double most_kinetic_j = 0;
-  double least_normalised = 0, least_angle = 0;  ///< smallest normalised W₂; where (rad)
+  /// Smallest normalised W₂ of the probes at rest and where (rad); empty: none came to rest.
+  std::optional<double> least_normalised, least_angle;
 
   /// The null probe strains so much of the smallest probe's strain that signs of W₂ are in doubt.
   bool drifts() const { return drift && *drift > kMuchDrift; }
@@ -44,7 +50,7 @@ struct GrainRoseFindings {
 
 inline constexpr double kAgreement = 0.03;
 inline constexpr double kIrreversible = 0.01;  ///< of the contacts at the start
-inline constexpr double kDynamic = 10;
+inline constexpr double kDynamic = 100;
 
 GrainRoseFindings rose_findings(const sim::ProbeRose& rose);
 

@@ -1,6 +1,9 @@
 // The tables of the probes of a specimen of grains.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "src/report/grain_rose_findings.hpp"
 #include "src/report/grain_tables.hpp"
 #include "src/report/words.hpp"
@@ -10,7 +13,15 @@ namespace {
 
 std::string micro(double strain) { return number(1e6 * strain, 3); }
 std::string in_joule(double value) { return fmt::format("{:.2e}", value); }
-std::string density(double value) { return fmt::format("{:.5f}", value); }
+
+/// Decimals that show the smallest work with three digits.
+int work_decimals(const sim::ProbeRose& rose) {
+  double least = 1;
+  for (const auto& probe : rose.probes)
+    if (!probe.stopped && probe.work.lagrangian != 0)
+      least = std::min(least, std::abs(probe.work.lagrangian));
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(least))), 3, 8);
+}
 
 std::string settled_word(const sim::GrainProbe& probe) {
   return probe.stopped ? "stopped" : probe.settled ? "yes" : "NO";
@@ -22,7 +33,9 @@ Table right_columns(const std::vector<std::string>& headings) {
   return table;
 }
 
-void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::string& name) {
+void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::string& name,
+               int decimals) {
+  const auto density = [decimals](double value) { return number(value, decimals); };
   auto& response = tables.responses.rows.emplace_back();
   response = {name};
   auto& work = tables.work.rows.emplace_back();
@@ -51,12 +64,12 @@ void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::stri
   work.resize(tables.work.columns.size(), kUnknown);
 }
 
-std::string ranges_words(const std::vector<AngleRange>& ranges, const std::string& none) {
+std::string ranges_words(const std::vector<AngleRange>& ranges) {
   std::string words;
   for (const auto& [from, to, directions] : ranges)
     words += fmt::format("{}{}° to {}°", words.empty() ? "" : ", ", in_degrees(from, 0),
                          in_degrees(to, 0));
-  return words.empty() ? none : words;
+  return words.empty() ? "in no direction" : words;
 }
 
 std::string null_words(const GrainRoseFindings& found, const sim::GrainProbe& null_probe) {
@@ -73,9 +86,10 @@ RoseTables rose_tables(const ReportedGrainRose& rose) {
                                    "non-perm. (%)", "K most (J)", "steps", "settled"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
                                    "−σLᵗΔt:LΔt", "micro", "micro/macro"})};
+  const int decimals = work_decimals(rose.made.rose);
   for (std::size_t i = 0; i < rose.made.rose.probes.size(); ++i)
-    put_probe(tables, rose.made.rose.probes[i], in_degrees(rose.made.angles[i], 0));
-  put_probe(tables, rose.made.rose.null_probe, "null");
+    put_probe(tables, rose.made.rose.probes[i], in_degrees(rose.made.angles[i], 0), decimals);
+  put_probe(tables, rose.made.rose.null_probe, "null", decimals);
   return tables;
 }
 
@@ -94,17 +108,21 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const ReportedGrainR
                            found.settled)},
       {"null probe", null_words(found, rose.made.rose.null_probe)}};
   if (found.made == 0) return facts;
-  facts.insert(
-      facts.end(),
-      {{"W₂ < 0", ranges_words(found.negative, "in no direction")},
-       {"least W₂", fmt::format("{} normalised, at {}°", number(found.least_normalised, 4),
-                                in_degrees(found.least_angle, 0))},
-       {"micro=macro", fmt::format("within {:g} %: {}", 100 * kAgreement,
-                                   ranges_words(found.agreeing, "in no direction"))},
-       {"contacts", fmt::format("sliding and non-permanent above {:g} %: {}", 100 * kIrreversible,
-                                ranges_words(found.irreversible, "in no direction"))},
-       {"motion", fmt::format("kinetic energy above {:g} times the least: {}", kDynamic,
-                              ranges_words(found.dynamic, "in no direction"))}});
+  const auto add = [&](const char* label, std::string words) {
+    facts.emplace_back(label, std::move(words));
+  };
+  if (!found.unsettled.empty()) add("NOT AT REST", ranges_words(found.unsettled));
+  add("W₂ < 0", "Eq. (7): " + ranges_words(found.negative));
+  if (found.least_normalised)
+    add("least W₂",
+        fmt::format("{} normalised, at {}°, of the probes at rest",
+                    number(found.least_normalised, 4), in_degrees(found.least_angle, 0)));
+  add("micro=macro",
+      fmt::format("within {:g} %: {}", 100 * kAgreement, ranges_words(found.agreeing)));
+  add("contacts", fmt::format("sliding or non-permanent, {:g} % more than in the null probe: {}",
+                              100 * kIrreversible, ranges_words(found.irreversible)));
+  add("motion", fmt::format("kinetic energy above {:g} times the least: {}", kDynamic,
+                            ranges_words(found.dynamic)));
   return facts;
 }
 

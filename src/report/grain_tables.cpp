@@ -79,14 +79,13 @@ Table stages_table(const GrainReport& report) {
 }
 
 Table paths_table(const GrainReport& report) {
-  Table table = with_columns({"stage", "path"}, {"points", "ε₁ (%)", "ε_v (%)", "peak q (kPa)",
-                                                 "at ε₁ (%)", "peak η", "at ε₁ (%)", "K most (J)"});
+  Table table = with_columns({"stage"}, {"ε₁ (%)", "ε_v (%)", "peak q (kPa)", "at ε₁ (%)", "peak η",
+                                         "at ε₁ (%)", "K most (J)"});
   for_each<ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
     const GrainPathFindings found = path_findings(path.path, path.points);
     const auto* last = path.points.empty() ? nullptr : &path.points.back();
     std::vector<std::string> row = {
-        stage.name, spaced(word_of(path.path.kind)), fmt::format("{}", path.points.size()),
-        in_percent(last ? std::optional(last->strain.axial) : std::nullopt, 3),
+        stage.name, in_percent(last ? std::optional(last->strain.axial) : std::nullopt, 3),
         in_percent(last ? std::optional(last->volumetric_strain) : std::nullopt, 3)};
     put_peak(found.q, 1e3, 2, row);
     put_peak(found.eta, 1, 3, row);
@@ -98,12 +97,13 @@ Table paths_table(const GrainReport& report) {
 
 std::vector<std::string> paths_notes() {
   return {"peaks: largest of the points, the smallest where ε₁ is driven to extension",
+          fmt::format("η: of the points with p above {:g} % of the first one's", 100 * kLeastP),
           "K most: largest kinetic energy on the way"};
 }
 
 Table strain_paths_table(const GrainReport& report) {
-  Table table = with_columns({"stage"}, {"R", "peak σ₁−σ₃/R (kPa)", "at ε₁ (%)", "p (kPa)", "η",
-                                         "falls after", "W₂ < 0 from ε₁ (%)", "σ₁−σ₃/R (kPa)"});
+  Table table = with_columns({"stage"}, {"R", "peak (kPa)", "at ε₁ (%)", "p (kPa)", "η", "falls",
+                                         "W₂ < 0 from ε₁ (%)", "there (kPa)"});
   for_each<ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
     if (path.path.kind != sim::GrainPathKind::strain_path) return;
     const GrainPathFindings found = path_findings(path.path, path.points);
@@ -164,14 +164,13 @@ Table rests_table(const GrainReport& report) {
 }
 
 Table perturbations_table(const GrainReport& report) {
-  Table table =
-      with_columns({"stage", "from"}, {"R", "step (Pa)", "energy (J)", "grains hit", "came to",
-                                       "after (s)", "χ", "ε₁ (%)", "K most (J)"});
+  Table table = with_columns({"stage", "from"}, {"step (Pa)", "energy (J)", "hit", "came to",
+                                                 "after (s)", "χ", "ε₁ (%)", "K most (J)"});
   for_each<ReportedPerturbation>(report, [&](const auto& stage, const auto& came) {
     const auto* last = came.points.empty() ? nullptr : &came.points.back();
     table.rows.push_back(
         {stage.name, stage.from.empty() ? "as made" : stage.from,
-         fmt::format("{:g}", came.how.ratio), fmt::format("{:g}", came.how.load_step_pa),
+         fmt::format("{:.5g}", came.how.load_step_pa),
          came.how.kinetic_energy_j > 0 ? in_joule(came.how.kinetic_energy_j) : "none",
          fmt::format("{}", came.grains_hit), came_to(stage),
          number(last ? std::optional(last->time_s) : std::nullopt, 4),
@@ -183,7 +182,8 @@ Table perturbations_table(const GrainReport& report) {
 }
 
 std::vector<std::string> perturbations_notes() {
-  return {"χ = (σ₁ − σ₃/R)/(σ₁ − σ₃/R at the start), ε₁ since then: both where it was left",
+  return {"step: added to σ₁ − σ₃/R; energy: given to so many floating grains (hit)",
+          "χ: σ₁ − σ₃/R over what it was at the start; ε₁ since then: both at the end",
           "K most: largest kinetic energy after the start"};
 }
 

@@ -34,13 +34,13 @@ std::string specimen_text(const ReportedGrains& g) {
   return fact("grains", fmt::format("{}, diameters {} to {} mm, median {} mm by count", g.grains,
                                     in_mm(g.smallest_m), in_mm(g.largest_m), in_mm(g.median_m))) +
          fact("made", made_words(g)) +
-         fact("state", fmt::format("stresses {}, {} and {} kPa on the walls, porosity n {}, void "
+         fact("state", fmt::format("{}, {} and {} kPa on the walls, porosity n {}, void "
                                    "ratio e {}",
                                    in_kPa(m.wall_stress_pa[0]), in_kPa(m.wall_stress_pa[1]),
                                    in_kPa(m.wall_stress_pa[2]), number(m.porosity, 4),
                                    number(m.void_ratio, 4))) +
          fact("contacts",
-              fmt::format("{} between grains, {} with walls: Z {}; {} grains float, {} are outside",
+              fmt::format("{} of grains, {} with walls: Z {}; {} grains float, {} outside",
                           m.grain_contacts, m.wall_contacts, number(m.coordination, 3),
                           m.floating_grains, m.grains_outside)) +
          fact("law", stiffness_words(g.law)) +
@@ -61,7 +61,7 @@ std::string section(const std::string& title, const Table& table,
 std::string rose_text(const ReportedGrainStage& stage, const ReportedGrainRose& rose) {
   const RoseTables tables = rose_tables(rose);
   const auto title = [&](const char* what) {
-    return fmt::format("Probes {}: {}", stage.name, what);
+    return fmt::format("Stage {}: {}", stage.name, what);
   };
   std::string out = section(title("responses and contacts"), tables.responses);
   out += section(title("density of second-order work (J/m³)"), tables.work);
