@@ -31,6 +31,11 @@ Columns columns_at(const double* a, const double* b, const double* c, const doub
   return {_mm256_unpacklo_pd(ac, bd), _mm256_unpackhi_pd(ac, bd), _mm256_unpacklo_pd(ac_z, bd_z)};
 }
 
+/// A row of four doubles, through the whole grain: `position` alone ends after three.
+const double* row_of(const Grain* g, int row) {
+  return reinterpret_cast<const double*>(g) + 4 * row;
+}
+
 /// Rows x, y, z, 0 of each pair.
 void to_rows(const Columns& c, V rows[4]) {
   const V zero = _mm256_setzero_pd();
@@ -66,7 +71,7 @@ void add_four(const PairRange& r, std::int64_t k) {
     b[q] = r.grains + r.j[k + q];
   }
   const auto difference = [&](int q, int row) {
-    return _mm256_load_pd(b[q]->position + 4 * row) - _mm256_load_pd(a[q]->position + 4 * row);
+    return _mm256_load_pd(row_of(b[q], row)) - _mm256_load_pd(row_of(a[q], row));
   };
   const Columns d = columns(difference(0, 0), difference(1, 0), difference(2, 0), difference(3, 0));
   const V square = dot(d, d), reach = _mm256_load_pd(r.reach + k);

@@ -3,22 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "lab/records/bad_input.hpp"
-#include "sim/stability/domain_run.hpp"
 #include "src/report/domain_json.hpp"
+#include "src/report/pieces.hpp"
 
 namespace triax::src {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A domain of the largest grid is some hundred megabytes.
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
 
 Json column_json(const ReportedColumn& column) {
   Json states = Json::array();
@@ -50,31 +42,6 @@ std::string difference(const DomainPiece& a, const DomainPiece& b) {
   return "their settings differ";
 }
 
-void check_together(const std::vector<DomainPiece>& pieces) {
-  const DomainPiece& first = pieces.front();
-  std::vector<const DomainPiece*> of(static_cast<std::size_t>(first.count), nullptr);
-  for (const DomainPiece& piece : pieces) {
-    const auto refuse = [&](const std::string& why) { throw lab::BadInput(piece.file, 0, why); };
-    if (piece.count != first.count)
-      refuse(fmt::format("is a piece of {}, {} one of {}; pieces of one cut belong together",
-                         piece.count, first.file, first.count));
-    if (piece.domain.settings != first.domain.settings)
-      refuse("is a piece of another domain: " + difference(piece, first));
-    if (piece.program != first.program)
-      refuse(fmt::format("was written by triax {}, {} by {}; let one version compute all pieces",
-                         piece.program, first.file, first.program));
-    const DomainPiece*& place = of[static_cast<std::size_t>(piece.index - 1)];
-    if (place != nullptr)
-      refuse(fmt::format("is piece {} of {} as {} is; give each piece once", piece.index,
-                         piece.count, place->file));
-    place = &piece;
-  }
-  const auto missing = std::ranges::find(of, nullptr);
-  if (missing == of.end()) return;
-  throw lab::BadInput(fmt::format("--merge: piece {} of {} is missing ({} of them are given)",
-                                  missing - of.begin() + 1, first.count, pieces.size()));
-}
-
 }  // namespace
 
 std::string piece_json(const ReportedDomain& columns, int index, int count) {
@@ -91,21 +58,17 @@ std::string piece_json(const ReportedDomain& columns, int index, int count) {
 }
 
 DomainPiece load_piece(const std::string& path) {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none))
-    throw lab::BadInput(path, 0,
-                        "cannot be read; a file that triax domain --piece wrote is wanted");
-  if (std::filesystem::file_size(path, none) > kLargestFile)
-    throw lab::BadInput(path, 0, "is larger than 1 GB; cut the domain into more pieces");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw lab::BadInput(path, 0, "cannot be read");
-  return read_piece(text.view(), path);
+  return read_piece(piece_text(path, "triax domain --piece", "domain"), path);
 }
 
 ReportedDomain merged(std::vector<DomainPiece> pieces) {
-  check_together(pieces);
+  std::vector<PieceName> names;
+  for (const DomainPiece& p : pieces) names.push_back({p.file, p.program, p.index, p.count});
+  check_together(names, "domain", [&](std::size_t k) {
+    return pieces[k].domain.settings == pieces.front().domain.settings
+               ? std::string()
+               : difference(pieces[k], pieces.front());
+  });
   ReportedDomain whole{.settings = pieces.front().domain.settings};
   for (DomainPiece& piece : pieces)
     std::ranges::move(piece.domain.columns, std::back_inserter(whole.columns));

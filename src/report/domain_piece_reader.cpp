@@ -9,6 +9,7 @@
 #include "lab/records/bad_input.hpp"
 #include "lab/records/text.hpp"
 #include "sim/stability/domain_run.hpp"
+#include "src/report/document_part.hpp"
 #include "src/report/domain_json.hpp"
 #include "src/report/domain_piece.hpp"
 
@@ -16,71 +17,14 @@ namespace triax::src {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Part = DocumentPart;
 
 constexpr double kLargestStress_kPa = 1e5, kSmallestStress_kPa = 1e-3;
 constexpr int kMostLines = 10000, kMostStates = 4000000, kMostDirections = 36000;
 
-/// An object of the document; its messages say where it stands.
-class Part {
- public:
-  Part(const Json& json, const std::string& file, std::string where)
-      : json_(json), file_(file), where_(std::move(where)) {
-    if (!json_.is_object()) fail("must be an object");
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw lab::BadInput(file_, 0, where_.empty() ? what : where_ + ": " + what);
-  }
-
-  const Json& operator[](const char* key) const {
-    const auto found = json_.find(key);
-    if (found == json_.end()) fail(fmt::format("{} is missing", key));
-    return *found;
-  }
-  double number(const char* key, double lowest = -1e12, double highest = 1e12) const {
-    const Json& value = (*this)[key];
-    const double found = value.is_number() ? value.get<double>() : std::nan("");
-    if (!(found >= lowest && found <= highest))
-      fail(fmt::format("{} must be a number, {:g} to {:g}", key, lowest, highest));
-    return found;
-  }
-  int whole(const char* key, int lowest, int highest) const {
-    const Json& value = (*this)[key];
-    const double found = value.is_number_integer() ? value.get<double>() : std::nan("");
-    if (!(found >= lowest && found <= highest))
-      fail(fmt::format("{} must be a whole number, {} to {}", key, lowest, highest));
-    return static_cast<int>(found);
-  }
-  std::optional<double> known(const char* key) const {
-    return (*this)[key].is_null() ? std::nullopt : std::optional(number(key));
-  }
-  bool flag(const char* key) const {
-    const Json& value = (*this)[key];
-    if (!value.is_boolean()) fail(fmt::format("{} must be true or false", key));
-    return value.get<bool>();
-  }
-  /// Empty for null.
-  std::string text(const char* key) const {
-    const Json& value = (*this)[key];
-    if (value.is_null()) return {};
-    if (!value.is_string()) fail(fmt::format("{} must be a text", key));
-    return value.get<std::string>();
-  }
-  const Json& array(const char* key) const {
-    const Json& value = (*this)[key];
-    if (!value.is_array()) fail(fmt::format("{} must be an array", key));
-    return value;
-  }
-  Part part(const char* key) const { return in((*this)[key], key); }
-  Part in(const Json& json, const std::string& name) const {
-    return {json, file_, where_.empty() ? name : where_ + ' ' + name};
-  }
-
- private:
-  const Json& json_;
-  const std::string& file_;
-  std::string where_;
-};
+int count(const Part& part, const char* key, int lowest, int highest) {
+  return static_cast<int>(part.whole(key, lowest, highest));
+}
 
 DomainSettings::Material read_material(const Part& part) {
   DomainSettings::Material m{part.text("name"),
@@ -105,11 +49,11 @@ DomainSettings::Grid read_grid(const Part& part, const std::string& file) {
                          .p_to_kPa = part.number("p_to_kPa"),
                          .q_from_kPa = part.number("q_from_kPa"),
                          .q_to_kPa = part.number("q_to_kPa"),
-                         .columns = part.whole("columns", 1, kMostLines),
-                         .rows = part.whole("rows", 1, kMostLines),
+                         .columns = count(part, "columns", 1, kMostLines),
+                         .rows = count(part, "rows", 1, kMostLines),
                          .void_ratio = part.number("void_ratio"),
                          .plane = part.text("plane"),
-                         .directions = part.whole("directions", 8, kMostDirections),
+                         .directions = count(part, "directions", 8, kMostDirections),
                          .determinant = part.flag("determinant"),
                          .localisation = part.flag("localisation")};
   check_grid(g, file + ": grid");
@@ -140,7 +84,7 @@ ReportedDomainState read_state(const Part& part, double q_kPa, int directions) {
                             .kind = read_kind(part),
                             .least_work = part.known("w2_normalised_least"),
                             .least_angle_deg = part.known("alpha_deg"),
-                            .refused_directions = part.whole("refused_directions", 0, directions)};
+                            .refused_directions = count(part, "refused_directions", 0, directions)};
   if (state.q_kPa != q_kPa) part.fail(fmt::format("q_kPa must be {}, as the grid says", q_kPa));
   for (const Json& cone : part.array("cones")) {
     const Part sector = part.in(cone, "cones");
@@ -168,17 +112,6 @@ ReportedColumn read_column(const Part& part, const sim::DomainGrid& grid, int co
         read_state(part.in(states[static_cast<std::size_t>(row)], fmt::format("states[{}]", row)),
                    grid.q(row) / 1e3, grid.directions));
   return out;
-}
-
-Json parsed(std::string_view text, const std::string& file) {
-  Json document = Json::parse(text, nullptr, false);
-  if (document.is_discarded())
-    throw lab::BadInput(file, 0,
-                        "is no whole JSON document; a piece that was cut off must be run again");
-  if (!document.is_object() || !document.contains("format") || document["format"] != kPieceFormat)
-    throw lab::BadInput(
-        file, 0, "is no piece of a domain; triax domain --piece I/N --output FILE writes one");
-  return document;
 }
 
 }  // namespace
@@ -210,15 +143,15 @@ void check_grid(const DomainSettings::Grid& g, const std::string& subject) {
 }
 
 DomainPiece read_piece(std::string_view text, const std::string& file) {
-  const Json document = parsed(text, file);
-  const Part root(document, file, {});
-  if (root["version"] != kPieceVersion)
-    root.fail(fmt::format("is a piece of format version {}; this program reads version {}",
-                          lab::excerpt(dumped(root["version"])), kPieceVersion));
+  const Json document =
+      parsed_document(text, file, kPieceFormat,
+                      "is no piece of a domain; triax domain --piece I/N --output FILE writes one");
+  const Part root(document, file);
+  require_version(root, kPieceVersion);
   DomainPiece piece{.file = file, .program = root.text("program")};
   const Part of = root.part("piece");
-  piece.count = of.whole("count", 1, kMostLines);
-  piece.index = of.whole("index", 1, piece.count);
+  piece.count = count(of, "count", 1, kMostLines);
+  piece.index = count(of, "index", 1, piece.count);
   DomainSettings& settings = piece.domain.settings;
   settings.material = read_material(root.part("material"));
   settings.grid = read_grid(root.part("grid"), file);
