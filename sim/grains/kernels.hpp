@@ -41,7 +41,7 @@ struct Kernels {
   FastestTwo (*motion)(const GrainRange&);
 };
 
-enum class InstructionSet : std::uint8_t { portable, avx2 };
+enum class InstructionSet : std::uint8_t { portable, avx2, avx512 };
 
 /// Whether this program has it and this processor runs it.
 bool available(InstructionSet set);
@@ -53,6 +53,7 @@ Kernels kernels(InstructionSet set);
 // The versions; those a program was built without are null.
 extern const Kernels kPortableKernels;
 extern const Kernels kAvx2Kernels;
+extern const Kernels kAvx512Kernels;  ///< F, DQ and VL
 
 /// Pairs or grains that do not fill a vector are left to the portable version.
 void portable_pairs(const PairRange& range);

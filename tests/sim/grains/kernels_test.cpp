@@ -2,39 +2,13 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 
 #include "tests/sim/grains/packings.hpp"
+#include "tests/sim/grains/pair_range.hpp"
 
 using namespace triax::sim;
-
-namespace {
-
-PairRange range_of(GrainState& s, AlignedVector<GrainLoad>& loads) {
-  NearPairs& near = s.neighbours.near;
-  PairRange r{};
-  r.grains = s.grains.data();
-  r.loads = loads.data();
-  r.end = static_cast<std::int64_t>(near.size());
-  r.i = near.i.data();
-  r.j = near.j.data();
-  r.tx = near.tangential_n[0].data();
-  r.ty = near.tangential_n[1].data();
-  r.tz = near.tangential_n[2].data();
-  r.stiffness = near.stiffness_n_per_m.data();
-  r.reach = near.reach_m.data();
-  r.half_difference = near.half_difference_m.data();
-  r.friction_coefficient = 0.3;
-  r.tangential_step = 0.42e-6;
-  r.half_step = 0.5e-6;
-  return r;
-}
-
-bool same(const auto& a, const auto& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
-}
-
-}  // namespace
+using triax::sim::test::range_of;
+using triax::sim::test::same_bytes;
 
 TEST_CASE("Grains: the portable loops are always there, and the best ones are available") {
   CHECK(available(InstructionSet::portable));
@@ -43,11 +17,12 @@ TEST_CASE("Grains: the portable loops are always there, and the best ones are av
 }
 
 TEST_CASE("Grains: loops of every instruction set give the same bits, whatever is left over") {
-  if (!available(InstructionSet::avx2)) {
-    WARN("this processor has no AVX2: skipped");
+  const auto set = GENERATE(InstructionSet::avx2, InstructionSet::avx512);
+  if (!available(set)) {
+    WARN("this processor has not every instruction set: skipped");
     return;
   }
-  for (int left = 0; left < 4; ++left) {
+  for (int left = 0; left < 9; ++left) {
     GrainState a = test::lattice(5);
     test::shake(a, 0.5);
     GrainState b = a;
@@ -57,19 +32,18 @@ TEST_CASE("Grains: loops of every instruction set give the same bits, whatever i
     rb.end -= left;
     for (int s = 0; s < 3; ++s) {
       kernels(InstructionSet::portable).pairs(ra);
-      kernels(InstructionSet::avx2).pairs(rb);
+      kernels(set).pairs(rb);
     }
-    CHECK(same(loads_a, loads_b));
+    CHECK(same_bytes(loads_a, loads_b));
     for (int x = 0; x < 3; ++x)
-      CHECK(same(a.neighbours.near.tangential_n[x], b.neighbours.near.tangential_n[x]));
+      CHECK(same_bytes(a.neighbours.near.tangential_n[x], b.neighbours.near.tangential_n[x]));
     const auto count = static_cast<std::int64_t>(a.grains.size());
     const FastestTwo fa = kernels(InstructionSet::portable)
                               .motion({a.grains.data(), loads_a.data(), count, 1e-6, 0.2});
-    const FastestTwo fb =
-        kernels(InstructionSet::avx2).motion({b.grains.data(), loads_b.data(), count, 1e-6, 0.2});
-    CHECK(same(a.grains, b.grains));
-    CHECK(same(loads_a, AlignedVector<GrainLoad>(a.grains.size())));
-    CHECK(same(loads_b, loads_a));
+    const FastestTwo fb = kernels(set).motion({b.grains.data(), loads_b.data(), count, 1e-6, 0.2});
+    CHECK(same_bytes(a.grains, b.grains));
+    CHECK(same_bytes(loads_a, AlignedVector<GrainLoad>(a.grains.size())));
+    CHECK(same_bytes(loads_b, loads_a));
     CHECK(fa.first == fb.first);
     CHECK(fa.second == fb.second);
     CHECK(fa.first > fa.second);
