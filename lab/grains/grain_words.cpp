@@ -12,29 +12,41 @@ bool all_settled(const sim::ProbeRose& rose) {
 
 }  // namespace
 
-std::string_view word(sim::StiffnessReading reading) {
+std::string word(sim::StiffnessReading reading) {
   return reading == sim::StiffnessReading::literal ? "literal" : "in_series";
 }
 
-std::string_view word(sim::GrainPathEnd end) {
+std::string word(sim::GrainPathEnd end) {
   switch (end) {
     case sim::GrainPathEnd::axial_strain:
-      return "axial strain reached";
+      return "axial_strain";
     case sim::GrainPathEnd::stress_ratio:
-      return "stress ratio reached";
+      return "stress_ratio";
     case sim::GrainPathEnd::settled:
       return "settled";
     case sim::GrainPathEnd::collapse:
-      return "collapsed";
+      return "collapse";
     case sim::GrainPathEnd::most_steps:
-      return "most steps made";
+      return "most_steps";
     case sim::GrainPathEnd::stopped:
       break;
   }
   return "stopped";
 }
 
-std::string_view word(sim::PerturbationEnd end) {
+std::string word(sim::GrainPathKind kind) {
+  switch (kind) {
+    case sim::GrainPathKind::isotropic:
+      return "isotropic";
+    case sim::GrainPathKind::drained:
+      return "drained";
+    case sim::GrainPathKind::strain_path:
+      break;
+  }
+  return "strain_path";
+}
+
+std::string word(sim::PerturbationEnd end) {
   switch (end) {
     case sim::PerturbationEnd::settled:
       return "settled";
@@ -48,16 +60,16 @@ std::string_view word(sim::PerturbationEnd end) {
   return "stopped";
 }
 
-std::string_view ending(const GrainStageResult& result) {
+std::string ending(const GrainStageResult& result) {
   struct {
-    std::string_view operator()(const sim::GrainPathResult& r) const { return word(r.end); }
-    std::string_view operator()(const GrainRest& r) const {
+    std::string operator()(const sim::GrainPathResult& r) const { return word(r.end); }
+    std::string operator()(const GrainRest& r) const {
       return r.settled ? "settled" : "not settled";
     }
-    std::string_view operator()(const GrainRose& r) const {
+    std::string operator()(const GrainRose& r) const {
       return all_settled(r.rose) ? "all settled" : "some not settled";
     }
-    std::string_view operator()(const sim::PerturbationResult& r) const { return word(r.end); }
+    std::string operator()(const sim::PerturbationResult& r) const { return word(r.end); }
   } const of;
   return std::visit(of, result.outcome);
 }

@@ -1,19 +1,24 @@
 #pragma once
 // What comes of grains in words, the same in the database, reports and files.
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "lab/grains/grain_run.hpp"
 
 namespace triax::lab {
 
-std::string_view word(sim::StiffnessReading reading);
-std::string_view word(sim::GrainPathEnd end);
-std::string_view word(sim::PerturbationEnd end);
+/// "in_series", "literal"
+std::string word(sim::StiffnessReading reading);
+/// "isotropic", "drained", "strain_path"
+std::string word(sim::GrainPathKind kind);
+/// "axial_strain", "stress_ratio", "settled", "collapse", "most_steps", "stopped"
+std::string word(sim::GrainPathEnd end);
+/// "settled", "collapsed", "undecided", "stopped"
+std::string word(sim::PerturbationEnd end);
 
 /// How a stage ended: a word of the above, "settled" or "not settled" of a rest, and of a rose
 /// "all settled" or "some not settled".
-std::string_view ending(const GrainStageResult& result);
+std::string ending(const GrainStageResult& result);
 
 /// Whether it came to rest where it had to; empty for a path that is not isotropic.
 std::optional<bool> settled(const GrainStageResult& result);

@@ -10,6 +10,7 @@
 #include "sim/stability/domain_run.hpp"
 #include "src/commands/domain_options.hpp"
 #include "src/commands/output_guard.hpp"
+#include "src/commands/shared_options.hpp"
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/table.hpp"
@@ -21,7 +22,7 @@ namespace triax::src {
 namespace {
 
 std::vector<sim::DomainColumn> computed(const DomainOptions& o, const lab::MaterialSet& material,
-                                        const sim::DomainGrid& grid, const PieceOfDomain& piece) {
+                                        const sim::DomainGrid& grid, const Piece& piece) {
   ProgressBar bar("domain");
   return sim::run_domain(grid, sim::columns_of_piece(grid, piece.index, piece.count),
                          [&] {
@@ -38,7 +39,7 @@ std::vector<sim::DomainColumn> computed(const DomainOptions& o, const lab::Mater
 
 /// The states of a piece, or of the whole domain.
 ReportedDomain compute(const DomainOptions& o, const lab::MaterialSet& material,
-                       const PieceOfDomain& piece) {
+                       const Piece& piece) {
   const DomainSettings::Grid grid = chosen_grid(o, material);
   if (piece.count > grid.columns)
     throw lab::BadInput(
@@ -119,7 +120,7 @@ void run(const DomainOptions& o) {
   if (o.merge.empty()) material = chosen_material(o.material);
   check_output(o, material);
   if (!o.piece.empty()) {
-    const PieceOfDomain piece = chosen_piece(o);
+    const Piece piece = piece_of(o.piece);
     return write_file(o.output, piece_json(compute(o, *material, piece), piece.index, piece.count));
   }
   const std::vector<TestedState> tests = tests_on_top(o);

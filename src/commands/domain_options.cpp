@@ -153,17 +153,6 @@ void check_domain_options(const CLI::App& app, const DomainOptions& o) {
         "axisymmetric plane and no --piece");
 }
 
-PieceOfDomain chosen_piece(const DomainOptions& o) {
-  PieceOfDomain piece;
-  if (o.piece.empty()) return piece;
-  const auto parts = split(o.piece, '/');
-  if (parts.size() != 2 || !read(parts[0], piece.index) || !read(parts[1], piece.count) ||
-      piece.index < 1 || piece.index > piece.count)
-    throw lab::BadInput(fmt::format("--piece {}: I/N with I from 1 to N is wanted, as in 3/8",
-                                    lab::excerpt(o.piece)));
-  return piece;
-}
-
 DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {
   const Line p = line("--p-kPa", o.p, usual_p(material));
   const Line q = line("--q-kPa", o.q, usual_q(material, p));

@@ -31,13 +31,6 @@ void add_domain_options(CLI::App& app, DomainOptions& options);
 /// that says what to compute or how, and for others that exclude or need each other.
 void check_domain_options(const CLI::App& app, const DomainOptions& options);
 
-struct PieceOfDomain {
-  int index = 1, count = 1;
-};
-
-/// --piece; 1 of 1 where it is not given. Throws lab::BadInput.
-PieceOfDomain chosen_piece(const DomainOptions& options);
-
 /// --p-kPa, --q-kPa and the rest of the grid, what is not given being what the set is for. Throws
 /// lab::BadInput for a grid that is none, and where the material has no law for its plane.
 DomainSettings::Grid chosen_grid(const DomainOptions& options, const lab::MaterialSet& material);

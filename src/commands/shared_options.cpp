@@ -8,6 +8,7 @@
 
 #include "db/store.hpp"
 #include "lab/records/bad_input.hpp"
+#include "lab/records/text.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/report/json_report.hpp"
@@ -51,6 +52,18 @@ std::vector<std::pair<std::string, std::string>> key_values(const std::vector<st
     pairs.emplace_back(set.substr(0, equals), set.substr(equals + 1));
   }
   return pairs;
+}
+
+Piece piece_of(const std::string& text) {
+  if (text.empty()) return {};
+  const auto slash = text.find('/');
+  const auto index = lab::whole_text_as<int>(text.substr(0, slash));
+  const auto count =
+      slash == std::string::npos ? std::nullopt : lab::whole_text_as<int>(text.substr(slash + 1));
+  if (!index || !count || *index < 1 || *index > *count)
+    throw lab::BadInput(
+        fmt::format("--piece {}: I/N with I from 1 to N is wanted, as in 3/8", lab::excerpt(text)));
+  return {*index, *count};
 }
 
 std::string text_for_people(std::vector<ReportedTest> tests) {

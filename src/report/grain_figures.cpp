@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lab/grains/grain_words.hpp"
 #include "src/figures/grain_paths_figures.hpp"
 #include "src/figures/grain_perturbations_figure.hpp"
 #include "src/figures/grain_rose_figures.hpp"
@@ -82,7 +83,7 @@ std::string title_of(const ReportedGrainStage& stage) {
   if (came.how.load_step_pa != 0) title += fmt::format(", {:+.4g} Pa", came.how.load_step_pa);
   if (came.how.kinetic_energy_j != 0)
     title += fmt::format(", {:.4g} mJ", 1e3 * came.how.kinetic_energy_j);
-  return title + ": " + word_of(came.end);
+  return title + ": " + lab::word(came.end);
 }
 
 std::string rose_state(const ReportedGrainStage& stage) {

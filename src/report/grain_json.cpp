@@ -1,5 +1,6 @@
 #include "src/report/grain_json.hpp"
 
+#include "lab/grains/grain_words.hpp"
 #include "sim/grains/triaxial_axes.hpp"
 #include "src/report/grain_path_findings.hpp"
 #include "src/report/grain_rose_findings.hpp"
@@ -26,7 +27,7 @@ Json measures_json(const sim::GrainMeasures& m) {
 
 Json law_json(const sim::ContactLaw& law) {
   return {{"kn_over_ds_MPa", law.stiffness_over_diameter_pa / 1e6},
-          {"kn_over_ds_reading", word_of(law.reading)},
+          {"kn_over_ds_reading", lab::word(law.reading)},
           {"kt_over_kn", law.tangential_ratio},
           {"friction_deg", json_deg(law.friction_angle)},
           {"density_kg_per_m3", law.density_kg_per_m3},
@@ -102,9 +103,9 @@ Json came_json(const ReportedGrainPath& came) {
     negative["point"] = *found.first_negative;
   }
   const bool strain_path = came.path.kind == sim::GrainPathKind::strain_path;
-  return {{"kind", word_of(came.path.kind)},
+  return {{"kind", lab::word(came.path.kind)},
           {"R", strain_path ? Json(came.path.ratio) : Json(nullptr)},
-          {"end", word_of(came.end)},
+          {"end", lab::word(came.end)},
           {"peak_q", peak_json(found.q, "q_kPa", 1e3)},
           {"peak_eta", peak_json(found.eta, "eta", 1)},
           {"peak_path_stress", peak_json(found.path_stress, "path_stress_kPa", 1e3)},
@@ -209,7 +210,7 @@ Json came_json(const ReportedPerturbation& came) {
           {"kinetic_energy_given_J", came.how.kinetic_energy_j},
           {"floating_share", came.how.floating_share},
           {"seed", came.how.seed},
-          {"end", word_of(came.end)},
+          {"end", lab::word(came.end)},
           {"time_s", last ? json_number(last->time_s) : Json(nullptr)},
           {"chi", last ? json_number(last->stress_share) : Json(nullptr)},
           {"axial_strain", last ? json_number(last->axial_strain) : Json(nullptr)},

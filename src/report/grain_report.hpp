@@ -82,13 +82,4 @@ void add(GrainReport& report, const lab::GrainsMade& made);
 /// A stage ended. Pre-condition: result.stage is not null and its work is what the outcome is of.
 void add(GrainReport& report, const lab::GrainStageResult& result);
 
-/// "axial_strain", "stress_ratio", "settled", "collapse", "most_steps", "stopped".
-std::string word_of(sim::GrainPathEnd end);
-/// "settled", "collapsed", "undecided", "stopped".
-std::string word_of(sim::PerturbationEnd end);
-/// "in_series", "literal".
-std::string word_of(sim::StiffnessReading reading);
-/// "isotropic", "drained", "strain_path".
-std::string word_of(sim::GrainPathKind kind);
-
 }  // namespace triax::src

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lab/grains/grain_words.hpp"
 #include "sim/grains/triaxial_axes.hpp"
 #include "src/report/grain_path_findings.hpp"
 #include "src/report/words.hpp"
@@ -28,7 +29,7 @@ void put_peak(const std::optional<GrainPeak>& peak, double unit, int decimals,
 
 struct Came {
   std::string operator()(const ReportedGrainPath& path) const {
-    if (path.points.empty()) return spaced(word_of(path.end));
+    if (path.points.empty()) return spaced(lab::word(path.end));
     const auto& last = path.points.back();
     switch (path.end) {
       case sim::GrainPathEnd::axial_strain:
@@ -40,7 +41,7 @@ struct Came {
       case sim::GrainPathEnd::collapse:
         return fmt::format("COLLAPSED at ε₁ = {} %", in_percent(last.strain.axial));
       default:
-        return spaced(word_of(path.end));
+        return spaced(lab::word(path.end));
     }
   }
   std::string operator()(const ReportedGrainRest& rest) const {
@@ -53,7 +54,7 @@ struct Came {
   }
   std::string operator()(const ReportedPerturbation& perturbation) const {
     return perturbation.end == sim::PerturbationEnd::collapsed ? "COLLAPSED"
-                                                               : word_of(perturbation.end);
+                                                               : lab::word(perturbation.end);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lab/grains/grain_words.hpp"
 #include "src/output/table.hpp"
 #include "src/report/grain_tables.hpp"
 #include "src/report/simulated_head.hpp"
@@ -14,7 +15,7 @@ std::string stiffness_words(const sim::ContactLaw& law) {
   const bool literal = law.reading == sim::StiffnessReading::literal;
   return fmt::format("kn/Ds {:g} MPa, read as kn = {} E r1 r2/(r1 + r2) ({}); kt/kn {:g}",
                      law.stiffness_over_diameter_pa / 1e6, literal ? 4 : 2,
-                     spaced(word_of(law.reading)), law.tangential_ratio);
+                     spaced(lab::word(law.reading)), law.tangential_ratio);
 }
 
 std::string made_words(const ReportedGrains& g) {

@@ -13,7 +13,7 @@ TEST_CASE("how a stage of grains ended, in words") {
   sim::GrainPathResult path;
   path.end = sim::GrainPathEnd::collapse;
   result.outcome = path;
-  CHECK(ending(result) == "collapsed");
+  CHECK(ending(result) == "collapse");
   CHECK(!settled(result));
   std::get<GrainPathStage>(stage.work).path.kind = sim::GrainPathKind::isotropic;
   CHECK(settled(result) == false);
