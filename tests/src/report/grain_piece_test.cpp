@@ -228,3 +228,13 @@ TEST_CASE("a piece of a rose is read from its file, which must be one") {
   CHECK_THROWS_WITH(load_grain_piece(file.string()), Contains("triax grains --piece"));
   CHECK_THROWS_WITH(load_grain_piece("."), Contains("cannot be read"));
 }
+
+TEST_CASE("the fuzzer's seeds are pieces of a rose") {
+  int seeds = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("tests/fuzz/seeds/grain_piece_fuzz")) {
+    CHECK_NOTHROW(load_grain_piece(entry.path().string()));
+    ++seeds;
+  }
+  CHECK(seeds >= 2);
+}
