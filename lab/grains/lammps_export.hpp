@@ -4,22 +4,24 @@
 //   mpirun -n 8 lmp -in PREFIX.lammps.in        in the folder of the files
 //
 // The script writes a table with a row a point of the path (kLammpsColumns). It was made for and
-// run with LAMMPS of 29 Sep 2021 (packages GRANULAR and ASPHERE). What is the same there and here:
-// the grains (places, radii, masses, velocities, spins), the time step, k_t/k_n, the friction,
-// walls without friction with k_n = E D of each grain (they are forces of atom variables), walls
-// that move at each step by natural strain, from the same middle. What is not:
+// run with LAMMPS of 29 Sep 2021 (packages GRANULAR and ASPHERE). The same there and here: the
+// grains (places, radii, masses, velocities, spins), the time step, k_t/k_n, the friction, walls
+// without friction with the k_n of each grain's own radius (they are forces of atom variables),
+// walls that move at each step by natural strain about the same middle, local damping of forces.
+// Not the same:
 //
 //  - k_n goes by kinds of grains, which are bins of size: right on the mean, off by a few per cent
 //    from contact to contact (the script's head says how far)
 //  - a data file holds no tangential forces: contacts start without. The script therefore first
 //    lets the grains settle with the stresses of the start held on each axis, and counts strains
 //    from there; a start far from isotropic gives way more than it should
-//  - no local (Cundall) damping: contacts are damped by a dashpot instead, with the damping ratio
-//    α/π, which takes the same share of the energy of a vibration; floating grains are not damped
-//  - walls under stress are held by an integral servo without smoothing, whose stiffness is that of
-//    the start; it settles at the same stress
-//  - the kinetic energy is that of the instant, not the most since the last row; "unbalanced"
-//    divides by the mean normal force
+//  - there is no local damping of moments: turning is damped by dashpots along contacts instead,
+//    with the damping ratio α/π, which takes of a vibration what local damping does. Fast or
+//    collapsing specimens feel the difference: they move more
+//  - walls under stress are held by a servo of its own, with a memory on drained paths; it settles
+//    at the same stress
+//  - the kinetic energy is that of the instant, not the most since the last row; "unbalanced" has
+//    the damping in it and is over the mean normal force
 //  - marks and pictures of the path are not taken; the path's ends are looked for at its rows only
 #include <string>
 #include <vector>

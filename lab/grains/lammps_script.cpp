@@ -18,8 +18,10 @@ constexpr char kAxis[] = "xyz";
 constexpr double kSkin = 0.1;    ///< of the neighbour lists, over the smallest radius
 constexpr double kReach = 0.05;  ///< how much nearer to a wall grains are watched, over the same
 constexpr int kWatchEvery = 20;  ///< steps between looks at which grains are near a wall
-constexpr double kServoGain = 0.02, kWallSpeed_m_per_s = 0.2;
+constexpr double kServoGain = 0.05, kWallSpeed_m_per_s = 0.2;
+constexpr double kServoMemory = 5e-4;     ///< of a moving wall: what the steps summed up to goes on
 constexpr double kLeastStiffness = 0.01;  ///< of an axis, over E: as the walls here
+constexpr double kNormalDashpot = 1e-3;   ///< over the tangential one
 constexpr int kRestCheck = 500, kRestSteps = 40000;
 constexpr double kRestUnbalanced = 1e-3, kRestStress = 2e-3;
 
@@ -46,9 +48,10 @@ void write_head(Script& out, const SizeBins& bins, const LammpsOptions& options)
       bins.radius_m.size(), 100 * bins.stiffness_error_rms, 100 * bins.stiffness_error_most);
   out("# - contacts start without tangential forces; the grains settle first, with the stresses of "
       "the start held");
-  out("# - dashpots at contacts in place of local damping; floating grains are not damped");
-  out("# - walls under stress are held by an integral servo; ends are looked for at rows only");
-  out("# - kinetic energy of the instant; unbalanced over the mean normal force; no marks");
+  out("# - local damping of forces only; turning is damped by tangential dashpots at contacts");
+  out("# - walls under stress are held by a servo of its own; ends are looked for at rows only");
+  out("# - kinetic energy of the instant; unbalanced (with the local damping) over the mean normal "
+      "force");
   out("");
 }
 
@@ -61,7 +64,8 @@ void write_setting(Script& out, const sim::GrainState& s, const LammpsOptions& o
   out("neigh_modify delay 0 every 1 check yes");
 }
 
-/// Dashpots of the damping ratio that takes what local damping takes of a vibration.
+/// Turning is damped by tangential dashpots of the damping ratio α/π, which takes of a vibration
+/// what local damping does; a normal dashpot of next to nothing is there for them to refer to.
 void write_contacts(Script& out, const sim::ContactLaw& law, const SizeBins& bins) {
   const auto mass = [&](double r) {
     return 4 * std::numbers::pi / 3 * law.density_kg_per_m3 * r * r * r;
@@ -73,10 +77,10 @@ void write_contacts(Script& out, const sim::ContactLaw& law, const SizeBins& bin
       const double stiffness = sim::normal_stiffness(law, ri, rj);
       const double reduced = mass(ri) * mass(rj) / (mass(ri) + mass(rj));
       const double damping = 2 * law.damping / std::numbers::pi * std::sqrt(stiffness / reduced);
-      out("pair_coeff {} {} hooke {:.10g} {:.10g} tangential linear_history {:.10g} 1.0 {:.10g} "
+      out("pair_coeff {} {} hooke {:.10g} {:.10g} tangential linear_history {:.10g} {} {:.10g} "
           "damping mass_velocity limit_damping",
-          i + 1, j + 1, stiffness, damping, law.tangential_ratio * stiffness,
-          sim::friction_coefficient(law));
+          i + 1, j + 1, stiffness, damping * kNormalDashpot, law.tangential_ratio * stiffness,
+          1 / kNormalDashpot, sim::friction_coefficient(law));
     }
 }
 
@@ -105,6 +109,18 @@ void write_walls(Script& out, const sim::GrainState& s, double smallest) {
   for (int a = 0; a < 3; ++a)
     out("variable s{0} equal \"0.5*(c_w{0}[1]+c_w{0}[2])/(v_L{1}*v_L{2})\"", kAxis[a],
         kAxis[(a + 1) % 3], kAxis[(a + 2) % 3]);
+}
+
+/// Local damping of forces, after all other forces are there.
+void write_motion(Script& out, double damping) {
+  if (damping > 0) {
+    out("\n# Local damping of the forces\nvariable half equal 0.5*dt");
+    for (const char x : std::string("xyz"))
+      out("variable damp{0} atom "
+          "\"-{1}*abs(f{0})*((v{0}+v_half*f{0}/mass>0)-(v{0}+v_half*f{0}/mass<0))\"",
+          x, damping);
+    out("fix damp all addforce v_dampx v_dampy v_dampz");
+  }
   out("fix motion all nve/sphere");
 }
 
@@ -124,25 +140,34 @@ void write_measures(Script& out, std::int64_t every) {
   out("thermo_style custom step\nthermo_modify norm no lost error\nthermo {}", every);
 }
 
-/// Servo of the axes named: e grows in each step by what brings the stress to its goal.
-void write_servo(Script& out, const sim::GrainState& s, const std::string& axes) {
-  std::string steps;
+double axis_stiffness(const sim::GrainState& s, int axis) {
+  const auto& k = s.walls.stiffness_n_per_m;
+  const double touching =
+      0.25 * (k[2 * axis] + k[2 * axis + 1]) * s.box.length_m(axis) / s.box.area_m2(axis);
+  return std::max(touching, kLeastStiffness * s.law.stiffness_over_diameter_pa);
+}
+
+/// Servo of the axes named: e grows in each step by d, what brings the stress to its goal, and by
+/// `memory` of all d before, so that a wall that has to keep moving does not lag behind.
+void write_servo(Script& out, const sim::GrainState& s, const std::string& axes, double memory) {
+  std::string errors, steps;
   for (int a = 0; a < 3; ++a) {
     const char x = kAxis[a];
-    const auto& k = s.walls.stiffness_n_per_m;
-    const double touching = 0.25 * (k[2 * a] + k[2 * a + 1]) * s.box.length_m(a) / s.box.area_m2(a);
-    const double stiffness = std::max(touching, kLeastStiffness * s.law.stiffness_over_diameter_pa);
-    const double gain = kServoGain / stiffness;
-    const double limit = 2 * kWallSpeed_m_per_s * s.time_step_s / s.box.length_m(a);
     const bool driven = axes.find(x) != std::string::npos;
+    const double gain = kServoGain / axis_stiffness(s, a);
+    const double limit = 2 * kWallSpeed_m_per_s * s.time_step_s / s.box.length_m(a);
     if (driven)
       out("variable d{0} equal \"{1:.10g}*(v_goal{0}-v_s{0})/(1+{2:.10g}*abs(v_goal{0}-v_s{0}))\"",
           x, gain, gain / limit);
     else
       out("variable d{} equal 0.0", x);
-    steps += fmt::format(" v_d{}", x);
+    out("variable r{0} equal \"v_d{0}+{1}*f_memory[{2}]*(step-v_s0)\"", x, memory, a + 1);
+    errors += fmt::format(" v_d{}", x);
+    steps += fmt::format(" v_r{}", x);
   }
+  // The sums are read one step after they were made, when there are step − s0 terms in them.
   out("fix servo all ave/time 1 1 1{} ave running", steps);
+  out("fix memory all ave/time 1 1 1{} ave running", errors);
   for (int a = 0; a < 3; ++a)
     if (axes.find(kAxis[a]) != std::string::npos)
       out("variable e{0} equal \"v_e{0}0+f_servo[{1}]*(step-v_s0)\"", kAxis[a], a + 1);
@@ -160,7 +185,7 @@ void write_rest(Script& out, const sim::GrainState& s, std::int64_t every) {
       "tangential forces.");
   for (int a = 0; a < 3; ++a)
     out("variable goal{} equal {:.10g}", kAxis[a], sim::wall_stress(s.walls, s.box, a));
-  write_servo(out, s, "xyz");
+  write_servo(out, s, "xyz", 0);
   out("variable error equal \"abs(f_now[4]-v_goalx)+abs(f_now[5]-v_goaly)+abs(f_now[6]-v_goalz)\"");
   out("variable most equal {:.10g}",
       kRestStress * 3 * sim::mean_stress(sim::axisymmetric_stress(s)));
@@ -172,7 +197,7 @@ void write_rest(Script& out, const sim::GrainState& s, std::int64_t every) {
   out("label rested");
   out("print \"rest: $(step) steps, stresses $(f_now[4]) $(f_now[5]) $(f_now[6]) Pa, unbalanced "
       "$(f_now[8])\"");
-  out("unfix servo");
+  out("unfix servo\nunfix memory");
   write_hand_over(out);
 }
 
@@ -197,7 +222,7 @@ void write_drives(Script& out, const sim::GrainState& s, const sim::GrainPath& p
                               : path.kind == Kind::drained ? "xy"
                                                            : "";
   write_goals(out, path, servoed);
-  if (!servoed.empty()) write_servo(out, s, servoed);
+  if (!servoed.empty()) write_servo(out, s, servoed, path.kind == Kind::drained ? kServoMemory : 0);
   for (int a = 0; a < 3; ++a) {
     if (servoed.find(kAxis[a]) != std::string::npos) continue;
     const double rate =
@@ -259,6 +284,7 @@ std::string lammps_script(const sim::GrainState& state, const sim::GrainPath& pa
   write_setting(out, state, options, smallest);
   write_contacts(out, state.law, bins);
   write_walls(out, state, smallest);
+  write_motion(out, state.law.damping);
   write_measures(out, every);
   write_rest(out, state, every);
   out("\n# The path");

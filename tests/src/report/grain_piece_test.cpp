@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr int kPieces = 3;
+constexpr std::size_t kValues = 33;  ///< of a probe
 
 /// A lattice under some stress, and short probes of it in five directions.
 const sim::GrainState& state() {
@@ -79,8 +80,8 @@ bool same(const sim::GrainProbe& a, const sim::GrainProbe& b) {
   Bits x, y;
   visit_probe(x, a);
   visit_probe(y, b);
-  return x.numbers.size() == 35 && y.numbers.size() == 35 &&
-         std::memcmp(x.numbers.data(), y.numbers.data(), 35 * sizeof(double)) == 0;
+  return x.numbers.size() == kValues && y.numbers.size() == kValues &&
+         std::memcmp(x.numbers.data(), y.numbers.data(), kValues * sizeof(double)) == 0;
 }
 
 /// The message of the refusal of piece 2 after this change.
@@ -226,4 +227,14 @@ TEST_CASE("a piece of a rose is read from its file, which must be one") {
   std::filesystem::remove(file);
   CHECK_THROWS_WITH(load_grain_piece(file.string()), Contains("triax grains --piece"));
   CHECK_THROWS_WITH(load_grain_piece("."), Contains("cannot be read"));
+}
+
+TEST_CASE("the fuzzer's seeds are pieces of a rose") {
+  int seeds = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("tests/fuzz/seeds/grain_piece_fuzz")) {
+    CHECK_NOTHROW(load_grain_piece(entry.path().string()));
+    ++seeds;
+  }
+  CHECK(seeds >= 2);
 }

@@ -1,0 +1,23 @@
+// Any bytes as a piece of a rose of grains: read, or refused in words; nothing else.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "lab/records/bad_input.hpp"
+#include "src/report/grain_piece.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace triax;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const src::GrainPiece piece = src::read_grain_piece(text, "fuzz.json");
+    // What was read can be written, and is then the same.
+    const std::string again = src::grain_piece_json(piece);
+    if (src::grain_piece_json(src::read_grain_piece(again, "again.json")) != again)
+      __builtin_trap();
+    if (piece.count == 1 && src::merged({piece}).rose.probes.size() + 1 != piece.probes.size())
+      __builtin_trap();
+  } catch (const lab::BadInput&) {
+  }
+  return 0;
+}
