@@ -124,7 +124,8 @@ Table strain_paths_table(const GrainReport& report) {
 
 std::vector<std::string> strain_paths_notes() {
   return {
-      fmt::format("falls after: by more than {:g} % of the peak", 100 * kFallen),
+      "peak, there: of σ₁ − σ₃/R",
+      fmt::format("falls: afterwards by more than {:g} % of the peak", 100 * kFallen),
       fmt::format("W₂ < 0: of Eq. (30) over increments of {} points, first negative and for the "
                   "next {} of them",
                   kWorkWindow, kWorkWindow)};

@@ -34,3 +34,15 @@ TEST_CASE("axes beside one another share a row above the legend") {
   hide_axes(beside);
   for (const auto* axis : beside.axes()) CHECK_FALSE(axis->visible());
 }
+
+TEST_CASE("axes in rows fill row by row, as many in each as was asked") {
+  auto plot = make_plot(900, 600);
+  const auto all = add_axes_in_rows(*plot, 5, 3);
+  plot->replot();
+  REQUIRE(all.size() == 5);
+  CHECK(all[0] == plot->axisRect(0));
+  CHECK(all[1]->left() > all[0]->right());
+  CHECK(all[2]->top() == all[0]->top());
+  CHECK(all[3]->top() > all[0]->bottom());
+  CHECK(all[4]->left() == all[1]->left());
+}
