@@ -1,9 +1,12 @@
 // The pages of docs/ that print descriptions: what they print is what the readers take.
 #include <catch2/catch.hpp>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "lab/grains/grain_programme_reader.hpp"
+#include "lab/grains/grain_stage_reader.hpp"
 #include "lab/paths/condition_text.hpp"
 #include "lab/paths/path_quantity.hpp"
 #include "lab/paths/path_reader.hpp"
@@ -156,4 +159,17 @@ TEST_CASE("every key is on its page") {
     CHECK_THAT(formats, Contains(fmt::format("`{}`", key.substr(key.rfind('.') + 1))));
   for (const Dialect& dialect : shipped_dialects())
     CHECK_THAT(formats, Contains(fmt::format("| `{}` |", dialect.name)));
+}
+
+TEST_CASE("the page of grains prints a programme, and names every action") {
+  std::string text;
+  for (const auto& line : printed("docs/grains.md", "[run]")) text += line + "\n";
+  CHECK(read_grain_programme(text, "docs/grains.md").stages.size() == 1);
+  std::set<std::string> named;
+  for (const auto& line : lines_of("docs/grains.md"))
+    for (const auto& code : codes(line)) named.insert(code);
+  for (const auto& action : grain_actions()) {
+    INFO(action);
+    CHECK(named.count(action) == 1);
+  }
 }

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "lab/grains/grain_files.hpp"
+#include "lab/grains/grain_packing.hpp"
+#include "lab/grains/grain_programme_reader.hpp"
 #include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
@@ -25,6 +27,11 @@ TEST_CASE("the fuzzers' seeds are accepted") {
   for (const auto& path : seeds("programme_fuzz")) CHECK_NOTHROW(load_programme(path));
   for (const auto& path : seeds("path_fuzz")) CHECK_NOTHROW(check_start(load_path(path)));
   for (const auto& path : seeds("grain_state_fuzz")) CHECK_NOTHROW(load_state(path));
+  for (const auto& path : seeds("grain_programme_fuzz"))
+    if (path.ends_with(".toml"))
+      CHECK_NOTHROW(load_grain_programme(path));
+    else
+      CHECK_NOTHROW(load_packing(path, 2));
   for (const auto& path : seeds("dialect_fuzz"))
     CHECK_NOTHROW(parse_dialect(read_text_file(path), path));
   std::vector<std::string> dialects;

@@ -1,6 +1,7 @@
 #include "lab/grains/grain_programme_reader.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "lab/records/bad_input.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
@@ -121,4 +122,15 @@ TEST_CASE("what makes no sense in a programme of grains is refused with file, li
   refused(with("name = \"held\"", "name = \"a:point\""), "cannot be told apart");
   refused(with("name = \"held\"", "name = \"specimen\""), "as it was made");
   refused("", "run");
+}
+
+TEST_CASE("every sample of grains is a programme") {
+  int samples = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("samples/grains"))
+    if (entry.path().extension() == ".toml") {
+      INFO(entry.path());
+      CHECK_NOTHROW(load_grain_programme(entry.path().string()));
+      ++samples;
+    }
+  CHECK(samples >= 4);
 }

@@ -36,4 +36,6 @@ TEST_CASE("how a stage of grains ended, in words") {
   CHECK(ending(result) == "undecided");
   CHECK(settled(result) == false);
   CHECK(word(sim::StiffnessReading::literal) == "literal");
+  CHECK(word(sim::GrainPathEnd::most_steps) == "most_steps");
+  CHECK(word(sim::GrainPathKind::strain_path) == "strain_path");
 }

@@ -79,11 +79,3 @@ TEST_CASE("a mark has the strains and the time since the start of its path") {
   CHECK(marks[1].name == "never");
   CHECK_FALSE(marks[1].at);
 }
-
-TEST_CASE("every end has a word") {
-  CHECK(word_of(sim::GrainPathEnd::collapse) == "collapse");
-  CHECK(word_of(sim::GrainPathEnd::most_steps) == "most_steps");
-  CHECK(word_of(sim::PerturbationEnd::undecided) == "undecided");
-  CHECK(word_of(sim::StiffnessReading::literal) == "literal");
-  CHECK(word_of(sim::GrainPathKind::strain_path) == "strain_path");
-}
