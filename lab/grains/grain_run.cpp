@@ -90,6 +90,7 @@ class Stages {
   }
 
   bool run(sim::GrainState specimen) {
+    made_ = specimen.box;
     keep(kAsMade, std::move(specimen), 0);
     for (std::size_t k = 0; k < programme_.stages.size(); ++k)
       if (!run(programme_.stages[k], k)) return false;
@@ -107,6 +108,7 @@ class Stages {
     GrainStageResult result;
     result.stage = &stage;
     result.before = measure(start);
+    result.strain_before = axisymmetric_strain(made_, start.box);
     end_ = start;
     stopped_ = false;
     const auto clock = std::chrono::steady_clock::now();
@@ -209,6 +211,7 @@ class Stages {
   const GrainProgramme& programme_;
   int threads_;
   const GrainListener& listener_;
+  sim::GrainBox made_;
   std::map<std::string, std::size_t> last_use_;
   std::map<std::string, sim::GrainState> states_;
   sim::GrainState end_;

@@ -32,10 +32,11 @@ struct GrainRose {
 };
 
 struct GrainStageResult {
-  const GrainStage* stage = nullptr;  ///< of the programme, which has to live as long
-  sim::GrainMeasures before, after;   ///< a rose leaves its state alone: both are the same
-  double seconds = 0;                 ///< on the clock of the wall
-  std::int64_t steps = 0;             ///< of the engine; of all probes together
+  const GrainStage* stage = nullptr;      ///< of the programme, which has to live as long
+  sim::GrainMeasures before, after;       ///< a rose leaves its state alone: both are the same
+  sim::AxisymmetricStrain strain_before;  ///< natural, of the start since the specimen was made
+  double seconds = 0;                     ///< on the clock of the wall
+  std::int64_t steps = 0;                 ///< of the engine; of all probes together
   std::variant<sim::GrainPathResult, GrainRest, GrainRose, sim::PerturbationResult> outcome;
 };
 

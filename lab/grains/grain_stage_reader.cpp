@@ -150,6 +150,8 @@ GrainPerturbationStage read_perturbation(const TomlTable& table) {
   take(table, "unbalanced", kPositive, 1, how.unbalanced);
   take(table, "stress_error_Pa", {.above = 0, .at_most = 1e7}, 1, how.stress_error_pa);
   take(table, "longest_s", {.above = 0, .at_most = 1e4}, 1, how.longest_s);
+  take(table, "collapse_share", {.at_least = 0, .at_most = 0.99}, 1, how.collapse_share);
+  take(table, "collapse_strain_pct", {.above = 0, .at_most = 90}, 1e-2, how.collapse_strain);
   return stage;
 }
 

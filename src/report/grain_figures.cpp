@@ -49,8 +49,24 @@ std::string label_of(const ReportedGrainStage& stage, const Stages& all) {
   return fmt::format("R = {:g}", path.ratio) + (same > 1 ? " " + stage.name : "");
 }
 
+/// Strains counted on from what went before, where paths follow each other: all from the start of
+/// the earliest.
+void count_on(DrawnGrainPath& path, const sim::AxisymmetricStrain& before) {
+  const auto shift = [&](sim::GrainPathPoint& point) {
+    point.strain.axial += before.axial;
+    point.strain.radial += before.radial;
+    point.volumetric_strain += volumetric_strain(before);
+  };
+  for (auto& point : path.points) shift(point);
+  for (auto& mark : path.marks) shift(mark.at);
+}
+
 std::vector<DrawnGrainPath> drawn_paths(const Stages& stages) {
   std::vector<DrawnGrainPath> paths;
+  const auto earliest =
+      std::min_element(stages.begin(), stages.end(), [](const auto* a, const auto* b) {
+        return std::abs(a->strain_before.axial) < std::abs(b->strain_before.axial);
+      });
   for (const auto* stage : stages) {
     const auto& came = std::get<ReportedGrainPath>(stage->came);
     const GrainPathFindings found = path_findings(came.path, came.points);
@@ -65,6 +81,8 @@ std::vector<DrawnGrainPath> drawn_paths(const Stages& stages) {
     }
     for (const auto& mark : came.marks)
       if (mark.at) path.marks.push_back({mark.name, *mark.at});
+    const auto &here = stage->strain_before, &first = (*earliest)->strain_before;
+    count_on(path, {here.axial - first.axial, here.radial - first.radial});
     paths.push_back(std::move(path));
   }
   return paths;

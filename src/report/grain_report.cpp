@@ -96,8 +96,9 @@ void add(GrainReport& report, const lab::GrainsMade& made) {
 
 void add(GrainReport& report, const lab::GrainStageResult& result) {
   const lab::GrainStage& stage = *result.stage;
-  ReportedGrainStage told{stage.name,   stage.action,   stage.from,   result.before,
-                          result.after, result.seconds, result.steps, {}};
+  ReportedGrainStage told{stage.name,     stage.action, stage.from,
+                          result.before,  result.after, result.strain_before,
+                          result.seconds, result.steps, {}};
   std::visit(Outcome{stage, told}, result.outcome);
   report.stages.push_back(std::move(told));
 }

@@ -60,6 +60,7 @@ struct ReportedPerturbation {
 struct ReportedGrainStage {
   std::string name, action, from;
   sim::GrainMeasures before, after;
+  sim::AxisymmetricStrain strain_before;  ///< of the start since the specimen was made
   double seconds = 0;
   std::int64_t steps = 0;
   std::variant<ReportedGrainPath, ReportedGrainRest, ReportedGrainRose, ReportedPerturbation> came;

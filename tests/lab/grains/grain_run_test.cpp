@@ -74,6 +74,9 @@ TEST_CASE("stages of a programme of grains follow each other, each from the stat
   const auto& drained = std::get<sim::GrainPathResult>(t.results.at("drained").outcome);
   REQUIRE(drained.marked.at(0).has_value());
   CHECK(t.starts.at("at rest") == *drained.marked[0]);
+  CHECK(t.results.at("isotropic").strain_before.axial == 0);
+  CHECK(t.results.at("path").strain_before.axial ==
+        axisymmetric_strain(t.made.state.box, t.ends.at("isotropic").box).axial);
   CHECK(t.points.at("drained") == static_cast<int>(drained.points.size()));
   CHECK(t.results.at("drained").steps == t.ends.at("drained").steps - t.starts.at("drained").steps);
 }
