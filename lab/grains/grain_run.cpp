@@ -36,12 +36,16 @@ sim::Compacted made_to_porosity(const GrainSource& source, const sim::Cloud& clo
                   source.search->porosity, source.search->tolerance, found.best.porosity, why));
 }
 
+/// Few grains in a small box leave no place for the last ones: then the cloud is looser.
 sim::Cloud cloud_of(const GrainSource& source) {
-  try {
-    return sim::make_cloud(sim::draw_diameters(source.grading, source.grains, source.seed),
-                           source.seed + 1);
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(fmt::format("[specimen]: {}", error.what()));
+  const auto diameters = sim::draw_diameters(source.grading, source.grains, source.seed);
+  constexpr double kUsual = 0.4, kLoosest = 0.05;
+  for (double share = kUsual;; share *= 0.75) {
+    try {
+      return sim::make_cloud(diameters, source.seed + 1, share);
+    } catch (const std::invalid_argument& error) {
+      if (share < kLoosest) throw BadInput(fmt::format("[specimen]: {}", error.what()));
+    }
   }
 }
 

@@ -92,7 +92,7 @@ void visit_state(Visit& v, State& s) {
     v(d.kind), v(d.leader), v(d.ratio), v(d.strain_rate_per_s);
     v(d.stress_goal_pa), v(d.stress_rate_pa_per_s), v(d.speed_limit_m_per_s);
   }
-  v(s.walls.stress_target_pa), v(s.walls.strain_rate_per_s);
+  v(s.walls.stress_target_pa), v(s.walls.strain_rate_per_s), v(s.walls.learned_rate_per_s);
   v(s.walls.force_n), v(s.walls.stiffness_n_per_m);
   v(s.grains), v(s.ids);
   auto& n = s.neighbours;

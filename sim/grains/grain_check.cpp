@@ -80,7 +80,9 @@ void check_walls(const GrainState& s) {
     const double asked = d.kind == AxisDrive::Kind::strain_rate ? d.strain_rate_per_s
                          : d.kind == AxisDrive::Kind::stress    ? servo
                                                                 : d.ratio * led;
-    require(slow(w.strain_rate_per_s[a]) <= kLargestStrainStep && slow(asked) <= kLargestStrainStep,
+    require(slow(w.strain_rate_per_s[a]) <= kLargestStrainStep &&
+                slow(w.learned_rate_per_s[a]) <= kLargestStrainStep &&
+                slow(asked) <= kLargestStrainStep,
             "a wall moves too far in one step");
   }
 }

@@ -39,6 +39,7 @@ struct WallState {
   std::array<AxisDrive, 3> drive;
   std::array<double, 3> stress_target_pa{};   ///< of stress-driven axes: on its way to the goal
   std::array<double, 3> strain_rate_per_s{};  ///< now, as the servo smoothed it
+  std::array<double, 3> learned_rate_per_s{};  ///< of servos: what they hold steadily (walls.hpp)
   std::array<double, 6> force_n{};            ///< the grains push each wall outwards with this
   std::array<double, 6> stiffness_n_per_m{};  ///< of the grains that touch it, summed
   friend bool operator==(const WallState&, const WallState&) = default;

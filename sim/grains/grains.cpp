@@ -94,6 +94,7 @@ void Grains::finish_step() {
 void Grains::drive(const std::array<AxisDrive, 3>& drives) {
   check(drives);
   state_.walls.drive = drives;
+  state_.walls.learned_rate_per_s = {};
   for (int a = 0; a < 3; ++a)
     state_.walls.stress_target_pa[a] = conjugate_stress(state_.walls, state_.box, a);
 }

@@ -10,6 +10,8 @@ namespace {
 using Kind = AxisDrive::Kind;
 
 constexpr double kGain = 0.05, kSmoothing = 0.1;
+/// Share of the asked rate that is learned in a step: slow against the waves through the box.
+constexpr double kLearning = 1.0 / 500;
 /// Stiffness of an axis is taken as at least this share of E: nothing may touch yet.
 constexpr double kLeastStiffness = 0.01;
 
@@ -35,6 +37,12 @@ double conjugate_stiffness(const GrainState& s, int axis) {
   return sum;
 }
 
+bool strained(const WallState& walls) {
+  return std::any_of(walls.drive.begin(), walls.drive.end(), [](const AxisDrive& d) {
+    return d.kind == Kind::strain_rate && d.strain_rate_per_s != 0;
+  });
+}
+
 double servo_rate(GrainState& s, int axis) {
   const AxisDrive& drive = s.walls.drive[axis];
   double& target = s.walls.stress_target_pa[axis];
@@ -47,8 +55,11 @@ double servo_rate(GrainState& s, int axis) {
   const double error = target - conjugate_stress(s.walls, s.box, axis);
   const double limit = 2 * drive.speed_limit_m_per_s / s.box.length_m(axis);
   const double asked = kGain * error / (conjugate_stiffness(s, axis) * s.time_step_s);
+  double& learned = s.walls.learned_rate_per_s[axis];
+  const double wanted = asked + learned;
+  if (strained(s.walls) && std::abs(wanted) < limit) learned += kLearning * asked;
   return (1 - kSmoothing) * s.walls.strain_rate_per_s[axis] +
-         kSmoothing * std::clamp(asked, -limit, limit);
+         kSmoothing * std::clamp(wanted, -limit, limit);
 }
 
 }  // namespace

@@ -14,7 +14,11 @@ double conjugate_stress(const WallState& walls, const GrainBox& box, int axis);
 /// (compression positive; M the stiffness of touching grains against the axis' strain, followers
 /// included; gain, smoothing and floor are those of the servo in the literature's codes):
 ///
-///   ε̇ ← 0.9 ε̇ + 0.1 g (σ_target − σ)/(M Δt),  g = 0.05, |v| of each wall below its limit
+///   ε̇ ← 0.9 ε̇ + 0.1 (a + b),  a = g (σ_target − σ)/(M Δt),  g = 0.05, |v| of each wall below its
+///   limit
+///
+/// b is learned where another axis is strained at a given rate, b ← b + a/500: walls that have to
+/// move steadily would lag by M Δt ε̇/g without it.
 void move_walls(GrainState& state);
 
 /// Throws std::invalid_argument: a leader that follows or is no axis, a limit not above 0, a value

@@ -132,6 +132,13 @@ TEST_CASE("a saved state goes on as if the run had never ended") {
   CHECK_THROWS_AS(told_by(on), BadInput);
 }
 
+TEST_CASE("the fewest grains of the widest grading find a place, too") {
+  const auto text = replaced(kSmallGrains, "grains = 200", "grains = 8");
+  const GrainProgramme few =
+      read_grain_programme(text.substr(0, text.find("[[stages]]\nname = \"drained\"")), "g.toml");
+  CHECK(told_by(few).made.measures.grains_outside == 0);
+}
+
 TEST_CASE("a run that is stopped says so, and tells nothing of the stage under way") {
   for (const char* at : {"compressing the cloud", "following the path", "settling", "perturbed"}) {
     INFO(at);

@@ -83,6 +83,8 @@ TEST_CASE("Grain check: settings that no step survives are refused") {
 TEST_CASE("Grain check: walls that would jump are refused") {
   CHECK_THAT(refusal([](GrainState& s) { s.walls.strain_rate_per_s[0] = kNan; }),
              Contains("too far"));
+  CHECK_THAT(refusal([](GrainState& s) { s.walls.learned_rate_per_s[2] = kNan; }),
+             Contains("too far"));
   CHECK_THAT(refusal([](GrainState& s) { s.walls.strain_rate_per_s[0] = 1e9; }),
              Contains("too far"));
   CHECK_THAT(refusal([](GrainState& s) { s.walls.drive[1].strain_rate_per_s = 1e9; }),

@@ -72,6 +72,21 @@ TEST_CASE("Grains: followers with ratio -1/2 keep the volume, and the leader hol
   CHECK(grains.state().box.length_m(1) < 0.99999 * grains.state().box.length_m(0));
 }
 
+TEST_CASE("Grains: a servo holds its stress while another axis is strained steadily") {
+  Grains grains = driven({stress_drive(3e5), stress_drive(3e5), stress_drive(3e5)}, 40000);
+  grains.drive({stress_drive(3e5), strain_rate_drive(0.5), stress_drive(3e5)});
+  grains.step(6000);
+  double sum = 0;
+  for (int k = 0; k < 100; ++k) {
+    grains.step(10);
+    sum += wall_stress(grains.state().walls, grains.state().box, 0);
+  }
+  CHECK(sum / 100 == Approx(3e5).epsilon(2e-3));
+  CHECK(grains.state().walls.learned_rate_per_s[0] < -0.01);
+  grains.drive({stress_drive(3e5), stress_drive(3e5), stress_drive(3e5)});
+  CHECK(grains.state().walls.learned_rate_per_s[0] == 0);
+}
+
 TEST_CASE("Grains: the speed limit of a servo is one") {
   Grains grains(test::lattice(4, {}, 4e-3));
   grains.drive({stress_drive(1e6, 0.02), {}, {}});
