@@ -109,7 +109,7 @@ Json came_json(const ReportedGrainPath& came) {
           {"peak_q", peak_json(found.q, "q_kPa", 1e3)},
           {"peak_eta", peak_json(found.eta, "eta", 1)},
           {"peak_path_stress", peak_json(found.path_stress, "path_stress_kPa", 1e3)},
-          {"w2_window_points", kWorkWindow},
+          {"w2_window_points", work_window(came.points.size())},
           {"w2_first_negative", std::move(negative)},
           {"kinetic_energy_most_J", json_number(found.most_kinetic_j)},
           {"marks", std::move(marks)},

@@ -26,13 +26,14 @@ std::optional<GrainPeak> peak_of(const Points& points, double sense, const Value
 }
 
 std::optional<std::size_t> first_negative(const Points& points, double ratio) {
-  if (points.size() <= kWorkWindow) return {};
-  const std::size_t count = points.size() - kWorkWindow;
+  const std::size_t window = work_window(points.size());
+  if (points.size() <= window) return {};
+  const std::size_t count = points.size() - window;
   std::size_t run = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    run = second_order_work(points[i], points[i + kWorkWindow], ratio) < 0 ? run + 1 : 0;
-    if (run == 0 || (run <= kWorkWindow && i + 1 < count)) continue;
-    return i + 1 - run + (kWorkWindow + 1) / 2;
+    run = second_order_work(points[i], points[i + window], ratio) < 0 ? run + 1 : 0;
+    if (run == 0 || (run <= window && i + 1 < count)) continue;
+    return i + 1 - run + (window + 1) / 2;
   }
   return {};
 }

@@ -1,6 +1,8 @@
 // The tables of the probes of a specimen of grains.
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,7 +70,7 @@ std::string ranges_words(const std::vector<AngleRange>& ranges) {
   std::string words;
   for (const auto& [from, to, directions] : ranges)
     words += fmt::format("{}{}° to {}°", words.empty() ? "" : ", ", in_degrees(from, 0),
-                         in_degrees(to, 0));
+                         in_degrees(std::fmod(to, 2 * std::numbers::pi), 0));
   return words.empty() ? "in no direction" : words;
 }
 

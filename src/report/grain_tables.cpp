@@ -126,9 +126,8 @@ std::vector<std::string> strain_paths_notes() {
   return {
       "peak, there: of σ₁ − σ₃/R",
       fmt::format("falls: afterwards by more than {:g} % of the peak", 100 * kFallen),
-      fmt::format("W₂ < 0: of Eq. (30) over increments of {} points, first negative and for the "
-                  "next {} of them",
-                  kWorkWindow, kWorkWindow)};
+      "W₂ < 0: of Eq. (30) over increments of a twentieth of the points, first negative and for as "
+      "many more"};
 }
 
 Table marks_table(const GrainReport& report) {
