@@ -1,10 +1,9 @@
 // The tables of the probes of a specimen of grains.
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "src/report/grain_rose_findings.hpp"
 #include "src/report/grain_tables.hpp"
