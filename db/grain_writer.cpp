@@ -50,7 +50,7 @@ class StageRows {
   }
   void operator()(const lab::GrainRest&) {}
   void operator()(const lab::GrainRose& rose) {
-    Statement insert(database_, "INSERT INTO grain_probes VALUES (" + places(20) + ")");
+    Statement insert(database_, "INSERT INTO grain_probes VALUES (" + places(21) + ")");
     probe(insert, 0, rose.rose.null_probe, std::nullopt);
     for (std::size_t k = 0; k < rose.rose.probes.size(); ++k)
       probe(insert, k + 1, rose.rose.probes[k], rose.rose.probes[k].angle);
@@ -104,6 +104,7 @@ class StageRows {
         .number(w.volume_part)
         .number(w.transport_part)
         .number(w.microscopic())
+        .number(w.fixed_frame)
         .number(w.boundary_part)
         .number(w.normalised)
         .si(p.sliding_share, "%")

@@ -89,6 +89,7 @@ CREATE TABLE grain_probes (
   volume_part_J_per_m3 REAL NOT NULL,
   transport_part_J_per_m3 REAL NOT NULL,
   work_microscopic_J_per_m3 REAL NOT NULL, -- Eq. (11)
+  work_fixed_frame_J_per_m3 REAL NOT NULL, -- the sum over contacts in a frame at rest, Eq. (20) without turns
   boundary_part_J_per_m3 REAL NOT NULL,    -- of Eq. (22), as far as two states tell
   normalised_work REAL NOT NULL,
   sliding_pct REAL NOT NULL,

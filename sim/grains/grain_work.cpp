@@ -77,6 +77,7 @@ class Sums {
       w.non_permanent_part += (one.normal_work + one.tangential_work) / volume_;
       ++(before ? w.opened : w.closed);
     }
+    w.fixed_frame += fixed_frame(any, before, after) / volume_;
     w.contacts_before += before != nullptr;
     w.slides_after += after && after->slides;
   }
@@ -102,6 +103,17 @@ class Sums {
     const int axis = wall / 2;
     return wall % 2 == 0 ? grain.centre[axis] - box.low_m[axis]
                          : box.high_m[axis] - grain.centre[axis];
+  }
+  /// Force of b on a, b a grain.
+  static Vector3d force(const Known* c, const Vector3d& branch) {
+    if (!c) return Vector3d::Zero();
+    return c->tangential_n - c->normal_n * branch.normalized();
+  }
+  double fixed_frame(const Known& c, const Known* before, const Known* after) const {
+    if (c.b < 0) return at_wall(c, before, after).normal_work;
+    const Vector3d from = from_[c.b].centre - from_[c.a].centre,
+                   to = to_[c.b].centre - to_[c.a].centre;
+    return (force(after, to) - force(before, from)).dot(to - from);
   }
   ContactIncrement at_wall(const Known& c, const Known* before, const Known* after) const {
     const int wall = -1 - c.b;

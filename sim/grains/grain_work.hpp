@@ -36,6 +36,11 @@ struct GrainWork {
   double tangential_part = 0;     ///< of contacts in both states
   double non_permanent_part = 0;  ///< of contacts in one of the two states only
   double microscopic() const { return normal_part + tangential_part + non_permanent_part; }
+  /// 1/V Σ ΔF · Δ(x_b − x_a) over the same contacts in a frame at rest, grains as points: the
+  /// Lagrangian sum itself wherever the forces of both states balance on every grain. What the
+  /// microscopic sum differs by from this one is the turning of contacts and grains under the force
+  /// that they carry.
+  double fixed_frame = 0;
   /// Σ F_ext · δ²u over grains at walls, with δ²u = change of their velocity × duration, which is
   /// all that two states tell. F_ext is the whole force, not its change: the rest of motion at a
   /// settled end makes this larger than W₂ itself. A sign of motion, no correction; the paper

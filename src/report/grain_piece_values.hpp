@@ -39,7 +39,7 @@ void visit_probe(Visit& v, Probe& p) {
   v("w2_normalised", w.normalised), v("w2_normal_part_J_per_m3", w.normal_part);
   v("w2_tangential_part_J_per_m3", w.tangential_part);
   v("w2_non_permanent_part_J_per_m3", w.non_permanent_part);
-  v("boundary_part_J_per_m3", w.boundary_part);
+  v("w2_fixed_frame_J_per_m3", w.fixed_frame), v("boundary_part_J_per_m3", w.boundary_part);
   v("kinetic_before_J", w.kinetic_before_j), v("kinetic_after_J", w.kinetic_after_j);
   v("contacts_before", w.contacts_before), v("opened", w.opened), v("closed", w.closed);
   v("slides_after", w.slides_after);

@@ -53,6 +53,11 @@ std::optional<double> micro_over_macro(const sim::GrainProbe& probe) {
   return probe.work.microscopic() / probe.work.lagrangian;
 }
 
+std::optional<double> fixed_over_macro(const sim::GrainProbe& probe) {
+  if (probe.work.lagrangian == 0) return {};
+  return probe.work.fixed_frame / probe.work.lagrangian;
+}
+
 double changed_contacts(const sim::GrainProbe& probe) {
   return probe.sliding_share + probe.work.non_permanent_share();
 }

@@ -23,6 +23,8 @@ std::vector<AngleRange> ranges_where(const std::vector<sim::GrainProbe>& probes,
 
 /// Microscopic over semi-Lagrangian W₂; empty where that is 0.
 std::optional<double> micro_over_macro(const sim::GrainProbe& probe);
+/// The sum over contacts in a frame at rest over semi-Lagrangian W₂: 1 between two equilibria.
+std::optional<double> fixed_over_macro(const sim::GrainProbe& probe);
 /// Sliding and non-permanent contacts over those at the start.
 double changed_contacts(const sim::GrainProbe& probe);
 /// |ε| in the Rendulic plane.

@@ -58,7 +58,8 @@ void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::stri
             density(w.volume_part),
             density(w.transport_part),
             density(w.microscopic()),
-            number(probe.norm_pa > 0 ? micro_over_macro(probe) : std::nullopt, 3)};
+            number(probe.norm_pa > 0 ? micro_over_macro(probe) : std::nullopt, 3),
+            number(probe.norm_pa > 0 ? fixed_over_macro(probe) : std::nullopt, 4)};
   }
   response.resize(tables.responses.columns.size(), kUnknown);
   response.back() = settled_word(probe);
@@ -86,7 +87,7 @@ RoseTables rose_tables(const ReportedGrainRose& rose) {
   RoseTables tables{right_columns({"α (°)", "dε₁ (10⁻⁶)", "dε₃ (10⁻⁶)", "W₂ norm.", "sliding (%)",
                                    "non-perm. (%)", "K most (J)", "steps", "settled"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
-                                   "−σLᵗΔt:LΔt", "micro", "micro/macro"})};
+                                   "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed/macro"})};
   const int decimals = work_decimals(rose.made.rose);
   for (std::size_t i = 0; i < rose.made.rose.probes.size(); ++i)
     put_probe(tables, rose.made.rose.probes[i], in_degrees(rose.made.angles[i], 0), decimals);

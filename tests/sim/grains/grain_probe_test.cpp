@@ -32,6 +32,7 @@ TEST_CASE("Grain probe: the increment has the direction of Fig. 13 and its norm"
   CHECK(p.work.lagrangian > 0);
   CHECK(p.work.eulerian() == Approx(p.work.lagrangian).epsilon(1e-3));
   CHECK(p.work.microscopic() == Approx(p.work.lagrangian).epsilon(0.05));
+  CHECK(p.work.fixed_frame == Approx(p.work.lagrangian).epsilon(0.01));
   CHECK(p.work.normalised > 0.5);
 }
 

@@ -46,6 +46,7 @@ TEST_CASE("Second-order work: columns of spheres give k Δδ² a contact, at wal
   CHECK(w.lagrangian == Approx(expected).epsilon(1e-6));
   CHECK(w.microscopic() == Approx(expected).epsilon(1e-6));
   CHECK(w.microscopic() == Approx(w.lagrangian).epsilon(1e-7));
+  CHECK(w.fixed_frame == Approx(w.lagrangian).epsilon(1e-7));
   CHECK(w.tangential_part == Approx(0).margin(1e-9 * expected));
   CHECK(w.non_permanent_part == 0);
   CHECK(w.contacts_before == 3 * side * side * (side + 1));
@@ -80,6 +81,7 @@ TEST_CASE("Second-order work: contacts that open or close are counted apart") {
   CHECK(opening.closed == 0);
   CHECK(opening.non_permanent_share() == Approx(1.0 / 3));
   const double each = 356e6 * kRadius * d * 2 * d;
+  CHECK(opening.fixed_frame == Approx(opening.microscopic()));
   CHECK(opening.non_permanent_part == Approx(12 * each / closed.box.volume_m3()).epsilon(1e-6));
   const GrainWork closing = grain_work(open, closed, unturned(closed));
   CHECK(closing.closed == 12);

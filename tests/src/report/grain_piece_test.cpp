@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr int kPieces = 3;
-constexpr std::size_t kValues = 33;  ///< of a probe
+constexpr std::size_t kValues = 34;  ///< of a probe
 
 /// A lattice under some stress, and short probes of it in five directions.
 const sim::GrainState& state() {

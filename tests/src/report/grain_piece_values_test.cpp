@@ -52,6 +52,7 @@ TEST_CASE("every value of a probe is visited") {
   CHECK(probe.work.eulerian() == 3);
   CHECK(probe.work.microscopic() == 3);
   CHECK(probe.work.lagrangian + probe.work.normalised + probe.work.boundary_part == 3);
+  CHECK(probe.work.fixed_frame == 1);
   CHECK(probe.work.kinetic_before_j + probe.work.kinetic_after_j == 2);
   CHECK(probe.work.contacts_before + probe.work.opened + probe.work.closed +
             probe.work.slides_after ==

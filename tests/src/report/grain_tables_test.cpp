@@ -56,7 +56,7 @@ TEST_CASE("probes have the null probe behind them, and stopped ones say nothing"
   CHECK(responses.rows[14].back() == "NO");
   CHECK(responses.rows[36].front() == "null");
   CHECK(work.rows[9] == std::vector<std::string>{"90", "0.01000", "0.01000", "0.00900", "0.00010",
-                                                 "0.00090", "0.01200", "1.200"});
+                                                 "0.00090", "0.01200", "1.200", "1.0000"});
 }
 
 TEST_CASE("a null probe that strains too much puts signs in doubt") {

@@ -53,6 +53,7 @@ inline sim::GrainProbe probe_at(double degrees, double work, double ratio = 1) {
   probe.stress = {1000 * std::sin(probe.angle), 1000 * std::cos(probe.angle) / std::numbers::sqrt2};
   probe.strain = {1e-5 * std::sin(probe.angle), 1e-5 * std::cos(probe.angle) / std::numbers::sqrt2};
   probe.work.lagrangian = work;
+  probe.work.fixed_frame = work;
   probe.work.stress_part = 0.9 * work;
   probe.work.volume_part = 0.01 * work;
   probe.work.transport_part = 0.09 * work;
