@@ -16,7 +16,7 @@ struct DrawnPerturbation {
 /// Figs. 17 and 18: χ (left axis) and kinetic energy (right axis) over the time since the
 /// perturbation, a panel each, at most three in a row. Panels have ranges of their own. No plot
 /// without a point.
-Drawing grain_perturbations_figure(const std::vector<DrawnPerturbation>& perturbations,
+Drawing grain_perturbations_figure(const std::vector<DrawnPerturbation>& all,
                                    const Subject& subject);
 
 }  // namespace triax::src

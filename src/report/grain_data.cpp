@@ -129,14 +129,14 @@ struct Csv {
   const GrainReport& report;
   const ReportedGrainStage& stage;
 
-  std::optional<NamedBytes> operator()(const ReportedGrainPath&) const {
+  std::optional<NamedBytes> operator()(const ReportedGrainPath& /*came*/) const {
     return named("_points.csv", paths_data(report, {&stage}));
   }
-  std::optional<NamedBytes> operator()(const ReportedGrainRest&) const { return {}; }
-  std::optional<NamedBytes> operator()(const ReportedGrainRose&) const {
+  std::optional<NamedBytes> operator()(const ReportedGrainRest& /*came*/) const { return {}; }
+  std::optional<NamedBytes> operator()(const ReportedGrainRose& /*came*/) const {
     return named("_probes.csv", rose_data(report, stage));
   }
-  std::optional<NamedBytes> operator()(const ReportedPerturbation&) const {
+  std::optional<NamedBytes> operator()(const ReportedPerturbation& /*came*/) const {
     return named("_points.csv", perturbations_data(report, {&stage}));
   }
 
