@@ -14,6 +14,8 @@ namespace triax::sim {
 namespace {
 
 constexpr int kChecksAtRest = 3;
+/// Share of its largest value below which the kinetic energy of a load step has passed it.
+constexpr double kPassed = 0.5;
 
 void check(const Perturbation& how) {
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
@@ -22,9 +24,9 @@ void check(const Perturbation& how) {
     throw std::invalid_argument("perturbation: the energy must not be below 0");
   if (!(how.floating_share > 0 && how.floating_share <= 1))
     throw std::invalid_argument("perturbation: the floating share must be above 0, at most 1");
-  if (!positive(how.longest_s) || how.samples < 2 || how.check_every < 1)
+  if (!positive(how.longest_s) || how.samples < 3 || how.check_every < 1)
     throw std::invalid_argument(
-        "perturbation: a time above 0, two samples and a step between checks are needed");
+        "perturbation: a time above 0, three samples and a step between checks are needed");
 }
 
 std::vector<std::int32_t> floating(const GrainState& state) {
@@ -59,8 +61,7 @@ class Perturbed {
 
   PerturbationResult run(const GrainProgress& progress) {
     result_.points.push_back(now());
-    const double interval = how_.longest_s / (how_.samples - 1);
-    double next = interval;
+    double next = 0;
     int at_rest = 0;
     for (;;) {
       advance(grains_, how_.check_every);
@@ -70,7 +71,7 @@ class Perturbed {
       at_rest = rests(point) ? at_rest + 1 : 0;
       const bool over = ends(point, at_rest, progress);
       if (!over && point.time_s < next) continue;
-      next += interval;
+      next = point.time_s + interval_;
       keep(point);
       if (over) break;
     }
@@ -96,13 +97,27 @@ class Perturbed {
     point.kinetic_energy_j = most_;
     most_ = 0;
     point.unbalanced = measure(grains_.state()).unbalanced;
+    if (static_cast<int>(result_.points.size()) >= how_.samples) thin();
     result_.points.push_back(point);
+  }
+  /// Nobody knows how long it takes: every other point goes, and the interval doubles.
+  void thin() {
+    std::size_t kept = 1;
+    for (std::size_t k = 2; k < result_.points.size(); k += 2) {
+      result_.points[kept] = result_.points[k];
+      result_.points[kept].kinetic_energy_j =
+          std::max(result_.points[k - 1].kinetic_energy_j, result_.points[k].kinetic_energy_j);
+      ++kept;
+    }
+    result_.points.resize(kept);
+    interval_ = std::max(2 * interval_,
+                         2 * static_cast<double>(how_.check_every) * grains_.state().time_step_s);
   }
   bool rests(const PerturbationPoint& point) const {
     if (std::abs(point.path_stress_pa - held_) > how_.stress_error_pa) return false;
-    if (how_.kinetic_energy_j > 0 &&
-        point.kinetic_energy_j > how_.energy_share * how_.kinetic_energy_j)
-      return false;
+    const double most = how_.kinetic_energy_j > 0 ? how_.energy_share * how_.kinetic_energy_j
+                                                  : kPassed * result_.most_kinetic_j;
+    if (point.kinetic_energy_j > most) return false;
     return measure(grains_.state()).unbalanced < how_.unbalanced;
   }
   bool ends(const PerturbationPoint& point, int at_rest, const GrainProgress& progress) {
@@ -122,7 +137,7 @@ class Perturbed {
   const Perturbation& how_;
   Grains grains_;
   GrainBox start_;
-  double start_time_, start_stress_ = 0, start_p_ = 0, held_ = 0, most_ = 0;
+  double start_time_, start_stress_ = 0, start_p_ = 0, held_ = 0, most_ = 0, interval_ = 0;
   PerturbationResult result_;
 };
 

@@ -30,14 +30,15 @@ struct Perturbation {
   std::uint64_t seed = 1;
   double speed_limit_m_per_s = 0.2;  ///< of each wall
 
-  /// At rest: unbalanced below this, σ₁ − σ₃/R this close to what is held, and (where energy was
-  /// given) kinetic energy below this share of it, at three checks in a row.
-  double unbalanced = 1e-3, stress_error_pa = 50, energy_share = 0.1;
+  /// At rest: unbalanced below this, σ₁ − σ₃/R this close to what is held, and kinetic energy below
+  /// this share of what was given (of a load step: below half of its largest), at three checks in a
+  /// row.
+  double unbalanced = 1e-4, stress_error_pa = 10, energy_share = 0.1;
   /// Collapsed: p below this share of what it was, or ε₁ grown by more than this.
   double collapse_share = 0.5, collapse_strain = 0.01;
   std::int64_t check_every = 100;  ///< steps, > 0
   double longest_s = 1;            ///< followed no longer than this, > 0
-  int samples = 400;               ///< at most so many points are kept, > 1
+  int samples = 400;               ///< at most so many points are kept, > 2
 };
 
 struct PerturbationPoint {
