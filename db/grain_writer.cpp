@@ -141,15 +141,18 @@ std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgra
   const WriterIdentity writer = this_process();
   Statement insert(
       database,
-      "INSERT INTO grain_runs (name, source, state_file, status, recorded_at, grains, seed, "
+      "INSERT INTO grain_runs (name, source, programme, settings, state_file, status, recorded_at, "
+      "grains, seed, "
       "compaction_friction_deg, compactions, stiffness_reading, stiffness_over_diameter_MPa, "
       "tangential_ratio, friction_angle_deg, density_kg_per_m3, damping, time_step_s, porosity, "
       "void_ratio, coordination, floating_grains, grains_outside, writer_pid, writer_started, "
-      "writer_host) VALUES (?,?,?,'running'," +
+      "writer_host) VALUES (?,?,?,?,?,'running'," +
           places(20) + ")");
   Binder(insert)
       .text(programme.name)
       .text(programme.source)
+      .text(programme.text)
+      .text_or_null(programme.settings)
       .text_or_null(source.state_file.empty() ? source.packing_file : source.state_file)
       .text(recorded_at)
       .integer(static_cast<std::int64_t>(made.state.grains.size()))
@@ -198,7 +201,7 @@ void insert_grain_stage(SQLite::Database& database, std::int64_t run, std::int64
       .number(m.unbalanced)
       .number(m.kinetic_energy_j)
       .integer(result.steps)
-      .number(result.seconds)
+      .number(result.seconds > 0 ? std::optional(result.seconds) : std::nullopt)
       .run();
   StageRows rows(database, run, number);
   std::visit(rows, result.outcome);

@@ -6,6 +6,8 @@ CREATE TABLE grain_runs (
   name TEXT NOT NULL,
   origin TEXT NOT NULL DEFAULT 'simulated' CHECK (origin = 'simulated'),
   source TEXT NOT NULL,      -- file of the programme
+  programme TEXT NOT NULL,   -- its text
+  settings TEXT,             -- KEY=VALUE that were put in place of the programme's own, a line each
   state_file TEXT,           -- of a state or a packing; NULL: the specimen was made
   status TEXT NOT NULL CHECK (status IN ('running', 'complete', 'interrupted')),
   recorded_at TEXT NOT NULL, -- ISO 8601, UTC
@@ -47,7 +49,7 @@ CREATE TABLE grain_stages (
   unbalanced REAL NOT NULL,
   kinetic_energy_J REAL NOT NULL,
   engine_steps INTEGER NOT NULL,
-  wall_clock_s REAL NOT NULL,
+  wall_clock_s REAL,         -- NULL: put together from pieces
   PRIMARY KEY (run_id, number)
 ) STRICT, WITHOUT ROWID;
 
@@ -126,7 +128,7 @@ CREATE TABLE grain_perturbation_points (
   FOREIGN KEY (run_id, stage) REFERENCES grain_stages (run_id, number) ON DELETE CASCADE
 ) STRICT, WITHOUT ROWID;
 
--- Peak of sigma_1 - sigma_3/R of every path, and what came after it.
+-- Peak of sigma_1 - sigma_3/R of every strain path, and what came after it.
 CREATE VIEW grain_peaks AS
 WITH peaks AS (
   SELECT run_id, stage, max(path_stress_kPa) AS peak_path_stress_kPa, -- the row of the maximum
@@ -142,4 +144,5 @@ SELECT r.id AS run_id, r.name AS run, r.origin, s.number AS stage, s.name AS sta
    WHERE e.run_id = s.run_id AND e.stage = s.number) AS largest_kinetic_energy_J, s.ending
 FROM grain_stages s
 JOIN grain_runs r ON r.id = s.run_id
-JOIN peaks k ON k.run_id = s.run_id AND k.stage = s.number;
+JOIN peaks k ON k.run_id = s.run_id AND k.stage = s.number
+WHERE s.strain_path_R IS NOT NULL;

@@ -70,7 +70,9 @@ struct GrainStage {
 struct GrainProgramme {
   std::string name;
   std::string source;              ///< file it was read from
-  std::vector<std::string> files;  ///< that one, and the state's
+  std::string text;                ///< what that file holds
+  std::string settings;            ///< KEY=VALUE of what was put in its place, a line each
+  std::vector<std::string> files;  ///< the programme's, and the state's
   sim::ContactLaw law;
   GrainSource grains;
   std::vector<GrainStage> stages;

@@ -20,8 +20,14 @@ constexpr Bounds kFriction{.at_least = 0, .at_most = 89};
 
 sim::GradingCurve read_grading(const TomlTable& table) {
   sim::GradingCurve curve;
-  for (const double size : table.numbers("diameter_mm")) curve.diameter_m.push_back(1e-3 * size);
+  for (const double size : table.numbers("diameter_mm")) {
+    if (!Bounds{.at_least = 0.01, .at_most = 1000}.hold(size))
+      table.fail("diameter_mm", fmt::format("{:g} mm is no size of a grain; 0.01 to 1000", size));
+    curve.diameter_m.push_back(1e-3 * size);
+  }
   for (const double share : table.numbers("share_pct")) curve.share.push_back(1e-2 * share);
+  if (!curve.share.empty() && curve.share.back() != 1)
+    table.fail("share_pct", fmt::format("ends at {:g} %; 100 is wanted", 100 * curve.share.back()));
   table.finish();
   try {
     check(curve);
@@ -156,6 +162,8 @@ GrainProgramme read_grain_programme(std::string_view toml_text, const std::strin
   GrainProgramme programme;
   programme.source = file;
   programme.files = {file};
+  programme.text = toml_text;
+  for (const TomlEdit& edit : edits) programme.settings += edit.key + "=" + edit.value + "\n";
   const TomlTable run = root.required_table("run");
   programme.name = run.required_text("name");
   run.finish();

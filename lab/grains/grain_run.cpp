@@ -160,7 +160,8 @@ class Stages {
     } else {
       sim::AxisymmetricStress held;
       held.axial = work.axial_stress_pa.value_or(held_stress(start, sim::kAxial));
-      held.radial = work.radial_stress_pa.value_or(held_stress(start, sim::kRadial[0]));
+      held.radial = work.radial_stress_pa.value_or(
+          0.5 * (held_stress(start, sim::kRadial[0]) + held_stress(start, sim::kRadial[1])));
       if (!(held.axial > 0) || !(held.radial > 0))
         throw std::invalid_argument("the stresses to be held are not above 0: it has collapsed");
       sim::Grains grains(start, threads_);

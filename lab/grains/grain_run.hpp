@@ -23,7 +23,7 @@ struct GrainsMade {
 struct GrainRest {
   bool settled = false;
   sim::Settled settling;
-  double path_stress_pa = 0;  ///< σ₁ − σ₃/R at the end, with the R of the path that it came from
+  double path_stress_pa = 0;  ///< σ₁ − σ₃/R at the end, with the R that the stage names
 };
 struct GrainRose {
   sim::AxisymmetricStress stress;  ///< that was probed, Pa

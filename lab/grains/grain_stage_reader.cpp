@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "lab/programmes/programme.hpp"
@@ -82,6 +83,7 @@ GrainPathStage read_path(const TomlTable& table, const std::string& action) {
   path.samples = static_cast<int>(table.integer("samples", 2, 100000).value_or(400));
   stage.snapshots = static_cast<int>(table.integer("snapshots", 0, 10000).value_or(0));
   stage.lammps = table.flag("lammps").value_or(false);
+  take(table, "most_steps", 1, kMostSteps, path.most_steps);
   if (action == "isotropic") {
     path.kind = sim::GrainPathKind::isotropic;
     path.pressure_pa = 1e3 * table.required_number("pressure_kPa", kPressure);
@@ -89,7 +91,6 @@ GrainPathStage read_path(const TomlTable& table, const std::string& action) {
          path.stress_rate_pa_per_s);
     take(table, "unbalanced", kPositive, 1, path.unbalanced);
     take(table, "pressure_share", kPositive, 1, path.pressure_share);
-    take(table, "most_steps", 1, kMostSteps, path.most_steps);
     return stage;
   }
   path.kind = sim::GrainPathKind::strain_path;
@@ -100,6 +101,8 @@ GrainPathStage read_path(const TomlTable& table, const std::string& action) {
     path.ratio = table.required_number("strain_path_R", kRatio);
   }
   read_course(table, stage);
+  if (stage.lammps && path.load_rate_pa_per_s != 0)
+    table.fail("lammps", "a path by load cannot be written for LAMMPS; give strain_rate_per_s");
   return stage;
 }
 
@@ -132,6 +135,8 @@ GrainProbeStage read_probes(const TomlTable& table) {
   take(table, "unbalanced", kPositive, 1, how.unbalanced);
   take(table, "stress_error_Pa", {.above = 0, .at_most = 1e7}, 1, how.stress_error_pa);
   take(table, "most_steps", 1, kMostSteps, how.most_steps);
+  if (how.most_steps <= how.ramp_steps)
+    table.fail("most_steps", fmt::format("must be above the {} steps of the ramp", how.ramp_steps));
   return stage;
 }
 
@@ -149,6 +154,10 @@ GrainPerturbationStage read_perturbation(const TomlTable& table) {
   how.seed = static_cast<std::uint64_t>(table.integer("seed", 0).value_or(1));
   take(table, "unbalanced", kPositive, 1, how.unbalanced);
   take(table, "stress_error_Pa", {.above = 0, .at_most = 1e7}, 1, how.stress_error_pa);
+  if (how.load_step_pa != 0 && how.stress_error_pa >= 0.5 * std::abs(how.load_step_pa))
+    table.fail("stress_error_Pa",
+               fmt::format("{:g} Pa is no bound for a step of {:g} Pa: below half of it is wanted",
+                           how.stress_error_pa, how.load_step_pa));
   take(table, "longest_s", {.above = 0, .at_most = 1e4}, 1, how.longest_s);
   take(table, "collapse_share", {.at_least = 0, .at_most = 0.99}, 1, how.collapse_share);
   take(table, "collapse_strain_pct", {.above = 0, .at_most = 90}, 1e-2, how.collapse_strain);

@@ -261,7 +261,9 @@ void write_ends(Script& out, const sim::GrainPath& path, std::int64_t every) {
     end(fmt::format("$(abs(v_nz)) >= {:.12g}", path.axial_strain * (1 - 1e-9)), "axial strain");
     end(fmt::format("$(v_p) < $({}*v_p0)", path.collapse_share), "collapse");
     if (path.stress_ratio)
-      end(fmt::format("($(v_p) > 0) && ($(v_q) >= $({}*v_p))", *path.stress_ratio), "stress ratio");
+      end(fmt::format("($(v_p) > 0) && ($(v_q) {} $({}*v_p))",
+                      path.strain_rate_per_s < 0 ? "<=" : ">=", *path.stress_ratio),
+          "stress ratio");
   }
   out("run {} pre no post no\njump SELF row\nlabel done", every);
 }

@@ -9,8 +9,7 @@ namespace triax::sim {
 ///  - law, time step, margins, box, drives out of their ranges, or so large that a step would not
 ///    be finite
 ///  - a grain with a value that is not finite, a radius or mass not above 0, a mass that is not
-///  that
-///    of its size, a centre outside the box
+///    that of its size, a centre outside the box
 ///  - ids that are no permutation; pairs or grains at walls that are out of order, listed twice, no
 ///    part of the longer list or no grains of the specimen
 /// Time and memory grow with the number of grains and pairs.

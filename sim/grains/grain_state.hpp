@@ -37,11 +37,11 @@ struct GrainBox {
 /// The six walls; those of axis a are 2a (low) and 2a + 1 (high).
 struct WallState {
   std::array<AxisDrive, 3> drive;
-  std::array<double, 3> stress_target_pa{};   ///< of stress-driven axes: on its way to the goal
-  std::array<double, 3> strain_rate_per_s{};  ///< now, as the servo smoothed it
+  std::array<double, 3> stress_target_pa{};    ///< of stress-driven axes: on its way to the goal
+  std::array<double, 3> strain_rate_per_s{};   ///< now, as the servo smoothed it
   std::array<double, 3> learned_rate_per_s{};  ///< of servos: what they hold steadily (walls.hpp)
-  std::array<double, 6> force_n{};            ///< the grains push each wall outwards with this
-  std::array<double, 6> stiffness_n_per_m{};  ///< of the grains that touch it, summed
+  std::array<double, 6> force_n{};             ///< the grains push each wall outwards with this
+  std::array<double, 6> stiffness_n_per_m{};   ///< of the grains that touch it, summed
   friend bool operator==(const WallState&, const WallState&) = default;
 };
 
@@ -93,7 +93,7 @@ struct GrainState {
 };
 
 /// Spheres at rest in a box, walls at rest, lists made. The margins follow from the smallest
-/// radius. time_step_s = 0 takes `factor` 0.6 of the critical step (critical_time_step.hpp). Throws
+/// radius. time_step_s = 0 takes 0.6 of the critical step (critical_time_step.hpp). Throws
 /// std::invalid_argument: no grain, a radius not above 0, a centre outside the box, more than 2³⁰
 /// grains, a law out of its range.
 GrainState make_grain_state(const std::vector<Sphere>& spheres, const GrainBox& box,

@@ -35,8 +35,8 @@ int threads_or_throw(int threads) {
 Grains::Grains(GrainState state, int threads, InstructionSet set)
     : state_(std::move(state)),
       kernels_(kernels_or_throw(set)),
-      team_(std::make_unique<Team>(threads_or_throw(threads))),
       blocks_(state_),
+      team_(std::make_unique<Team>(std::min(threads_or_throw(threads), blocks_.count()))),
       smallest_radius_(smallest_radius(state_)) {}
 
 void Grains::restore(const GrainState& state) {

@@ -55,8 +55,8 @@ class Grains {
 
   GrainState state_;
   Kernels kernels_;
-  std::unique_ptr<Team> team_;
   Blocks blocks_;
+  std::unique_ptr<Team> team_;
   double smallest_radius_ = 0;
   std::int64_t made_ = 0;
   bool stop_ = false;

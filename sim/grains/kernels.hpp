@@ -31,7 +31,8 @@ struct GrainRange {
   double time_step, damping;
 };
 
-/// Squares of the two highest speeds, m²/s²; a motion that is not finite shows here.
+/// Squares of the two highest speeds, m²/s². One that is not a number may hide here; grains that
+/// are nowhere are found outside (guarded_steps.hpp).
 struct FastestTwo {
   double first, second;
 };

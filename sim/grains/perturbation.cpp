@@ -60,7 +60,7 @@ class Perturbed {
   }
 
   PerturbationResult run(const GrainProgress& progress) {
-    result_.points.push_back(now());
+    keep(now());
     double next = 0;
     int at_rest = 0;
     for (;;) {
@@ -94,7 +94,7 @@ class Perturbed {
     return point;
   }
   void keep(PerturbationPoint point) {
-    point.kinetic_energy_j = most_;
+    point.kinetic_energy_j = std::max(most_, point.kinetic_energy_j);
     most_ = 0;
     point.unbalanced = measure(grains_.state()).unbalanced;
     if (static_cast<int>(result_.points.size()) >= how_.samples) thin();

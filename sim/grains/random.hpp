@@ -1,5 +1,6 @@
 #pragma once
-// Random numbers that are the same on every machine and with every standard library.
+// Random numbers that are the same with every standard library of C++; directions are as exact as
+// the machine's sine.
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -23,14 +23,14 @@ void MeetingPoint::wait() {
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
     arrived_.store(0, std::memory_order_relaxed);
     round_.store(round + 1, std::memory_order_release);
+    round_.notify_all();
     return;
   }
-  for (int spin = 0; round_.load(std::memory_order_acquire) == round; ++spin) {
-    if (spin < kSpins)
-      breathe();
-    else
-      std::this_thread::yield();
+  for (int spin = 0; spin < kSpins; ++spin) {
+    if (round_.load(std::memory_order_acquire) != round) return;
+    breathe();
   }
+  round_.wait(round, std::memory_order_acquire);
 }
 
 Team::Team(int threads) {

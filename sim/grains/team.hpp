@@ -10,7 +10,7 @@
 namespace triax::sim {
 
 /// Where all threads of a team wait for each other: spinning, as they come within microseconds, and
-/// giving the processor away when they do not.
+/// asleep when they do not, so that a machine with other work is not held up.
 class MeetingPoint {
  public:
   explicit MeetingPoint(int threads) : threads_(threads) {}

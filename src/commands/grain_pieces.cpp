@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "lab/records/bad_input.hpp"
-#include "sim/grains/grain_bytes.hpp"
 #include "sim/grains/guarded_steps.hpp"
 #include "sim/grains/triaxial_axes.hpp"
 #include "src/output/output.hpp"
@@ -61,23 +60,18 @@ lab::GrainStageResult merge_grain_pieces(const lab::GrainProgramme& programme,
                                          const lab::GrainsMade& made,
                                          const std::vector<std::string>& files) {
   const lab::GrainStage& stage = stage_for_pieces(programme);
-  const std::string own = fmt::format("{:016x}", sim::fingerprint(made.state));
+  const auto& how = std::get<lab::GrainProbeStage>(stage.work);
+  GrainPiece wanted;
+  wanted.file = programme.source;
   std::vector<GrainPiece> pieces;
   for (const std::string& file : files) {
     pieces.push_back(load_grain_piece(file));
-    if (pieces.back().specimen.fingerprint != own)
-      throw lab::BadInput(file, 0,
-                          "is a piece of another state than " +
-                              (programme.files.size() > 1 ? programme.files[1] : programme.source));
+    // A name says nothing of what was done.
+    wanted.specimen = probed_grains(made.state, pieces.back().specimen.programme,
+                                    pieces.back().specimen.stage, how);
+    if (const std::string found = difference(pieces.back(), wanted); !found.empty())
+      throw lab::BadInput(file, 0, "is no piece of this programme: " + found);
   }
-  const auto& how = std::get<lab::GrainProbeStage>(stage.work);
-  const ProbedGrains wanted = probed_grains(made.state, programme.name, stage.name, how);
-  const auto& had = pieces.front().specimen;
-  if (had.directions != wanted.directions || had.probing.norm_pa != wanted.probing.norm_pa)
-    throw lab::BadInput(
-        files.front(), 0,
-        fmt::format("has {} directions of {:g} kPa, the programme {} of {:g} kPa", had.directions,
-                    had.probing.norm_pa / 1e3, wanted.directions, wanted.probing.norm_pa / 1e3));
   lab::GrainStageResult result;
   result.stage = &stage;
   result.before = result.after = made.measures;

@@ -152,7 +152,9 @@ void run(const Options& o) {
   const bool whole = run_stages(o, programme, outputs, recorder, report);
   if (whole) recorder.finish();
   if (report.specimen) tell(o, report);
-  if (!whole) throw lab::WorkFailed(kStopped);
+  if (!whole)
+    throw lab::WorkFailed(report.specimen ? kStopped
+                                          : "stopped by the operator before there was a specimen");
 }
 
 }  // namespace

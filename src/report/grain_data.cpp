@@ -142,20 +142,11 @@ struct Csv {
 
  private:
   NamedBytes named(const char* ending, const FigureData& data) const {
-    return {'_' + file_part(stage.name) + ending, to_csv(data)};
+    return {'_' + lab::in_file_name(stage.name) + ending, to_csv(data)};
   }
 };
 
 }  // namespace
-
-std::string file_part(const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.';
-    out += kept ? c : '_';
-  }
-  return out;
-}
 
 FigureData paths_data(const GrainReport& report,
                       const std::vector<const ReportedGrainStage*>& stages) {

@@ -19,16 +19,13 @@ FigureData rose_data(const GrainReport& report, const ReportedGrainStage& stage)
 FigureData perturbations_data(const GrainReport& report,
                               const std::vector<const ReportedGrainStage*>& stages);
 
-/// A stage's name as part of a file's: what is no letter, digit, '-' or '.' is '_'.
-std::string file_part(const std::string& name);
-
 struct NamedBytes {
   std::string suffix;  ///< "_STAGE_points.csv", to be put behind the prefix of the file
   std::string bytes;
 };
 
 /// A CSV a stage: _STAGE_points.csv of paths and perturbations, _STAGE_probes.csv, with STAGE as
-/// file_part() has it. A rest has none.
+/// lab::in_file_name() has it. A rest has none.
 std::vector<NamedBytes> grain_csvs(const GrainReport& report);
 
 }  // namespace triax::src

@@ -120,7 +120,7 @@ class Figures {
       const auto& rose = std::get<ReportedGrainRose>(stage->came);
       const Subject subject = subject_of(report_, rose_state(*stage));
       const FigureData data = rose_data(report_, *stage);
-      const std::string name = file_part(stage->name);
+      const std::string name = lab::in_file_name(stage->name);
       add(name + "_envelope", grain_envelope_figure(rose.made.rose, rose.probing.norm_pa, subject),
           data);
       add(name + "_work", grain_work_figure(rose.made.rose, subject), data);

@@ -39,7 +39,7 @@ Json specimen_json(const std::optional<ReportedGrains>& g) {
   Json grading = {{"smallest_mm", g->smallest_m * 1e3},
                   {"median_mm", g->median_m * 1e3},
                   {"largest_mm", g->largest_m * 1e3}};
-  const bool loaded = !g->state_file.empty();
+  const bool loaded = !g->state_file.empty();  // a state, or a packing
   return {{"grains", g->grains},
           {"diameter", std::move(grading)},
           {"state_file", json_text(g->state_file)},
@@ -109,7 +109,7 @@ Json came_json(const ReportedGrainPath& came) {
           {"peak_q", peak_json(found.q, "q_kPa", 1e3)},
           {"peak_eta", peak_json(found.eta, "eta", 1)},
           {"peak_path_stress", peak_json(found.path_stress, "path_stress_kPa", 1e3)},
-          {"w2_window_points", work_window(came.points.size())},
+          {"w2_window_points", work_window(came.path.samples)},
           {"w2_first_negative", std::move(negative)},
           {"kinetic_energy_most_J", json_number(found.most_kinetic_j)},
           {"marks", std::move(marks)},

@@ -25,17 +25,20 @@ std::optional<GrainPeak> peak_of(const Points& points, double sense, const Value
   return peak;
 }
 
-std::optional<std::size_t> first_negative(const Points& points, double ratio) {
-  const std::size_t window = work_window(points.size());
+std::optional<std::size_t> first_negative(const sim::GrainPath& path, const Points& points) {
+  const std::size_t window = work_window(path.samples);
   if (points.size() <= window) return {};
   const std::size_t count = points.size() - window;
-  std::size_t run = 0;
+  std::size_t run = 0, seen = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    run = second_order_work(points[i], points[i + window], ratio) < 0 ? run + 1 : 0;
-    if (run == 0 || (run <= window && i + 1 < count)) continue;
-    return i + 1 - run + (window + 1) / 2;
+    seen = i + 1;
+    run = second_order_work(points[i], points[i + window], path.ratio) < 0 ? run + 1 : 0;
+    if (run > window) break;
   }
-  return {};
+  // At the end half of what is asked for has to do.
+  const std::size_t last = std::min(count, seen);
+  if (run < (window + 1) / 2) return {};
+  return last - run + (window + 1) / 2;
 }
 
 }  // namespace
@@ -53,9 +56,11 @@ GrainPathFindings path_findings(const sim::GrainPath& path, const Points& points
   GrainPathFindings found;
   for (const auto& at : points)
     found.most_kinetic_j = std::max(found.most_kinetic_j, at.kinetic_energy_j);
-  found.first_negative = first_negative(points, path.ratio);
+  found.first_negative = first_negative(path, points);
   if (path.kind == sim::GrainPathKind::isotropic) return found;
-  const double sense = path.strain_rate_per_s < 0 ? -1 : 1;
+  const double way =
+      path.load_rate_pa_per_s != 0 ? path.load_rate_pa_per_s : path.strain_rate_per_s;
+  const double sense = way < 0 ? -1 : 1;
   found.q = peak_of(points, sense, [](const auto& at) { return at.q_pa; });
   if (!points.empty())
     found.eta = peak_of(

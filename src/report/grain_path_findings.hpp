@@ -31,13 +31,15 @@ struct GrainPathFindings {
   std::optional<GrainPeak> eta;          ///< of the points with p above kLeastP of the first one's
   std::optional<GrainPeak> path_stress;  ///< σ₁ − σ₃/R; of strain paths only
   /// Where W₂ of the increment over work_window() points is first negative and stays so for as many
-  /// increments of that length more, or to the end: the point in its middle.
+  /// increments of that length more (half as many at the end): the point in its middle.
   std::optional<std::size_t> first_negative;
   double most_kinetic_j = 0;
 };
 
-/// A twentieth of the points, five at least: grains rearrange in bursts.
-constexpr std::size_t work_window(std::size_t points) { return points < 100 ? 5 : points / 20; }
+/// A twentieth of the points that a whole path has, five at least: grains rearrange in bursts.
+constexpr std::size_t work_window(int samples) {
+  return samples < 100 ? 5 : static_cast<std::size_t>(samples) / 20;
+}
 inline constexpr double kFallen = 0.01;
 /// η of a specimen that has all but lost its stress is the ratio of two noises.
 inline constexpr double kLeastP = 0.1;

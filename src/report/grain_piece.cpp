@@ -37,7 +37,8 @@ Json probing_json(const ProbedGrains& specimen) {
   return std::move(to.json);
 }
 
-/// "probing norm_Pa is 500.0, in FILE 1000.0": the first value that differs.
+}  // namespace
+
 std::string difference(const GrainPiece& a, const GrainPiece& b) {
   const auto first = [&](const char* of, const Json& x, const Json& y) -> std::string {
     for (const auto& [key, value] : x.items())
@@ -49,8 +50,6 @@ std::string difference(const GrainPiece& a, const GrainPiece& b) {
   return !found.empty() ? found
                         : first("probing", probing_json(a.specimen), probing_json(b.specimen));
 }
-
-}  // namespace
 
 ProbedGrains probed_grains(const sim::GrainState& state, const std::string& programme,
                            const std::string& stage, const lab::GrainProbeStage& how) {

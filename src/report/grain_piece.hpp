@@ -55,6 +55,10 @@ GrainPiece read_grain_piece(std::string_view json, const std::string& file);
 /// The same from a file on disk.
 GrainPiece load_grain_piece(const std::string& path);
 
+/// "probing norm_Pa is 500.0, in FILE 1000.0": the first value of specimen or probing that differs,
+/// FILE being that of `b`; empty where none does.
+std::string difference(const GrainPiece& a, const GrainPiece& b);
+
 /// All pieces of one rose as the run in one go. Throws lab::BadInput where specimen or probing
 /// differ, a piece is missing or given twice. Pre-condition: at least one.
 lab::GrainRose merged(const std::vector<GrainPiece>& pieces);

@@ -84,13 +84,14 @@ void add(GrainReport& report, const lab::GrainsMade& made) {
   }
   told.law = state.law;
   told.time_step_s = state.time_step_s;
-  told.state_file = report.asked.state_file;
+  const lab::GrainSource& asked = report.asked;
+  told.state_file = asked.state_file.empty() ? asked.packing_file : asked.state_file;
   told.measures = made.measures;
-  if (!told.state_file.empty()) return;
-  told.seed = report.asked.seed;
+  if (!asked.made()) return;
+  told.seed = asked.seed;
   told.compaction_friction = made.compaction_friction_angle;
-  told.compaction_pressure = report.asked.compaction.pressure_pa;
-  told.search = report.asked.search;
+  told.compaction_pressure = asked.compaction.pressure_pa;
+  told.search = asked.search;
   told.trials = made.trials;
 }
 

@@ -17,7 +17,7 @@ struct ReportedGrains {
   double smallest_m = 0, median_m = 0, largest_m = 0;  ///< diameters, by count
   sim::ContactLaw law;                                 ///< that it goes on with
   double time_step_s = 0;
-  std::string state_file;                     ///< empty: made from a cloud
+  std::string state_file;                     ///< of a state or a packing; empty: made from a cloud
   std::uint64_t seed = 0;                     ///< of the cloud
   std::optional<double> compaction_friction;  ///< rad; empty: loaded
   std::optional<double> compaction_pressure;  ///< Pa

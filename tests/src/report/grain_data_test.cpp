@@ -64,7 +64,6 @@ TEST_CASE("each stage but a rest has a file, named after it, with full digits") 
   CHECK(test::contains(files[2].bytes, "0.3333333333333333"));
   CHECK(test::contains(files[2].bytes, "# origin = \"simulated\""));
   CHECK(test::contains(files[2].bytes, "sample, 4 grains"));
-  CHECK(file_part("a/b ü") == "a_b___");
 }
 
 TEST_CASE("the data of perturbations hold all points") {
