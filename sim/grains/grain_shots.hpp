@@ -18,7 +18,10 @@ struct ShotLimits {
   /// |Δε| (or a hundred times the elastic strain, if that is more) from which on conditions count
   /// as impossible to meet. A loss that heals within it is part of the increment.
   double runaway_strain = 1e-3;
-  int most_shots = 15;
+  /// Where two shots did not come as near (the grains jump now and then), each further one may
+  /// miss by √10 times more, up to so many times.
+  double most_loosened = 100;
+  int most_shots = 10;
 };
 
 struct Shot {
