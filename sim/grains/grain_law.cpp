@@ -24,12 +24,17 @@ constexpr double kStepOverCritical = 0.6;
 constexpr double kProbeStrain = 1e-6;
 /// Share of the elastic determinant below which a prediction is not believed.
 constexpr double kDoubtful = 0.01;
+/// Share of the first p′ below which the pace falls no further: what has liquefied is no rest.
+constexpr double kLeastPaceShare = 0.2;
 /// Halvings of the part of an increment that can be met.
 constexpr int kHalvings = 3;
 /// What a state may differ by from the one that the grains stand at, relative.
 constexpr double kSameState = 1e-6;
 /// An increment tells of the stiffness if it changes stresses by so many tolerances.
 constexpr double kTelling = 5;
+
+/// Share of p′ that a jump of the grains may leave of a stress that goes with a given strain.
+constexpr double kTolerableMiss = 0.05;
 
 constexpr const char* kLost = "the control condition cannot be held any longer";
 
@@ -80,6 +85,12 @@ bool strains(const PreparedControl<Axisymmetric>& control) {
   for (int row = 0; row < 2; ++row)
     if (control.stress.row(row).isZero(0) && control.increment(row) != 0) return true;
   return false;
+}
+
+/// Whether a shot that misses may be taken: the strain that drives it is given, a jump of the
+/// grains is all that is in the way.
+bool tolerable(const Shot& shot, const PreparedControl<Axisymmetric>& control, double p) {
+  return !shot.ran_away && shot.missed_pa <= kTolerableMiss * p && strains(control);
 }
 
 int culprit(const PreparedControl<Axisymmetric>& control, const Square& stiffness) {
@@ -148,17 +159,17 @@ ShotLimits GrainLaw::limits(const State& state) const {
   const double p = std::max(state.p(), how_.least_share * pressure_pa_);
   limits.stress_tolerance_pa = how_.relative_tolerance * p;
   limits.pace.inertial_number = how_.inertial_number;
-  limits.pace.least_pressure_pa = how_.least_share * pressure_pa_;
+  limits.pace.least_pressure_pa = kLeastPaceShare * pressure_pa_;
   limits.pace.small_stress_pa = limits.stress_tolerance_pa;
   return limits;
 }
 
 DrivingTolerance GrainLaw::tolerance(const State& state) const {
   const double stress = limits(state).stress_tolerance_pa;
-  return {stress, stress / modulus_pa_};
+  return {stress, stress / modulus_pa_, ShotLimits().most_loosened};
 }
 
-GrainLaw::State GrainLaw::after(const State& state, Shot shot) const {
+GrainLaw::State GrainLaw::after(const State& state, const Shot& shot) const {
   const double telling = kTelling * limits(state).stress_tolerance_pa;
   auto found = std::make_shared<Inside>();
   found->secant = inside(state).secant;
@@ -167,62 +178,81 @@ GrainLaw::State GrainLaw::after(const State& state, Shot shot) const {
   State next;
   next.stress = stress_of(shot.grains);
   next.void_ratio = (1 + state.void_ratio) * std::exp(-trace<Axisymmetric>(shot.strain)) - 1;
-  found->grains = std::move(shot.grains);
+  found->grains = shot.grains;
   next.interior = std::move(found);
   return next;
 }
+
+namespace {
+
+/// The largest part of an increment, by halvings, that can be met; `best` is the shot that does.
+double halved(const Inside& from, const PreparedControl<Axisymmetric>& control,
+              const ShotLimits& limits, int& shots, Shot& best) {
+  double reached = 0;
+  for (int i = 1; i <= kHalvings; ++i) {
+    const double fraction = reached + std::exp2(-i);
+    Shot shot = meet(from.grains, from.secant, control, fraction, limits);
+    shots += shot.shots;
+    if (!shot.met) continue;
+    reached = fraction;
+    best = std::move(shot);
+  }
+  return reached;
+}
+
+}  // namespace
 
 PointStep<Axisymmetric> GrainLaw::drive(const State& state, const Control& wanted) const {
   PointStep<Axisymmetric> step;
   step.state = state;
   const PreparedControl<Axisymmetric> control(wanted, modulus_pa_);
-  const ShotLimits limits = this->limits(state);
-  const Inside& from = inside(state);
-  const bool nothing = control.increment.norm() <= limits.stress_tolerance_pa && !strains(control);
-  if (nothing || !control.determined) {
-    step.outcome = nothing ? StepOutcome::accepted : StepOutcome::failed;
-    if (!nothing) step.message = "the control conditions do not determine an increment";
-    step.done = nothing ? 1 : 0;
+  if (!control.determined) {
+    step.message = "the control conditions do not determine an increment";
     return step;
   }
+  step.outcome = StepOutcome::accepted;
+  step.done = 1;
+  const double tolerance = limits(state).stress_tolerance_pa;
+  if (control.increment.norm() <= tolerance && !strains(control)) return step;
   try {
-    Shot best;
-    if (control.strain_driven) {
-      const Pair& strain = control.strain_increment;
-      best = shoot(from.grains, strain, strain_steps(from.grains, strain.norm(), limits.pace));
-      step.done = 1;
-      step.outcome = StepOutcome::accepted;
-    } else {
-      double fraction = 1, reached = 0;
-      for (int i = 0; i <= kHalvings && reached < 1; ++i) {
-        Shot shot = meet(from.grains, from.secant, control, fraction, limits);
-        step.steps += shot.shots;
-        const double part = std::exp2(-i - 1);
-        if (shot.met) {
-          reached = fraction;
-          best = std::move(shot);
-          fraction += part;
-        } else {
-          step.culprit = culprit(control, shot.stiffness);
-          fraction -= part;
-        }
-      }
-      step.done = reached;
-      step.outcome = reached == 1 ? StepOutcome::accepted : StepOutcome::lost_control;
-      if (reached < 1) step.message = kLost;
-    }
-    step.steps = std::max(step.steps, 1);
+    const Shot shot = taken(state, control, step);
     if (step.done > 0) {
-      step.strain_increment = best.strain;
-      step.error = best.missed_pa / std::max(state.p(), how_.least_share * pressure_pa_);
-      step.state = after(state, std::move(best));
+      step.strain_increment = shot.strain;
+      step.error = shot.missed_pa / tolerance * how_.relative_tolerance;
+      step.state = after(state, shot);
     }
   } catch (const GrainsFailed& failed) {
     step.outcome = StepOutcome::failed;
     step.message = failed.what();
+    step.done = 0;
   }
   step.stress_increment = step.state.stress - state.stress;
   return step;
+}
+
+/// The shot that the step ends with; says in the step what became of it.
+Shot GrainLaw::taken(const State& state, const PreparedControl<Axisymmetric>& control,
+                     PointStep<Axisymmetric>& step) const {
+  const ShotLimits limits = this->limits(state);
+  const Inside& from = inside(state);
+  step.steps = 1;
+  if (control.strain_driven) {
+    const Pair& strain = control.strain_increment;
+    return shoot(from.grains, strain, strain_steps(from.grains, strain.norm(), limits.pace));
+  }
+  Shot shot = meet(from.grains, from.secant, control, 1, limits);
+  step.steps = shot.shots;
+  if (shot.met) return shot;
+  if (tolerable(shot, control, state.p())) {
+    step.outcome = StepOutcome::inaccurate;
+    step.message = "the grains jumped";
+    return shot;
+  }
+  step.culprit = culprit(control, shot.stiffness);
+  step.outcome = StepOutcome::lost_control;
+  step.message = kLost;
+  step.done = halved(from, control, limits, step.steps, shot);
+  return shot;
 }
 
 GrainLaw::Rate GrainLaw::rate(const State& state, const Control& wanted) const {
@@ -237,30 +267,31 @@ GrainLaw::Rate GrainLaw::rate(const State& state, const Control& wanted) const {
   const auto matrix = [&](const Square& k) -> Square {
     return control.stress * k + control.strain;
   };
-  const double elastic = matrix(secant.elastic).determinant();
   Square stiffness = secant.going_on;
   rate.strain = matrix(stiffness).inverse() * control.increment;
   if (rate.strain.dot(secant.direction) < 0) {
     stiffness = secant.elastic;
     rate.strain = matrix(stiffness).inverse() * control.increment;
   }
-  rate.determinant = matrix(stiffness).determinant() / elastic;
+  rate.determinant = matrix(stiffness).determinant() / matrix(secant.elastic).determinant();
   rate.stress = stiffness * rate.strain;
   rate.controllable = rate.determinant > kDoubtful;
-  if (rate.controllable) return rate;
-  try {
-    const Pair small = matrix(secant.elastic).inverse() * control.increment;
-    const double fraction = kProbeStrain / small.norm();
-    const Shot shot = meet(inside(state).grains, secant, control, fraction, limits(state));
-    rate.controllable = shot.met;
-    rate.strain = shot.strain / fraction;
-    rate.stress = shot.stress / fraction;
-    rate.determinant = matrix(shot.stiffness).determinant() / elastic;
-    if (!shot.met) rate.culprit = culprit(control, shot.stiffness);
-  } catch (const GrainsFailed&) {
-    rate.controllable = false;
-  }
+  if (!rate.controllable) rate.culprit = culprit(control, stiffness);
   return rate;
+}
+
+bool GrainLaw::sustains(const State& state, const Control& wanted) const {
+  if (rate(state, wanted).controllable) return true;
+  const PreparedControl<Axisymmetric> control(wanted, modulus_pa_);
+  const SecantStiffness& secant = inside(state).secant;
+  const Square elastic = control.stress * secant.elastic + control.strain;
+  const double fraction = kProbeStrain / Pair(elastic.inverse() * control.increment).norm();
+  try {
+    return control.determined &&
+           meet(inside(state).grains, secant, control, fraction, limits(state)).met;
+  } catch (const GrainsFailed&) {
+    return false;
+  }
 }
 
 const GrainState& grains_of(const PointState<Axisymmetric>& state) { return inside(state).grains; }

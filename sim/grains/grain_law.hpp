@@ -53,14 +53,16 @@ class GrainLaw final : public Law<Axisymmetric>, public SelfDriven<Axisymmetric>
   // SelfDriven
   PointStep<Axisymmetric> drive(const State& state,
                                 const MixedControl<Axisymmetric>& control) const override;
-  /// By the secant stiffness of the last increments; where that meets no conditions, by a small
-  /// increment that is tried.
+  /// By the secant stiffness of the last increments.
   Rate rate(const State& state, const MixedControl<Axisymmetric>& control) const override;
+  bool sustains(const State& state, const MixedControl<Axisymmetric>& control) const override;
   DrivingTolerance tolerance(const State& state) const override;
 
  private:
   ShotLimits limits(const State& state) const;
-  State after(const State& state, Shot shot) const;
+  Shot taken(const State& state, const PreparedControl<Axisymmetric>& control,
+             PointStep<Axisymmetric>& step) const;
+  State after(const State& state, const Shot& shot) const;
 
   GrainDriving how_;
   double pressure_pa_ = 0, modulus_pa_ = 0;

@@ -19,7 +19,7 @@ constexpr double kStepOverCritical = 0.6;
 /// share of the elastic determinant below which it does.
 constexpr std::array kMixed{0.0, 0.01, 0.03, 0.1, 0.3, 1.0};
 constexpr double kSingular = 0.01;
-constexpr double kRunawayOverElastic = 100;
+constexpr double kRunawayOverElastic = 30;
 /// A strain may grow by so many times from one shot to the next.
 constexpr double kGrowth = 3;
 /// Share of the strain that a correction may take back.

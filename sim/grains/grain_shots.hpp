@@ -15,7 +15,7 @@ namespace triax::sim {
 struct ShotLimits {
   StrainPace pace;
   double stress_tolerance_pa = 1;  ///< that conditions may be missed by, rows scaled to stresses
-  /// |Δε| (or a hundred times the elastic strain, if that is more) from which on conditions count
+  /// |Δε| (or thirty times the elastic strain, if that is more) from which on conditions count
   /// as impossible to meet. A loss that heals within it is part of the increment.
   double runaway_strain = 1e-3;
   /// Where two shots did not come as near (the grains jump now and then), each further one may

@@ -7,6 +7,9 @@ namespace triax::sim {
 struct DrivingTolerance {
   double stress_pa = 0;  ///< > 0
   double strain = 0;     ///< > 0
+  /// Times that a condition may be missed by more where the law does not run smoothly; whoever asks
+  /// for totals makes up for it in the next increment. ≥ 1
+  double loosened = 1;
 };
 
 /// A law that meets mixed control by itself, as a specimen inside a specimen does: it is not
@@ -22,9 +25,14 @@ class SelfDriven {
   virtual PointStep<Space> drive(const PointState<Space>& state,
                                  const MixedControl<Space>& control) const = 0;
 
-  /// What the next small increment is thought to do: cheap, of the accuracy of a prediction.
+  /// What the next small increment is thought to do: cheap, of the accuracy of a prediction, and
+  /// not controllable where it is in doubt.
   virtual PointRate<Space> rate(const PointState<Space>& state,
                                 const MixedControl<Space>& control) const = 0;
+
+  /// Whether a small increment of this control can be met; tried where the prediction is in doubt.
+  virtual bool sustains(const PointState<Space>& state,
+                        const MixedControl<Space>& control) const = 0;
 
   virtual DrivingTolerance tolerance(const PointState<Space>& state) const = 0;
 };

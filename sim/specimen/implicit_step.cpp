@@ -196,6 +196,7 @@ SpecimenStep ImplicitStep::take(const SpecimenState& state, double elapsed_s, do
     return step;
   }
   if (!asked.linear && !specimen_.law().finite()) asked = about(predict(state, asked));
+  const double enough = self_driven_ != nullptr ? allowed(state).loosened : 1;
   for (int i = 0; i < kIterations; ++i) {
     SpecimenStep tried = integrate(state, asked, dt_s);
     tried.law_steps += step.law_steps;
@@ -206,7 +207,7 @@ SpecimenStep ImplicitStep::take(const SpecimenState& state, double elapsed_s, do
                           tried.strain_increment.axial, volumetric_strain(tried.strain_increment)};
     if (asked.linear || !went_on(tried)) break;
     asked = about(moved);
-    if (std::max(asked.force_missed, asked.water_missed) <= 1) break;
+    if (std::max(asked.force_missed, asked.water_missed) <= enough) break;
   }
   settle_water(state, step);
   return step;
@@ -249,6 +250,10 @@ bool ImplicitStep::sustains(const SpecimenState& state) const {
   const double small = 1e-6 * specimen_.area_m2(state) * std::abs(state.material.p());
   for (const double force : {small, -small}) {
     asked.control.increment << force, 0;
+    if (self_driven_ != nullptr) {
+      if (!self_driven_->sustains(state.material, asked.control)) return false;
+      continue;
+    }
     if (!point_rate(specimen_.law(), state.material, asked.control).controllable) return false;
   }
   return true;

@@ -143,7 +143,7 @@ TEST_CASE("The rate foretells what a small increment does") {
 }
 
 TEST_CASE("Loose grains under an undrained load lose control near the peak that strains show") {
-  const GrainLaw& law = *loose_grains();
+  const GrainLaw& law = *very_loose_grains();
   double peak = 0;
   GrainPoint s = start_of(law);
   for (int i = 0; i < 60; ++i) {
@@ -151,11 +151,11 @@ TEST_CASE("Loose grains under an undrained load lose control near the peak that 
     peak = std::max(peak, s.q());
   }
   REQUIRE(s.q() < 0.9 * peak);
-  const auto lost = until_lost(law, undrained_load(1000), 200);
+  const auto lost = until_lost(law, undrained_load(500), 200);
   REQUIRE(lost.outcome == StepOutcome::lost_control);
   CHECK(lost.culprit == 0);
   CHECK(lost.done < 1);
-  CHECK(lost.state.q() > 0.5 * peak);
+  CHECK(lost.state.q() > 0.4 * peak);
   CHECK(lost.state.q() < 1.2 * peak);
   CHECK_FALSE(lost.message.empty());
 }
@@ -163,13 +163,14 @@ TEST_CASE("Loose grains under an undrained load lose control near the peak that 
 TEST_CASE("Without any stress the grains are a suspension that can still be strained") {
   const GrainLaw& law = *loose_grains();
   GrainPoint s = start_of(law);
-  const Pair apart = -2e-3 * identity<Axisymmetric>();
+  const Pair apart = -3e-3 * identity<Axisymmetric>();
   s = advance_point<Axisymmetric>(law, s, GrainControl::strains(apart)).state;
-  CHECK(s.p() < 0.05 * law.pressure_pa());
+  const double loosened = s.p();
+  CHECK(loosened < 0.02 * law.pressure_pa());
   CHECK_FALSE(law.objection(s));
-  const auto step = advance_point<Axisymmetric>(law, s, GrainControl::strains(-apart));
+  const auto step = advance_point<Axisymmetric>(law, s, GrainControl::strains(-2 * apart));
   CHECK(step.outcome == StepOutcome::accepted);
-  CHECK(step.state.p() > 0.2 * law.pressure_pa());
+  CHECK(step.state.p() > loosened + 0.1 * law.pressure_pa());
 }
 
 TEST_CASE("What cannot be a specimen is refused in one line") {

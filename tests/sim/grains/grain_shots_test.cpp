@@ -55,8 +55,8 @@ TEST_CASE("Shots leave the state that they start from alone, and are the same ea
 }
 
 TEST_CASE("A stress beyond what the grains carry is not met, and the strain says so") {
-  const GrainLaw& law = *loose_grains();
-  const Shot shot = meet_from_start(law, undrained_load(3 * law.pressure_pa()));
+  const GrainLaw& law = *very_loose_grains();
+  const Shot shot = meet_from_start(law, undrained_load(0.3 * law.pressure_pa()));
   CHECK_FALSE(shot.met);
-  CHECK(shot.missed_pa > 0.3 * law.pressure_pa());
+  CHECK(shot.missed_pa > 0.1 * law.pressure_pa());
 }

@@ -19,6 +19,17 @@ inline LawOfGrains loose_grains() {
   static const auto law = std::make_shared<const GrainLaw>(loose_specimen().state);
   return law;
 }
+/// 400 grains, compacted with 40°: undrained they have a low peak and liquefy.
+inline LawOfGrains very_loose_grains() {
+  static const auto law = [] {
+    Compaction how;
+    how.friction_angle = 0.6981317;
+    how.unbalanced = 5e-4;
+    how.pressure_share = 2e-3;
+    return std::make_shared<const GrainLaw>(compact(small_cloud(400), ContactLaw{}, how).state);
+  }();
+  return law;
+}
 inline GrainPoint start_of(const GrainLaw& law) {
   return law.isotropic(law.pressure_pa(), law.void_ratio());
 }

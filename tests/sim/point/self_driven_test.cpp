@@ -37,6 +37,7 @@ struct Stubborn final : Law<Axisymmetric>, SelfDriven<Axisymmetric> {
     rate.strain << control.increment(0), 0;
     return rate;
   }
+  bool sustains(const State&, const Control&) const override { return true; }
   DrivingTolerance tolerance(const State&) const override { return {1, 1e-8}; }
 };
 
@@ -66,7 +67,11 @@ TEST_CASE("a self-driven law is not moved from a state that it objects to") {
 }
 
 TEST_CASE("all other laws have no interior and drive nothing") {
-  const Elastic<Axisymmetric> law({});
+  ElasticParameters p;
+  p.young_modulus_pa = 30e6;
+  p.poisson_ratio = 0.2;
+  p.reference_pressure_pa = 1e5;
+  const Elastic<Axisymmetric> law(p);
   CHECK(law.self_driven() == nullptr);
   CHECK(law.isotropic(1e5, 0.8).interior == nullptr);
 }

@@ -74,8 +74,8 @@ TEST_CASE("drainage through a resistance lags behind and follows") {
   CHECK(loaded.pore_pressure < 310e3);
   b.cell_pressure_rate_pa_per_s = 0;
   const SpecimenState rested = run(specimen, loaded, b, 0.25, 160);
-  CHECK(rested.pore_pressure == Approx(300e3).margin(100));
-  CHECK(radial_effective(rested) == Approx(law->pressure_pa() + 10e3).margin(200));
+  CHECK(rested.pore_pressure == Approx(300e3).margin(300));
+  CHECK(radial_effective(rested) == Approx(law->pressure_pa() + 10e3).margin(400));
   CHECK(rested.drained_volume_m3 > loaded.drained_volume_m3);
 }
 
@@ -90,13 +90,13 @@ TEST_CASE("a specimen of grains that rests is left alone") {
 }
 
 TEST_CASE("a load that loose grains do not carry runs away, with energy from the grains") {
-  const auto law = loose_grains();
+  const auto law = very_loose_grains();
   SpecimenProperties stiff = bare();
   stiff.water_compressibility = 1 / 2.2e9;
   const Specimen specimen = of_grains(law, stiff);
-  SpecimenBoundary b = dead_load(0, 20);
+  SpecimenBoundary b = dead_load(0, 200);
   b.axis.force_rate_n_per_s = 20;
-  b.axis.travel_m = 0.01;
+  b.axis.travel_m = 2e-3;
   SpecimenState state = specimen.start();
   SpecimenStep step;
   for (int i = 0; i < 100 && !step.at_stop; ++i) {
