@@ -60,7 +60,7 @@ struct Stage {
   std::vector<EndCondition> end;  ///< any of them
   double time_limit_s = 0;        ///< by then the end must have been reached
   Logging logging;
-  std::int64_t line = 0;          ///< of the programme's file
+  std::int64_t line = 0;  ///< of the programme's file
 };
 
 /// What somebody does at the panel, at a test time.
@@ -74,7 +74,7 @@ struct Programme {
   std::string name;
   std::string type;                ///< "ICU", "CSD", "CSU"...
   std::string source;              ///< file it was read from
-  std::vector<std::string> files;  ///< that one, and the user's own file of materials
+  std::vector<std::string> files;  ///< that one, and the user's own of materials or grains
   std::uint64_t seed = 0;
   Logging logging;  ///< of the test, where a stage has none of its own
 
@@ -82,6 +82,7 @@ struct Programme {
   sim::SpecimenProperties specimen;
   double void_ratio = 0;  ///< as built
   double initial_effective_stress_pa = 0;
+  std::optional<double> limit_friction_angle_rad;  ///< given for grains, whose law does not know it
   double initial_back_pressure_pa = 0;
   std::optional<double> specific_gravity;
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "lab/grains/grain_specimen.hpp"
 #include "lab/programmes/fault_reader.hpp"
 #include "lab/programmes/operator_reader.hpp"
 #include "lab/programmes/rig_reader.hpp"
@@ -42,7 +43,7 @@ void read_membrane(const TomlTable& table, sim::SpecimenProperties& specimen) {
       table.number("membrane_penetration_mm3_per_mm2", {.at_least = 0, .at_most = 10}).value_or(0);
 }
 
-void read_specimen(const TomlTable& table, Programme& programme) {
+void read_material(const TomlTable& table, Programme& programme) {
   const std::string material = table.required_text("material");
   const auto file = table.text("material_file");
   try {
@@ -52,22 +53,50 @@ void read_specimen(const TomlTable& table, Programme& programme) {
     if (file) throw;
     table.fail("material", error.what());
   }
-  programme.specimen.height_m =
-      1e-3 * table.required_number("height_mm", {.at_least = 5, .at_most = 3000});
-  programme.specimen.diameter_m =
-      1e-3 * table.required_number("diameter_mm", {.at_least = 5, .at_most = 3000});
   programme.void_ratio = table.required_number("void_ratio", {.at_least = 0.05, .at_most = 20});
   programme.initial_effective_stress_pa =
       1e3 * table.required_number("initial_effective_stress_kPa", {.at_least = 1, .at_most = 1e4});
-  read_membrane(table, programme.specimen);
-  programme.specimen.saturation =
-      table.number("saturation", {.at_least = 0.5, .at_most = 1}).value_or(1);
-  programme.specific_gravity = table.number("specific_gravity", {.at_least = 1, .at_most = 10});
-  table.finish();
   const auto& law = *programme.material.material.axisymmetric;
   if (const auto objection =
           law.objection(law.isotropic(programme.initial_effective_stress_pa, programme.void_ratio)))
     table.fail("void_ratio", *objection);
+}
+
+/// Void ratio and stress are those of the grains.
+void read_grains(const TomlTable& table, const std::string& name, Programme& programme) {
+  for (const char* key :
+       {"material", "material_file", "void_ratio", "initial_effective_stress_kPa"})
+    if (table.has(key))
+      table.fail(key,
+                 "beside grains: material, void ratio and stress are those of the grains; "
+                 "leave it out");
+  const auto path = (std::filesystem::path(programme.source).parent_path() / name).string();
+  sim::GrainDriving how;
+  how.inertial_number = table.number("inertial_number", {.at_least = 1e-6, .at_most = 1e-2})
+                            .value_or(how.inertial_number);
+  if (const auto angle = table.number("limit_friction_angle_deg", {.at_least = 1, .at_most = 89}))
+    programme.limit_friction_angle_rad = sim::radians(*angle);
+  programme.files.push_back(path);
+  const auto law = grain_specimen(path, how);
+  programme.void_ratio = law->void_ratio();
+  programme.initial_effective_stress_pa = law->pressure_pa();
+  programme.material = grain_material(law, path);
+}
+
+void read_specimen(const TomlTable& table, Programme& programme) {
+  programme.specimen.height_m =
+      1e-3 * table.required_number("height_mm", {.at_least = 5, .at_most = 3000});
+  programme.specimen.diameter_m =
+      1e-3 * table.required_number("diameter_mm", {.at_least = 5, .at_most = 3000});
+  read_membrane(table, programme.specimen);
+  programme.specimen.saturation =
+      table.number("saturation", {.at_least = 0.5, .at_most = 1}).value_or(1);
+  programme.specific_gravity = table.number("specific_gravity", {.at_least = 1, .at_most = 10});
+  if (const auto grains = table.text("grains"))
+    read_grains(table, *grains, programme);
+  else
+    read_material(table, programme);
+  table.finish();
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
   h.specimen.material = programme.material.name;
   if (const auto limit = programme.material.material.axisymmetric->limit_stress_ratio())
     h.specimen.limit_friction_angle_rad = sim::mobilised_friction_angle(*limit);
+  else
+    h.specimen.limit_friction_angle_rad = programme.limit_friction_angle_rad;
   int number = 1;
   for (const Stage& stage : programme.stages)
     h.stages.push_back({.number = number++,

@@ -41,7 +41,7 @@ void TruthWatch::watch(double time_s, double dt_s, const sim::SpecimenState& bef
   sum_->strain.radial += step.strain_increment.radial;
   const auto& d = step.strain_increment;
   sum_->path += std::sqrt(d.axial * d.axial + 2 * d.radial * d.radial);
-  if (sum_->path < kIncrement) return;
+  if (sum_->path < lengths_.increment) return;
 
   const auto de = sum_->strain;
   const double work = sim::second_order_work({}, sum_->stress, de).normalised;
@@ -56,7 +56,7 @@ void TruthWatch::watch(double time_s, double dt_s, const sim::SpecimenState& bef
       open(now, height_at_shear_m);
     }
     path_ += std::sqrt(de.axial * de.axial + 2 * de.radial * de.radial);
-    confirmed_ = path_ >= kLastingPath;
+    confirmed_ = path_ >= lengths_.lasting;
   }
   last_ = now;
 }

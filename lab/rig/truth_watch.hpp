@@ -18,6 +18,14 @@ class TruthWatch {
   static constexpr double kLastingPath = 1e-4;
   static constexpr double kIncrement = 1e-5;
 
+  /// Of a law that is not smooth (grains: now and then some of them jump) only what is much longer
+  /// tells: strain paths of increments and of how long the work has to stay negative.
+  struct Lengths {
+    double increment = kIncrement, lasting = kLastingPath;
+  };
+  TruthWatch() = default;
+  explicit TruthWatch(const Lengths& lengths) : lengths_(lengths) {}
+
   /// One increment of the path, in order. `height_at_shear_m` is the height when shear began.
   void watch(double time_s, double dt_s, const sim::SpecimenState& before,
              const sim::SpecimenStep& step, bool shear, double height_at_shear_m);
@@ -39,6 +47,7 @@ class TruthWatch {
   };
   void open(const Middle& now, double height_at_shear_m);
 
+  Lengths lengths_;
   std::optional<Sum> sum_;
   std::optional<Middle> last_;
   bool pending_ = false;

@@ -19,6 +19,12 @@
 namespace triax::lab {
 namespace {
 
+/// Grains jump now and then.
+TruthWatch::Lengths truth_lengths(const sim::Specimen::MaterialLaw& law) {
+  if (law.self_driven() == nullptr) return {};
+  return {.increment = 5e-4, .lasting = 1e-3};
+}
+
 Plant make_plant(const Programme& programme) {
   try {
     return Plant(programme);
@@ -43,7 +49,8 @@ struct VirtualRig::Impl {
         supervision(p),
         axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
                                 .filter_s = p.frame.servo_filter_s}),
-        strain_path(p.specimen.height_m, p.frame.servo_filter_s) {}
+        strain_path(p.specimen.height_m, p.frame.servo_filter_s),
+        watch(truth_lengths(plant.specimen().law())) {}
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }

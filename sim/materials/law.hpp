@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,12 +11,19 @@
 
 namespace triax::sim {
 
+/// What a law keeps that is too large for a Memory and never changes once made: copies of a state
+/// share it.
+struct Interior {
+  virtual ~Interior() = default;
+};
+
 /// A material point at an instant. A plain value: copy, compare, save, restore.
 template <class Space>
 struct PointState {
   Vector<Space> stress = Vector<Space>::Zero();  ///< σ′, Pa
   double void_ratio = 0;                         ///< e, de = −(1 + e) dε_v
   Memory memory;
+  std::shared_ptr<const Interior> interior = nullptr;  ///< null but of a self-driven law
 
   double p() const { return mean_stress<Space>(stress); }
   double q() const { return deviator_stress<Space>(stress); }
@@ -42,6 +50,9 @@ struct PointRate {
     return norms > 0 ? second_order_work() / norms : 0;
   }
 };
+
+template <class Space>
+class SelfDriven;
 
 /// What a law that integrates finite increments itself gives back.
 template <class Space>
@@ -126,6 +137,10 @@ class Law {
   virtual FiniteStep<Space> integrate(const State& state, const Vector<Space>& /*strain*/) const {
     return {state, Matrix<Space>::Zero(), "the law is given in rates"};
   }
+
+  /// The law as one that meets mixed control by itself (sim/point/self_driven.hpp); null for all
+  /// that the point driver integrates.
+  virtual const SelfDriven<Space>* self_driven() const { return nullptr; }
 
   /// M in triaxial compression: the stress ratio q/p′ that the law does not exceed at large strain.
   virtual std::optional<double> limit_stress_ratio() const { return std::nullopt; }

@@ -7,6 +7,7 @@
 
 #include "sim/materials/on_yield.hpp"
 #include "sim/point/finite_driver.hpp"
+#include "sim/point/self_driven.hpp"
 
 namespace triax::sim {
 namespace {
@@ -363,6 +364,7 @@ template <class Space>
 PointRate<Space> point_rate(const Law<Space>& law, const PointState<Space>& state,
                             const MixedControl<Space>& control) {
   if (law.finite()) return finite_rate(law, state, control);
+  if (const auto* own = law.self_driven()) return own->rate(state, control);
   const PointTolerance tolerance;
   return PointDriver<Space>(law, state, control, tolerance).rate(state);
 }
@@ -378,6 +380,7 @@ PointStep<Space> advance_point(const Law<Space>& law, const PointState<Space>& s
     return refused;
   }
   if (law.finite()) return advance_finite(law, state, control, tolerance);
+  if (const auto* own = law.self_driven()) return own->drive(state, control);
   return PointDriver<Space>(law, state, control, tolerance).advance(state);
 }
 

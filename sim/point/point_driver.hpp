@@ -117,7 +117,8 @@ template <class Space>
 PointRate<Space> point_rate(const Law<Space>& law, const PointState<Space>& state,
                             const MixedControl<Space>& control);
 
-/// One increment: PointDriver::advance, or the driver of laws that integrate themselves.
+/// One increment: PointDriver::advance, or the driver of laws that integrate finite increments, or
+/// the law itself where it is self-driven (its own tolerance holds then).
 template <class Space>
 PointStep<Space> advance_point(const Law<Space>& law, const PointState<Space>& state,
                                const MixedControl<Space>& control,

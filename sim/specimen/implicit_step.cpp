@@ -64,6 +64,11 @@ ImplicitStep::Instant ImplicitStep::instant(const SpecimenState& start, const In
   return at;
 }
 
+/// By what a self-driven law may miss conditions; 0 for any other.
+DrivingTolerance ImplicitStep::allowed(const SpecimenState& start) const {
+  return self_driven_ != nullptr ? self_driven_->tolerance(start.material) : DrivingTolerance{};
+}
+
 /// The conditions, linearised about an increment.
 ImplicitStep::Conditions ImplicitStep::conditions(const SpecimenState& start, double elapsed_s,
                                                   double dt_s, const Increment& about) const {
@@ -103,7 +108,8 @@ void ImplicitStep::balance_force(const SpecimenState& start, const Instant& at, 
       at.area * about.q + by_height * about.axial + by_volume * about.volume - missed;
   const double size =
       std::max(std::abs(at.force), kSmallForce * std::abs(start.material.p()) * at.area);
-  found.force_missed = std::abs(missed) / (kForceMissed * size);
+  found.force_missed =
+      std::abs(missed) / std::max(kForceMissed * size, allowed(start).stress_pa * at.area);
   found.linear = !membrane.stiff() && k == 0 && load == 0 && start.material.q() == stress;
 }
 
@@ -120,7 +126,8 @@ void ImplicitStep::balance_water(const SpecimenState& start, const Instant& at, 
   double by_volume = by_skin, by_radial = 1, missed = at.pore_pressure - back;
   if (drained && resistance == 0) {
     found.linear = found.linear && !membrane.stiff();
-    found.water_missed = std::abs(missed) / (kForceMissed * std::abs(start.material.p()));
+    found.water_missed = std::abs(missed) / std::max(kForceMissed * std::abs(start.material.p()),
+                                                     allowed(start).stress_pa);
   } else {
     const double conductance = drained ? dt_s / resistance : 0;
     const bool given = water.kind == WaterDrive::Kind::flow;
@@ -134,8 +141,10 @@ void ImplicitStep::balance_water(const SpecimenState& start, const Instant& at, 
     const double storage = content.compliance + conductance * (1 - content.per_air * dissolved);
     by_volume = content.per_space * at.volume + storage * by_skin;
     by_radial = content.per_space * membrane.penetration_compliance(at.radial) + storage;
-    const double allowed = drained ? kFlowMissed : kWaterMissed;
-    found.water_missed = std::abs(missed) / (allowed * at.volume);
+    const DrivingTolerance told = allowed(start);
+    const double round_off = (drained ? kFlowMissed : kWaterMissed) * at.volume;
+    found.water_missed = std::abs(missed) /
+                         std::max(round_off, told.stress_pa * by_radial + told.strain * by_volume);
     found.linear = found.linear && !drained && by_radial == 0 && flowed == 0;
   }
   found.control.strain.row(1) << by_volume, 2 * kRoot * by_volume;
@@ -187,6 +196,7 @@ SpecimenStep ImplicitStep::take(const SpecimenState& state, double elapsed_s, do
     return step;
   }
   if (!asked.linear && !specimen_.law().finite()) asked = about(predict(state, asked));
+  const double enough = self_driven_ != nullptr ? allowed(state).loosened : 1;
   for (int i = 0; i < kIterations; ++i) {
     SpecimenStep tried = integrate(state, asked, dt_s);
     tried.law_steps += step.law_steps;
@@ -197,7 +207,7 @@ SpecimenStep ImplicitStep::take(const SpecimenState& state, double elapsed_s, do
                           tried.strain_increment.axial, volumetric_strain(tried.strain_increment)};
     if (asked.linear || !went_on(tried)) break;
     asked = about(moved);
-    if (std::max(asked.force_missed, asked.water_missed) <= 1) break;
+    if (std::max(asked.force_missed, asked.water_missed) <= enough) break;
   }
   settle_water(state, step);
   return step;
@@ -240,6 +250,10 @@ bool ImplicitStep::sustains(const SpecimenState& state) const {
   const double small = 1e-6 * specimen_.area_m2(state) * std::abs(state.material.p());
   for (const double force : {small, -small}) {
     asked.control.increment << force, 0;
+    if (self_driven_ != nullptr) {
+      if (!self_driven_->sustains(state.material, asked.control)) return false;
+      continue;
+    }
     if (!point_rate(specimen_.law(), state.material, asked.control).controllable) return false;
   }
   return true;

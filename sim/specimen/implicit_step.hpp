@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/point/self_driven.hpp"
 #include "sim/specimen/specimen.hpp"
 
 namespace triax::sim {
@@ -14,19 +15,22 @@ class DrivenSpecimen {
       : specimen_(specimen),
         boundary_(boundary),
         tolerance_(tolerance),
-        height_at_start_m_(height_at_start_m) {}
+        height_at_start_m_(height_at_start_m),
+        self_driven_(specimen.law().self_driven()) {}
 
  protected:
   const Specimen& specimen_;
   const SpecimenBoundary& boundary_;
   const SpecimenTolerance& tolerance_;
   double height_at_start_m_;
+  const SelfDriven<Axisymmetric>* self_driven_;  ///< the law, if it is one
 };
 
 /// One implicit step of a specimen under a boundary: the conditions of axis and water hold at its
 /// end. They are linear in the increments of σ′ and ε but for the change of height, area and volume
 /// and for water and air; these are found by Newton's method around the whole increment, which the
-/// point driver integrates as one path each time.
+/// point driver integrates as one path each time: to round-off, or as closely as a self-driven law
+/// can. What is missed is made up for by the next step, as the conditions are on totals.
 class ImplicitStep : DrivenSpecimen {
  public:
   using DrivenSpecimen::DrivenSpecimen;
@@ -56,6 +60,7 @@ class ImplicitStep : DrivenSpecimen {
   struct Conditions;
 
   Instant instant(const SpecimenState& start, const Increment& moved, double cell) const;
+  DrivingTolerance allowed(const SpecimenState& start) const;
   Conditions conditions(const SpecimenState& start, double elapsed_s, double dt_s,
                         const Increment& about) const;
   void move_cap(const SpecimenState& start, double dt_s, Conditions& found) const;

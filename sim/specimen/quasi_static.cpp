@@ -54,17 +54,27 @@ SpecimenStep QuasiStatic::part(const SpecimenState& state, double elapsed_s, dou
 }
 
 void QuasiStatic::run(SpecimenStep& whole, double dt_s) const {
-  if (boundary_.water.kind == WaterDrive::Kind::drained &&
-      specimen_.properties().drainage_resistance > 0)
-    return run_through_resistance(whole, dt_s);
+  const bool resisted = boundary_.water.kind == WaterDrive::Kind::drained &&
+                        specimen_.properties().drainage_resistance > 0;
+  if (resisted && self_driven_ == nullptr) return run_through_resistance(whole, dt_s);
   const double done = whole.done_s;
   append(whole, part(whole.state, done, dt_s - done));
-  if (went_on(whole)) whole.done_s = dt_s;
+  if (!went_on(whole)) return;
+  whole.done_s = dt_s;
+  if (resisted && !whole.at_stop) require_sustained(whole);
+}
+
+/// Drainage holds only what is slower than it; the mass does not wait for that.
+bool QuasiStatic::require_sustained(SpecimenStep& whole) const {
+  const AxialDrive& axis = boundary_.axis;
+  const bool can_run_away = axis.kind == AxialDrive::Kind::force && axis.mass_kg > 0;
+  if (!can_run_away || implicit_.sustains(whole.state)) return true;
+  whole.outcome = StepOutcome::lost_control;
+  whole.message = "the equilibrium is not sustained against a fast change of force";
+  return false;
 }
 
 void QuasiStatic::run_through_resistance(SpecimenStep& whole, double dt_s) const {
-  const bool can_run_away =
-      boundary_.axis.kind == AxialDrive::Kind::force && boundary_.axis.mass_kg > 0;
   const double smallest = 1e-6 * dt_s;
   double h = dt_s;
   while (whole.done_s < dt_s) {
@@ -87,12 +97,7 @@ void QuasiStatic::run_through_resistance(SpecimenStep& whole, double dt_s) const
     append(whole, half);
     if (!went_on(half)) return;
     whole.done_s = last ? dt_s : before + h;
-    // Drainage holds only what is slower than it; the mass does not wait for that.
-    if (can_run_away && !half.at_stop && !implicit_.sustains(whole.state)) {
-      whole.outcome = StepOutcome::lost_control;
-      whole.message = "the equilibrium is not sustained against a fast change of force";
-      return;
-    }
+    if (!half.at_stop && !require_sustained(whole)) return;
     if (error < allowed / 4) h *= 2;
   }
 }

@@ -4,8 +4,9 @@
 namespace triax::sim {
 
 /// The specimen through a succession of equilibria. Flow through a resistance is integrated
-/// implicitly in u with error-controlled substeps; a cap that a force drives ends at its stop,
-/// which carries the rest until the drive pulls away.
+/// implicitly in u with error-controlled substeps (with a self-driven law, which is moved once, in
+/// one: to first order in the step over the time of drainage); a cap that a force drives ends at
+/// its stop, which carries the rest until the drive pulls away.
 class QuasiStatic : DrivenSpecimen {
  public:
   using DrivenSpecimen::DrivenSpecimen;
@@ -18,6 +19,7 @@ class QuasiStatic : DrivenSpecimen {
   SpecimenStep driven(const ImplicitStep& by, const SpecimenState& state, double elapsed_s,
                       double h) const;
   SpecimenStep to_stop(const SpecimenState& state, double elapsed_s, double h) const;
+  bool require_sustained(SpecimenStep& whole) const;
   void run_through_resistance(SpecimenStep& whole, double dt_s) const;
 
   ImplicitStep implicit_{*this};
