@@ -3,37 +3,19 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "lab/grains/grain_files.hpp"
 #include "lab/records/bad_input.hpp"
-#include "lab/records/byte_source.hpp"
-#include "sim/grains/grain_bytes.hpp"
 #include "sim/grains/guarded_steps.hpp"
 
 namespace triax::lab {
 
-sim::GrainState read_grain_file(const std::string& path) {
-  const auto source = open_file(path);
-  std::string bytes(static_cast<std::size_t>(source->size()), '\0');
-  std::size_t size = 0;
-  while (size < bytes.size()) {
-    const auto count = source->read({bytes.data() + size, bytes.size() - size});
-    if (count == 0) break;
-    size += count;
-  }
-  try {
-    return sim::load_grains(std::as_bytes(std::span(bytes.data(), size)));
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(path, 0, error.what());
-  }
-}
-
 std::shared_ptr<const sim::GrainLaw> grain_specimen(const std::string& path,
                                                     const sim::GrainDriving& how) {
   try {
-    return std::make_shared<const sim::GrainLaw>(read_grain_file(path), how);
+    return std::make_shared<const sim::GrainLaw>(load_state(path), how);
   } catch (const std::invalid_argument& error) {
     throw BadInput(path, 0, error.what());
   } catch (const sim::GrainsFailed& error) {
