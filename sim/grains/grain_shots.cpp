@@ -98,7 +98,9 @@ class Meeting {
   /// The next correction, not far back: near a peak the stiffness says little.
   Pair next(const Pair& strain, const Square& stiffness, const Pair& residual) const {
     const double size = strain.norm();
-    const Pair more = correction(stiffness, residual, kGrowth * std::max(size, elastic_size_));
+    // What the grains do of themselves may be more than what was asked.
+    const double elastic = Pair(elastic_matrix_.inverse() * residual).norm();
+    const Pair more = correction(stiffness, residual, kGrowth * std::max(size, elastic));
     const bool far_back = more.dot(strain) < 0 && more.norm() > kTakenBack * size;
     return far_back ? Pair(more * (kTakenBack * size / more.norm())) : more;
   }

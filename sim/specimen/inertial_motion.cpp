@@ -167,13 +167,22 @@ void InertialMotion::compare(SpecimenState& state) const {
       (specimen_.axial_force(state) - found.start_force_n) / displaced + k;
 }
 
+/// What a self-driven law may leave of a force, N; a suspension of grains has no p′ to measure by.
+double InertialMotion::untold_force(const SpecimenState& state) const {
+  if (self_driven_ == nullptr) return 0;
+  const DrivingTolerance told = self_driven_->tolerance(state.material);
+  return told.loosened * told.stress_pa * specimen_.area_m2(state);
+}
+
 bool InertialMotion::at_rest(const SpecimenState& state, double pull_n) const {
   const RunAway& found = state.run_away;
   const double kinetic = kinetic_energy(boundary_.axis, state);
   if (!found.turned && kinetic > kRestShare * found.largest_kinetic_energy_j) return false;
   const double of_p = std::abs(state.material.p()) * specimen_.area_m2(state);
   const double small = kRestForce * of_p;
-  if (std::abs(pull_n) > kRestForce * std::max(of_p, std::abs(specimen_.axial_force(state))))
+  if (std::abs(pull_n) >
+      std::max(kRestForce * std::max(of_p, std::abs(specimen_.axial_force(state))),
+               untold_force(state)))
     return false;
   const double k =
       std::max(std::abs(implicit_.stiffness(state, 1)), std::abs(implicit_.stiffness(state, -1))) +

@@ -39,6 +39,7 @@ class InertialMotion : DrivenSpecimen {
   SpecimenStep substep(const SpecimenState& state, double elapsed_s, double h) const;
   void record(const SpecimenState& before, double elapsed_s, SpecimenStep& step) const;
   void compare(SpecimenState& state) const;
+  double untold_force(const SpecimenState& state) const;
   bool at_rest(const SpecimenState& state, double pull_n) const;
   void stop(SpecimenStep& whole) const;
 

@@ -4,6 +4,8 @@
 
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/bad_input.hpp"
+#include "sim/grains/calming.hpp"
+#include "sim/grains/triaxial_axes.hpp"
 #include "tests/lab/grains/grain_files.hpp"
 
 using namespace triax;
@@ -66,9 +68,10 @@ TEST_CASE("grains that are not at rest or not under an isotropic stress are refu
   const GrainFolder folder;
   auto state = read_grain_file(folder.make("small.grains", 0.35, 100));
   CHECK(state.grains.size() == 100);
-  state.walls.force_n[4] *= 1.2;
-  state.walls.force_n[5] *= 1.2;
-  folder.write("uneven.grains", state);
+  sim::Grains grains(state);
+  grains.drive(sim::triaxial_drives(sim::stress_drive(1.3e5), sim::stress_drive(1e5)));
+  sim::settle(grains, {.unbalanced = 2e-3, .stress_error_pa = 1e3});
+  folder.write("uneven.grains", grains.state());
   const std::string message = message_of("grains = \"uneven.grains\"\n", folder / "p.toml");
   CHECK(message.find("uneven.grains") != std::string::npos);
   CHECK(message.find("not isotropic") != std::string::npos);
