@@ -8,9 +8,6 @@
 
 namespace triax::lab {
 
-/// The state in a file written by `triax grains`. Throws BadInput that names the file.
-sim::GrainState read_grain_file(const std::string& path);
-
 /// The law of these grains. Throws BadInput: the file, or why the apparatus cannot take the grains
 /// (sim/grains/grain_law.hpp).
 std::shared_ptr<const sim::GrainLaw> grain_specimen(const std::string& path,

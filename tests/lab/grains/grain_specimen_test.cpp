@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/grains/grain_files.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/bad_input.hpp"
 #include "sim/grains/calming.hpp"
@@ -66,7 +67,7 @@ TEST_CASE("what stands in the grains is not given again, and a file that is none
 
 TEST_CASE("grains that are not at rest or not under an isotropic stress are refused by name") {
   const GrainFolder folder;
-  auto state = read_grain_file(folder.make("small.grains", 0.35, 100));
+  auto state = load_state(folder.make("small.grains", 0.35, 100));
   CHECK(state.grains.size() == 100);
   sim::Grains grains(state);
   grains.drive(sim::triaxial_drives(sim::stress_drive(1.3e5), sim::stress_drive(1e5)));
