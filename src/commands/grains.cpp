@@ -198,8 +198,7 @@ Command grains_command() {
                     "piece_$SLURM_ARRAY_TASK_ID.json",
                     "one task of an array job 1-37"},
                    {"triax grains probes.toml --merge piece_*.json --output rose",
-                    "all tasks together"},
-                   {"triax query grain_peaks", "peaks of s1 - s3/R of every path so far"}},
+                    "all tasks together"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");

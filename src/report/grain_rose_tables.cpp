@@ -87,7 +87,7 @@ RoseTables rose_tables(const ReportedGrainRose& rose) {
   RoseTables tables{right_columns({"α (°)", "dε₁ (10⁻⁶)", "dε₃ (10⁻⁶)", "W₂ norm.", "sliding (%)",
                                    "non-perm. (%)", "K most (J)", "steps", "settled"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
-                                   "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed/macro"})};
+                                   "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed"})};
   const int decimals = work_decimals(rose.made.rose);
   for (std::size_t i = 0; i < rose.made.rose.probes.size(); ++i)
     put_probe(tables, rose.made.rose.probes[i], in_degrees(rose.made.angles[i], 0), decimals);

@@ -126,8 +126,7 @@ std::vector<std::string> strain_paths_notes() {
   return {
       "peak, there: of σ₁ − σ₃/R",
       fmt::format("falls: afterwards by more than {:g} % of the peak", 100 * kFallen),
-      "W₂ < 0: of Eq. (30) over increments of a twentieth of the points, first negative and for as "
-      "many more"};
+      "W₂ < 0: of Eq. (30) over a twentieth of the points, first negative and for as many more"};
 }
 
 Table marks_table(const GrainReport& report) {
