@@ -1,4 +1,4 @@
-# Writes the text of FILES into OUT as `std::span<const EmbeddedFile> SYMBOL` (see lab/records/embedded.hpp).
+# Writes the text of FILES into OUT as `std::span<const EmbeddedFile> SYMBOL` (see lab/base/embedded.hpp).
 set(body "")
 string(REPLACE " " ";" files "${FILES}")
 foreach(file IN LISTS files)
@@ -6,7 +6,7 @@ foreach(file IN LISTS files)
   get_filename_component(stem "${file}" NAME_WE)
   string(APPEND body "    {\"${stem}\", R\"__triax__(${text})__triax__\"},\n")
 endforeach()
-file(WRITE "${OUT}" "#include \"lab/records/embedded.hpp\"
+file(WRITE "${OUT}" "#include \"lab/base/embedded.hpp\"
 namespace triax::lab {
 namespace { constexpr EmbeddedFile kFiles[] = {
 ${body}}; }

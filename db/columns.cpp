@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lab/records/text.hpp"
+#include "lab/base/text.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::db {

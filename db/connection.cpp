@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "db/writer_identity.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/embedded.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/embedded.hpp"
 
 namespace triax::lab {
 extern const std::span<const EmbeddedFile> kMigrations;

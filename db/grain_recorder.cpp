@@ -8,7 +8,7 @@
 
 #include "db/connection.hpp"
 #include "db/grain_writer.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 

@@ -8,7 +8,7 @@
 #include "db/columns.hpp"
 #include "db/writer_identity.hpp"
 #include "lab/grains/grain_words.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 
 namespace triax::db {
 namespace {

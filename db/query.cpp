@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "db/connection.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 namespace {

@@ -16,7 +16,7 @@
 #include "db/connection.hpp"
 #include "db/scan_writer.hpp"
 #include "db/test_writer.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "db/last_bits.hpp"
-#include "lab/records/quantity.hpp"
+#include "lab/results/quantity.hpp"
 
 namespace triax::db {
 namespace {

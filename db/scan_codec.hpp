@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "lab/records/reading.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::db {
 

@@ -9,7 +9,7 @@
 
 #include "db/plain_statement.hpp"
 #include "db/scan_source.hpp"
-#include "lab/collapse/second_order_work_point.hpp"
+#include "lab/results/second_order_work_point.hpp"
 
 namespace triax::db {
 

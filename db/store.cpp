@@ -12,8 +12,8 @@
 #include "db/plain_statement.hpp"
 #include "db/scan_codec.hpp"
 #include "db/test_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::db {
 namespace {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "lab/collapse/second_order_work_point.hpp"
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/reading.hpp"
-#include "lab/records/record_header.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/second_order_work_point.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::db {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "db/columns.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 namespace {

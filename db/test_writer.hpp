@@ -6,8 +6,8 @@
 #include <string>
 
 #include "db/store.hpp"
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::db {
 

@@ -7,9 +7,10 @@
 #include <exception>
 #include <sstream>
 
-#include "lab/records/bad_input.hpp"
-#include "src/commands/application.hpp"
-#include "src/manual/manual.hpp"
+#include "lab/base/bad_input.hpp"
+#include "src/cli/application.hpp"
+#include "src/cli/manual.hpp"
+#include "src/commands.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 
@@ -25,10 +26,10 @@ int complain(const std::string& message, int status) {
 
 int run(int argc, char** argv) {
   using namespace triax;
-  const src::Application application = src::make_application();
+  const src::Application application = src::make_application(src::commands());
   // For the build, which installs what this writes; not part of what users are told.
   if (argc == 3 && std::strcmp(argv[1], "--write-manual") == 0) {
-    src::write_manual(*application.app, argv[2]);
+    src::write_manual(*application.app, src::commands(), argv[2]);
     return kDone;
   }
   try {

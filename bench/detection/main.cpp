@@ -21,7 +21,7 @@
 
 #include "bench/detection/subjects.hpp"
 #include "bench/detection/table.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 using namespace triax;
 

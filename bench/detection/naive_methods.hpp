@@ -6,7 +6,7 @@
 #include <deque>
 #include <optional>
 
-#include "lab/reduction/state.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::bench {
 

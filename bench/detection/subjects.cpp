@@ -3,9 +3,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::bench {
 namespace {

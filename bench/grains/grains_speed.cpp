@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/grains/grain_measures.hpp"
-#include "sim/grains/grains.hpp"
+#include "sim/grains/engine/grains.hpp"
+#include "sim/grains/state/grain_measures.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 using namespace triax::sim;

@@ -14,9 +14,9 @@
 #include <string>
 
 #include "lab/grains/lammps_export.hpp"
-#include "sim/grains/calming.hpp"
-#include "sim/grains/grain_path.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/engine/calming.hpp"
+#include "sim/grains/paths/grain_path.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 
 using namespace triax;
 

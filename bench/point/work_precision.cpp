@@ -7,9 +7,9 @@
 #include "bench/point/yardstick.hpp"
 #include "lab/materials/material_library.hpp"
 #include "sim/point/point_driver.hpp"
-#include "src/figures/drawing.hpp"
-#include "src/figures/plot_style.hpp"
 #include "src/output/output.hpp"
+#include "src/plot/drawing.hpp"
+#include "src/plot/plot_style.hpp"
 
 using namespace triax;
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lab/collapse/path_rates.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::lab {
 

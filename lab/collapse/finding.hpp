@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "lab/collapse/test_summary.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "lab/collapse/path_rates.hpp"
-#include "lab/collapse/test_summary.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lab/collapse/path_rates.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

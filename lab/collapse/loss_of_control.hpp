@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lab/collapse/finding.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::lab {
 

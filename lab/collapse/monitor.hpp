@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "lab/collapse/second_order_work_point.hpp"
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/record_header.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/second_order_work_point.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

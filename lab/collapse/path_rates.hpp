@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "lab/collapse/local_fit.hpp"
-#include "lab/collapse/second_order_work_point.hpp"
+#include "lab/results/second_order_work_point.hpp"
 
 namespace triax::lab {
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "lab/collapse/block_pyramid.hpp"
-#include "lab/records/record_header.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::lab {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "lab/records/quantity.hpp"
+#include "lab/results/quantity.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/whole_file.hpp"
-#include "sim/grains/grain_bytes.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/whole_file.hpp"
+#include "sim/grains/state/grain_bytes.hpp"
 
 namespace triax::lab {
 

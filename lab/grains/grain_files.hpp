@@ -1,10 +1,10 @@
 #pragma once
-// A state of a specimen of grains as a file (sim/grains/grain_bytes.hpp): what is loaded goes on
-// bit for bit.
+// A state of a specimen of grains as a file (sim/grains/state/grain_bytes.hpp): what is loaded goes
+// on bit for bit.
 #include <cstdint>
 #include <string>
 
-#include "sim/grains/grain_state.hpp"
+#include "sim/grains/state/grain_state.hpp"
 
 namespace triax::lab {
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <sstream>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

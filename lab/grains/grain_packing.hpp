@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/grains/grain_state.hpp"
+#include "sim/grains/state/grain_state.hpp"
 
 namespace triax::lab {
 

@@ -8,13 +8,13 @@
 #include <variant>
 #include <vector>
 
-#include "sim/grains/assembly.hpp"
-#include "sim/grains/calming.hpp"
-#include "sim/grains/grading.hpp"
-#include "sim/grains/grain_path.hpp"
-#include "sim/grains/grain_probe.hpp"
-#include "sim/grains/perturbation.hpp"
-#include "sim/grains/porosity_search.hpp"
+#include "sim/grains/engine/calming.hpp"
+#include "sim/grains/paths/grain_path.hpp"
+#include "sim/grains/probes/grain_probe.hpp"
+#include "sim/grains/probes/perturbation.hpp"
+#include "sim/grains/specimens/assembly.hpp"
+#include "sim/grains/specimens/grading.hpp"
+#include "sim/grains/specimens/porosity_search.hpp"
 
 namespace triax::lab {
 

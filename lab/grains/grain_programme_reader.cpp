@@ -7,10 +7,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/bounds.hpp"
+#include "lab/base/text.hpp"
 #include "lab/grains/grain_stage_reader.hpp"
-#include "lab/programmes/programme.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {

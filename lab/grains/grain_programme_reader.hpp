@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_programme.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 

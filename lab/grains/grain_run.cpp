@@ -6,13 +6,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_packing.hpp"
-#include "lab/records/bad_input.hpp"
-#include "sim/grains/calming.hpp"
-#include "sim/grains/cloud.hpp"
-#include "sim/grains/guarded_steps.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/engine/calming.hpp"
+#include "sim/grains/engine/guarded_steps.hpp"
+#include "sim/grains/specimens/cloud.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 
 namespace triax::lab {
 namespace {

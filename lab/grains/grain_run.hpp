@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lab/grains/grain_programme.hpp"
-#include "sim/grains/grain_measures.hpp"
-#include "sim/grains/grain_progress.hpp"
+#include "sim/grains/state/grain_measures.hpp"
+#include "sim/grains/state/grain_progress.hpp"
 
 namespace triax::lab {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_files.hpp"
-#include "lab/records/bad_input.hpp"
-#include "sim/grains/guarded_steps.hpp"
+#include "sim/grains/engine/guarded_steps.hpp"
 
 namespace triax::lab {
 

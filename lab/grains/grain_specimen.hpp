@@ -4,12 +4,12 @@
 #include <string>
 
 #include "lab/materials/material_library.hpp"
-#include "sim/grains/grain_law.hpp"
+#include "sim/grains/paths/grain_law.hpp"
 
 namespace triax::lab {
 
 /// The law of these grains. Throws BadInput: the file, or why the apparatus cannot take the grains
-/// (sim/grains/grain_law.hpp).
+/// (sim/grains/paths/grain_law.hpp).
 std::shared_ptr<const sim::GrainLaw> grain_specimen(const std::string& path,
                                                     const sim::GrainDriving& how = {});
 

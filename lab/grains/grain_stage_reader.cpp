@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lab/programmes/programme.hpp"
-#include "lab/records/text.hpp"
+#include "lab/base/bounds.hpp"
+#include "lab/base/text.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {

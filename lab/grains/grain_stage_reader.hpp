@@ -1,6 +1,6 @@
 #pragma once
+#include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_programme.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 

@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/grains/grain_path.hpp"
+#include "sim/grains/paths/grain_path.hpp"
 
 namespace triax::lab {
 

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 
 namespace triax::lab {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/grains/grain_measures.hpp"
+#include "sim/grains/state/grain_measures.hpp"
 
 namespace triax::lab {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/grains/grain_state.hpp"
+#include "sim/grains/state/grain_state.hpp"
 
 namespace triax::lab {
 

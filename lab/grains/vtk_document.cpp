@@ -25,7 +25,7 @@ class Document {
  public:
   Document(const char* type, std::string comment) : xml_(&bytes_) {
     for (std::size_t at = 0; (at = comment.find("--", at)) != std::string::npos;)
-      comment.replace(at, 2, "- ");
+      comment[at + 1] = ' ';
     if (!comment.empty() && comment.back() == '-') comment += ' ';
     xml_.writeStartDocument();
     xml_.writeComment(' ' + QString::fromStdString(comment) + ' ');

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "sim/grains/grain_measures.hpp"
+#include "sim/grains/state/grain_measures.hpp"
 
 namespace triax::lab {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 // A state of a specimen of grains as pictures for ParaView: text of .vtp files (vtk_document.hpp).
 // Compression positive, SI, the unit in the name of each array. Positions are those of the state;
-// forces are those of the last step (sim/grains/grain_measures.hpp).
+// forces are those of the last step (sim/grains/state/grain_measures.hpp).
 #include <string>
 
 #include "lab/grains/vtk_document.hpp"
-#include "sim/grains/grain_state.hpp"
+#include "sim/grains/state/grain_state.hpp"
 
 namespace triax::lab {
 

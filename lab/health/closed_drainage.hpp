@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "lab/records/reading.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::lab {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "lab/collapse/second_order_work_point.hpp"
-#include "lab/collapse/test_summary.hpp"
+#include "lab/results/second_order_work_point.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -8,7 +8,7 @@
 
 #include "lab/health/closed_drainage.hpp"
 #include "lab/health/record_health.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::lab {
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "lab/collapse/test_summary.hpp"
 #include "lab/health/channel_health.hpp"
-#include "lab/records/reading.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lab/records/quantity.hpp"
+#include "lab/results/quantity.hpp"
 
 namespace triax::lab {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "lab/records/text.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {

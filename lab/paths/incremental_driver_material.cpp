@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/paths/inp_frame.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
 #include "sim/materials/laws.hpp"
 
 namespace triax::lab {

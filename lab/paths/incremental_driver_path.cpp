@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "lab/base/text.hpp"
 #include "lab/paths/inp_step.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

@@ -6,12 +6,12 @@
 #include <memory>
 #include <span>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/byte_source.hpp"
+#include "lab/base/text.hpp"
 #include "lab/paths/incremental_driver_material.hpp"
 #include "lab/paths/incremental_driver_path.hpp"
 #include "lab/paths/path_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/byte_source.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

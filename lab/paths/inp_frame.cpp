@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "lab/records/text.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {

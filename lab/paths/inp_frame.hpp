@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/point/mixed_control.hpp"
+#include "sim/control/mixed_control.hpp"
 
 namespace triax::lab {
 

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "lab/base/text.hpp"
 #include "lab/paths/inp_frame.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

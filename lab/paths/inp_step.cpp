@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/paths/inp_restriction.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

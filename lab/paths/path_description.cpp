@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/paths/path_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

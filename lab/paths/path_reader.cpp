@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/bounds.hpp"
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/paths/condition_text.hpp"
 #include "lab/paths/path_quantity.hpp"
 #include "lab/paths/path_table.hpp"
-#include "lab/programmes/programme.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/line_reader.hpp"
+#include "lab/base/text.hpp"
 #include "lab/records/cells.hpp"
-#include "lab/records/line_reader.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/paths/condition_text.hpp"
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/toml_reader.hpp"
 
 namespace triax::lab {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/devices/spoken_unit.hpp"
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

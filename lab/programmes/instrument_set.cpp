@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/embedded.hpp"
-#include "lab/records/text.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/embedded.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

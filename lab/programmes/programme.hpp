@@ -13,14 +13,11 @@
 #include "lab/devices/transducer.hpp"
 #include "lab/materials/material_library.hpp"
 #include "lab/programmes/end_condition.hpp"
-#include "lab/records/quantity.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/quantity.hpp"
+#include "lab/results/record_header.hpp"
 #include "sim/specimen/specimen.hpp"
 
 namespace triax::lab {
-
-/// No pressure of a programme is above 100 MPa.
-inline constexpr double kLargestPressure_kPa = 1e5;
 
 /// What the axis does in a stage.
 enum class AxialAction {

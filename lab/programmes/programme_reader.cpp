@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_specimen.hpp"
 #include "lab/programmes/fault_reader.hpp"
 #include "lab/programmes/operator_reader.hpp"
 #include "lab/programmes/rig_reader.hpp"
 #include "lab/programmes/stage_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

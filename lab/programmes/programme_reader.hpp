@@ -2,8 +2,8 @@
 #include <string>
 #include <string_view>
 
+#include "lab/base/toml_reader.hpp"
 #include "lab/programmes/programme.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 

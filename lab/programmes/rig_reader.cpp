@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/bounds.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/programmes/absent_or.hpp"
 #include "lab/programmes/instrument_set.hpp"
 #include "lab/programmes/transducer_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/bounds.hpp"
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

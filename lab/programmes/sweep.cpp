@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {

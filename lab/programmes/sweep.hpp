@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/toml_reader.hpp"
 
 namespace triax::lab {
 

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "lab/base/bounds.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/devices/spoken_unit.hpp"
 #include "lab/programmes/absent_or.hpp"
 #include "lab/programmes/programme.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

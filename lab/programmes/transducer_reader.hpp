@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "lab/devices/transducer.hpp"
-#include "lab/records/quantity.hpp"
+#include "lab/results/quantity.hpp"
 
 namespace triax::lab {
 

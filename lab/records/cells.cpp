@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lab/records/text.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {

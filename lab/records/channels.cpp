@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/text.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {

@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "lab/records/quantity.hpp"
+#include "lab/results/quantity.hpp"
 
 namespace triax::lab {
 

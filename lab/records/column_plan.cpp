@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/records/metadata.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

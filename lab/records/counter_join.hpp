@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "lab/records/findings.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
 
 namespace triax::lab {
 

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/embedded.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/embedded.hpp"
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/records/metadata.hpp"
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
 
 namespace triax::lab {
 namespace {

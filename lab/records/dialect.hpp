@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lab/records/cells.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

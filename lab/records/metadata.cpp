@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/text.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/records/truth_toml.hpp"
 
 namespace triax::lab {

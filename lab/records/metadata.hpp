@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/records/record_header.hpp"
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/toml_reader.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/records/column_plan.hpp"
 #include "lab/records/metadata.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "lab/records/findings.hpp"
-#include "lab/records/record_header.hpp"
 #include "lab/records/table_layout.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

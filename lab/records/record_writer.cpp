@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "lab/base/whole_file.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/truth_toml.hpp"
-#include "lab/records/whole_file.hpp"
 
 namespace triax::lab {
 namespace {

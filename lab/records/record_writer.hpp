@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "lab/records/reading.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

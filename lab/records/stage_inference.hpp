@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "lab/records/record_header.hpp"
 #include "lab/records/table_reader.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

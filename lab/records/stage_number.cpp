@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 namespace triax::lab {
 

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/line_reader.hpp"
+#include "lab/base/text.hpp"
 #include "lab/records/channels.hpp"
 #include "lab/records/column_plan.hpp"
-#include "lab/records/line_reader.hpp"
-#include "lab/records/text.hpp"
 
 namespace triax::lab {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/records/byte_source.hpp"
+#include "lab/base/byte_source.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/findings.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "lab/records/line_reader.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/base/line_reader.hpp"
 #include "lab/records/table_layout.hpp"
+#include "lab/results/reading.hpp"
 
 namespace triax::lab {
 

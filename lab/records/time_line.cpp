@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
 
 namespace triax::lab {
 

@@ -2,8 +2,8 @@
 // The truth of a simulation as TOML, below the rows of a record: [truth] and [[truth.run_aways]].
 #include <string>
 
-#include "lab/records/record_header.hpp"
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/toml_reader.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

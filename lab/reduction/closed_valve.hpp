@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/reading.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "lab/collapse/test_summary.hpp"
 #include "lab/reduction/closed_valve.hpp"
 #include "lab/reduction/consolidation_end.hpp"
 #include "lab/reduction/rate_check.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

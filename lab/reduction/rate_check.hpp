@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/reading.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

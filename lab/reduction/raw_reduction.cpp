@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 namespace triax::lab {
 namespace {

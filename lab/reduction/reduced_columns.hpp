@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/record_header.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

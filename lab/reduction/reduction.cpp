@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "lab/reduction/b_value.hpp"
 #include "lab/reduction/closure.hpp"
 #include "lab/reduction/raw_reduction.hpp"

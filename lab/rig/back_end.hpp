@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lab/collapse/test_summary.hpp"
-#include "lab/records/reading.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 

@@ -6,7 +6,7 @@
 
 #include "lab/devices/faulty_channel.hpp"
 #include "lab/devices/transducer.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
 #include "lab/rig/plant.hpp"
 
 namespace triax::lab {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lab/programmes/programme.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
 
 namespace triax::lab {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lab/devices/force_cylinder.hpp"
-#include "lab/records/reading.hpp"
+#include "lab/results/reading.hpp"
 
 namespace triax::lab {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "lab/records/channels.hpp"
 #include "lab/records/counter_join.hpp"
 #include "lab/records/metadata.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/records/byte_source.hpp"
+#include "lab/base/byte_source.hpp"
 #include "lab/rig/back_end.hpp"
 
 namespace triax::lab {

@@ -1,6 +1,6 @@
 #pragma once
 #include "lab/programmes/programme.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 

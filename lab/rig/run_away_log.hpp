@@ -2,7 +2,7 @@
 // Run-aways of the virtual specimen, for the truth of the test.
 #include <vector>
 
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
 #include "sim/specimen/specimen.hpp"
 
 namespace triax::lab {

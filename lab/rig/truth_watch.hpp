@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "lab/records/record_header.hpp"
+#include "lab/results/record_header.hpp"
 #include "sim/specimen/specimen.hpp"
 
 namespace triax::lab {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
 #include "lab/rig/logger.hpp"
 #include "lab/rig/rig_header.hpp"

@@ -13,7 +13,7 @@
 // it.
 //
 // Memory: p_c (Pa).
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 
 namespace triax::sim {
 

@@ -8,7 +8,7 @@
 // of strain that changes p and q together need not close in stress; it ends at p′ = 0.
 //
 // The plastic laws that are elastic within take the parameters and the stiffness from here.
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 
 namespace triax::sim {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/materials/interpolated_compliance.hpp"
-#include "sim/materials/law.hpp"
+#include "sim/law/interpolated_compliance.hpp"
+#include "sim/law/law.hpp"
 
 namespace triax::sim {
 
@@ -19,7 +19,7 @@ class GeneralisedTriaxial {
   /// N⁺ and N⁻ (1/Pa) in the orthonormal components of the space. Pre-condition: no objection.
   virtual void moduli(const State& state, Matrix<Space>& plus, Matrix<Space>& minus) const = 0;
 
-  // What a law of the same state answers (sim/materials/law.hpp).
+  // What a law of the same state answers (sim/law/law.hpp).
   virtual State start(const Vector<Space>& stress, double void_ratio) const {
     return {stress, void_ratio, {}};
   }

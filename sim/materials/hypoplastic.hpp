@@ -28,7 +28,7 @@
 // contract, at η = M_c (f_d − √(f_d² − 1)), M_c = 6 sin φ_c/(3 − sin φ_c) (without h).
 //
 // p is p′ (Pa), compression positive. Memory: none, or the components of h.
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 
 namespace triax::sim {
 

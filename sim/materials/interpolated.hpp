@@ -13,8 +13,8 @@
 // labelled by it (Material::based_on): "INL2 with generalised-triaxial moduli from ...".
 #include <memory>
 
+#include "sim/law/parameters.hpp"
 #include "sim/materials/generalised_triaxial.hpp"
-#include "sim/materials/parameters.hpp"
 
 namespace triax::sim {
 

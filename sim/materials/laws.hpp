@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 
 namespace triax::sim {
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "sim/law/parameters.hpp"
 #include "sim/materials/generalised_triaxial.hpp"
-#include "sim/materials/parameters.hpp"
 
 namespace triax::sim {
 

@@ -25,7 +25,7 @@
 // What the law cannot follow is refused: see objection() and refusal().
 //
 // p is p′ (Pa), compression positive. Memory: p_i/p₀ and p₀ (Pa).
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 
 namespace triax::sim {
 

@@ -1,7 +1,7 @@
 #include "sim/materials/probed_moduli.hpp"
 
-#include "sim/materials/on_yield.hpp"
-#include "sim/point/control_solver.hpp"
+#include "sim/control/control_solver.hpp"
+#include "sim/law/on_yield.hpp"
 
 namespace triax::sim {
 namespace {

@@ -20,7 +20,7 @@
 // a liquefying specimen to p′ = 0 at a finite strain.
 //
 // Memory: α, α_in, z, each with the components of the space.
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 
 namespace triax::sim {
 

@@ -11,7 +11,7 @@
 // Memory: STATEV, then what a UMAT is told of the past: STRAN (6), TIME, number of increments.
 #include <memory>
 
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 #include "sim/materials/umat_worker.hpp"
 
 namespace triax::sim {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/materials/response.hpp"
+#include "sim/law/response.hpp"
 
 namespace triax::sim {
 

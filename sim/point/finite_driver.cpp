@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/point/control_solver.hpp"
+#include "sim/control/control_solver.hpp"
 
 namespace triax::sim {
 namespace {

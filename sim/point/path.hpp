@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/materials/law.hpp"
-#include "sim/point/mixed_control.hpp"
+#include "sim/control/mixed_control.hpp"
+#include "sim/law/law.hpp"
 
 namespace triax::sim {
 

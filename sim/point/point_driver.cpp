@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/materials/on_yield.hpp"
+#include "sim/law/on_yield.hpp"
 #include "sim/point/finite_driver.hpp"
 #include "sim/point/self_driven.hpp"
 

@@ -8,7 +8,7 @@
 // step stops at that state, to `smallest_step`, and names the condition.
 #include <string>
 
-#include "sim/point/control_solver.hpp"
+#include "sim/control/control_solver.hpp"
 #include "sim/point/runge_kutta.hpp"
 
 namespace triax::sim {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 #include "sim/stability/cones.hpp"
 
 namespace triax::sim {

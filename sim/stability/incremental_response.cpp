@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "sim/materials/on_yield.hpp"
+#include "sim/law/on_yield.hpp"
 #include "sim/point/finite_driver.hpp"
 
 namespace triax::sim {

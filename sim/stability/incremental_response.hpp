@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "sim/materials/interpolated_compliance.hpp"
-#include "sim/point/control_solver.hpp"
+#include "sim/control/control_solver.hpp"
+#include "sim/law/interpolated_compliance.hpp"
 
 namespace triax::sim {
 

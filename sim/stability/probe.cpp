@@ -71,4 +71,8 @@ Prober make_finite_prober(const Law<Tensor>& law, const PointState<Tensor>& stat
   return finite_prober(law, state, kind, norm);
 }
 
+double isotropic_unloading(ProbePlane plane) {
+  return plane == ProbePlane::axisymmetric ? kIsotropicUnloading : 1.25 * std::numbers::pi;
+}
+
 }  // namespace triax::sim

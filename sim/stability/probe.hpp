@@ -64,4 +64,7 @@ Prober make_finite_prober(const Law<Axisymmetric>& law, const PointState<Axisymm
 Prober make_finite_prober(const Law<Tensor>& law, const PointState<Tensor>& state, ProbeKind kind,
                           double norm);
 
+/// Direction of dσ₁ = dσ₃ < 0 (and dσ₂ alike in axisymmetry) in the plane of stress probes, rad.
+double isotropic_unloading(sim::ProbePlane plane);
+
 }  // namespace triax::sim

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/materials/law.hpp"
+#include "sim/law/law.hpp"
 
 namespace triax::sim {
 

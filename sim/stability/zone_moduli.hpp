@@ -5,11 +5,11 @@
 //
 // and the compliances Q (Eq. 38) and P (Eq. 39) of a tensorial zone: a combination of the signs of
 // dσ₁, dσ₂, dσ₃, in which column j of the compliance is that of N⁺ for dσ_j > 0, of N⁻ for dσ_j < 0
-// (sim/materials/response.hpp). The moduli of the paper's Eqs. (32) to (41) are those of zone
+// (sim/law/response.hpp). The moduli of the paper's Eqs. (32) to (41) are those of zone
 // (−, −, −). Moduli in Pa, compliances in 1/Pa.
 #include <array>
 
-#include "sim/materials/response.hpp"
+#include "sim/law/response.hpp"
 
 namespace triax::sim {
 

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/whole_file.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/whole_file.hpp"
 
 namespace triax::src {
 

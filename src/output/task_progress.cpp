@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "src/report/words.hpp"
+#include "src/output/words.hpp"
 
 namespace triax::src {
 

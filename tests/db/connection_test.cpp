@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "db/writer_identity.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "tests/db/temporary_folder.hpp"
 
 using namespace triax;

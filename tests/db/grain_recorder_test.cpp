@@ -9,8 +9,8 @@
 
 #include "db/connection.hpp"
 #include "db/query.hpp"
+#include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
 #include "tests/db/temporary_folder.hpp"
 #include "tests/lab/grains/small_programme.hpp"
 

@@ -14,7 +14,7 @@
 
 #include "db/connection.hpp"
 #include "db/store.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
 

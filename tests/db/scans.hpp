@@ -4,8 +4,8 @@
 #include <random>
 #include <utility>
 
-#include "lab/records/reading.hpp"
-#include "lab/reduction/state.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/state.hpp"
 
 namespace triax::testing {
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "db/recorder.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "db/recorder.hpp"
 #include "db/store.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
 

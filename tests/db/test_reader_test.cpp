@@ -4,7 +4,7 @@
 
 #include "db/connection.hpp"
 #include "db/test_writer.hpp"
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
 

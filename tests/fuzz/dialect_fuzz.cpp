@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/table_reader.hpp"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "lab/records/bad_input.hpp"
-#include "src/report/grain_piece.hpp"
+#include "lab/base/bad_input.hpp"
+#include "src/study/grains/grain_piece.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace triax;

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_packing.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace triax;

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sim/grains/grain_bytes.hpp"
-#include "sim/grains/grain_measures.hpp"
-#include "sim/grains/grains.hpp"
+#include "sim/grains/engine/grains.hpp"
+#include "sim/grains/state/grain_bytes.hpp"
+#include "sim/grains/state/grain_measures.hpp"
 
 namespace {
 

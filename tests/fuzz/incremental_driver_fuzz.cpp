@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/paths/incremental_driver_reader.hpp"
-#include "lab/records/bad_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace triax::lab;

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/paths/condition_text.hpp"
 #include "lab/paths/path_reader.hpp"
-#include "lab/records/bad_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace triax;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "lab/base/embedded.hpp"
+#include "lab/base/text.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "lab/grains/grain_stage_reader.hpp"
 #include "lab/paths/condition_text.hpp"
@@ -12,10 +15,7 @@
 #include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
-#include "lab/records/embedded.hpp"
 #include "lab/records/metadata.hpp"
-#include "lab/records/text.hpp"
-#include "lab/records/toml_reader.hpp"
 #include "lab/rig/recorded.hpp"
 
 using namespace triax::lab;

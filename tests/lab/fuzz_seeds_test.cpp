@@ -3,13 +3,13 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_packing.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
-#include "lab/records/toml_reader.hpp"
 #include "lab/rig/recorded.hpp"
 
 using namespace triax::lab;

@@ -33,8 +33,8 @@ lab::SecondOrderWorkPoint work(std::int64_t reading, bool with_time, double norm
 
 }  // namespace
 
-ReportedTest flow_test() {
-  ReportedTest test;
+TestResult flow_test() {
+  TestResult test;
   for (std::int64_t i = 0; i <= 900; ++i) {
     const double x = static_cast<double>(i) / 300.0;
     const double strain = i <= 300 ? 0.005 * x * x : 0.005 + 0.05 * (x - 1);
@@ -84,7 +84,7 @@ ReportedTest flow_test() {
   return test;
 }
 
-ReportedTest simulated_test() {
+TestResult simulated_test() {
   auto test = flow_test();
   test.stored.id = 4;
   test.stored.header.name = "sim-26";
@@ -100,8 +100,8 @@ ReportedTest simulated_test() {
   return test;
 }
 
-ReportedTest stable_test() {
-  ReportedTest test;
+TestResult stable_test() {
+  TestResult test;
   for (std::int64_t i = 0; i <= 500; ++i) {
     const double x = static_cast<double>(i) / 500.0;
     test.curves.states.push_back(
@@ -117,7 +117,7 @@ ReportedTest stable_test() {
   return test;
 }
 
-ReportedTest interrupted_test() {
+TestResult interrupted_test() {
   auto test = flow_test();
   test.curves.states.resize(100);
   test.curves.work.clear();

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 using namespace triax;
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <string>
 
-#include "sim/grains/assembly.hpp"
-#include "sim/grains/grading.hpp"
-#include "sim/grains/grain_bytes.hpp"
+#include "sim/grains/specimens/assembly.hpp"
+#include "sim/grains/specimens/grading.hpp"
+#include "sim/grains/state/grain_bytes.hpp"
 
 namespace triax::lab::test {
 

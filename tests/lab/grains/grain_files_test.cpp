@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lab/records/bad_input.hpp"
-#include "sim/grains/grain_bytes.hpp"
+#include "lab/base/bad_input.hpp"
+#include "sim/grains/state/grain_bytes.hpp"
 #include "tests/sim/grains/packings.hpp"
 
 using namespace triax;

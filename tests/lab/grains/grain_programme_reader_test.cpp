@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 #include "tests/lab/grains/small_programme.hpp"
 

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "lab/grains/grain_words.hpp"
-#include "lab/records/bad_input.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 #include "tests/lab/grains/small_programme.hpp"
 
 using namespace triax;

@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
-#include "sim/grains/calming.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/engine/calming.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 #include "tests/lab/grains/grain_files.hpp"
 
 using namespace triax;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "lab/grains/size_bins.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 #include "tests/sim/grains/packings.hpp"
 
 using namespace triax;

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "sim/grains/grain_measures.hpp"
+#include "sim/grains/state/grain_measures.hpp"
 #include "tests/lab/grains/vtk_reading.hpp"
 #include "tests/sim/grains/packings.hpp"
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "sim/materials/sanisand.hpp"
 #include "tests/sim/materials/hypoplastic_sets.hpp"
 #include "tests/sim/materials/norsand_sets.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "sim/materials/laws.hpp"
 #include "sim/point/path_runner.hpp"
 

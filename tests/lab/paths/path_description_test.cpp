@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/paths/path_reader.hpp"
-#include "lab/records/bad_input.hpp"
 #include "tests/lab/paths/path_text.hpp"
 
 using namespace triax::lab;

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 using namespace triax::lab;
 

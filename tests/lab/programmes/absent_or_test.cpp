@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/toml_reader.hpp"
 
 using namespace triax::lab;
 

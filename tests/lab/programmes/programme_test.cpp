@@ -72,7 +72,8 @@ TEST_CASE("the sample programmes run to their end and lose sustainability where 
     }
     if (expected.eta == 0) continue;
     CHECK(*truth.q_pa / *truth.p_eff_pa == Approx(expected.eta).margin(0.005));
-    const double left = (reading.time_s - *truth.time_s) / programme.stages.back().logging.interval_s;
+    const double left =
+        (reading.time_s - *truth.time_s) / programme.stages.back().logging.interval_s;
     CHECK(left > lab::VirtualRig::kSafeReadings - 1);
     if (!by_load) continue;
     // Under load it ends on the stop.

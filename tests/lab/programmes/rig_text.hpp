@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
 
 namespace triax::lab::test {

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
 
 using namespace triax::lab;

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "tests/lab/programmes/rig_text.hpp"
 
 using namespace triax::lab;

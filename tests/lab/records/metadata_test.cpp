@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "lab/records/truth_toml.hpp"
 
 using namespace triax::lab;

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <random>
 
-#include "lab/records/bad_input.hpp"
-#include "lab/records/toml_reader.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/toml_reader.hpp"
 #include "lab/rig/recorded.hpp"
 
 using namespace triax::lab;

@@ -1,6 +1,6 @@
 #pragma once
-#include "lab/records/reading.hpp"
-#include "lab/records/record_header.hpp"
+#include "lab/results/reading.hpp"
+#include "lab/results/record_header.hpp"
 
 namespace triax::lab::testing {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 #include "tests/lab/reduction/raw_record.hpp"
 
 using namespace triax::lab;

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "lab/records/bad_input.hpp"
+#include "lab/base/bad_input.hpp"
 
 using namespace triax::lab;
 using enum Quantity;

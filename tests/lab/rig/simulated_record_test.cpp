@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "lab/base/toml_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/record_writer.hpp"
-#include "lab/records/toml_reader.hpp"
 #include "lab/rig/recorded.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"

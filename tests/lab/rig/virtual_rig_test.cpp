@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/bad_input.hpp"
 #include "sim/point/point_driver.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
 

@@ -2,7 +2,7 @@
 // Grains in the place of a material point, made once each: 500 of them, dense and loose.
 #include <memory>
 
-#include "sim/grains/grain_law.hpp"
+#include "sim/grains/paths/grain_law.hpp"
 #include "tests/sim/grains/specimens.hpp"
 
 namespace triax::sim::test {

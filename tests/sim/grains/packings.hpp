@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "sim/grains/grain_bytes.hpp"
-#include "sim/grains/grain_state.hpp"
-#include "sim/grains/grains.hpp"
+#include "sim/grains/engine/grains.hpp"
+#include "sim/grains/state/grain_bytes.hpp"
+#include "sim/grains/state/grain_state.hpp"
 
 namespace triax::sim::test {
 

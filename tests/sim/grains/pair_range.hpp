@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "sim/grains/grain_state.hpp"
-#include "sim/grains/kernels.hpp"
+#include "sim/grains/engine/kernels.hpp"
+#include "sim/grains/state/grain_state.hpp"
 
 namespace triax::sim::test {
 

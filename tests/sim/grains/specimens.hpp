@@ -1,10 +1,10 @@
 #pragma once
 // Compacted specimens for tests, made once each.
-#include "sim/grains/assembly.hpp"
-#include "sim/grains/calming.hpp"
-#include "sim/grains/grading.hpp"
-#include "sim/grains/grains.hpp"
-#include "sim/grains/triaxial_axes.hpp"
+#include "sim/grains/engine/calming.hpp"
+#include "sim/grains/engine/grains.hpp"
+#include "sim/grains/specimens/assembly.hpp"
+#include "sim/grains/specimens/grading.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 
 namespace triax::sim::test {
 

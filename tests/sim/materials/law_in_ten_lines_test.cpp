@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "sim/materials/parameters.hpp"
+#include "sim/law/parameters.hpp"
 #include "sim/point/point_driver.hpp"
 
 namespace triax::sim {

@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "sim/materials/law.hpp"
-#include "sim/point/mixed_control.hpp"
+#include "sim/control/mixed_control.hpp"
+#include "sim/law/law.hpp"
 
 // Random states, increments and rotations for tests of properties.
 namespace triax::sim::test {

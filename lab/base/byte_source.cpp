@@ -1,0 +1,88 @@
+#include "lab/base/byte_source.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "lab/base/bad_input.hpp"
+
+namespace triax::lab {
+namespace {
+
+class FileSource : public ByteSource {
+ public:
+  explicit FileSource(const std::string& path) : name_(path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) cannot_open();
+    if (S_ISDIR(status.st_mode))
+      throw BadInput(path, 0, "this is a folder; give the file of one record");
+    if (!S_ISREG(status.st_mode))
+      throw BadInput(path, 0, "this is no regular file; a record is read from a file on disk");
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) cannot_open();
+    size_ = static_cast<std::uint64_t>(status.st_size);
+  }
+  ~FileSource() override {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+
+  const std::string& name() const override { return name_; }
+  std::uint64_t size() const override { return size_; }
+  std::size_t read(std::span<char> into) override {
+    ssize_t count = 0;
+    do {
+      count = ::read(descriptor_, into.data(), into.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) throw WorkFailed(name_ + ": cannot be read: " + std::strerror(errno));
+    return static_cast<std::size_t>(count);
+  }
+  void rewind() override { ::lseek(descriptor_, 0, SEEK_SET); }
+
+ private:
+  [[noreturn]] void cannot_open() const {
+    throw BadInput(name_, 0, std::string("cannot be opened: ") + std::strerror(errno));
+  }
+
+  std::string name_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+class MemorySource : public ByteSource {
+ public:
+  MemorySource(std::string name, std::string bytes)
+      : name_(std::move(name)), bytes_(std::move(bytes)) {}
+  const std::string& name() const override { return name_; }
+  std::uint64_t size() const override { return bytes_.size(); }
+  std::size_t read(std::span<char> into) override {
+    const auto count = std::min(into.size(), bytes_.size() - at_);
+    std::copy_n(bytes_.data() + at_, count, into.data());
+    at_ += count;
+    return count;
+  }
+  void rewind() override { at_ = 0; }
+
+ private:
+  std::string name_;
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<ByteSource> open_file(const std::string& path) {
+  return std::make_unique<FileSource>(path);
+}
+
+std::unique_ptr<ByteSource> open_memory(std::string name, std::string bytes) {
+  return std::make_unique<MemorySource>(std::move(name), std::move(bytes));
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,106 @@
+#pragma once
+// What is known about a test before its first reading: who made it, of what, in which stages.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/results/quantity.hpp"
+
+namespace triax::lab {
+
+enum class Origin { recorded, simulated };
+/// `hold`: nothing is asked of the specimen (safe state, operator's pause) and nothing is judged.
+enum class StageRole { unknown, saturation, b_check, consolidation, shear, hold };
+enum class Drainage { unknown, open, closed };
+/// What the programme prescribes on the axis: the control parameters in Nova's sense.
+/// `displacement` also stands for a strain path; `load` for any force (dead load, spring, constant
+/// stress ratio); `constant_q` holds q while p' changes (CSD, CSU).
+enum class AxialControl { unknown, displacement, load, constant_q };
+
+std::string_view to_string(Origin origin);
+std::string_view to_string(StageRole role);
+std::string_view to_string(Drainage drainage);
+std::string_view to_string(AxialControl control);
+std::optional<StageRole> stage_role_from(std::string_view text);
+std::optional<Drainage> drainage_from(std::string_view text);
+std::optional<AxialControl> axial_control_from(std::string_view text);
+
+struct StageInfo {
+  int number = 1;
+  std::string name;
+  StageRole role = StageRole::unknown;
+  Drainage drainage = Drainage::unknown;
+  AxialControl control = AxialControl::unknown;
+  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0 is prescribed, Eq. (28)
+};
+
+/// The specimen as built, SI; what the record does not say is empty, never guessed.
+struct SpecimenInfo {
+  std::optional<double> height_m;
+  std::optional<double> diameter_m;
+  std::optional<double> void_ratio;               ///< e0 as built, before consolidation
+  std::optional<double> consolidated_void_ratio;  ///< where the laboratory gives that one instead
+  std::optional<double> consolidated_height_m;    ///< at the start of shear, where typed in
+  std::optional<double> dry_mass_kg;
+  std::optional<double> specific_gravity;
+  std::optional<double> membrane_thickness_m;
+  std::optional<double> membrane_modulus_pa;
+  std::optional<double> limit_friction_angle_rad;  ///< of the Mohr-Coulomb limit surface
+  std::string material;
+};
+
+/// What a simulated specimen did when its load could not be carried any longer.
+struct RunAwayTruth {
+  double start_s = 0;                   ///< test time at which equilibrium was lost
+  double largest_kinetic_energy_j = 0;  ///< of the moving mass
+  double largest_at_s = 0;              ///< test time
+  // 2 E_c = −W2, Eq. (5), over the first resolved increment after the start
+  std::optional<double> kinetic_energy_j;  ///< that the specimen set free: above a perturbation's
+  std::optional<double> second_order_work_j;
+  /// Of E_c/(−W2/2) to third order: 1 past a peak, 2/3 from a limit point
+  /// (sim/specimen/run_away.hpp)
+  std::optional<double> expected_ratio;
+  std::optional<double> end_s;  ///< test time; empty: still running when the test ended
+  std::string end;              ///< "new equilibrium", "end of travel"; empty: still running
+};
+
+/// When and where a simulated specimen itself lost sustainability; no instrument sees this.
+struct Truth {
+  bool lost_sustainability = false;
+  std::optional<double> time_s;
+  std::optional<double> axial_strain;
+  std::optional<double> q_pa;
+  std::optional<double> p_eff_pa;
+  std::optional<double> pore_pressure_pa;
+  std::vector<RunAwayTruth> run_aways;
+};
+
+struct Warning {
+  std::int64_t line = 0;  ///< 0 where no line of a file is meant
+  std::string text;
+};
+
+/// A seed passes through TOML and SQL, whose whole numbers are signed.
+inline constexpr std::uint64_t kLargestSeed = 9223372036854775807U;
+
+struct RecordHeader {
+  std::string name;  ///< of the test; the file's stem if the record does not say
+  Origin origin = Origin::recorded;
+  std::string programme;  ///< "ICU", "CSD", "CSU", "CIU"...; empty if unknown
+  std::string source;     ///< file the record came from
+  std::string dialect;    ///< name of the dialect that read it; empty for a simulation
+  std::optional<std::uint64_t> seed;
+  SpecimenInfo specimen;
+  std::vector<StageInfo> stages;  ///< may be empty: everything is then one stage of unknown role
+  std::vector<Quantity> columns;  ///< what the readings hold
+  bool has_time = true;
+  std::vector<Warning> warnings;
+
+  bool has(Quantity column) const;
+  /// True where the raw channels suffice for our own reduction; else the record enters at State.
+  bool is_raw() const;
+  const StageInfo* stage(int number) const;
+};
+
+}  // namespace triax::lab

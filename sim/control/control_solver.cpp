@@ -1,0 +1,71 @@
+#include "sim/control/control_solver.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/control/interpolated_solver.hpp"
+#include "sim/control/stiffness_solver.hpp"
+
+namespace triax::sim {
+
+template <class Space>
+PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double modulus_pa)
+    : stress(c.stress), strain(c.strain), increment(c.increment) {
+  for (int row = 0; row < Space::kSize; ++row) {
+    const double size =
+        stress.row(row).cwiseAbs().maxCoeff() + strain.row(row).cwiseAbs().maxCoeff() / modulus_pa;
+    if (size <= 0) continue;
+    stress.row(row) /= size;
+    strain.row(row) /= size;
+    increment(row) /= size;
+  }
+  strain_driven = stress.isZero(0);
+  if (!strain_driven) return;
+  const Eigen::FullPivLU<Matrix<Space>> lu(strain);
+  determined = lu.isInvertible();
+  if (determined) strain_increment = lu.solve(increment);
+}
+
+template <class Space>
+Vector<Space> left_null_vector(const Matrix<Space>& m) {
+  Vector<Space> scale;
+  for (int row = 0; row < Space::kSize; ++row) scale(row) = 1 / std::max(m.row(row).norm(), 1e-300);
+  const Matrix<Space> scaled = scale.asDiagonal() * m;
+  const Eigen::SelfAdjointEigenSolver<Matrix<Space>> eigen(scaled * scaled.transpose());
+  return scale.cwiseProduct(eigen.eigenvectors().col(0));
+}
+
+template <class Space>
+int culprit_row(const Vector<Space>& weight, const Vector<Space>& increment) {
+  Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
+  // A row that asks for nothing can be held while another asks for something.
+  if (share.isZero(0)) share = increment.cwiseAbs();
+  if (share.isZero(0)) share = weight.cwiseAbs();
+  Eigen::Index row = 0;
+  share.maxCoeff(&row);
+  return static_cast<int>(row);
+}
+
+template <class Space>
+PointRate<Space> solve_control(const Response<Space>& response,
+                               const PreparedControl<Space>& control, const Branch& branch,
+                               const Vector<Space>& guess) {
+  if (const auto* form = std::get_if<StiffnessForm<Space>>(&response))
+    return solve_stiffness(*form, control, branch);
+  return solve_interpolated(std::get<InterpolatedForm<Space>>(response), control, guess);
+}
+
+template struct PreparedControl<Axisymmetric>;
+template struct PreparedControl<Tensor>;
+template Vector<Axisymmetric> left_null_vector<Axisymmetric>(const Matrix<Axisymmetric>&);
+template Vector<Tensor> left_null_vector<Tensor>(const Matrix<Tensor>&);
+template int culprit_row<Axisymmetric>(const Vector<Axisymmetric>&, const Vector<Axisymmetric>&);
+template int culprit_row<Tensor>(const Vector<Tensor>&, const Vector<Tensor>&);
+template PointRate<Axisymmetric> solve_control(const Response<Axisymmetric>&,
+                                               const PreparedControl<Axisymmetric>&, const Branch&,
+                                               const Vector<Axisymmetric>&);
+template PointRate<Tensor> solve_control(const Response<Tensor>&, const PreparedControl<Tensor>&,
+                                         const Branch&, const Vector<Tensor>&);
+
+}  // namespace triax::sim

@@ -1,0 +1,12 @@
+#pragma once
+#include "sim/control/control_solver.hpp"
+
+namespace triax::sim {
+
+/// solve_control for the interpolated form; equations in control_solver.hpp.
+template <class Space>
+PointRate<Space> solve_interpolated(const InterpolatedForm<Space>& form,
+                                    const PreparedControl<Space>& control,
+                                    const Vector<Space>& guess);
+
+}  // namespace triax::sim

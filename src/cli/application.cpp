@@ -1,0 +1,41 @@
+#include "src/cli/application.hpp"
+
+#include <CLI/Config.hpp>
+
+namespace triax::src {
+namespace {
+
+std::string help_footer(const Command& command) {
+  std::string text = "\nExamples:\n";
+  for (const auto& example : command.examples)
+    text += "  " + example.line + "\n      " + example.purpose + "\n";
+  return text;
+}
+
+}  // namespace
+
+Application make_application(const std::vector<Command>& commands) {
+  Application application{
+      std::make_unique<CLI::App>(
+          "triax: a laboratory for triaxial tests. It says when, why and at what "
+          "stress ratio a specimen lost sustainability.",
+          "triax"),
+      std::make_shared<std::function<void()>>()};
+  CLI::App& app = *application.app;
+  app.set_help_flag("--help,-h", "print this help and exit");
+  app.set_version_flag("--version", "triax " TRIAX_VERSION, "print the version and exit");
+  app.get_formatter()->column_width(34);
+  app.footer(
+      "\nExit status: 0 done, 1 failed while working, 2 wrong usage or bad input.\n"
+      "triax COMMAND --help and man triax-COMMAND tell more.");
+  for (const auto& command : commands) {
+    CLI::App* sub = app.add_subcommand(command.name, command.purpose);
+    sub->footer(help_footer(command));
+    const auto run = command.set_up(*sub);
+    sub->callback([slot = application.run, run] { *slot = run; });
+  }
+  app.require_subcommand(0, 1);
+  return application;
+}
+
+}  // namespace triax::src

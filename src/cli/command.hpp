@@ -1,0 +1,27 @@
+#pragma once
+// What a command says of itself: the one source of --help, man page and shell completion.
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace triax::src {
+
+struct Example {
+  std::string line;     ///< as typed, without the prompt
+  std::string purpose;  ///< what it does, a half sentence
+};
+
+struct Command {
+  std::string name;
+  std::string purpose;                   ///< one line
+  std::vector<std::string> description;  ///< paragraphs
+  std::vector<Example> diagnostics;      ///< a message (or its beginning) and the remedy
+  std::vector<Example> examples;
+  /// Adds the options to the sub-command and gives what is to be run once they are parsed. Touches
+  /// no file. What is run throws lab::BadInput (status 2) or anything else (status 1).
+  std::function<std::function<void()>(CLI::App&)> set_up;
+};
+
+}  // namespace triax::src

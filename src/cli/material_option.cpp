@@ -1,0 +1,57 @@
+#include "src/cli/material_option.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/toml_reader.hpp"
+#include "lab/paths/path_reader.hpp"
+#include "src/cli/shared_options.hpp"
+
+namespace triax::src {
+
+void add_material(CLI::App& app, MaterialOptions& options) {
+  app.add_option("--material", options.name, "parameter set; triax materials lists them")
+      ->type_name("LAW/SET");
+  app.add_option("--materials", options.file,
+                 "take the set from this file (also one of a UMAT) instead of the shipped ones")
+      ->type_name("FILE.toml");
+  app.add_option("--set", options.sets,
+                 "a parameter of the law instead of the set's; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--void-ratio", options.void_ratio, "void ratio of the states")->type_name("E");
+}
+
+lab::MaterialSet chosen_material(const MaterialOptions& options) {
+  if (options.name.empty())
+    throw lab::BadInput(
+        "--material LAW/SET is missing, as in --material inl2/S28-general; triax materials lists "
+        "the sets");
+  lab::MaterialSet material =
+      options.file.empty()
+          ? lab::find_material(options.name)
+          : lab::find_material(
+                options.name, lab::read_materials(lab::read_text_file(options.file), options.file));
+  for (const auto& [key, value] : key_values(options.sets, "hardening_factor=2"))
+    material = lab::with_parameter(material, key, value);
+  return material;
+}
+
+double chosen_void_ratio(const MaterialOptions& options, const lab::MaterialSet& material) {
+  if (!options.void_ratio) {
+    const auto& range = material.void_ratio_range;
+    throw lab::BadInput(
+        "--void-ratio E is missing" +
+        (range ? fmt::format("; {} is for {:g} to {:g}", material.name, range->low, range->high)
+               : std::string()));
+  }
+  const double e = *options.void_ratio;
+  if (!(e >= lab::kSmallestVoidRatio && e <= lab::kLargestVoidRatio))
+    throw lab::BadInput(fmt::format("--void-ratio {:g}: must be a number, {:g} to {:g}", e,
+                                    lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
+  return e;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,74 @@
+#include "src/cli/output_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/whole_file.hpp"
+
+namespace triax::src {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code missing;
+  if (fs::equivalent(a, b, missing) && !missing) return true;
+  const auto place = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(lab::behind_links(path)), missing);
+  };
+  return place(a) == place(b);
+}
+
+}  // namespace
+
+std::vector<std::string> database_files(const std::string& db) {
+  std::vector<std::string> files;
+  for (const auto& name : {db, lab::behind_links(db)})
+    for (const char* ending : {"", "-wal", "-shm", "-journal"}) files.push_back(name + ending);
+  return files;
+}
+
+void refuse_overwriting(const std::string& option, const std::string& output,
+                        const std::vector<std::string>& kept, const std::string& what) {
+  if (output.empty() || output == "-") return;
+  for (const auto& file : kept)
+    if (same_file(output, file))
+      throw lab::BadInput(
+          fmt::format("{} {}: this is {} ({}) and would be overwritten; name another file", option,
+                      output, what, file));
+}
+
+std::vector<std::string> files_of_prefix(const std::string& prefix,
+                                         const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const auto& name : names)
+    for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
+      files.push_back(prefix + name + ending);
+  return files;
+}
+
+void check_targets(const std::string& option, const std::string& output,
+                   const std::vector<std::string>& targets) {
+  const auto refuse = [&](const std::string& why) {
+    throw lab::BadInput(fmt::format("{} {}: {}", option, output, why));
+  };
+  if (output.empty() || output == "-") return;
+  if (output.back() == '/') refuse("ends in '/'; a name in that folder is wanted");
+  for (const auto& target : targets) {
+    std::error_code none;
+    const fs::path file = lab::behind_links(target);
+    const auto kind = fs::status(file, none).type();
+    if (kind == fs::file_type::directory) refuse(fmt::format("{} is a folder", target));
+    if (kind == fs::file_type::character || kind == fs::file_type::fifo) continue;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (::access((folder / "").c_str(), W_OK | X_OK) != 0)
+      throw lab::WorkFailed(fmt::format("{}: cannot be written: {}", target, std::strerror(errno)));
+  }
+}
+
+}  // namespace triax::src

@@ -1,0 +1,22 @@
+#include "src/commands.hpp"
+
+#include "src/domain/domain.hpp"
+#include "src/element/element.hpp"
+#include "src/element/materials.hpp"
+#include "src/grains/grains.hpp"
+#include "src/probe/probe.hpp"
+#include "src/triaxial/query.hpp"
+#include "src/triaxial/replay.hpp"
+#include "src/triaxial/report.hpp"
+#include "src/triaxial/simulate.hpp"
+
+namespace triax::src {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all = {
+      simulate_command(),  replay_command(), report_command(), query_command(), element_command(),
+      materials_command(), probe_command(),  domain_command(), grains_command()};
+  return all;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,178 @@
+#include "src/domain/domain_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
+#include "sim/stability/domain_criteria.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/study/domain/domain_piece.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Line {
+  double from = 0, to = 0;
+  int count = 200;
+};
+
+template <class Number>
+bool read(std::string_view text, Number& value) {
+  const auto number = lab::whole_text_as<Number>(text);
+  value = number.value_or(value);
+  return number.has_value();
+}
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = text.find(at); end != text.npos; end = text.find(at)) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+/// FROM:TO or FROM:TO:COUNT; `usual` where nothing is given.
+Line line(const char* option, const std::string& text, const Line& usual) {
+  if (text.empty()) return usual;
+  const auto parts = split(text, ':');
+  Line found = usual;
+  const bool good = (parts.size() == 2 || parts.size() == 3) && read(parts[0], found.from) &&
+                    read(parts[1], found.to) &&
+                    (parts.size() == 2 || read(parts[2], found.count)) &&
+                    std::isfinite(found.from) && std::isfinite(found.to);
+  if (!good)
+    throw lab::BadInput(fmt::format("{} {}: FROM:TO:COUNT is wanted, as in 10:300:200", option,
+                                    lab::excerpt(text)));
+  return found;
+}
+
+/// What the set is for, within the stresses of the triaxial tests that are usual.
+Line usual_p(const lab::MaterialSet& material) {
+  Line p{10, 300, 200};
+  if (!material.p_eff_range_kPa) return p;
+  const auto [low, high] = *material.p_eff_range_kPa;
+  p.from = std::max(p.from, low);
+  if (high > p.from) p.to = std::min(p.to, high);
+  return p;
+}
+
+/// From isotropic stress to the critical stress ratio at the highest p′.
+Line usual_q(const lab::MaterialSet& material, const Line& p) {
+  const auto* law = material.material.axisymmetric.get();
+  const double ratio = (law != nullptr ? law->limit_stress_ratio() : std::nullopt).value_or(1.5);
+  return {0, 10 * std::ceil(ratio * p.to / 10), 200};
+}
+
+void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
+  const bool axisymmetric = o.plane == "axisymmetric";
+  const auto& law = material.material;
+  const std::string why = law.no_tensor.empty() ? "" : ", " + law.no_tensor;
+  if (axisymmetric ? law.axisymmetric == nullptr : law.tensor == nullptr)
+    throw lab::BadInput(fmt::format("--plane {}: {} has no form for it{}", o.plane, material.name,
+                                    axisymmetric ? "" : why));
+}
+
+std::string no_tangents(const lab::MaterialSet& material) {
+  const auto& law = material.material;
+  if (law.tensor != nullptr)
+    return fmt::format(
+        "--localisation: {} is a law of finite increments, without the tangents "
+        "that it needs",
+        material.name);
+  return fmt::format("--localisation needs the full tensor, and {} has no form for it{}",
+                     material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
+}
+
+}  // namespace
+
+void add_domain_options(CLI::App& app, DomainOptions& o) {
+  add_material(app, o.material);
+  app.add_option("--p-kPa", o.p, "mean effective stresses [10:300:200 within the set's range]")
+      ->type_name("FROM:TO:COUNT");
+  app.add_option("--q-kPa", o.q,
+                 "deviator stresses, below 0 in extension [0 to M times the highest p', 200]")
+      ->type_name("FROM:TO:COUNT");
+  app.add_option("--plane", o.plane, "plane of the stress increments [axisymmetric]")
+      ->check(CLI::IsMember({"axisymmetric", "plane-strain"}).description(""))
+      ->type_name("axisymmetric|plane-strain");
+  app.add_option("--directions", o.directions, "directions at each state")
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_flag("--localisation", o.localisation,
+               "look for vanishing acoustic tensors (Rice) too, which takes ten times as long");
+  app.add_option("--threads", o.threads,
+                 "number of threads; the result does not depend on it [all cores]")
+      ->check(CLI::Range(1, 4096).description(""))
+      ->type_name("N");
+  app.add_option("--piece", o.piece,
+                 "compute every N-th column from the I-th on only, and "
+                 "write them to the file --output")
+      ->type_name("I/N");
+  app.add_option("--merge", o.merge, "put these pieces together instead of computing")
+      ->type_name("FILE...");
+  app.add_option("--output", o.output,
+                 "write PREFIX.csv (states), PREFIX_boundaries.csv, PREFIX.json, the map as "
+                 "PREFIX.svg, .png and .pdf, and the cones at some states as PREFIX_cones_pq and "
+                 "PREFIX_cones_rendulic; with --piece the file of the piece")
+      ->type_name("PREFIX");
+  app.add_option("--test", o.tests,
+                 "put the measured increment of this test at its collapse on the figures of "
+                 "cones; may be repeated")
+      ->type_name("TEST")
+      ->allow_extra_args(false);
+  add_db(app, o.db);
+  add_json(app, o.json);
+}
+
+void check_domain_options(const CLI::App& app, const DomainOptions& o) {
+  static constexpr std::array<std::string_view, 5> kWithMerge = {"--merge", "--output", "--test",
+                                                                 "--db", "--json"};
+  if (!o.merge.empty())
+    for (const CLI::Option* option : app.get_options())
+      if (option->count() > 0 &&
+          std::ranges::find(kWithMerge, option->get_name()) == kWithMerge.end())
+        throw lab::BadInput(
+            fmt::format("{} and --merge: the pieces were computed with options of their own, "
+                        "nothing is computed here",
+                        option->get_name()));
+  if (!o.piece.empty() && o.output.empty())
+    throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
+  if (!o.piece.empty() && o.json)
+    throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
+  if (!o.tests.empty() && (o.output.empty() || !o.piece.empty() || o.plane != "axisymmetric"))
+    throw lab::BadInput(
+        "--test is for the figures of cones: it needs --output, the "
+        "axisymmetric plane and no --piece");
+}
+
+study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {
+  const Line p = line("--p-kPa", o.p, usual_p(material));
+  const Line q = line("--q-kPa", o.q, usual_q(material, p));
+  study::DomainSettings::Grid grid{.p_from_kPa = p.from,
+                                   .p_to_kPa = p.to,
+                                   .q_from_kPa = q.from,
+                                   .q_to_kPa = q.to,
+                                   .columns = p.count,
+                                   .rows = q.count,
+                                   .void_ratio = chosen_void_ratio(o.material, material),
+                                   .plane = o.plane,
+                                   .directions = o.directions,
+                                   .localisation = o.localisation};
+  study::check_grid(grid, "the grid");
+  check_law(o, material);
+  const auto criteria =
+      sim::domain_criteria(material.material, study::domain_grid(grid), grid.localisation);
+  grid.determinant = static_cast<bool>(criteria.determinant);
+  if (grid.localisation && !criteria.localisation) throw lab::BadInput(no_tangents(material));
+  return grid;
+}
+
+}  // namespace triax::src

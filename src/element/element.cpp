@@ -1,0 +1,133 @@
+#include "src/element/element.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/paths/incremental_driver_reader.hpp"
+#include "lab/paths/path_reader.hpp"
+#include "lab/paths/path_writer.hpp"
+#include "sim/point/path_runner.hpp"
+#include "src/cli/output_guard.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/element/path_report.hpp"
+#include "src/output/output.hpp"
+#include "src/output/progress_bar.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Options {
+  std::string path;
+  std::vector<std::string> sets;
+  std::string csv;
+  std::string save_failure;
+  bool json = false;
+};
+
+lab::PathDescription described(const Options& o) {
+  auto settings = key_values(o.sets, "void_ratio=1.086");
+  lab::PathDescription description = lab::is_incremental_driver(o.path)
+                                         ? lab::describe_incremental_driver(o.path, settings)
+                                         : lab::load_path(o.path);
+  // The material first: parameters are changed in the one that is meant.
+  std::stable_partition(settings.begin(), settings.end(),
+                        [](const auto& one) { return one.first == "material"; });
+  for (const auto& [key, value] : settings) lab::change_setting(description, key, value);
+  lab::check_start(description);
+  return description;
+}
+
+template <class Space>
+ReportedPath run_in(const Options& o, const lab::PathDescription& description,
+                    const sim::Path<Space>& path) {
+  ProgressBar bar(description.name);
+  const auto result = sim::run_path(
+      *description.material.material.law<Space>(), path,
+      {.tolerance = {.relative = description.tolerance}, .progress = [&bar](double share) {
+         bar.show(share);
+         return true;
+       }});
+  ReportedPath report = reported_path(description, result);
+  if (result.failed && !o.save_failure.empty())
+    write_file(o.save_failure,
+               lab::failed_increment_toml(description, *result.failed, report.message));
+  return report;
+}
+
+void run(const Options& o) {
+  const lab::PathDescription description = described(o);
+  refuse_overwriting("--csv", o.csv, description.files, "what the path is read from");
+  refuse_overwriting("--save-failure", o.save_failure, description.files,
+                     "what the path is read from");
+  if (!o.save_failure.empty() && description.material_name.empty())
+    throw lab::BadInput(
+        "--save-failure: the material of incrementalDriver files has no name that a path file "
+        "could "
+        "give");
+  if (!o.csv.empty())
+    refuse_overwriting("--save-failure", o.save_failure, {o.csv}, "the rows of --csv");
+  const ReportedPath report =
+      std::visit([&](const auto& path) { return run_in(o, description, path); }, description.path);
+  if (!o.csv.empty()) write_file(o.csv, path_csv(report));
+  print(o.json ? path_json(report) : path_text(report));
+  if (!report.went_to_the_end()) throw lab::WorkFailed(report.message);
+}
+
+}  // namespace
+
+Command element_command() {
+  return {
+      .name = "element",
+      .purpose = "take one material point along a path, without apparatus",
+      .description =
+          {"PATH is a TOML file: a material, a start, and segments of conditions on stress and "
+           "strain increments, any six of them (two in axisymmetry): drained, undrained, constant "
+           "p', constant q, proportional strain, free combinations. Integration is "
+           "error-controlled; zero of the second-order work, peaks, end conditions and the limit "
+           "of control are isolated within the step.",
+           "Beyond the limit load the run stops, says which condition cannot be held any longer "
+           "and where, and ends with status 1 after it has printed its results. --save-failure "
+           "writes the increment that could not be done as a path of its own.",
+           "PATH may also be a folder with test.inp, parameters.inp and initialconditions.inp of "
+           "Niemunis' incrementalDriver, or the test.inp (of any name that ends in .inp) in it; "
+           "--set umat=libNAME.so names the library with its UMAT."},
+      .diagnostics =
+          {{"control of q_kPa is lost ...",
+            "the material carries no more: ask for less, or control a strain in its place"},
+           {"... refuses it: ...", "the start lies outside what the law can describe"},
+           {"undrained needs one condition on a total stress",
+            "the pore pressure would be open: add radial_stress_kPa = 0, say"}},
+      .examples = {{"triax element samples/paths/icu_100.toml --set void_ratio=1.05 --json",
+                    "undrained compression of a denser specimen"},
+                   {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
+                    "a load that cannot be carried: status 1, and the step as a file"},
+                   {"triax element FOLDER/test.inp",
+                    "files of incrementalDriver; the folder alone says the same"},
+                   {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
+                    "the same with their UMAT, built as a shared library"},
+                   {"triax element path.toml --set material=sanisand/Toyoura-DM04 --csv rows.csv",
+                    "another material, and all rows for a spreadsheet"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<Options>();
+        app.add_option("PATH", o->path,
+                       "path file (.toml), folder of incrementalDriver files, or its test.inp")
+            ->required()
+            ->type_name("");
+        app.add_option("--set", o->sets,
+                       "material, void_ratio, p_eff_kPa, tolerance or a parameter of the law "
+                       "instead of the file's; may be repeated")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        app.add_option("--csv", o->csv, "also write all rows")->type_name("OUT.csv");
+        app.add_option("--save-failure", o->save_failure,
+                       "write an increment that could not be done as a path of its own")
+            ->type_name("FILE.toml");
+        add_json(app, o->json);
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,205 @@
+#include "src/grains/grain_data.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "sim/mechanics/axisymmetric.hpp"
+#include "src/study/grains/grain_path_findings.hpp"
+#include "src/study/grains/grain_rose_findings.hpp"
+
+namespace triax::src {
+namespace {
+
+using Row = std::vector<std::optional<double>>;
+
+FigureData titled(const study::GrainReport& report, const std::string& what,
+                  const std::vector<const study::ReportedGrainStage*>& stages) {
+  FigureData data;
+  data.title = fmt::format("{}, {}", what, report.about());
+  data.origin = "simulated";
+  if (!report.source.empty()) data.remarks.push_back("programme: " + report.source);
+  for (const auto* stage : stages)
+    data.remarks.push_back(fmt::format("stage {}: {}, {} from {}", stage - report.stages.data() + 1,
+                                       stage->name, stage->action,
+                                       stage->from.empty() ? "the specimen as made" : stage->from));
+  return data;
+}
+
+double number_of(const study::GrainReport& report, const study::ReportedGrainStage& stage) {
+  return static_cast<double>(&stage - report.stages.data() + 1);
+}
+
+const std::vector<DataColumn> kPathColumns = {{"stage", ""},
+                                              {"time_s", "s"},
+                                              {"axial_strain", ""},
+                                              {"radial_strain", ""},
+                                              {"volumetric_strain", ""},
+                                              {"axial_stress_kPa", "kPa"},
+                                              {"radial_stress_kPa", "kPa"},
+                                              {"p_kPa", "kPa"},
+                                              {"q_kPa", "kPa"},
+                                              {"eta", ""},
+                                              {"R", ""},
+                                              {"path_stress_kPa", "kPa"},
+                                              {"w2_J_per_m3", "J/m³"},
+                                              {"porosity", ""},
+                                              {"coordination", ""},
+                                              {"sliding_share", ""},
+                                              {"kinetic_energy_J", "J"},
+                                              {"unbalanced", ""}};
+
+void add_points(FigureData& data, double stage, const study::ReportedGrainPath& path) {
+  const sim::GrainPathPoint* before = nullptr;
+  for (const auto& at : path.points) {
+    const auto work =
+        before ? std::optional(study::second_order_work(*before, at, path.path.ratio)) : std::nullopt;
+    data.rows.push_back({stage, at.time_s, at.strain.axial, at.strain.radial, at.volumetric_strain,
+                         at.stress.axial / 1e3, at.stress.radial / 1e3, at.p_pa / 1e3,
+                         at.q_pa / 1e3,
+                         at.p_pa > 0 ? std::optional(at.stress_ratio()) : std::nullopt,
+                         path.path.ratio, at.path_stress_pa / 1e3, work, at.porosity,
+                         at.coordination, at.sliding_share, at.kinetic_energy_j, at.unbalanced});
+    before = &at;
+  }
+}
+
+const std::vector<DataColumn> kProbeColumns = {{"alpha_deg", "°"},
+                                               {"norm_kPa", "kPa"},
+                                               {"axial_stress_increment_kPa", "kPa"},
+                                               {"radial_stress_increment_kPa", "kPa"},
+                                               {"axial_strain_increment", ""},
+                                               {"radial_strain_increment", ""},
+                                               {"w2_lagrangian_J_per_m3", "J/m³"},
+                                               {"w2_eulerian_J_per_m3", "J/m³"},
+                                               {"w2_stress_part_J_per_m3", "J/m³"},
+                                               {"w2_volume_part_J_per_m3", "J/m³"},
+                                               {"w2_transport_part_J_per_m3", "J/m³"},
+                                               {"w2_microscopic_J_per_m3", "J/m³"},
+                                               {"w2_normal_part_J_per_m3", "J/m³"},
+                                               {"w2_tangential_part_J_per_m3", "J/m³"},
+                                               {"w2_non_permanent_part_J_per_m3", "J/m³"},
+                                               {"w2_fixed_frame_J_per_m3", "J/m³"},
+                                               {"boundary_part_J_per_m3", "J/m³"},
+                                               {"micro_over_macro", ""},
+                                               {"w2_normalised", ""},
+                                               {"sliding_share", ""},
+                                               {"non_permanent_share", ""},
+                                               {"kinetic_energy_J", "J"},
+                                               {"settled", ""},
+                                               {"steps", ""},
+                                               {"unbalanced", ""},
+                                               {"stress_error_Pa", "Pa"}};
+
+Row probe_row(const sim::GrainProbe& p, std::optional<double> angle) {
+  const bool null_probe = !angle;
+  Row row = {angle, p.norm_pa / 1e3};
+  if (!p.stopped) {
+    const auto& w = p.work;
+    row.insert(row.end(), {p.stress.axial / 1e3,
+                           p.stress.radial / 1e3,
+                           p.strain.axial,
+                           p.strain.radial,
+                           w.lagrangian,
+                           w.eulerian(),
+                           w.stress_part,
+                           w.volume_part,
+                           w.transport_part,
+                           w.microscopic(),
+                           w.normal_part,
+                           w.tangential_part,
+                           w.non_permanent_part,
+                           w.fixed_frame,
+                           w.boundary_part,
+                           null_probe ? std::nullopt : study::micro_over_macro(p),
+                           null_probe ? std::nullopt : std::optional(w.normalised),
+                           p.sliding_share,
+                           w.non_permanent_share(),
+                           p.most_kinetic_j,
+                           p.settled ? 1.0 : 0.0,
+                           static_cast<double>(p.steps),
+                           p.unbalanced,
+                           p.stress_error_pa});
+  }
+  row.resize(kProbeColumns.size());
+  return row;
+}
+
+struct Csv {
+  const study::GrainReport& report;
+  const study::ReportedGrainStage& stage;
+
+  std::optional<NamedBytes> operator()(const study::ReportedGrainPath& /*came*/) const {
+    return named("_points.csv", paths_data(report, {&stage}));
+  }
+  std::optional<NamedBytes> operator()(const study::ReportedGrainRest& /*came*/) const {
+    return {};
+  }
+  std::optional<NamedBytes> operator()(const study::ReportedGrainRose& /*came*/) const {
+    return named("_probes.csv", rose_data(report, stage));
+  }
+  std::optional<NamedBytes> operator()(const study::ReportedPerturbation& /*came*/) const {
+    return named("_points.csv", perturbations_data(report, {&stage}));
+  }
+
+ private:
+  NamedBytes named(const char* ending, const FigureData& data) const {
+    return {'_' + lab::in_file_name(stage.name) + ending, to_csv(data)};
+  }
+};
+
+}  // namespace
+
+FigureData paths_data(const study::GrainReport& report,
+                      const std::vector<const study::ReportedGrainStage*>& stages) {
+  FigureData data = titled(report, "paths of a specimen of grains", stages);
+  data.columns = kPathColumns;
+  data.remarks.emplace_back("w2: of the increment from the point before, Eq. (30)");
+  for (const auto* stage : stages)
+    add_points(data, number_of(report, *stage), std::get<study::ReportedGrainPath>(stage->came));
+  return data;
+}
+
+FigureData rose_data(const study::GrainReport& report, const study::ReportedGrainStage& stage) {
+  FigureData data = titled(report, "stress probes of a specimen of grains", {&stage});
+  const auto& [probing, made] = std::get<study::ReportedGrainRose>(stage.came);
+  data.columns = kProbeColumns;
+  data.remarks.push_back(fmt::format("state: axial stress {} kPa, radial stress {} kPa",
+                                     made.stress.axial / 1e3, made.stress.radial / 1e3));
+  data.remarks.emplace_back("the row without an angle is the null probe");
+  for (std::size_t i = 0; i < made.rose.probes.size(); ++i)
+    data.rows.push_back(probe_row(made.rose.probes[i], sim::degrees(made.angles[i])));
+  data.rows.push_back(probe_row(made.rose.null_probe, {}));
+  return data;
+}
+
+FigureData perturbations_data(const study::GrainReport& report,
+                              const std::vector<const study::ReportedGrainStage*>& stages) {
+  FigureData data = titled(report, "perturbations of a specimen of grains", stages);
+  data.columns = {{"stage", ""},
+                  {"time_s", "s"},
+                  {"R", ""},
+                  {"path_stress_kPa", "kPa"},
+                  {"chi", ""},
+                  {"p_kPa", "kPa"},
+                  {"axial_strain", ""},
+                  {"kinetic_energy_J", "J"},
+                  {"unbalanced", ""}};
+  for (const auto* stage : stages) {
+    const auto& came = std::get<study::ReportedPerturbation>(stage->came);
+    for (const auto& at : came.points)
+      data.rows.push_back({number_of(report, *stage), at.time_s, came.how.ratio,
+                           at.path_stress_pa / 1e3, at.stress_share, at.p_pa / 1e3, at.axial_strain,
+                           at.kinetic_energy_j, at.unbalanced});
+  }
+  return data;
+}
+
+std::vector<NamedBytes> grain_csvs(const study::GrainReport& report) {
+  std::vector<NamedBytes> all;
+  for (const auto& stage : report.stages)
+    if (auto one = std::visit(Csv{report, stage}, stage.came)) all.push_back(std::move(*one));
+  return all;
+}
+
+}  // namespace triax::src

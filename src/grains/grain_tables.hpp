@@ -1,0 +1,37 @@
+#pragma once
+// The tables of a report of grains, with units in their headings; what is unknown reads "–".
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/output/table.hpp"
+#include "src/study/grains/grain_report.hpp"
+
+namespace triax::src {
+
+/// A row each stage: what it was, from where, what came of it.
+Table stages_table(const study::GrainReport& report);
+/// A row each path, of each strain path, of each mark, of each rest, of each perturbation.
+Table paths_table(const study::GrainReport& report);
+Table strain_paths_table(const study::GrainReport& report);
+Table marks_table(const study::GrainReport& report);
+Table rests_table(const study::GrainReport& report);
+Table perturbations_table(const study::GrainReport& report);
+/// What their columns mean, a sentence each.
+std::vector<std::string> paths_notes();
+std::vector<std::string> strain_paths_notes();
+std::vector<std::string> perturbations_notes();
+
+/// A row each probe, the null probe last.
+struct RoseTables {
+  Table responses;  ///< strains, sliding and non-permanent contacts, kinetic energy
+  Table work;       ///< second-order work in all its forms
+};
+RoseTables rose_tables(const study::ReportedGrainRose& rose);
+/// Label and words: what the probes show together.
+std::vector<std::pair<std::string, std::string>> rose_facts(const study::ReportedGrainRose& rose);
+
+/// What came of a stage, in a few words.
+std::string came_to(const study::ReportedGrainStage& stage);
+
+}  // namespace triax::src

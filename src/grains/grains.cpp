@@ -1,0 +1,225 @@
+#include "src/grains/grains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "db/grain_recorder.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/grains/grain_programme_reader.hpp"
+#include "src/cli/interruption.hpp"
+#include "src/cli/output_guard.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/grains/grain_data.hpp"
+#include "src/grains/grain_figures.hpp"
+#include "src/grains/grain_json.hpp"
+#include "src/grains/grain_outputs.hpp"
+#include "src/grains/grain_pieces.hpp"
+#include "src/grains/grain_text.hpp"
+#include "src/output/output.hpp"
+#include "src/output/task_progress.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Options {
+  std::string programme;
+  std::vector<std::string> sets;
+  std::string piece;
+  std::vector<std::string> merge;
+  std::string db = "triax.db";
+  std::string output;
+  int threads = 0;
+  bool json = false;
+
+  int chosen_threads() const {
+    return threads > 0 ? threads
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  }
+};
+
+lab::GrainProgramme programme_of(const Options& o) {
+  std::vector<lab::TomlEdit> edits;
+  for (const auto& [key, value] : key_values(o.sets, "--set specimen.seed=7"))
+    edits.push_back({key, value});
+  return lab::load_grain_programme(o.programme, edits);
+}
+
+void check_piece(const Options& o) {
+  if (o.output.empty())
+    throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
+  if (o.json)
+    throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
+  if (!o.merge.empty()) throw lab::BadInput("--piece beside --merge: first all pieces, then merge");
+}
+
+void check_output(const Options& o, const lab::GrainProgramme& programme,
+                  std::vector<std::string> files) {
+  refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
+  if (o.output.empty()) return;
+  files.push_back(o.piece.empty() ? o.output + ".json" : o.output);
+  check_targets("--output", o.output, files);
+  for (const auto& file : files) {
+    refuse_overwriting("--output", file, programme.files, "what the programme is read from");
+    refuse_overwriting("--output", file, o.merge, "a piece of --merge");
+    refuse_overwriting("--output", file, database_files(o.db), "the database");
+  }
+}
+
+void tell(const Options& o, const study::GrainReport& report) {
+  if (!o.output.empty()) {
+    write_file(o.output + ".json", grain_json(report));
+    for (const NamedBytes& csv : grain_csvs(report)) write_file(o.output + csv.suffix, csv.bytes);
+    for (const NamedFigure& figure : grain_figures(report)) write_named_figure(figure, o.output);
+  }
+  print(o.json ? grain_json(report) : grain_text(report));
+}
+
+constexpr const char* kStopped = "stopped by the operator; the stages that had ended are stored";
+
+/// All stages, told as they end. False: it was stopped.
+bool run_stages(const Options& o, const lab::GrainProgramme& programme, GrainOutputs& outputs,
+                db::GrainRecorder& recorder, study::GrainReport& report) {
+  const Interruption interruption;
+  TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
+  progress.next("specimen");
+  lab::GrainListener listener;
+  listener.made = [&](const lab::GrainsMade& made) {
+    recorder.made(made);
+    add(report, made);
+  };
+  listener.begins = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
+    progress.next(stage.name);
+    outputs.begins(stage, state);
+  };
+  listener.point = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                       const sim::GrainPathPoint& point) {
+    outputs.point(stage, state, point.time_s);
+  };
+  listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                      const lab::GrainStageResult& result) {
+    recorder.ended(result);
+    add(report, result);
+    outputs.ends(stage, state);
+  };
+  listener.progress = [&](double share, const std::string& what) {
+    progress.show(share, what);
+    return !interruption.requested();
+  };
+  return lab::run_grains(programme, o.chosen_threads(), listener);
+}
+
+void run_piece(const Options& o, const lab::GrainProgramme& programme) {
+  check_piece(o);
+  check_output(o, programme, {});
+  const Piece piece = piece_of(o.piece);
+  const Interruption interruption;
+  TaskProgress progress(1);
+  progress.next("piece " + o.piece);
+  const auto show = [&](double share, const std::string& what) {
+    progress.show(share, what);
+    return !interruption.requested();
+  };
+  if (!compute_grain_piece(programme, piece, o.chosen_threads(), o.output, show))
+    throw lab::WorkFailed("stopped by the operator; nothing is written");
+}
+
+void run_merge(const Options& o, const lab::GrainProgramme& programme) {
+  stage_for_pieces(programme);
+  check_output(o, programme, {});
+  const lab::GrainsMade made = specimen_alone(programme, o.chosen_threads());
+  const lab::GrainStageResult result = merge_grain_pieces(programme, made, o.merge);
+  db::GrainRecorder recorder(o.db, programme);
+  study::GrainReport report = study::grain_report(programme);
+  recorder.made(made);
+  add(report, made);
+  recorder.ended(result);
+  add(report, result);
+  recorder.finish();
+  tell(o, report);
+}
+
+void run(const Options& o) {
+  const lab::GrainProgramme programme = programme_of(o);
+  if (!o.piece.empty()) return run_piece(o, programme);
+  if (!o.merge.empty()) return run_merge(o, programme);
+  GrainOutputs outputs(programme, o.output);
+  check_output(o, programme, outputs.files());
+  db::GrainRecorder recorder(o.db, programme);
+  study::GrainReport report = study::grain_report(programme);
+  const bool whole = run_stages(o, programme, outputs, recorder, report);
+  if (whole) recorder.finish();
+  if (report.specimen) tell(o, report);
+  if (!whole)
+    throw lab::WorkFailed(report.specimen ? kStopped
+                                          : "stopped by the operator before there was a specimen");
+}
+
+}  // namespace
+
+Command grains_command() {
+  return {
+      .name = "grains",
+      .purpose = "run a programme on a specimen of grains, a discrete element model",
+      .description =
+          {"A specimen of spheres in a box of six frictionless walls is made (a cloud compressed "
+           "with the friction that gives the density wanted) or loaded, and taken through stages: "
+           "isotropic, drained and undrained compression or extension, proportional strain paths, "
+           "rest, stress probes in all directions with the second-order work of walls and "
+           "contacts, and perturbations of an equilibrium. The contacts are those of section 5 of "
+           "Darve, Sibille, Daouadji and Nicot (2007): linear stiffness, Coulomb friction, no "
+           "tension.",
+           "Each stage starts from the one before it, or from the stage or mark that it names. "
+           "Every stage is stored as it ends and called simulated; the same programme gives the "
+           "same bits on any number of threads, and a saved state goes on as if the run had never "
+           "ended.",
+           "--output PREFIX writes PREFIX.json, a CSV a stage, the figures, and the files that "
+           "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
+           "after the work at hand; what had ended is stored.",
+           "The probes of a saved state do not depend on each other: --piece I/N makes every N-th "
+           "of them only, as one task of a batch system, and --merge puts the pieces together to "
+           "what a run in one go gives, to the bit."},
+      .diagnostics =
+          {{"FILE:LINE: ...", "the programme could not be understood there"},
+           {"a porosity of ... was not reached, ...",
+            "ask for another one, or for the friction of compaction that gives the nearest"},
+           {"stage '...': its start '...' was never passed",
+            "the path ended before the mark: see the peak that it reached"}},
+      .examples = {{"triax grains samples/grains/quick.toml", "a small specimen, some seconds"},
+                   {"triax grains samples/grains/dense.toml --output dense",
+                    "probes of 10,000 grains with figures 13 to 15 of the paper"},
+                   {"triax grains samples/grains/medium.toml --output medium --threads 1",
+                    "strain paths and perturbed equilibria, figures 16 to 18, on one core"},
+                   {"triax grains dense.toml --set specimen.seed=7 --set contact.damping=0.1",
+                    "another specimen, other damping"},
+                   {"triax grains probes.toml --piece $SLURM_ARRAY_TASK_ID/37 --threads 1 --output "
+                    "piece_$SLURM_ARRAY_TASK_ID.json",
+                    "one task of an array job 1-37"},
+                   {"triax grains probes.toml --merge piece_*.json --output rose",
+                    "all tasks together"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<Options>();
+        app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
+        app.add_option("--set", o->sets, "another value for a key of the programme; repeatable")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        app.add_option("--output", o->output, "also write files whose names begin so")
+            ->type_name("PREFIX");
+        app.add_option("--threads", o->threads, "threads [all cores]")
+            ->check(CLI::Range(1, 64).description(""))
+            ->type_name("N");
+        app.add_option("--piece", o->piece,
+                       "make every N-th probe from the I-th on only, and write them to the file "
+                       "--output")
+            ->type_name("I/N");
+        app.add_option("--merge", o->merge, "take the probes from these pieces")
+            ->type_name("FILE...");
+        add_db(app, o->db);
+        add_json(app, o->json);
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

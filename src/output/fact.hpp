@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace triax::src {
+
+/// A label and what is known about it; several lines for a list.
+struct Fact {
+  std::string label;
+  std::vector<std::string> lines;
+};
+
+}  // namespace triax::src

@@ -1,0 +1,61 @@
+#include "src/output/markup.hpp"
+
+#include <fmt/format.h>
+
+#include <QString>
+
+namespace triax::src {
+namespace {
+
+bool allowed_in_xml(QChar character) {
+  const auto code = character.unicode();
+  return code == '\t' || code == '\n' || code == '\r' ||
+         (code >= 0x20 && code != 0xFFFE && code != 0xFFFF);
+}
+
+std::string align_attribute(const Column& column) {
+  return column.align == Align::right ? " align=\"right\"" : "";
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  auto unicode = QString::fromStdString(text);
+  for (auto& character : unicode)
+    if (!allowed_in_xml(character)) character = QChar::ReplacementCharacter;
+  return unicode.toHtmlEscaped().replace('\'', "&#39;").toStdString();
+}
+
+std::string table_markup(const Table& table, const std::vector<std::string>& anchors,
+                         std::size_t anchor_column) {
+  std::string html = "<table class=\"data\" cellspacing=\"0\" cellpadding=\"3\">\n<thead><tr>";
+  for (const auto& column : table.columns)
+    html += fmt::format("<th{}>{}</th>",
+                        column.align == Align::right ? align_attribute(column) : " align=\"left\"",
+                        escaped(column.heading));
+  html += "</tr></thead>\n<tbody>\n";
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
+      auto cell = escaped(table.rows[row][i]);
+      if (i == anchor_column && row < anchors.size())
+        cell = fmt::format("<a href=\"#{}\">{}</a>", escaped(anchors[row]), cell);
+      html += fmt::format("<td{}>{}</td>", align_attribute(table.columns[i]), cell);
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
+std::string facts_markup(const std::vector<Fact>& facts) {
+  std::string html = "<table class=\"facts\" cellspacing=\"0\" cellpadding=\"3\">\n";
+  for (const auto& fact : facts) {
+    std::string lines;
+    for (const auto& line : fact.lines) lines += (lines.empty() ? "" : "<br/>") + escaped(line);
+    html +=
+        fmt::format("<tr><th align=\"left\">{}</th><td>{}</td></tr>\n", escaped(fact.label), lines);
+  }
+  return html + "</table>\n";
+}
+
+}  // namespace triax::src

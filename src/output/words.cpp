@@ -1,0 +1,77 @@
+#include "src/output/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/mechanics/axisymmetric.hpp"
+
+namespace triax::src {
+namespace {
+
+std::optional<double> scaled(std::optional<double> value, double factor) {
+  return value ? std::optional(*value * factor) : std::nullopt;
+}
+
+}  // namespace
+
+std::string number(std::optional<double> value, int decimals) {
+  if (!value || !std::isfinite(*value)) return kUnknown;
+  auto text = fmt::format("{:.{}f}", *value, decimals);
+  // "-0.00" is a zero that carries the sign of a rounding error.
+  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string in_kPa(std::optional<double> pa, int decimals) {
+  return number(scaled(pa, 1e-3), decimals);
+}
+
+std::string in_degrees(std::optional<double> rad, int decimals) {
+  return number(rad ? std::optional(sim::degrees(*rad)) : std::nullopt, decimals);
+}
+
+std::string in_percent(std::optional<double> plain, int decimals) {
+  return number(scaled(plain, 100), decimals);
+}
+
+std::string in_mm(std::optional<double> metres, int decimals) {
+  return number(scaled(metres, 1e3), decimals);
+}
+
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return number == kUnknown ? number : number + ' ' + unit;
+}
+
+std::string duration(std::optional<double> seconds) {
+  if (!seconds || !std::isfinite(*seconds)) return kUnknown;
+  if (std::abs(*seconds) < 1000) return number(seconds, 1) + " s";
+  if (std::abs(*seconds) < 36000) return number(*seconds / 60, 1) + " min";
+  return number(*seconds / 3600, 2) + " h";
+}
+
+std::string inside_limit_surface(const lab::Collapse& collapse) {
+  if (!collapse.inside_limit_surface) return kUnknown;
+  return *collapse.inside_limit_surface ? "inside" : "on it";
+}
+
+std::string instant(const lab::Instant& at) {
+  std::vector<std::string> parts{fmt::format("reading {}", at.reading)};
+  if (at.time_s) parts.push_back(duration(at.time_s));
+  if (at.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(at.axial_strain)));
+  if (at.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(at.q_pa)));
+  if (at.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(at.p_eff_pa)));
+  if (at.pore_pressure_pa) parts.push_back(fmt::format("u {} kPa", in_kPa(at.pore_pressure_pa)));
+  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
+  if (at.phi_mob_rad()) parts.push_back(fmt::format("φ_mob {}°", in_degrees(at.phi_mob_rad())));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,137 @@
+#include "src/plot/pages.hpp"
+
+#include <QAbstractTextDocumentLayout>
+#include <QPageSize>
+#include <QTextDocument>
+#include <QTextObjectInterface>
+#include <algorithm>
+
+#include "lab/base/bad_input.hpp"
+#include "src/plot/plot_style.hpp"
+
+namespace triax::src {
+namespace {
+
+// All lengths are in points of 1/72 inch: an A4 page is 595 by 842.
+constexpr int kPointsPerInch = 72;
+constexpr double kPointsPerPixel = 0.75;  // of a figure: 96 CSS pixels an inch
+constexpr double kMargin = 48;
+constexpr double kHeadHeight = 22;     // of the running head and of the line with the page number
+constexpr double kBroadFigure = 0.42;  // of a page's height
+const QSizeF kPage{595, 842};
+
+QRectF text_area() {
+  return {kMargin, kMargin + kHeadHeight, kPage.width() - 2 * kMargin,
+          kPage.height() - 2 * (kMargin + kHeadHeight)};
+}
+
+constexpr const char* kStyle =
+    "body { color: #222222; }"
+    "h1 { font-size: 16pt; } h2 { font-size: 13pt; } h3 { font-size: 10pt; }"
+    "table { border-collapse: collapse; }"
+    "td, th { border-bottom: 0.5px solid #cccccc; }"
+    ".banner { background-color: #fbe3d3; color: #8a3c00; font-weight: 700; }"
+    ".caption, .notes { color: #444444; }";
+
+QFont page_font(double size) {
+  auto font = label_font();
+  font.setPointSizeF(size);
+  return font;
+}
+
+// Qt draws images of rich text as pixels; this draws ours as the lines they are.
+class FigureObject : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+ public:
+  explicit FigureObject(const std::vector<Drawing>& figures) : figures_(figures) {}
+
+  QSizeF intrinsicSize(QTextDocument* /*document*/, int /*position*/,
+                       const QTextFormat& format) override {
+    const auto size = QSizeF(plot(format).size()) * kPointsPerPixel;
+    auto room = text_area().size() - QSizeF(0, 40);  // a caption stays on the page
+    // A broad figure leaves room for the text above it; a tall one needs its page.
+    if (size.width() > size.height()) room.setHeight(kBroadFigure * room.height());
+    const double scale =
+        std::min({1.0, room.width() / size.width(), room.height() / size.height()});
+    return size * scale;
+  }
+  void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* /*document*/,
+                  int /*position*/, const QTextFormat& format) override {
+    // Qt offers a figure to each page that its line might touch, and a plot clips to its own axes,
+    // which would undo the clipping to the page.
+    if (!page_.contains(rect.center())) return;
+    draw_on_page(plot(format), *painter, rect);
+  }
+  /// The part of the document that is drawn next.
+  void set_page(const QRectF& page) { page_ = page; }
+
+ private:
+  const QCustomPlot& plot(const QTextFormat& format) const {
+    return *figures_.at(format.toImageFormat().name().toUInt()).plot;
+  }
+  const std::vector<Drawing>& figures_;
+  QRectF page_;
+};
+
+}  // namespace
+
+Pages::Pages(QIODevice& device, const std::string& title) : writer_(&device) {
+  writer_.setPageSize(QPageSize(QPageSize::A4));
+  writer_.setPageMargins(QMarginsF(0, 0, 0, 0));
+  writer_.setResolution(kPointsPerInch);
+  writer_.setTitle(QString::fromStdString(title));
+  writer_.setCreator("triax");
+  if (!painter_.begin(&writer_)) throw lab::WorkFailed("a PDF document cannot be begun");
+}
+
+void Pages::begin_page(const std::string& running_head) {
+  if (count_ > 0 && !writer_.newPage()) throw lab::WorkFailed("a PDF page cannot be begun");
+  ++count_;
+  const auto area = text_area();
+  painter_.setFont(page_font(8));
+  painter_.setPen(kGrey);
+  const QRectF head(area.left(), kMargin - 8, area.width(), kHeadHeight - 6);
+  const QFontMetricsF metrics(painter_.font(), &writer_);
+  painter_.drawText(
+      head, Qt::AlignLeft | Qt::AlignVCenter,
+      metrics.elidedText(QString::fromStdString(running_head), Qt::ElideRight, area.width()));
+  painter_.drawLine(head.bottomLeft(), head.bottomRight());
+  painter_.drawText(QRectF(area.left(), area.bottom() + 8, area.width(), kHeadHeight),
+                    Qt::AlignHCenter | Qt::AlignTop, QString("Page %1").arg(count_));
+}
+
+void Pages::add(const PageSection& section) {
+  const auto area = text_area();
+  FigureObject figures(section.figures);
+  QTextDocument document;
+  document.documentLayout()->setPaintDevice(&writer_);
+  document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);
+  document.setDocumentMargin(0);
+  document.setDefaultFont(page_font(8.5));
+  document.setDefaultStyleSheet(kStyle);
+  document.setHtml(QString::fromStdString("<body>" + section.markup + "</body>"));
+  document.setPageSize(area.size());
+  const int pages = document.pageCount();
+  for (int page = 0; page < pages; ++page) {
+    begin_page(section.running_head);
+    const QRectF view(0, page * area.height(), area.width(), area.height());
+    figures.set_page(view);
+    painter_.save();
+    painter_.translate(area.topLeft() - view.topLeft());
+    painter_.setClipRect(view);
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.clip = view;
+    context.palette.setColor(QPalette::Text, kInk);
+    document.documentLayout()->draw(&painter_, context);
+    painter_.restore();
+  }
+}
+
+void Pages::finish() {
+  if (!painter_.end()) throw lab::WorkFailed("a PDF document cannot be completed");
+}
+
+}  // namespace triax::src
+
+#include "pages.moc"

@@ -1,0 +1,38 @@
+#pragma once
+// Sections of rich text with vector figures on numbered A4 pages.
+#include <QPainter>
+#include <QPdfWriter>
+#include <string>
+#include <vector>
+
+#include "src/plot/drawing.hpp"
+
+namespace triax::src {
+
+/// One section of a document. Its figures are where `markup` has <img src="0"/>, <img src="1"/>...
+struct PageSection {
+  std::string running_head;  ///< at the top of each of its pages
+  std::string markup;        ///< rich text as Qt understands it
+  std::vector<Drawing> figures;
+};
+
+/// Writes sections one after the other; every section begins a page.
+class Pages {
+ public:
+  /// Begins a document on `device`, which must be open and outlive this. Throws lab::WorkFailed.
+  Pages(QIODevice& device, const std::string& title);
+  void add(const PageSection& section);
+  /// Pages written so far.
+  int count() const { return count_; }
+  /// Ends the document; without it the PDF is not complete. Throws lab::WorkFailed.
+  void finish();
+
+ private:
+  void begin_page(const std::string& running_head);
+
+  QPdfWriter writer_;
+  QPainter painter_;
+  int count_ = 0;
+};
+
+}  // namespace triax::src

@@ -1,0 +1,178 @@
+#include "src/probe/probe.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "lab/base/bad_input.hpp"
+#include "src/cli/output_guard.hpp"
+#include "src/output/output.hpp"
+#include "src/output/progress_bar.hpp"
+#include "src/probe/probe_figures.hpp"
+#include "src/probe/probe_options.hpp"
+#include "src/probe/probe_states.hpp"
+#include "src/probe/strain_paths_report.hpp"
+
+namespace triax::src {
+namespace {
+
+template <class Space>
+void probe_all(const ProbeOptions& o, ProbeReport& report) {
+  const auto states = states_to_probe<Space>(o, report);
+  ProgressBar bar("probes");
+  for (const auto& state : states) {
+    report.states.push_back(study::probe_state(report.material, state, report.probing));
+    if (!report.isolated && !state.passed.empty())
+      report.isolated = first_unstable(report.material, state.passed, report.probing);
+    bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
+  }
+}
+
+void keep_what_is_read(const ProbeOptions& o, const std::string& prefix) {
+  for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
+    refuse_overwriting("--output", prefix + ending, files_read(o), "what the state is read from");
+}
+
+/// The document, the table of all probes, and each figure with its data; nothing is written before
+/// it is known that none of it would replace what was read.
+void write_files(const ProbeOptions& o, const ProbeReport& report) {
+  const auto figures = probe_figures(report);
+  std::vector<std::string> prefixes = {o.output};
+  for (const auto& figure : figures) prefixes.push_back(o.output + '_' + figure.name);
+  for (const auto& prefix : prefixes) keep_what_is_read(o, prefix);
+  write_file(o.output + ".json", probe_json(report));
+  write_file(o.output + ".csv", to_csv(probes_data(report)));
+  for (const auto& figure : figures) write_named_figure(figure, o.output);
+}
+
+void run_strain_paths(const ProbeOptions& o) {
+  check_strain_path_options(o);
+  const auto material = chosen_material(o.material);
+  const auto report =
+      strain_paths(material, 1e3 * *o.p_kPa, chosen_void_ratio(o.material, material),
+                   o.strain_paths, o.axial_strain.value_or(kUsualAxialStrain));
+  if (!o.output.empty()) {
+    keep_what_is_read(o, o.output);
+    write_figure(strain_paths_drawing(report), o.output);
+    write_file(o.output + ".csv", to_csv(strain_paths_data(report)));
+    write_file(o.output + ".json", strain_paths_json(report));
+  }
+  print(o.json ? strain_paths_json(report) : strain_paths_text(report));
+}
+
+void run_sphere(const ProbeOptions& o) {
+  SphereReport report;
+  report.probing = checked_sphere(o);
+  check_state_options(o);
+  ProbeReport found;
+  found.material = material_of(o);
+  const auto states = states_to_probe<sim::Tensor>(o, found);
+  report.material = found.material;
+  report.many = found.many;
+  report.path = found.path;
+  report.warnings = found.warnings;
+  ProgressBar bar("probes");
+  for (const auto& state : states) {
+    report.states.push_back(probe_sphere_of(report.material, state, report.probing));
+    bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
+  }
+  if (!o.output.empty()) {
+    keep_what_is_read(o, o.output);
+    write_file(o.output + ".json", sphere_json(report));
+    write_file(o.output + ".csv", to_csv(sphere_data(report)));
+    if (const Drawing drawing = sphere_drawing(report); drawing.plot)
+      write_figure(drawing, o.output);
+  }
+  print(o.json ? sphere_json(report) : sphere_text(report));
+  if (std::ranges::none_of(report.states, [](const auto& s) { return s.sphere.least.answered; }))
+    throw lab::WorkFailed("the law answers in no direction");
+}
+
+void run(const ProbeOptions& o) {
+  check_targets("--output", o.output, files_of_prefix(o.output));
+  if (o.plane == "3d" && o.strain_paths.empty()) return run_sphere(o);
+  if (!o.strain_paths.empty()) return run_strain_paths(o);
+  ProbeReport report;
+  report.probing = checked_probing(o);
+  check_state_options(o);
+  report.material = material_of(o);
+  if (report.probing.plane == sim::ProbePlane::plane_strain)
+    probe_all<sim::Tensor>(o, report);
+  else
+    probe_all<sim::Axisymmetric>(o, report);
+  if (!o.output.empty()) write_files(o, report);
+  print(o.json ? probe_json(report)
+               : probe_text(report, {.probes = o.probes, .control = o.control}));
+  if (!report.any_answer())
+    throw lab::WorkFailed("the law answers in no direction" +
+                          (report.states.empty() || report.states.front().refusal.empty()
+                               ? ""
+                               : ": " + report.states.front().refusal));
+}
+
+}  // namespace
+
+Command probe_command() {
+  return {
+      .name = "probe",
+      .purpose = "second-order work of a state in every direction: cones of unstable directions",
+      .description =
+          {"Takes one state of a law, imposes small increments in every direction of a plane and "
+           "says in which of them second-order work is negative: the cones of unstable "
+           "directions, with edges isolated between the steps. Angles are measured from the axis "
+           "of "
+           "sqrt2 dsigma3 towards that of dsigma1 (Rendulic plane); isotropic unloading, the "
+           "increment of an "
+           "undrained test at its peak of q, is at 215.26 degrees.",
+           "The state is given by --p with --eta or --q, or by --stress-kPa; then the law has no "
+           "memory of a reversal of shear. With --test it is that of a reading of a test in the "
+           "database, likewise without memory, and the direction in which the test itself was "
+           "going is put beside the cones. With --path the law is driven along a path first, and "
+           "remembers it.",
+           "Controllability belongs to it: the ratios R for which deps1 + 2R deps3 = 0 cannot be "
+           "held "
+           "while dsigma1 - dsigma3/R grows, the index of usual programmes, the roots of Eq. (34) "
+           "of "
+           "the paper. --strain-paths runs such paths from the isotropic state --p instead and "
+           "gives "
+           "their peaks.",
+           "All of it is computed from the law and called simulated."},
+      .diagnostics = {{"... refuses it: ...",
+                       "the state lies beyond the law's limit surface or void ratios"},
+                      {"test ... has no collapse: ...", "name another reading by --at"},
+                      {"test ... does not know its void ratio ...",
+                       "the record does not hold it: give it"}},
+      .examples =
+          {{"triax probe --material inl2/S28-general --p 70 --eta 0.60 --void-ratio 1.086 --json",
+            "cones of one state as a document"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.65 --void-ratio 1.086 "
+            "--conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
+            "Nova's index of any pair of conditions, here of an undrained test by load"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
+            "--step 1 --output loose",
+            "several states in one table and one circular diagram, loose_circular.svg"},
+           {"triax probe --test 26 --at collapse --material inl2/S28-general",
+            "a test's own increment at collapse beside the cone of the law"},
+           {"triax probe --path samples/paths/icu_100.toml --every 10",
+            "cones along a path: the first unstable direction, and how they open"},
+           {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
+            "--plane plane-strain --probes",
+            "plane strain, every direction printed"},
+           {"triax probe --material inl2/S28-general --p 70 --eta 0.6 --void-ratio 1.086 --plane "
+            "3d "
+            "--step 5 --output sphere",
+            "all directions of principal increments, with a map of them"},
+           {"triax probe --material inl2/S28-general --p 100 --void-ratio 1.086 --strain-paths "
+            "0.7,0.8,0.9,1.0 --output fig16",
+            "proportional strain paths, with fig16.svg, .png, .pdf, .csv and .json"},
+           {"triax probe --material hypoplastic/S28-MT --p 70 --eta 0.6 --void-ratio 1.0 "
+            "--finite --norm-kPa 0.5 --output probes",
+            "increments of 0.5 kPa integrated; probes.csv, probes.json and figures with their data "
+            "beside them"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<ProbeOptions>();
+        add_probe_options(app, *o);
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

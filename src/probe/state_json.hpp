@@ -1,0 +1,10 @@
+#pragma once
+#include "src/study/json_parts.hpp"
+#include "src/study/probe/probed_state.hpp"
+
+namespace triax::src {
+
+/// A probed state, with its memory and the test that it was measured in.
+study::Json state_json(const study::StateHead& state);
+
+}  // namespace triax::src

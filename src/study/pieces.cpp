@@ -1,0 +1,62 @@
+#include "src/study/pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lab/base/bad_input.hpp"
+
+namespace triax::study {
+namespace {
+
+/// A domain of the largest grid is some hundred megabytes.
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
+
+}  // namespace
+
+void check_together(const std::vector<PieceName>& pieces, const std::string& whole,
+                    const std::function<std::string(std::size_t)>& difference) {
+  const PieceName& first = pieces.front();
+  std::vector<const PieceName*> of(static_cast<std::size_t>(first.count), nullptr);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const PieceName& piece = pieces[k];
+    const auto refuse = [&](const std::string& why) { throw lab::BadInput(piece.file, 0, why); };
+    if (piece.count != first.count)
+      refuse(fmt::format("is a piece of {}, {} one of {}; pieces of one cut belong together",
+                         piece.count, first.file, first.count));
+    if (const std::string other = difference(k); !other.empty())
+      refuse(fmt::format("is a piece of another {}: {}", whole, other));
+    if (piece.program != first.program)
+      refuse(fmt::format("was written by triax {}, {} by {}; let one version compute all pieces",
+                         piece.program, first.file, first.program));
+    const PieceName*& place = of[static_cast<std::size_t>(piece.index - 1)];
+    if (place != nullptr)
+      refuse(fmt::format("is piece {} of {} as {} is; give each piece once", piece.index,
+                         piece.count, place->file));
+    place = &piece;
+  }
+  const auto missing = std::ranges::find(of, nullptr);
+  if (missing == of.end()) return;
+  throw lab::BadInput(fmt::format("--merge: piece {} of {} is missing ({} of them are given)",
+                                  missing - of.begin() + 1, first.count, pieces.size()));
+}
+
+std::string piece_text(const std::string& path, const std::string& writer,
+                       const std::string& whole) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none))
+    throw lab::BadInput(path, 0, "cannot be read; a file that " + writer + " wrote is wanted");
+  if (std::filesystem::file_size(path, none) > kLargestFile)
+    throw lab::BadInput(path, 0, "is larger than 1 GB; cut the " + whole + " into more pieces");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw lab::BadInput(path, 0, "cannot be read");
+  return std::move(text).str();
+}
+
+}  // namespace triax::study

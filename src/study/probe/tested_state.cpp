@@ -1,0 +1,104 @@
+#include "src/study/probe/tested_state.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::study {
+namespace {
+
+/// Of the direction of an increment: beyond it, it could be any.
+const double kLargestError = sim::radians(45);
+
+bool known(const lab::State& s) {
+  return std::isfinite(s.effective_stress.axial) && std::isfinite(s.effective_stress.radial);
+}
+
+/// The reading that `at` means; empty: the last with known stresses.
+std::optional<std::int64_t> reading_of(const db::StoredTest& test, const std::string& at,
+                                       const std::string& name,
+                                       std::vector<std::string>& warnings) {
+  if (at == "end") return std::nullopt;
+  if (at == "peak") {
+    if (test.summary.peak) return test.summary.peak->reading;
+    throw lab::BadInput(fmt::format(
+        "{} has no peak of q on record: --at end, or --at with the number of a reading", name));
+  }
+  if (at == "collapse") {
+    if (const auto onset = collapse_onset(test)) return onset->reading;
+    if (const auto onset = failure_onset(test)) {
+      warnings.push_back(name + " lost strength on the limit surface, no collapse: its onset");
+      return onset->reading;
+    }
+    throw lab::BadInput(fmt::format(
+        "{} has no collapse: --at peak, --at end, or --at with the number of a reading", name));
+  }
+  const auto reading = lab::whole_text_as<std::int64_t>(at);
+  if (!reading || *reading < 0)
+    throw lab::BadInput(fmt::format(
+        "--at {}: must be collapse, peak, end or the number of a reading", lab::excerpt(at)));
+  return *reading;
+}
+
+struct Readings {
+  std::int64_t first = 0, last = -1;
+  bool any() const { return last >= first; }
+};
+
+}  // namespace
+
+TestedState tested_state(const db::Store& store, const std::string& test, const std::string& at,
+                         const std::optional<double>& void_ratio) {
+  const std::int64_t id = store.find({test}).front();
+  const db::StoredTest stored = store.load(id);
+  const std::string name = fmt::format("test {} ({})", id, stored.header.name);
+  TestedState result{.id = id,
+                     .name = stored.header.name,
+                     .origin = stored.header.origin,
+                     .at = at,
+                     .has_time = stored.header.has_time,
+                     .state = {},
+                     .increment = {},
+                     .warnings = {}};
+  std::optional<std::int64_t> wanted = reading_of(stored, at, name, result.warnings);
+  Readings readings;
+  bool found = false;
+  store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
+    if (!readings.any()) readings.first = state.reading;
+    readings.last = state.reading;
+    if (wanted ? state.reading != *wanted : !known(state)) return;
+    result.state = state;
+    found = true;
+  });
+  if (!found)
+    throw lab::BadInput(wanted && readings.any()
+                            ? fmt::format("{} has no reading {}: they go from {} to {}", name,
+                                          *wanted, readings.first, readings.last)
+                            : fmt::format("{} has no reading with known effective stresses", name));
+  if (!known(result.state))
+    throw lab::BadInput(fmt::format("{} does not know the effective stresses at reading {}", name,
+                                    result.state.reading));
+  if (void_ratio) result.state.void_ratio = *void_ratio;
+  if (!std::isfinite(result.state.void_ratio))
+    throw lab::BadInput(
+        fmt::format("{} does not know its void ratio at reading {}: give it by --void-ratio E",
+                    name, result.state.reading));
+
+  lab::IncrementWatch watch(stored.header, result.state.reading);
+  store.for_each_scan(id, 1,
+                      [&](const lab::Reading&, const lab::State& state) { watch.watch(state); });
+  result.increment = watch.finish();
+  if (result.increment && result.increment->angle_error < kLargestError) return result;
+  result.warnings.push_back(
+      fmt::format("the increment of {} at reading {} is not known: {}", name, result.state.reading,
+                  result.increment ? "its direction is lost in the noise"
+                                   : "no window of shear readings reaches it"));
+  result.increment.reset();
+  return result;
+}
+
+}  // namespace triax::study

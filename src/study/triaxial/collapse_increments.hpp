@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "db/store.hpp"
+
+namespace triax::study {
+
+/// The effective stress of a test where collapse set in, and the direction it was moving in. SI.
+struct CollapseIncrement {
+  std::string test;       ///< its name
+  std::string programme;  ///< "ICU", "CSD"...; empty: unknown
+  double p_pa = 0, q_pa = 0;
+  double dp = 0, dq = 0;  ///< in any one unit; only their ratio and their signs are drawn
+};
+
+/// What each test that collapsed was going through when collapse set in, in the order of `ids`,
+/// from the readings up to the onset: the measured increment of
+/// lab/collapse/measured_increment.hpp; at held q, where pressure controllers go in steps, that
+/// between the means of two spans of a twentieth of the stage. A test whose increment is not to be
+/// had, or lost in the noise (45° or more), is left out.
+std::vector<CollapseIncrement> collapse_increments(const db::Store& store,
+                                                   const std::vector<std::int64_t>& ids);
+
+}  // namespace triax::study

@@ -1,0 +1,60 @@
+#include "src/study/triaxial/test_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace triax::study {
+
+TestResult load_test_result(const db::Store& store, std::int64_t id, WithCurves with_curves) {
+  TestResult test{store.load(id), {}};
+  if (with_curves == WithCurves::no) return test;
+  CurveThinner thinner(store.scan_count(id), kCurveBuckets);
+  store.for_each_scan(id, 1,
+                      [&](const lab::Reading&, const lab::State& state) { thinner.add(state); });
+  test.curves.states = thinner.take();
+  test.curves.work = thin(store.second_order_work(id), kCurveBuckets);
+  return test;
+}
+
+bool has_verdict(const db::StoredTest& test) {
+  return test.status == db::TestStatus::complete && test.summary.collapse.judged;
+}
+
+std::optional<lab::Instant> collapse_onset(const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  return has_verdict(test) && collapse.detected() ? collapse.onset : std::nullopt;
+}
+
+std::optional<lab::Instant> failure_onset(const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  return has_verdict(test) && !collapse.detected() ? collapse.onset : std::nullopt;
+}
+
+std::optional<double> void_ratio(const db::StoredTest& test) {
+  if (test.summary.consolidation.void_ratio) return test.summary.consolidation.void_ratio;
+  const auto& specimen = test.header.specimen;
+  return specimen.consolidated_void_ratio ? specimen.consolidated_void_ratio : specimen.void_ratio;
+}
+
+std::vector<std::string> agreeing_criteria(const db::StoredTest& test) {
+  std::vector<std::string> names;
+  for (const auto& criterion : test.summary.collapse.criteria)
+    if (criterion.detected) names.push_back(criterion.name);
+  return names;
+}
+
+std::vector<std::string> warnings(const db::StoredTest& test) {
+  std::vector<std::string> texts;
+  for (const auto* list : {&test.header.warnings, &test.summary.warnings}) {
+    for (const auto& warning : *list) {
+      auto text =
+          warning.line > 0 ? fmt::format("line {}: {}", warning.line, warning.text) : warning.text;
+      if (std::find(texts.begin(), texts.end(), text) == texts.end())
+        texts.push_back(std::move(text));
+    }
+  }
+  return texts;
+}
+
+}  // namespace triax::study

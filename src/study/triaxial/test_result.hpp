@@ -1,0 +1,41 @@
+#pragma once
+// One test as a report needs it: what was stored, and its curves thinned for drawing.
+#include <string>
+#include <vector>
+
+#include "db/store.hpp"
+#include "src/study/triaxial/curves.hpp"
+
+namespace triax::study {
+
+struct TestResult {
+  db::StoredTest stored;
+  Curves curves;  ///< empty where the report draws no figure
+};
+
+enum class WithCurves { no, yes };
+
+/// Reads one test back from the store. With curves, every scan is visited once in constant memory.
+TestResult load_test_result(const db::Store& store, std::int64_t id, WithCurves with_curves);
+
+/// True once the verdict stands: a test that is running or was interrupted has none, and one of
+/// which too little was seen.
+bool has_verdict(const db::StoredTest& test);
+
+/// Where collapse set in; nothing without a verdict and where strength was lost on the limit
+/// surface only, which is failure and no collapse.
+std::optional<lab::Instant> collapse_onset(const db::StoredTest& test);
+
+/// Where strength was lost without a collapse: the onset that lies on the limit surface.
+std::optional<lab::Instant> failure_onset(const db::StoredTest& test);
+
+/// Void ratio at the start of shear, else as the laboratory gives it, else as built.
+std::optional<double> void_ratio(const db::StoredTest& test);
+
+/// Names of the criteria that detected a collapse, and how many were asked.
+std::vector<std::string> agreeing_criteria(const db::StoredTest& test);
+
+/// Warnings of the record and of what followed, each once, "line 12: ..." where a line is meant.
+std::vector<std::string> warnings(const db::StoredTest& test);
+
+}  // namespace triax::study

@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "lab/rig/session.hpp"
+
+namespace triax::study {
+
+/// Runs one back end through the session into the database;
+/// gives the test's id. Bad input takes out again what was stored of this test; any other failure
+/// leaves it there, marked as interrupted. `also` may connect further listeners before the start.
+std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
+                      const std::string& db, const std::function<void(lab::Session&)>& also = {});
+
+}  // namespace triax::study

@@ -1,0 +1,246 @@
+#include "src/triaxial/content.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/output/words.hpp"
+#include "src/triaxial/run_away_fact.hpp"
+
+namespace triax::src {
+namespace {
+
+using lab::Origin;
+
+std::string or_unknown(const std::string& text) { return text.empty() ? kUnknown : text; }
+
+std::string origin_word(const db::StoredTest& test) {
+  return test.header.origin == Origin::simulated ? "SIMULATED" : "recorded";
+}
+
+std::string kind_word(const db::StoredTest& test) {
+  if (!study::has_verdict(test))
+    return test.status == db::TestStatus::complete ? "not judged"
+                                                   : std::string(db::to_string(test.status));
+  return std::string(lab::to_string(test.summary.collapse.kind));
+}
+
+std::string agreement(const db::StoredTest& test) {
+  if (!study::has_verdict(test)) return kUnknown;
+  return fmt::format("{} of {}", study::agreeing_criteria(test).size(),
+                     test.summary.collapse.criteria.size());
+}
+
+std::string banner(const db::StoredTest& test) {
+  std::vector<std::string> parts;
+  if (test.header.origin == Origin::simulated)
+    parts.emplace_back("SIMULATED: a virtual specimen, no measurement");
+  if (test.status == db::TestStatus::interrupted)
+    parts.emplace_back("INTERRUPTED: the test was cut off, there is no verdict");
+  if (test.status == db::TestStatus::running)
+    parts.emplace_back("RUNNING: the test is still being recorded, there is no verdict yet");
+  return fmt::format("{}", fmt::join(parts, ". "));
+}
+
+std::string origin_line(const db::StoredTest& test) {
+  const auto& header = test.header;
+  std::string line = header.origin == Origin::simulated ? "simulated" : "recorded";
+  if (!header.source.empty()) line += " in " + header.source;
+  if (!header.dialect.empty()) line += fmt::format(" (read as {})", header.dialect);
+  if (header.seed) line += fmt::format(", seed {}", *header.seed);
+  return line;
+}
+
+std::string sweep_line(const db::SweepMembership& sweep) {
+  std::string line = fmt::format("number {} of the sweep {}: ", sweep.place, sweep.sweep);
+  for (const auto& [key, value] : sweep.values)
+    line += fmt::format("{}{} = {}", line.ends_with(' ') ? "" : ", ", key, value);
+  return line;
+}
+
+std::string specimen_line(const lab::SpecimenInfo& specimen) {
+  std::vector<std::string> parts;
+  if (!specimen.material.empty()) parts.push_back(specimen.material);
+  if (specimen.height_m) parts.push_back(fmt::format("height {} mm", in_mm(specimen.height_m)));
+  if (specimen.diameter_m)
+    parts.push_back(fmt::format("diameter {} mm", in_mm(specimen.diameter_m)));
+  if (specimen.void_ratio)
+    parts.push_back(fmt::format("void ratio as built {}", number(specimen.void_ratio, 3)));
+  return parts.empty() ? kUnknown : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string shear_start_line(const db::StoredTest& test) {
+  const auto& at = test.summary.consolidation;
+  std::vector<std::string> parts;
+  if (at.p_eff_pa) parts.push_back(fmt::format("p′₀ {} kPa", in_kPa(at.p_eff_pa)));
+  if (study::void_ratio(test)) parts.push_back(fmt::format("e₀ {}", number(study::void_ratio(test), 3)));
+  if (at.height_m) parts.push_back(fmt::format("height {} mm", in_mm(at.height_m)));
+  if (at.diameter_m) parts.push_back(fmt::format("diameter {} mm", in_mm(at.diameter_m)));
+  if (at.b_value) parts.push_back(fmt::format("B value {}", number(at.b_value, 3)));
+  return parts.empty() ? kUnknown : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string verdict_line(const db::StoredTest& test) {
+  if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
+  if (!study::has_verdict(test)) return "not judged: too little was seen of shear";
+  const auto& collapse = test.summary.collapse;
+  if (study::failure_onset(test))
+    return "none: strength was lost on the limit surface, which is failure and no collapse";
+  if (!collapse.detected()) return "none found: the specimen stayed controllable";
+  std::string line = collapse.kind == lab::CollapseKind::flow
+                         ? "flow: strength is lost for good"
+                         : "limited: strength is lost and comes back";
+  if (collapse.inside_limit_surface)
+    line += *collapse.inside_limit_surface ? "; inside the Mohr-Coulomb limit surface"
+                                           : "; on the Mohr-Coulomb limit surface";
+  return line;
+}
+
+std::string limit_line(const lab::Collapse& collapse) {
+  if (!collapse.limit_stress_ratio) return kUnknown;
+  auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
+  if (!collapse.limit_source.empty()) line += fmt::format(" ({})", collapse.limit_source);
+  return line;
+}
+
+std::string work_line(const lab::Collapse& collapse) {
+  auto line = number(collapse.second_order_work_normalised, 3);
+  if (collapse.second_order_work_error) line += " ± " + number(collapse.second_order_work_error, 3);
+  return line + " where it is first significant (normalised, between −1 and 1)";
+}
+
+std::string truth_line(const lab::Truth& truth) {
+  if (!truth.lost_sustainability) return "the virtual specimen itself stayed sustainable";
+  lab::Instant at;
+  at.q_pa = truth.q_pa;
+  at.p_eff_pa = truth.p_eff_pa;
+  std::vector<std::string> parts;
+  if (truth.time_s) parts.push_back(duration(truth.time_s));
+  if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
+  if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
+  if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
+  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
+  return fmt::format("the virtual specimen itself lost sustainability at {}",
+                     fmt::join(parts, ", "));
+}
+
+std::string axis_line(const db::StoredTest& test) {
+  const auto count = fmt::format("{} readings", test.summary.readings);
+  return test.header.has_time
+             ? count + ", rates along time"
+             : count + ", no time in the record: rates along the axial strain, no clock";
+}
+
+void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  facts.push_back({"Collapse", {verdict_line(test)}});
+  if (!study::has_verdict(test)) return;
+  if (const auto onset = study::collapse_onset(test)) facts.push_back({"Onset", {instant(*onset)}});
+  if (const auto failure = study::failure_onset(test)) facts.push_back({"Failure", {instant(*failure)}});
+  facts.push_back(
+      {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
+  if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
+  facts.push_back({"Limit surface", {limit_line(collapse)}});
+  if (test.summary.truth) facts.push_back({"Truth", {truth_line(*test.summary.truth)}});
+  if (test.summary.truth && !test.summary.truth->run_aways.empty())
+    facts.push_back({"Run-away", run_away_lines(test.summary.truth->run_aways)});
+}
+
+Table criteria_table(const db::StoredTest& test) {
+  Table table{{{"Criterion"},
+               {"Detected"},
+               {"Reading", Align::right},
+               {"Time", Align::right},
+               {"η", Align::right},
+               {"Evidence"}},
+              {}};
+  for (const auto& criterion : test.summary.collapse.criteria)
+    table.rows.push_back({spaced(criterion.name), criterion.detected ? "yes" : "no",
+                          criterion.reading ? fmt::format("{}", *criterion.reading) : kUnknown,
+                          duration(criterion.time_s), number(criterion.eta, 2),
+                          criterion.evidence});
+  return table;
+}
+
+Table checks_table(const db::StoredTest& test) {
+  Table table{
+      {{"Check"}, {"Measured", Align::right}, {"Limit", Align::right}, {"Verdict"}, {"Why"}}, {}};
+  const auto plain = [](std::optional<double> value) {
+    return value ? fmt::format("{:.4g}", *value) : std::string(kUnknown);
+  };
+  for (const auto& check : test.summary.checks)
+    table.rows.push_back({spaced(check.name), plain(check.measured), plain(check.limit),
+                          check.ok ? "ok" : "NOT OK", check.note});
+  return table;
+}
+
+}  // namespace
+
+Table summary_table(const std::vector<study::TestResult>& tests) {
+  Table table{{{"Type of test"},
+               {"Test"},
+               {"Origin"},
+               {"p′₀ (kPa)", Align::right},
+               {"e₀", Align::right},
+               {"φ_mob (°)", Align::right},
+               {"η_coll", Align::right},
+               {"Collapse"},
+               {"Limit surface"},
+               {"Criteria"}},
+              {}};
+  for (const auto& [test, curves] : tests) {
+    const auto onset = study::collapse_onset(test);
+    table.rows.push_back({or_unknown(test.header.programme), test.header.name, origin_word(test),
+                          in_kPa(test.summary.consolidation.p_eff_pa, 0),
+                          number(study::void_ratio(test), 3),
+                          in_degrees(onset ? onset->phi_mob_rad() : std::nullopt),
+                          number(onset ? onset->eta() : std::nullopt, 2), kind_word(test),
+                          inside_limit_surface(test.summary.collapse), agreement(test)});
+  }
+  return table;
+}
+
+std::string summary_banner(const std::vector<study::TestResult>& tests) {
+  const auto count = [&](auto&& is_so) { return std::count_if(tests.begin(), tests.end(), is_so); };
+  const auto simulated =
+      count([](const auto& test) { return test.stored.header.origin == Origin::simulated; });
+  const auto interrupted =
+      count([](const auto& test) { return test.stored.status == db::TestStatus::interrupted; });
+  std::vector<std::string> parts;
+  if (simulated > 0)
+    parts.push_back(fmt::format("{} of {} tests SIMULATED: virtual specimens, no measurement",
+                                simulated, tests.size()));
+  if (interrupted > 0)
+    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict", interrupted,
+                                tests.size()));
+  return fmt::format("{}", fmt::join(parts, ". "));
+}
+
+std::vector<std::string> summary_notes() {
+  return {
+      "p′₀, e₀: mean effective stress and void ratio at the start of shear",
+      "η_coll = q/p′ at the onset of collapse; φ_mob from sin φ_mob = 3η/(6 + η)",
+      "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it",
+      "Criteria: how many of the criteria asked agree that the specimen collapsed",
+  };
+}
+
+TestContent test_content(const study::TestResult& reported) {
+  const auto& test = reported.stored;
+  TestContent content;
+  content.title = fmt::format("Test {}: {}", test.id, test.header.name);
+  content.banner = banner(test);
+  auto& facts = content.facts;
+  facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
+  facts.push_back({"Data", {origin_line(test), axis_line(test)}});
+  if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
+  facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
+  facts.push_back({"Start of shear", {shear_start_line(test)}});
+  add_collapse(facts, test);
+  if (auto list = study::warnings(test); !list.empty()) facts.push_back({"Warnings", std::move(list)});
+  content.criteria = criteria_table(test);
+  content.checks = checks_table(test);
+  return content;
+}
+
+}  // namespace triax::src

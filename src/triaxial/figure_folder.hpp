@@ -1,0 +1,25 @@
+#pragma once
+// The figures of a report as files of their own.
+#include <string>
+#include <vector>
+
+#include "src/study/triaxial/test_result.hpp"
+#include "src/triaxial/figures/stress_increments_figure.hpp"
+
+namespace triax::src {
+
+/// Writes into `folder`, which is made where it does not exist, of each figure an SVG, a PNG and a
+/// PDF:
+///
+///   TEST_stress_path, TEST_history, TEST_onset            of each test
+///   TYPE_stress_paths, TYPE_shear_curves, TYPE_strains    of all tests of a type (ICU, CSD,
+///   CSU...) collapse_points, stress_increments                    of all tests
+///
+/// TEST and TYPE are their names in small letters, what is no letter and no digit being '_'; of two
+/// tests with one name the second has its id behind it. A figure without data is left out. Gives
+/// the prefixes written. Throws lab::BadInput, lab::WorkFailed.
+std::vector<std::string> write_figures(const std::vector<study::TestResult>& tests,
+                                       const std::vector<study::CollapseIncrement>& increments,
+                                       const std::string& folder);
+
+}  // namespace triax::src

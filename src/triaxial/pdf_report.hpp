@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::src {
+
+/// The report on A4 pages, each with its number: the summary table with all collapse points, then
+/// every test from a new page with its facts, criteria, figures, checks and warnings. Figures are
+/// vectors. The file appears whole or not at all; "-" stands for standard output. Throws
+/// lab::WorkFailed.
+void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path);
+
+}  // namespace triax::src

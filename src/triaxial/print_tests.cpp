@@ -1,0 +1,29 @@
+#include "src/triaxial/print_tests.hpp"
+
+#include <utility>
+
+#include "db/store.hpp"
+#include "src/output/output.hpp"
+#include "src/output/table.hpp"
+#include "src/triaxial/json_report.hpp"
+#include "src/triaxial/text_report.hpp"
+
+namespace triax::src {
+
+std::string text_for_people(std::vector<study::TestResult> tests) {
+  for (study::TestResult& test : tests) {
+    std::string& name = test.stored.header.name;
+    name = on_one_line(std::move(name));
+  }
+  return without_controls(text_report(tests));
+}
+
+void print_tests(const std::string& db, const std::vector<std::int64_t>& ids, bool json) {
+  const db::Store store(db);
+  std::vector<study::TestResult> tests;
+  tests.reserve(ids.size());
+  for (const auto id : ids) tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
+  print(json ? json_report(tests) : text_for_people(std::move(tests)));
+}
+
+}  // namespace triax::src

@@ -1,0 +1,67 @@
+#include "src/triaxial/query.hpp"
+
+#include "db/query.hpp"
+
+#include <memory>
+
+#include "src/cli/shared_options.hpp"
+#include "src/output/result_writer.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Options {
+  std::string text;
+  std::string db = "triax.db";
+  std::string format = "table";
+  bool list = false;
+};
+
+void list_queries(ResultWriter& writer) {
+  writer.columns({"query", "answers"});
+  for (const auto& query : db::named_queries())
+    writer.row({std::string(query.name), std::string(query.purpose)});
+  writer.finish();
+}
+
+void run(const Options& o) {
+  const auto writer = make_result_writer(o.format);
+  if (o.list || o.text.empty()) return list_queries(*writer);
+  db::query(
+      o.db, o.text, [&](const std::vector<std::string>& columns) { writer->columns(columns); },
+      [&](const std::vector<db::Value>& row) { writer->row(row); });
+  writer->finish();
+}
+
+}  // namespace
+
+Command query_command() {
+  return {.name = "query",
+          .purpose = "ask the database: named queries or SQL, read only",
+          .description = {"Without an argument, or with --list, the named queries are listed. "
+                          "Anything that is not the "
+                          "name of one is taken as SQL. The database is opened so that SQLite "
+                          "itself refuses to write.",
+                          "The table tests and the views readings, states, second_order_work, "
+                          "collapses and collapse_points all have the column test_id, and units "
+                          "in the names of their columns."},
+          .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+                           "there is no database yet, or --db names another file"},
+                          {"no such column: ...", "SQLite's own words on the SQL given"}},
+          .examples =
+              {{"triax query collapse_points", "the table of collapse points, like Table 2"},
+               {"triax query \"SELECT reading, q_kPa FROM states WHERE test_id = 1\" --format csv",
+                "one test's readings for a spreadsheet"}},
+          .set_up = [](CLI::App& app) -> std::function<void()> {
+            const auto o = std::make_shared<Options>();
+            app.add_option("NAME|SQL", o->text, "name of a query, or SQL")->type_name("");
+            add_db(app, o->db);
+            app.add_option("--format", o->format, "table, csv or json [table]")
+                ->check(CLI::IsMember({"table", "csv", "json"}).description(""))
+                ->type_name("table|csv|json");
+            app.add_flag("--list", o->list, "list the named queries");
+            return [o] { run(*o); };
+          }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,127 @@
+#include "src/triaxial/replay.hpp"
+#include "src/output/progress_bar.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/reduction/reduction.hpp"
+#include "lab/rig/recorded.hpp"
+#include "src/cli/output_guard.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/study/triaxial/test_run.hpp"
+#include "src/triaxial/print_tests.hpp"
+
+namespace triax::src {
+namespace {
+
+void show_progress(lab::Session& session, ProgressBar& bar) {
+  QObject::connect(&session, &lab::Session::progressed,
+                   [&bar](double fraction) { bar.show(fraction); });
+}
+
+struct Options {
+  std::vector<std::string> records;
+  std::string dialect;
+  std::vector<std::string> sets;
+  lab::MembraneCorrection membrane = lab::MembraneCorrection::none;
+  std::string db = "triax.db";
+  double speed = 0;
+  bool json = false;
+};
+
+/// All records opened, so that whatever can be seen in their heads is told before the first has run
+/// for minutes. Beyond the first hundred only the looking remains: files stay open no longer than
+/// the system allows.
+std::vector<std::unique_ptr<lab::RecordedRig>> look_at_all(const Options& o,
+                                                           const lab::RecordOptions& options,
+                                                           const lab::ReductionOptions& reduction) {
+  constexpr std::size_t kMostOpen = 100;
+  std::vector<std::unique_ptr<lab::RecordedRig>> rigs;
+  for (const auto& path : o.records)
+    if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
+  for (const auto& path : o.records) {
+    auto rig = lab::open_record(path, options);
+    const lab::Reduction can_be_reduced(rig->header(), reduction);
+    if (rigs.size() < kMostOpen) rigs.push_back(std::move(rig));
+  }
+  return rigs;
+}
+
+void run(const Options& o) {
+  const lab::RecordOptions record{.dialect = o.dialect,
+                                  .sets = key_values(o.sets, "specimen.height_mm=140")};
+  const lab::ReductionOptions reduction{.membrane = o.membrane};
+  refuse_overwriting("--db", o.db, o.records, "a record that is read");
+  auto rigs = look_at_all(o, record, reduction);
+  std::vector<std::int64_t> ids;
+  try {
+    for (std::size_t i = 0; i < o.records.size(); ++i) {
+      const auto& path = o.records[i];
+      const auto rig = i < rigs.size() ? std::move(rigs[i]) : lab::open_record(path, record);
+      ProgressBar bar(std::filesystem::path(path).filename().string());
+      ids.push_back(
+          study::run_test(*rig, {.reduction = reduction, .speed = o.speed}, o.db,
+                          [&bar](lab::Session& session) { show_progress(session, bar); }));
+    }
+  } catch (const lab::BadInput&) {
+    // The tests before are done and kept: what they came to is not lost for the one that is bad.
+    if (!ids.empty()) print_tests(o.db, ids, o.json);
+    throw;
+  }
+  print_tests(o.db, ids, o.json);
+}
+
+}  // namespace
+
+Command replay_command() {
+  return {
+      .name = "replay",
+      .purpose = "reduce recorded tests, watch their second-order work, keep and report them",
+      .description =
+          {"Reads records as their loggers wrote them: triax's own CSV, GDSLab .gds, the Karlsruhe "
+           "tables and others. The dialect is recognised from the content; --dialect names one or "
+           "brings the description of a new one. Readings go one at a time through reduction and "
+           "collapse monitor into the database; the report is then read back from there.",
+           "What a file does not hold is given with --set: specimen.height_mm, "
+           "specimen.diameter_mm, "
+           "specimen.void_ratio, specimen.limit_friction_angle_deg, stages.N.role and so on."},
+      .diagnostics =
+          {{"... does not say the height of the specimen ...", "give --set specimen.height_mm=..."},
+           {"FILE:LINE: ...",
+            "the file could not be understood there; nothing of it is kept. Of several "
+            "records the finished ones are kept and reported, those behind it not read"}},
+      .examples =
+          {{"triax replay test.csv", "a record in triax's own form"},
+           {"triax replay *.gds --json", "several files, as one JSON document"},
+           {"triax replay raw.csv --set specimen.height_mm=140 --set specimen.diameter_mm=70",
+            "the file lacks the specimen"},
+           {"triax replay lab.txt --dialect my_lab.toml", "a logger of one's own"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<Options>();
+        app.add_option("RECORD", o->records, "record files")->required()->type_name("");
+        app.add_option("--dialect", o->dialect, "name of a dialect, or file that describes one")
+            ->type_name("NAME|FILE.toml");
+        app.add_option("--set", o->sets,
+                       "what the file does not hold, or holds wrongly; may be repeated")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        const std::map<std::string, lab::MembraneCorrection> membranes = {
+            {"none", lab::MembraneCorrection::none},
+            {"astm", lab::MembraneCorrection::astm},
+            {"iso", lab::MembraneCorrection::iso}};
+        app.add_option("--membrane", o->membrane,
+                       "membrane correction: none, astm (D4767) or iso (17892-9) [none]")
+            ->transform(CLI::CheckedTransformer(membranes).description(""))
+            ->type_name("none|astm|iso");
+        add_db(app, o->db);
+        add_speed(app, o->speed);
+        add_json(app, o->json);
+        return [o] { run(*o); };
+      }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,89 @@
+#include "src/triaxial/text_report.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "src/triaxial/content.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr std::size_t kLineWidth = 100;
+
+// Words of `text` on lines of at most kLineWidth, continued at `indent`; words are never cut.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::istringstream words(text);
+  std::string out, word;
+  std::size_t column = indent;
+  while (words >> word) {
+    const auto width = display_width(word);
+    if (column > indent && column + 1 + width > kLineWidth) {
+      out += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += width;
+  }
+  return out;
+}
+
+std::string facts_text(const std::vector<Fact>& facts) {
+  std::size_t label_width = 0;
+  for (const auto& fact : facts) label_width = std::max(label_width, display_width(fact.label));
+  const std::size_t indent = label_width + 4;
+  std::string text;
+  for (const auto& fact : facts) {
+    auto label = fact.label;
+    for (const auto& line : fact.lines) {
+      text += "  " + label + std::string(indent - 2 - display_width(label), ' ');
+      text += wrapped(line, indent) + '\n';
+      label.clear();
+    }
+  }
+  return text;
+}
+
+// The last column holds sentences: they go below their row instead of stretching the table.
+std::string evidence_table_text(Table table) {
+  if (table.rows.empty()) return {};
+  table.columns.pop_back();
+  std::vector<std::string> sentences;
+  for (auto& row : table.rows) {
+    sentences.push_back(row.back());
+    row.pop_back();
+  }
+  std::istringstream lines(to_text(table));
+  std::string text = "\n", line;
+  for (std::ptrdiff_t i = -2; std::getline(lines, line); ++i) {
+    text += "  " + line + '\n';
+    if (i < 0 || sentences[static_cast<std::size_t>(i)].empty()) continue;
+    text += "      " + wrapped(sentences[static_cast<std::size_t>(i)], 6) + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_of_test(const study::TestResult& test) {
+  const auto content = test_content(test);
+  std::string text = content.title + '\n';
+  text += std::string(display_width(content.title), '=') + '\n';
+  if (!content.banner.empty()) text += "*** " + wrapped(content.banner, 4) + " ***\n";
+  text += facts_text(content.facts);
+  text += evidence_table_text(content.criteria);
+  text += evidence_table_text(content.checks);
+  return text;
+}
+
+std::string text_report(const std::vector<study::TestResult>& tests) {
+  if (tests.empty()) return "The database holds no test.\n";
+  std::string text = to_text(summary_table(tests)) + '\n';
+  for (const auto& note : summary_notes()) text += wrapped(note, 0) + '\n';
+  for (const auto& test : tests) text += '\n' + text_of_test(test);
+  return text;
+}
+
+}  // namespace triax::src

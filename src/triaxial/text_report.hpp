@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::src {
+
+/// The summary table, then each test in full, as plain UTF-8 text for a terminal.
+std::string text_report(const std::vector<study::TestResult>& tests);
+
+/// One test in full, without the summary table.
+std::string text_of_test(const study::TestResult& test);
+
+}  // namespace triax::src

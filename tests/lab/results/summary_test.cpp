@@ -1,0 +1,31 @@
+#include "lab/results/summary.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "sim/mechanics/axisymmetric.hpp"
+
+using namespace triax::lab;
+
+TEST_CASE("kinds of collapse read back as what they are called") {
+  for (const auto kind : {CollapseKind::none, CollapseKind::limited, CollapseKind::flow})
+    CHECK(collapse_kind_from(to_string(kind)) == kind);
+  CHECK_FALSE(collapse_kind_from("Flow"));
+  Collapse collapse;
+  CHECK_FALSE(collapse.detected());
+  collapse.kind = CollapseKind::limited;
+  CHECK(collapse.detected());
+}
+
+TEST_CASE("an instant has a stress ratio and an angle where they exist") {
+  Instant instant;
+  CHECK_FALSE(instant.eta());
+  CHECK_FALSE(instant.phi_mob_rad());
+  instant.q_pa = 62e3;
+  instant.p_eff_pa = 0;
+  CHECK_FALSE(instant.eta());
+  instant.p_eff_pa = 100e3;
+  CHECK(*instant.eta() == Approx(0.62));
+  CHECK(triax::sim::degrees(*instant.phi_mob_rad()) == Approx(16.32).margin(0.01));
+  instant.p_eff_pa = 10e3;  // tension in the radial stress: no angle
+  CHECK_FALSE(instant.phi_mob_rad());
+}

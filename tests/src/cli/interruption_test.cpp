@@ -1,0 +1,49 @@
+#include "src/cli/interruption.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+using triax::src::Interruption;
+
+TEST_CASE("the first signal is a request, the second kills, and before as after nothing changes") {
+  struct sigaction before {};
+  sigaction(SIGTERM, nullptr, &before);
+  {
+    const Interruption interruption;
+    CHECK_FALSE(interruption.requested());
+    raise(SIGTERM);
+    CHECK(interruption.requested());
+  }
+  {
+    const Interruption another;
+    CHECK_FALSE(another.requested());
+  }
+  struct sigaction after {};
+  sigaction(SIGTERM, nullptr, &after);
+  CHECK(after.sa_handler == before.sa_handler);
+
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    const Interruption interruption;
+    raise(SIGINT);
+    raise(SIGINT);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGINT);
+}
+
+TEST_CASE("a signal that was ignored stays ignored") {
+  const auto before = std::signal(SIGINT, SIG_IGN);
+  {
+    const Interruption interruption;
+    raise(SIGINT);
+    CHECK_FALSE(interruption.requested());
+  }
+  std::signal(SIGINT, before);
+}

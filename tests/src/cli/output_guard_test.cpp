@@ -1,0 +1,63 @@
+#include "src/cli/output_guard.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "lab/base/bad_input.hpp"
+
+using namespace triax;
+using Catch::Matchers::Contains;
+
+TEST_CASE("an output is refused under every name of a kept file, and only then") {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("triax_guard_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder / "inner");
+  const auto path = [&](const char* name) { return (folder / name).string(); };
+  std::ofstream(path("a.db")) << "x";
+  std::filesystem::create_symlink("a.db", path("soft.db"));
+  std::filesystem::create_hard_link(path("a.db"), path("hard.db"));
+  const auto refused = [&](const std::string& output, const std::string& db) {
+    try {
+      src::refuse_overwriting("--output", output, src::database_files(db), "the database");
+    } catch (const lab::BadInput& error) {
+      CHECK_THAT(error.what(), Contains("--output " + output) && Contains("the database"));
+      return true;
+    }
+    return false;
+  };
+  for (const char* name : {"a.db", "soft.db", "hard.db", "inner/../a.db", "a.db-wal", "a.db-shm"})
+    CHECK(refused(path(name), path("a.db")));
+  CHECK(refused(path("a.db-wal"), path("soft.db")));
+  CHECK(refused(path("new.db"), path("inner/../new.db")));
+  CHECK_FALSE(refused(path("b.db"), path("a.db")));
+  CHECK_FALSE(refused("-", path("a.db")));
+  CHECK_FALSE(refused("", path("a.db")));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("targets are looked at before the work: folders, missing folders, a name that is none") {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("triax_targets_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder / "x.svg");
+  const auto check = [&](const std::string& prefix) {
+    const std::string output = (folder / prefix).string();
+    src::check_targets("--output", output, src::files_of_prefix(output, {"", "_cones"}));
+  };
+  CHECK_NOTHROW(check("y"));
+  CHECK_THROWS_WITH(check("x"), Contains("x.svg is a folder"));
+  CHECK_THROWS_AS(check("x"), lab::BadInput);
+  CHECK_THROWS_AS(check("none/y"), lab::WorkFailed);
+  CHECK_THROWS_AS(check("x.svg/"), lab::BadInput);
+  CHECK_NOTHROW(src::check_targets("--output", "-", {"-"}));
+  CHECK_NOTHROW(src::check_targets("--output", "", {".csv"}));
+  CHECK_NOTHROW(src::check_targets("--output", "/dev/null", {"/dev/null"}));
+  std::filesystem::create_symlink("none/there", folder / "z.csv");
+  CHECK_THROWS_AS(check("z"), lab::WorkFailed);
+  const auto files = src::files_of_prefix("p", {"", "_cones"});
+  CHECK(files.size() == 10);
+  CHECK(files.back() == "p_cones.pdf");
+  std::filesystem::remove_all(folder);
+}

@@ -1,0 +1,76 @@
+#include "src/grains/grain_data.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/src/plot/plot_contents.hpp"
+#include "tests/src/sample_grains.hpp"
+
+using namespace triax;
+using namespace triax::src;
+using namespace triax::study;
+
+namespace {
+
+std::size_t column(const FigureData& data, const std::string& name) {
+  for (std::size_t i = 0; i < data.columns.size(); ++i)
+    if (data.columns[i].name == name) return i;
+  FAIL("no column " << name);
+  return 0;
+}
+
+void check_rows(const FigureData& data, std::size_t count) {
+  CHECK(data.origin == "simulated");
+  CHECK(data.rows.size() == count);
+  for (const auto& row : data.rows) REQUIRE(row.size() == data.columns.size());
+}
+
+}  // namespace
+
+TEST_CASE("the data of paths hold all points, with the work of each increment") {
+  const GrainReport report = test::sample_run();
+  const FigureData data = paths_data(report, {&report.stages[2], &report.stages[3]});
+  check_rows(data, 82);
+  CHECK(*data.rows[0][column(data, "stage")] == 3);
+  CHECK(*data.rows[41][column(data, "stage")] == 4);
+  CHECK_FALSE(data.rows[0][column(data, "w2_J_per_m3")]);
+  CHECK_FALSE(data.rows[41][column(data, "w2_J_per_m3")]);
+  CHECK(*data.rows[5][column(data, "w2_J_per_m3")] == Approx(0.1));
+  CHECK(*data.rows[20][column(data, "path_stress_kPa")] == Approx(20));
+  CHECK(std::ranges::count(data.remarks, "stage 3: R-0.8, strain_path from the specimen as made") ==
+        1);
+}
+
+TEST_CASE("the data of a rose hold every probe and the null probe without a direction") {
+  GrainReport report = test::sample_run();
+  std::get<ReportedGrainRose>(report.stages[5].came).made.rose.probes[2].stopped = true;
+  const FigureData data = rose_data(report, report.stages[5]);
+  check_rows(data, 37);
+  CHECK(*data.rows[9][column(data, "alpha_deg")] == Approx(90));
+  CHECK(*data.rows[9][column(data, "w2_microscopic_J_per_m3")] == Approx(0.012));
+  CHECK(*data.rows[14][column(data, "settled")] == 0);
+  CHECK(*data.rows[2][column(data, "alpha_deg")] == Approx(20));
+  CHECK_FALSE(data.rows[2][column(data, "axial_strain_increment")]);
+  CHECK_FALSE(data.rows[36][column(data, "alpha_deg")]);
+  CHECK(*data.rows[36][column(data, "axial_strain_increment")] == 1e-8);
+}
+
+TEST_CASE("each stage but a rest has a file, named after it, with full digits") {
+  GrainReport report = test::sample_run();
+  std::get<ReportedGrainPath>(report.stages[2].came).points[1].strain.axial = 1.0 / 3;
+  const auto files = grain_csvs(report);
+  REQUIRE(files.size() == 8);
+  CHECK(files[2].suffix == "_R-0.8_points.csv");
+  CHECK(files[4].suffix == "_probes_probes.csv");
+  CHECK(files[5].suffix == "_load_a_points.csv");
+  CHECK(test::contains(files[2].bytes, "0.3333333333333333"));
+  CHECK(test::contains(files[2].bytes, "# origin = \"simulated\""));
+  CHECK(test::contains(files[2].bytes, "sample, 4 grains"));
+}
+
+TEST_CASE("the data of perturbations hold all points") {
+  const GrainReport report = test::sample_run();
+  const FigureData data = perturbations_data(report, {&report.stages[6], &report.stages[7]});
+  check_rows(data, 22);
+  CHECK(*data.rows[21][column(data, "chi")] == Approx(0.05));
+  CHECK(*data.rows[21][column(data, "path_stress_kPa")] == Approx(1.25));
+}

@@ -1,0 +1,36 @@
+#include "src/study/pieces.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lab/base/bad_input.hpp"
+
+using namespace triax;
+using namespace triax::src;
+using namespace triax::study;
+using Catch::Contains;
+
+namespace {
+std::string nothing(std::size_t) { return {}; }
+}  // namespace
+
+TEST_CASE("pieces of one cut belong together in any order, once each") {
+  CHECK_NOTHROW(check_together({{"b", "1.0", 2, 2}, {"a", "1.0", 1, 2}}, "whole", nothing));
+  CHECK_THROWS_WITH(check_together({{"b", "1.0", 2, 2}}, "whole", nothing),
+                    "--merge: piece 1 of 2 is missing (1 of them are given)");
+  CHECK_THROWS_WITH(check_together({{"b", "1.0", 2, 2}, {"a", "1.0", 2, 2}}, "whole", nothing),
+                    "a: is piece 2 of 2 as b is; give each piece once");
+  CHECK_THROWS_WITH(check_together({{"b", "1.0", 2, 2}, {"a", "1.1", 1, 2}}, "whole", nothing),
+                    Contains("a: was written by triax 1.1, b by 1.0"));
+  CHECK_THROWS_WITH(check_together({{"b", "1.0", 2, 2}, {"a", "1.0", 1, 3}}, "whole", nothing),
+                    Contains("a: is a piece of 3, b one of 2"));
+  CHECK_THROWS_WITH(
+      check_together({{"b", "1.0", 2, 2}, {"a", "1.0", 1, 2}}, "whole",
+                     [](std::size_t k) { return k == 1 ? std::string("x is 1") : std::string(); }),
+      "a: is a piece of another whole: x is 1");
+}
+
+TEST_CASE("what is no file of a piece says who writes one") {
+  CHECK_THROWS_WITH(piece_text(".", "triax domain --piece", "domain"),
+                    ".: cannot be read; a file that triax domain --piece wrote is wanted");
+  CHECK(piece_text("tests/CMakeLists.txt", "x", "y").find("Catch2") != std::string::npos);
+}

@@ -1,0 +1,28 @@
+#include "src/triaxial/figures/strains_over_p_figure.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/src/plot/plot_contents.hpp"
+#include "tests/src/sample_tests.hpp"
+
+using namespace triax::src;
+using namespace triax::study;
+
+TEST_CASE("both strains over p′, not farther than some strains at onset") {
+  const Drawing drawing = strains_over_p_figure({test::flow_test()});
+  REQUIRE(drawing.plot);
+  REQUIRE(drawing.plot->axisRectCount() == 2);
+  CHECK(test::any_has_point(*drawing.plot, 100, 0.5, 0.01));  // axial strain at onset
+  CHECK(test::any_has_point(*drawing.plot, 100, 0, 0.01));    // volumetric
+  for (auto* plottable : drawing.plot->axisRect(0)->plottables())
+    for (const auto& point : *qobject_cast<QCPCurve*>(plottable)->data())
+      CHECK(point.value <= 1.25 + 1e-9);
+  CHECK(drawing.caption.find("up to ε₁ = 1.2") != std::string::npos);
+}
+
+TEST_CASE("strains over p′ of nothing are no figure") {
+  CHECK_FALSE(strains_over_p_figure({}).plot);
+  auto nothing = test::flow_test();
+  nothing.curves = {};
+  CHECK_FALSE(strains_over_p_figure({nothing}).plot);
+}

@@ -1,0 +1,70 @@
+#include "src/triaxial/json_report.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/src/sample_tests.hpp"
+
+using namespace triax::src;
+using namespace triax::study;
+using nlohmann::json;
+
+TEST_CASE("one test is one object with the contract's keys and the sample's numbers") {
+  const json d = json::parse(json_report({test::flow_test()}));
+  CHECK(d["test"]["id"] == 3);
+  CHECK(d["test"]["name"] == "L<oose> 1");
+  CHECK(d["test"]["origin"] == "recorded");
+  CHECK(d["specimen"]["height_mm"].get<double>() == Approx(140));
+  CHECK(d["consolidation"]["p_eff_kPa"].get<double>() == Approx(140));
+  CHECK(d["consolidation"]["b_value"].get<double>() == Approx(0.97));
+  CHECK(d["peak"]["q_kPa"].get<double>() == Approx(60));
+  const json& c = d["collapse"];
+  CHECK(c["detected"] == true);
+  CHECK(c["kind"] == "flow");
+  CHECK(c["inside_limit_surface"] == true);
+  CHECK(c["reading"] == 300);
+  CHECK(c["time_s"].get<double>() == Approx(30));
+  CHECK(c["eta"].get<double>() == Approx(0.6));
+  CHECK(c["phi_mob_deg"].get<double>() == Approx(15.827).epsilon(1e-3));
+  CHECK(c["pore_pressure_kPa"].get<double>() == Approx(360));
+  CHECK(c["second_order_work_normalised"].get<double>() == Approx(-0.02));
+  REQUIRE(c["criteria"].size() == 3);
+  CHECK(c["criteria"][0]["name"] == "second_order_work");
+  CHECK(c["criteria"][2]["detected"] == false);
+  CHECK(c["criteria"][2]["reading"].is_null());
+  CHECK(c["truth"].is_null());
+  CHECK(d["checks"][1]["measured"].is_null());
+  CHECK(d["warnings"].size() == 2);  // the one that stands twice once
+}
+
+TEST_CASE("what is unknown is null, and what has no verdict has none") {
+  const json stable = json::parse(json_report({test::stable_test()}));
+  CHECK(stable["collapse"]["detected"] == false);
+  CHECK(stable["collapse"]["eta"].is_null());
+  CHECK(stable["specimen"]["height_mm"].is_null());
+  CHECK(stable["peak"]["time_s"].is_null());
+  const json cut = json::parse(json_report({test::interrupted_test()}));
+  CHECK(cut["collapse"]["detected"].is_null());
+  CHECK(cut["collapse"]["kind"].is_null());
+  auto blind = test::stable_test();
+  blind.stored.summary.collapse.judged = false;
+  CHECK(json::parse(json_report({blind}))["collapse"]["kind"].is_null());
+}
+
+TEST_CASE("no number that JSON cannot hold gets out") {
+  auto odd = test::flow_test();
+  odd.stored.summary.peak->q_pa = std::numeric_limits<double>::quiet_NaN();
+  odd.stored.summary.consolidation.p_eff_pa = std::numeric_limits<double>::infinity();
+  const json d = json::parse(json_report({odd}));
+  CHECK(d["peak"]["q_kPa"].is_null());
+  CHECK(d["consolidation"]["p_eff_kPa"].is_null());
+}
+
+TEST_CASE("several tests are an array, the truth belongs to simulations") {
+  const json all = json::parse(json_report({test::flow_test(), test::simulated_test()}));
+  REQUIRE(all.is_array());
+  REQUIRE(all.size() == 2);
+  CHECK(all[1]["test"]["origin"] == "simulated");
+  CHECK(all[1]["collapse"]["truth"]["time_s"].get<double>() == Approx(29.95));
+}

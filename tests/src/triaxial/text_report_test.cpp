@@ -1,0 +1,54 @@
+#include "src/triaxial/text_report.hpp"
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "src/output/table.hpp"
+#include "tests/src/sample_tests.hpp"
+
+using namespace triax::src;
+using namespace triax::study;
+
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the summary lines up and says what Table 2 says") {
+  const std::string text =
+      text_report({test::flow_test(), test::simulated_test(), test::stable_test()});
+  std::istringstream lines(text);
+  std::string heading, rule, first;
+  std::getline(lines, heading);
+  std::getline(lines, rule);
+  std::getline(lines, first);
+  for (const char* column : {"Type of test", "Test", "p′₀ (kPa)", "e₀", "φ_mob (°)", "η_coll"})
+    CHECK(holds(heading, column));
+  // η_coll ends where its column ends, although the headings before it hold wide UTF-8.
+  const auto end_of = [](const std::string& line, const std::string& word) {
+    return display_width(line.substr(0, line.find(word) + word.size()));
+  };
+  CHECK(end_of(heading, "η_coll") == end_of(first, "0.60"));
+  CHECK(holds(first, "15.83"));
+  CHECK(holds(first, "1.086"));
+}
+
+TEST_CASE("each test says its evidence, its doubts and that it is simulated or interrupted") {
+  const std::string flow = text_of_test(test::flow_test());
+  CHECK(holds(flow, "flow"));
+  CHECK(holds(flow, "inside the Mohr-Coulomb limit surface"));
+  CHECK(holds(flow, "negative beyond 3 standard errors"));
+  CHECK(holds(flow, "line 12: missing cell"));
+  CHECK_FALSE(holds(flow, "SIMULATED"));
+  const std::string simulated = text_of_test(test::simulated_test());
+  CHECK(holds(simulated, "SIMULATED"));
+  CHECK(holds(simulated, "Truth"));
+  CHECK(holds(text_of_test(test::interrupted_test()), "INTERRUPTED"));
+  auto blind = test::stable_test();
+  blind.stored.summary.collapse.judged = false;
+  CHECK(holds(text_of_test(blind), "not judged"));
+  CHECK_FALSE(holds(text_of_test(blind), "stayed controllable"));
+}
