@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lab/base/listeners.hpp"
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/descent.hpp"
 #include "lab/collapse/fall_fit.hpp"
@@ -28,18 +29,22 @@ bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
 }  // namespace
 
 struct CollapseMonitor::Impl {
-  explicit Impl(const RecordHeader& h) : header(h), sampler(h.has_time), limit(h.specimen) {}
+  Impl(const RecordHeader& h, CollapseListeners all)
+      : header(h), listeners(std::move(all)), sampler(h.has_time), limit(h.specimen) {
+    rates.on_point = [this](const PathPoint& point) { take(point); };
+  }
 
   void start_stage(const State& state);
   void watch(const State& state);
-  void take(const PathPoint& point, const CollapseMonitor& outer);
-  void tell_of_descent(const CollapseMonitor& outer);
+  void take(const PathPoint& point);
+  void tell_of_descent();
   void sharpen();
   void place_fall(const Finding& burst);
   void end_stage();
   Collapse judge() const;
 
   const RecordHeader header;
+  const CollapseListeners listeners;
   PathSampler sampler;
   PathRates rates;
   PathHistory history;  ///< of the stage under way
@@ -61,10 +66,8 @@ struct CollapseMonitor::Impl {
   std::optional<Descent> held_descent;  ///< the first that lasted
 };
 
-CollapseMonitor::CollapseMonitor(const RecordHeader& header)
-    : impl_(std::make_unique<Impl>(header)) {
-  impl_->rates.on_point = [this](const PathPoint& point) { impl_->take(point, *this); };
-}
+CollapseMonitor::CollapseMonitor(const RecordHeader& header, CollapseListeners listeners)
+    : impl_(std::make_unique<Impl>(header, std::move(listeners))) {}
 
 CollapseMonitor::~CollapseMonitor() = default;
 
@@ -141,23 +144,22 @@ void CollapseMonitor::Impl::end_stage() {
   history.clear();
 }
 
-void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
+void CollapseMonitor::Impl::take(const PathPoint& point) {
   ++points;
   if (!control.finding()) before_fall = point;
   limit.add(point);
   descents.add(point);
   control_peak.add(point, header.has_time);
-  if (outer.on_point) {
-    outer.on_point({.reading = std::llround(point.reading),
-                    .time_s = point.progress,
-                    .work = point.work,
-                    .normalised_error = point.normalised_error,
-                    .window_readings = point.window_readings});
-  }
-  tell_of_descent(outer);
+  tell(listeners, &CollapseListener::second_order_work,
+       SecondOrderWorkPoint{.reading = std::llround(point.reading),
+                            .time_s = point.progress,
+                            .work = point.work,
+                            .normalised_error = point.normalised_error,
+                            .window_readings = point.window_readings});
+  tell_of_descent();
 }
 
-void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
+void CollapseMonitor::Impl::tell_of_descent() {
   const auto& descent = descents.latest();
   if (!descent) return;
   const bool costly = descent->strength_loss() >= Descent::kWorthALoss;
@@ -168,14 +170,15 @@ void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
   const bool inside = limit.inside(descent->best_onset().eta());
-  if (!outer.on_event) return;
-  outer.on_event(
-      {.reading = at.reading,
-       .time_s = at.time_s,
-       .kind = inside ? "loss_of_sustainability" : "limit_surface",
-       .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
-                             "{:.3f} and stays negative",
-                             *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
+  if (!is_heard(listeners, &CollapseListener::happened)) return;
+  tell(listeners, &CollapseListener::happened,
+       Event{
+           .reading = at.reading,
+           .time_s = at.time_s,
+           .kind = inside ? "loss_of_sustainability" : "limit_surface",
+           .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
+                                 "{:.3f} and stays negative",
+                                 *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }

@@ -66,7 +66,7 @@ struct VirtualRig::Impl {
   bool met(const EndCondition& end) const;
   bool stage_over();
   void act_as_operator();
-  void go(Mode next, const std::string& kind, const std::string& detail);
+  bool go(Mode next, const std::string& kind, const std::string& detail);
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
   bool tick(double dt_s);
@@ -160,8 +160,9 @@ bool VirtualRig::Impl::stage_over() {
   return true;
 }
 
-void VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string& detail) {
-  if (mode == next || mode == Mode::safe || mode == Mode::fallen) return;
+/// False where it stays as it is: a safe state is not left.
+bool VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string& detail) {
+  if (mode == next || mode == Mode::safe || mode == Mode::fallen) return false;
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
@@ -169,6 +170,7 @@ void VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string&
     warn(fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s, stage().name,
                      detail));
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
+  return true;
 }
 
 void VirtualRig::Impl::act_as_operator() {
@@ -327,8 +329,8 @@ std::vector<Event> VirtualRig::events() { return std::exchange(impl_->events, {}
 
 void VirtualRig::hold() { impl_->go(Impl::Mode::held, "held", "from outside"); }
 void VirtualRig::resume() { impl_->go(Impl::Mode::running, "resumed", "from outside"); }
-void VirtualRig::abort(const std::string& reason) {
-  impl_->go(Impl::Mode::safe, "aborted", reason);
+bool VirtualRig::abort(const std::string& reason) {
+  return impl_->go(Impl::Mode::safe, "aborted", reason);
 }
 
 bool VirtualRig::next(Reading& reading) {

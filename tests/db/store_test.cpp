@@ -41,11 +41,10 @@ TEST_CASE("a recorded test comes back bit for bit, raw, reduced and unruly scans
     if (i % 13 == 0) scan.first.time_s = scan.second.time_s = lab::kMissing;
     sent.push_back(scan);
   }
-  lab::Session session;
   db::Recorder recorder(folder.file("t.db"));
-  recorder.listen(session);
-  emit session.started(testing::raw_header("a"));
-  for (const auto& [reading, state] : sent) emit session.scanned(reading, state);
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(testing::raw_header("a"));
+  for (const auto& [reading, state] : sent) listener.scanned(reading, state);
   const std::int64_t id = recorder.finish({});
 
   const db::Store store(folder.file("t.db"));
@@ -97,13 +96,12 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.warnings = {{0, "no limit surface"}};
   summary.readings = 10;
 
-  lab::Session session;
   db::Recorder recorder(folder.file("t.db"));
-  recorder.listen(session);
-  emit session.started(header);
-  testing::send_scans(session, 0, 10);
-  emit session.happened({5, 0.5, "collapse", "q fell"});
-  emit session.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(header);
+  testing::send_scans(listener, 0, 10);
+  listener.happened({5, 0.5, "collapse", "q fell"});
+  listener.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
   const std::int64_t id = recorder.finish(summary);
 
   const db::Store store(folder.file("t.db"));
@@ -188,11 +186,10 @@ namespace {
 
 void record_tests(const std::string& path, const std::vector<std::string>& names) {
   for (const auto& name : names) {
-    lab::Session session;
     db::Recorder recorder(path);
-    recorder.listen(session);
-    emit session.started(testing::raw_header(name));
-    testing::send_scans(session, 0, 2);
+    const lab::SessionListener listener = recorder.listener();
+    listener.started(testing::raw_header(name));
+    testing::send_scans(listener, 0, 2);
     recorder.finish({});
   }
 }

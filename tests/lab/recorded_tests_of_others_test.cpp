@@ -21,8 +21,7 @@ std::optional<std::string> shared(const std::string& name) {
 
 TestSummary replay(const std::string& path, RecordOptions options = {}) {
   const auto rig = open_record(path, options);
-  Session session;
-  return session.run(*rig, {});
+  return run_session(*rig, {});
 }
 
 bool mentions(const std::vector<Warning>& warnings, const std::string& text) {

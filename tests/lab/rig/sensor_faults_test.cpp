@@ -283,8 +283,7 @@ TEST_CASE("along a strain path without flow (R = 1) a collapse is judged") {
   Programme programme = load_programme("samples/programmes/strain_path_070.toml");
   programme.stages.back().strain_path_R = 1.0;
   VirtualRig rig(programme);
-  Session session;
-  const TestSummary s = session.run(rig, {});
+  const TestSummary s = run_session(rig, {});
   std::string said;
   for (const Warning& w : s.warnings) said += w.text + '\n';
   INFO(said);
