@@ -122,7 +122,7 @@ TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
     naive.add(state);
   };
   listener.happened = [&](const lab::Event& event) {
-    if (event.kind == "loss_of_sustainability" && !noticed) noticed = now;
+    if (event.kind == lab::EventKind::loss_of_sustainability && !noticed) noticed = now;
   };
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
 

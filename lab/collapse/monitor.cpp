@@ -6,13 +6,14 @@
 
 #include "lab/base/listeners.hpp"
 #include "lab/collapse/control_peak.hpp"
-#include "lab/collapse/descent.hpp"
+#include "lab/collapse/criteria.hpp"
 #include "lab/collapse/fall_fit.hpp"
 #include "lab/collapse/instant.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/collapse/onset_refiner.hpp"
 #include "lab/collapse/path_sampler.hpp"
+#include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/verdict.hpp"
 
 namespace triax::lab {
@@ -50,12 +51,14 @@ struct CollapseMonitor::Impl {
   PathHistory history;  ///< of the stage under way
   OnsetRefiner descent_onset, pore_turn;
   std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
-  DescentTracker descents;
-  LossOfControl control;
+  Criteria criteria;
+  // Those of which the verdict knows more than their findings.
+  SecondOrderWork& work = criteria.of<SecondOrderWork>();
+  LossOfControl& control = criteria.of<LossOfControl>();
+  ControlPeak& control_peak = criteria.of<ControlPeak>();
   std::optional<Instant> fall;  ///< where a sudden loss of control began
   std::optional<FallWork> fall_work;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
-  ControlPeak control_peak;
   LimitSurface limit;
   std::optional<State> peak;
   std::optional<int> stage;
@@ -63,7 +66,6 @@ struct CollapseMonitor::Impl {
   bool held_undrained = false;  ///< in any stage so far
   std::int64_t watched_states = 0, points = 0;
   std::optional<double> told_onset;
-  std::optional<Descent> held_descent;  ///< the first that lasted
 };
 
 CollapseMonitor::CollapseMonitor(const RecordHeader& header, CollapseListeners listeners)
@@ -79,9 +81,7 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   end_stage();
   stage = state.stage;
   const StageInfo* info = header.stage(state.stage);
-  descents.start_stage();
-  control.start_stage(info);
-  control_peak.start_stage(info);
+  criteria.start_stage(info);
   held_q = info && info->control == AxialControl::constant_q;
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
@@ -91,7 +91,7 @@ void CollapseMonitor::Impl::watch(const State& s) {
   if (!is_watched(header.stage(s.stage))) return;
   if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
   ++watched_states;
-  control.add(s, header.has_time);
+  criteria.add_state(s, header.has_time);
 
   const auto sample = sampler.sample(s);
   if (!sample) return;
@@ -102,7 +102,7 @@ void CollapseMonitor::Impl::watch(const State& s) {
 
 /// Sets to work on what was newly found, and follows it on.
 void CollapseMonitor::Impl::sharpen() {
-  const auto& descent = descents.latest();
+  const auto& descent = work.latest();
   if (descent && sharpened_descent != descent->onset.reading) {
     sharpened_descent = descent->onset.reading;
     descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work,
@@ -110,11 +110,11 @@ void CollapseMonitor::Impl::sharpen() {
   } else {
     descent_onset.follow(history);
   }
-  const auto& burst = control.finding();
+  const auto& burst = control.found();
   if (burst && control.sudden() && !fall) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   if (descent && is_sharper(descent_onset.onset(), descent->onset))
-    descents.sharpen(descent_onset.onset()->point);
+    work.sharpen(descent_onset.onset()->point);
 
   const auto& turn = control_peak.turn_of_pore_pressure();
   if (turn && sharpened_turn != turn) {
@@ -124,6 +124,8 @@ void CollapseMonitor::Impl::sharpen() {
     pore_turn.follow(history);
   }
   if (burst) pore_turn.finish(history, static_cast<double>(burst->instant.reading));
+  if (pore_turn.onset())
+    control_peak.sharpen_turn(instant_of(pore_turn.onset()->point, header.has_time));
 }
 
 void CollapseMonitor::Impl::place_fall(const Finding& burst) {
@@ -146,10 +148,9 @@ void CollapseMonitor::Impl::end_stage() {
 
 void CollapseMonitor::Impl::take(const PathPoint& point) {
   ++points;
-  if (!control.finding()) before_fall = point;
+  if (!control.found()) before_fall = point;
   limit.add(point);
-  descents.add(point);
-  control_peak.add(point, header.has_time);
+  criteria.add_point(point, header.has_time);
   tell(listeners, &CollapseListener::second_order_work,
        SecondOrderWorkPoint{.reading = std::llround(point.reading),
                             .time_s = point.progress,
@@ -160,13 +161,8 @@ void CollapseMonitor::Impl::take(const PathPoint& point) {
 }
 
 void CollapseMonitor::Impl::tell_of_descent() {
-  const auto& descent = descents.latest();
-  if (!descent) return;
-  const bool costly = descent->strength_loss() >= Descent::kWorthALoss;
-  const bool yields = held_q && lasts_at_held_q(*descent);
-  const bool known = held_descent && held_descent->onset.reading == descent->onset.reading;
-  if (known || (yields && !held_descent)) held_descent = descent;
-  if (!(costly || yields) || told_onset == descent->onset.reading) return;
+  const auto& descent = work.latest();
+  if (!work.latest_counts() || told_onset == descent->onset.reading) return;
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
   const bool inside = limit.inside(descent->best_onset().eta());
@@ -175,7 +171,7 @@ void CollapseMonitor::Impl::tell_of_descent() {
        Event{
            .reading = at.reading,
            .time_s = at.time_s,
-           .kind = inside ? "loss_of_sustainability" : "limit_surface",
+           .kind = inside ? EventKind::loss_of_sustainability : EventKind::limit_surface,
            .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
                                  "{:.3f} and stays negative",
                                  *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
@@ -184,22 +180,18 @@ void CollapseMonitor::Impl::tell_of_descent() {
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
 Collapse CollapseMonitor::Impl::judge() const {
-  const auto& latest = descents.latest();
-  const bool same = latest && held_descent && held_descent->onset.reading == latest->onset.reading;
-  auto control_peak_found = control_peak.finding();
-  if (control_peak_found && pore_turn.onset())
-    control_peak_found->instant = instant_of(pore_turn.onset()->point, header.has_time);
-  return verdict({.worst = descents.worst(),
-                  .at_held_q = same ? latest : held_descent,
+  return verdict({.worst = work.worst(),
+                  .at_held_q = work.at_held_q(),
                   .loss_of_control = control.finding(),
                   .fall = fall,
                   .fall_work = fall_work,
-                  .control_peak = control_peak_found,
+                  .control_peak = control_peak.finding(),
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
                   .points = points,
                   .limit = limit,
-                  .has_time = header.has_time});
+                  .has_time = header.has_time},
+                 criteria.criteria());
 }
 
 Collapse CollapseMonitor::so_far() const { return impl_->judge(); }

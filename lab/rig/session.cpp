@@ -45,7 +45,8 @@ Event stage_event(const RecordHeader& header, const Reading& reading) {
   const StageInfo* stage = header.stage(reading.stage);
   std::string detail = "stage " + std::to_string(reading.stage);
   if (stage && !stage->name.empty()) detail += ": " + stage->name;
-  Event event{.reading = reading.number, .time_s = {}, .kind = "stage_started", .detail = detail};
+  Event event{
+      .reading = reading.number, .time_s = {}, .kind = EventKind::stage_started, .detail = detail};
   if (header.has_time) event.time_s = reading.time_s;
   return event;
 }
@@ -53,7 +54,7 @@ Event stage_event(const RecordHeader& header, const Reading& reading) {
 Event sensor_event(const SensorFinding& finding) {
   return {.reading = finding.from,
           .time_s = finding.from_time_s,
-          .kind = "sensor_fault",
+          .kind = EventKind::sensor_fault,
           .detail = describe(finding)};
 }
 
@@ -73,7 +74,8 @@ void take_back(const JudgedStates& states, TestSummary& summary) {
   }
   if (!(states.wrong_in_b_check() & kPressures)) return;
   c.b_value.reset();
-  std::erase_if(summary.checks, [](const Check& check) { return check.name == "b_value"; });
+  std::erase_if(summary.checks,
+                [](const Check& check) { return check.kind == CheckKind::b_value; });
 }
 
 /// One test on its way through the stream.
@@ -197,7 +199,7 @@ void SessionRun::summarise() {
   summary_.peak = monitor_.peak();
   summary_.consolidation = reduction_.consolidation();
   summary_.truth = back_end_.truth();
-  summary_.checks = reduction_.checks(of_record);
+  summary_.checks = reduction_.checks(back_end_.header().back_volume_joined);
   const auto& onset = collapse.onset;
   const auto crossed = cross_checks_.checks(onset ? std::optional(onset->reading) : std::nullopt);
   summary_.checks.insert(summary_.checks.end(), crossed.begin(), crossed.end());

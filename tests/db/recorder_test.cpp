@@ -149,7 +149,7 @@ TEST_CASE("discard leaves the content of a database as it was") {
   }
   const std::string before = content(path);
   Recording second(path, "second");
-  second.listener.happened({1, 0.1, "collapse", "a sentence"});
+  second.listener.happened({1, 0.1, lab::EventKind::limit_surface, "a sentence"});
   testing::send_scans(second.listener, 0, 30000);
   REQUIRE(comes_true([&] { return content(path).size() > 2 * before.size(); }));
   second.recorder.discard();

@@ -187,7 +187,8 @@ inline Outcome run_with(Programme programme, std::vector<Fault> faults) {
   SessionListener listener;
   listener.happened = [&](const Event& event) {
     out.events.push_back(event);
-    const bool collapse = event.kind == "loss_of_sustainability" || event.kind == "limit_surface";
+    const bool collapse =
+        event.kind == EventKind::loss_of_sustainability || event.kind == EventKind::limit_surface;
     if (collapse && !out.told_s) out.told_s = out.last_time_s;
   };
   listener.scanned = [&](const Reading& reading, const State&) {

@@ -47,7 +47,7 @@ class FakeRig : public BackEnd {
 TEST_CASE("listeners are told of every reading in order, and the summary says what they came to") {
   FakeRig rig(3000);
   std::int64_t scans = 0, points = 0, heard_by_second = 0;
-  std::vector<std::string> events;
+  std::vector<EventKind> events;
   SessionListener listener;
   listener.scanned = [&](const Reading& r, const State& s) {
     REQUIRE(r.number == scans);
@@ -73,7 +73,7 @@ TEST_CASE("listeners are told of every reading in order, and the summary says wh
   CHECK(scans == 3000);
   CHECK(summary.readings == 3000);
   CHECK(points > 100);
-  CHECK(events == std::vector<std::string>{"stage_started", "loss_of_sustainability"});
+  CHECK(events == std::vector{EventKind::stage_started, EventKind::loss_of_sustainability});
   CHECK(summary.collapse.kind == CollapseKind::flow);
   CHECK(std::abs(summary.collapse.onset->reading - 400) < 8);
   CHECK(std::abs(summary.peak->reading - 400) < 8);

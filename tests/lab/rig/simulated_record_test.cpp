@@ -65,7 +65,7 @@ std::vector<std::string> verdict(const TestSummary& s) {
     lines.push_back(fmt::format("{} {} {} {} {} {}", one.name, one.detected, exact(one.reading),
                                 exact(one.time_s), exact(one.eta), one.evidence));
   for (const Check& one : s.checks)
-    lines.push_back(fmt::format("{} {} {}", one.name, exact(one.measured), one.ok));
+    lines.push_back(fmt::format("{} {} {}", to_string(one.kind), exact(one.measured), one.ok));
   return lines;
 }
 
@@ -88,7 +88,7 @@ Run run(BackEnd& rig, double speed = 0) {
          s.effective_stress.axial, s.effective_stress.radial, s.pore_pressure, s.p_eff, s.q});
   };
   listener.happened = [&](const Event& e) {
-    result.events.push_back(fmt::format("{} {} {}", e.reading, e.kind, e.detail));
+    result.events.push_back(fmt::format("{} {} {}", e.reading, to_string(e.kind), e.detail));
   };
   result.summary = run_session(rig, {.reduction = {}, .speed = speed}, {listener});
   result.verdict = verdict(result.summary);
