@@ -149,10 +149,11 @@ void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& 
   control_peak.add(point, header.has_time);
   if (outer.on_point) {
     outer.on_point({.reading = std::llround(point.reading),
-                    .time_s = point.progress,
+                    .time_s = header.has_time ? point.progress : kMissing,
                     .work = point.work,
                     .normalised_error = point.normalised_error,
-                    .window_readings = point.window_readings});
+                    .window_readings = point.window_readings,
+                    .axial_strain_path = header.has_time ? kMissing : point.progress});
   }
   tell_of_descent(outer);
 }
