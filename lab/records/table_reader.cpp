@@ -197,7 +197,7 @@ void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
                  fmt::format("column {} holds {}, beyond {:g} {}: no apparatus measures that; "
                              "check the unit of the column",
                              excerpt(plan.column->heading), excerpt(cell),
-                             absurd_field_value(quantity), info(quantity).unit));
+                             info(quantity).raw.absurd, info(quantity).unit));
 }
 
 }  // namespace triax::lab
