@@ -1,5 +1,4 @@
-#include "src/probe/probe_report.hpp"
-#include "src/probe/control_text.hpp"
+#include "src/probe/probe_text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,8 @@
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
 #include "src/plot/subject.hpp"
+#include "src/probe/control_text.hpp"
+#include "src/probe/probe_words.hpp"
 
 namespace triax::src {
 namespace {
@@ -29,25 +30,25 @@ std::string normalised(const sim::Probe& probe) {
   return number(probe.answered ? std::optional(probe.normalised) : std::nullopt, 4);
 }
 
-Table state_table(const ProbeReport& report) {
+Table state_table(const study::ProbeResult& result) {
   const bool named =
-      std::ranges::any_of(report.states, [](const auto& s) { return !s.name.empty(); });
+      std::ranges::any_of(result.states, [](const auto& s) { return !s.name.empty(); });
   Table table;
   if (named) table.columns.push_back({"state", Align::left});
   const std::string unloading =
-      fmt::format("W₂ at {}°", in_degrees(isotropic_unloading(report.probing.plane), 2));
+      fmt::format("W₂ at {}°", in_degrees(isotropic_unloading(result.probing.plane), 2));
   for (const std::string& heading :
        {std::string("p′ (kPa)"), std::string("q (kPa)"), std::string("η"), std::string("e"),
         std::string("cones (°)"), std::string("opening (°)"), std::string("least W₂"),
         std::string("at α (°)"), unloading})
     table.columns.push_back({heading, Align::right});
-  for (const study::ProbedState& state : report.states) {
+  for (const study::ProbedState& state : result.states) {
     std::vector<std::string> row;
     if (named) row.push_back(state.name);
     const sim::Probe& least = state.circle.least;
     row.insert(row.end(), {in_kPa(state.p, 2), in_kPa(state.q, 2), number(state.eta(), 4),
                            number(state.void_ratio, 4),
-                           cones_in_words(state.circle, report.probing.directions),
+                           cones_in_words(state.circle, result.probing.directions),
                            openings(state.circle.cones), normalised(least),
                            in_degrees(least.answered ? std::optional(least.angle) : std::nullopt),
                            normalised(state.isotropic_unloading)});
@@ -56,8 +57,8 @@ Table state_table(const ProbeReport& report) {
   return table;
 }
 
-Table probes_table(const ProbeReport& report, const study::ProbedState& state) {
-  const double root = axisymmetric(report.probing) ? std::numbers::sqrt2 : 1;
+Table probes_table(const study::ProbeResult& result, const study::ProbedState& state) {
+  const double root = axisymmetric(result.probing) ? std::numbers::sqrt2 : 1;
   Table table;
   for (const char* heading :
        {"α (°)", "W₂ norm.", "W₂ (Pa)", "dσ₁ (kPa)", "dσ₃ (kPa)", "dε₁", "dε₃"})
@@ -89,7 +90,7 @@ std::string own_words(const study::ProbedState& state) {
 
 std::string place_words(const study::ProbedState& state, int directions) {
   const lab::MeasuredIncrement& own = *state.test->increment;
-  const auto place = study::place_among(state.circle.cones, own.angle);
+  const auto& place = state.own_place;
   if (!place) return "cones of the law at this state: " + cones_in_words(state.circle, directions);
   const std::string cone = cones_in_words({state.circle.cones[place->cone]});
   if (!place->certain(own.angle_error))
@@ -108,9 +109,9 @@ std::string closed_form_words(const std::vector<sim::UnstableSector>& sectors) {
   return words.empty() ? "none" : words;
 }
 
-std::string first_words(const ProbeReport& report) {
-  const auto first = report.first_unstable();
-  const bool on_path = !report.path.empty();
+std::string first_words(const study::ProbeResult& result) {
+  const auto first = result.first_unstable();
+  const bool on_path = !result.path.empty();
   if (!first)
     return fmt::format("no unstable direction at any of these {}", on_path ? "rows" : "states");
   return fmt::format("unstable state {}: p′ {} kPa, q {} kPa, η {}, e {}{}, α {}°",
@@ -141,7 +142,7 @@ std::string state_heading(const study::ProbedState& state) {
   return "  " + state_words(state) + '\n';
 }
 
-std::string control_text(const study::ControlReport& control) {
+std::string control_text(const study::Controllability& control) {
   std::string out = indented(to_text(scan_table(control)));
   if (!control.named.empty()) out += '\n' + indented(to_text(named_controls_table(control)));
   return out;
@@ -149,116 +150,60 @@ std::string control_text(const study::ControlReport& control) {
 
 }  // namespace
 
-std::string plane_words(sim::ProbePlane plane) {
-  return plane == sim::ProbePlane::axisymmetric
-             ? "axisymmetric, α from √2 dσ₃ towards dσ₁ (Rendulic plane)"
-             : "plane strain, α from dσ₃ towards dσ₁";
-}
-
-std::string probing_words(const study::Probing& probing) {
-  const bool stress = probing.kind == sim::ProbeKind::stress;
-  return fmt::format("{} of {:g}{} every {:g}°, {}", stress ? "stress" : "strain",
-                     stress ? probing.norm / 1e3 : probing.norm, stress ? " kPa" : "",
-                     probing.step_deg(),
-                     probing.finite ? "each increment integrated" : "by the rate at the state");
-}
-
-std::string cones_in_words(const std::vector<sim::Cone>& cones) {
-  std::string words;
-  for (const auto& cone : cones)
-    words += fmt::format("{}{}–{}", words.empty() ? "" : ", ", in_degrees(cone.from, 2),
-                         in_degrees(cone.to, 2));
-  return words.empty() ? "none" : words;
-}
-
-std::string cones_in_words(const sim::Circle& circle, int directions) {
-  if (!circle.cones.empty() || circle.unanswered == 0) return cones_in_words(circle.cones);
-  if (!circle.least.answered || circle.unanswered >= directions) return "unknown";
-  return fmt::format("none in the {} answered", directions - circle.unanswered);
-}
-
-std::string unanswered_words(const study::ProbedState& state, int directions) {
-  const int refused = state.circle.refused, beyond = state.circle.unanswered - refused;
-  std::string words;
-  if (beyond > 0) words = fmt::format("{} beyond the law's limit", beyond);
-  if (refused > 0)
-    words += fmt::format("{}{} refused by the law{}{}", words.empty() ? "" : ", ", refused,
-                         state.refusal.empty() ? "" : ": ", state.refusal);
-  return words.empty() ? words : fmt::format("of {} directions {}", directions, words);
-}
-
-bool ProbeReport::has_first() const {
-  return many && std::ranges::none_of(states, [](const auto& s) { return s.test.has_value(); });
-}
-
-std::optional<study::FirstUnstable> ProbeReport::first_unstable() const {
-  if (!has_first() || !path.empty()) return isolated;
-  const study::ProbedState* first = nullptr;
-  for (const study::ProbedState& state : states)
-    if (state.circle.unstable() &&
-        (first == nullptr || std::abs(state.eta()) < std::abs(first->eta())))
-      first = &state;
-  return first == nullptr ? std::nullopt : std::optional(first->as_first());
-}
-
-bool ProbeReport::any_answer() const {
-  return std::ranges::any_of(states, [](const auto& s) { return s.circle.least.answered; });
-}
-
-std::string probe_text(const ProbeReport& report, const ProbeDetails& details) {
-  std::string out = simulated_head("Second-order work in every direction", report.material);
-  out += fact("probes", probing_words(report.probing));
-  out += fact("plane", plane_words(report.probing.plane));
-  out += fact("path", report.path);
-  for (const study::ProbedState& state : report.states)
+std::string probe_text(const study::ProbeResult& result, const ProbeDetails& details) {
+  std::string out = simulated_head("Second-order work in every direction", result.material);
+  out += fact("probes", probing_words(result.probing));
+  out += fact("plane", plane_words(result.probing.plane));
+  out += fact("path", result.path);
+  for (const study::ProbedState& state : result.states)
     if (state.test) {
       out += fact("test", test_words(*state.test));
       out += fact("state",
                   "σ′ and e as measured; the law's memory is that without a reversal of shear");
     }
-  out += '\n' + indented(to_text(state_table(report)));
+  out += '\n' + indented(to_text(state_table(result)));
   out += fmt::format(
       "  W₂ normalised, dσ′:dε/(|dσ′||dε|){}; the last column is that of isotropic "
       "unloading{}\n\n",
-      axisymmetric(report.probing) ? "" : ", norms in the plane",
-      report.probing.kind == sim::ProbeKind::strain ? ", a stress increment by the rate" : "");
-  for (const study::ProbedState& state : report.states) {
+      axisymmetric(result.probing) ? "" : ", norms in the plane",
+      result.probing.kind == sim::ProbeKind::strain ? ", a stress increment by the rate" : "");
+  for (const study::ProbedState& state : result.states) {
     if (state.circle.unanswered > 0)
       out += fact("no answer", (state.name.empty() ? "" : state.name + ": ") +
-                                   unanswered_words(state, report.probing.directions));
+                                   unanswered_words(state, result.probing.directions));
     if (state.closed_form)
       out += fact("closed form", (state.name.empty() ? "" : state.name + ": ") + "cones " +
                                      closed_form_words(*state.closed_form));
     if (!state.test || !state.test->increment) continue;
     out += fact("own", own_words(state));
-    if (state.own && report.probing.kind == sim::ProbeKind::stress)
-      out += fact("", place_words(state, report.probing.directions));
+    if (state.own && result.probing.kind == sim::ProbeKind::stress)
+      out += fact("", place_words(state, result.probing.directions));
   }
-  if (report.states.size() == 1) {
-    const study::ProbedState& state = report.states.front();
-    const std::string by = report.probing.finite ? "by the rate, " : "";
+  if (result.states.size() == 1) {
+    const study::ProbedState& state = result.states.front();
+    const std::string by = result.probing.finite ? "by the rate, " : "";
     out += fact("control",
                 fmt::format("{}of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}", by,
-                            axisymmetric(report.probing) ? "2" : "", lost_in_words(state.control)));
-    out += fact(axisymmetric(report.probing) ? "Eq. (34)" : "Eq. (35)",
+                            axisymmetric(result.probing) ? "2" : "", lost_in_words(state.control)));
+    out += fact(axisymmetric(result.probing) ? "Eq. (34)" : "Eq. (35)",
                 by + roots_in_words(state.control));
   }
-  for (const study::ProbedState& state : report.states)
+  for (const study::ProbedState& state : result.states)
     for (const auto& at : state.control.conditions)
-      out += fact("conditions", (report.states.size() > 1 ? state_words(state) + ": " : "") +
+      out += fact("conditions", (result.states.size() > 1 ? state_words(state) + ": " : "") +
                                     condition_words(at));
-  if (report.has_first()) out += fact("first", first_words(report));
+  if (result.has_first()) out += fact("first", first_words(result));
   std::vector<const study::StateHead*> heads;
-  for (const study::ProbedState& state : report.states) heads.push_back(&state);
-  for (const auto& warning : report.warnings) out += fact("warning", warning);
+  for (const study::ProbedState& state : result.states) heads.push_back(&state);
+  for (const auto& warning : result.warnings) out += fact("warning", warning);
   for (const auto& warning : study::warnings_of(heads))
-    if (std::ranges::find(report.warnings, warning) == report.warnings.end())
+    if (std::ranges::find(result.warnings, warning) == result.warnings.end())
       out += fact("warning", warning);
-  for (const study::ProbedState& state : report.states) {
-    if ((details.probes || details.control) && report.states.size() > 1)
+  for (const study::ProbedState& state : result.states) {
+    if ((details.probes || details.control) && result.states.size() > 1)
       out += '\n' + state_heading(state);
     if (details.control) out += '\n' + control_text(state.control);
-    if (details.probes) out += '\n' + indented(to_text(probes_table(report, state)));
+    if (details.probes) out += '\n' + indented(to_text(probes_table(result, state)));
   }
   return without_controls(out);
 }

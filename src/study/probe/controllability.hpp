@@ -15,7 +15,7 @@ struct ControlRoot {
   double failure_rule = 0;  ///< dε₁/dσ₃ of Eq. (40) or (41), 1/Pa
 };
 
-struct ControlReport {
+struct Controllability {
   std::vector<sim::ControlPoint> scan;
   std::vector<sim::LostControl> lost;         ///< ranges of R between kLeastRatio and kLargestRatio
   int asked = 0, unanswered = 0;              ///< controls of that search, of both senses
@@ -29,6 +29,9 @@ struct ControlReport {
   std::vector<ControlRoot> roots;               ///< by rising R
 };
 
+/// Ranges of R in which control of either sense is lost, rising and apart.
+std::vector<sim::LostControl> lost_of_either_sense(const Controllability& control);
+
 inline constexpr double kLeastRatio = 0.05, kLargestRatio = 5;
 
 /// R from 0.1 to 3.
@@ -36,15 +39,15 @@ std::vector<double> usual_ratios();
 
 /// `least`: the probe with the least normalised W₂. No R may be 0.
 template <class Space>
-ControlReport control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
-                         const std::vector<double>& R,
-                         const std::vector<sim::NamedControl>& conditions = {});
+Controllability control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
+                           const std::vector<double>& R,
+                           const std::vector<sim::NamedControl>& conditions = {});
 
-extern template ControlReport control_of(const sim::IncrementalResponse<sim::Axisymmetric>&,
-                                         const sim::Probe&, const std::vector<double>&,
-                                         const std::vector<sim::NamedControl>&);
-extern template ControlReport control_of(const sim::IncrementalResponse<sim::Tensor>&,
-                                         const sim::Probe&, const std::vector<double>&,
-                                         const std::vector<sim::NamedControl>&);
+extern template Controllability control_of(const sim::IncrementalResponse<sim::Axisymmetric>&,
+                                           const sim::Probe&, const std::vector<double>&,
+                                           const std::vector<sim::NamedControl>&);
+extern template Controllability control_of(const sim::IncrementalResponse<sim::Tensor>&,
+                                           const sim::Probe&, const std::vector<double>&,
+                                           const std::vector<sim::NamedControl>&);
 
 }  // namespace triax::study
