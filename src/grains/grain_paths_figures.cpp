@@ -6,10 +6,10 @@
 
 #include "src/plot/axes.hpp"
 #include "src/plot/curve_labels.hpp"
+#include "src/plot/from_zero.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/point_labels.hpp"
 #include "src/plot/shapes.hpp"
-#include "src/triaxial/figures/series_plot.hpp"
 
 namespace triax::src {
 namespace {
