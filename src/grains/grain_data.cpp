@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "sim/mechanics/axisymmetric.hpp"
-#include "src/study/grains/grain_path_findings.hpp"
+#include "src/study/grains/grain_curves.hpp"
 #include "src/study/grains/grain_rose_findings.hpp"
 
 namespace triax::src {
@@ -50,17 +50,15 @@ const std::vector<DataColumn> kPathColumns = {{"stage", ""},
                                               {"unbalanced", ""}};
 
 void add_points(FigureData& data, double stage, const lab::ReportedGrainPath& path) {
-  const sim::GrainPathPoint* before = nullptr;
-  for (const auto& at : path.points) {
-    const auto work = before ? std::optional(study::second_order_work(*before, at, path.path.ratio))
-                             : std::nullopt;
+  const auto works = study::works_along(path);
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const sim::GrainPathPoint& at = path.points[i];
     data.rows.push_back({stage, at.time_s, at.strain.axial, at.strain.radial, at.volumetric_strain,
                          at.stress.axial / 1e3, at.stress.radial / 1e3, at.p_pa / 1e3,
                          at.q_pa / 1e3,
                          at.p_pa > 0 ? std::optional(at.stress_ratio()) : std::nullopt,
-                         path.path.ratio, at.path_stress_pa / 1e3, work, at.porosity,
+                         path.path.ratio, at.path_stress_pa / 1e3, works[i], at.porosity,
                          at.coordination, at.sliding_share, at.kinetic_energy_j, at.unbalanced});
-    before = &at;
   }
 }
 

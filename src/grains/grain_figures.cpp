@@ -10,7 +10,7 @@
 #include "src/grains/grain_perturbations_figure.hpp"
 #include "src/grains/grain_rose_figures.hpp"
 #include "src/output/words.hpp"
-#include "src/study/grains/grain_path_findings.hpp"
+#include "src/study/grains/grain_curves.hpp"
 
 namespace triax::src {
 namespace {
@@ -49,43 +49,10 @@ std::string label_of(const lab::ReportedGrainStage& stage, const Stages& all) {
   return fmt::format("R = {:g}", path.ratio) + (same > 1 ? " " + stage.name : "");
 }
 
-/// Strains counted on from what went before, where paths follow each other: all from the start of
-/// the earliest.
-void count_on(DrawnGrainPath& path, const sim::AxisymmetricStrain& before) {
-  const auto shift = [&](sim::GrainPathPoint& point) {
-    point.strain.axial += before.axial;
-    point.strain.radial += before.radial;
-    point.volumetric_strain += volumetric_strain(before);
-  };
-  for (auto& point : path.points) shift(point);
-  for (auto& mark : path.marks) shift(mark.at);
-}
-
-std::vector<DrawnGrainPath> drawn_paths(const Stages& stages) {
-  std::vector<DrawnGrainPath> paths;
-  const auto earliest =
-      std::min_element(stages.begin(), stages.end(), [](const auto* a, const auto* b) {
-        return std::abs(a->strain_before.axial) < std::abs(b->strain_before.axial);
-      });
-  for (const auto* stage : stages) {
-    const auto& came = std::get<lab::ReportedGrainPath>(stage->came);
-    const study::GrainPathFindings found = study::path_findings(came.path, came.points);
-    DrawnGrainPath path{.label = label_of(*stage, stages),
-                        .points = came.points,
-                        .peak = {},
-                        .first_negative = {},
-                        .marks = {}};
-    if (found.path_stress && found.path_stress->fell) {
-      path.peak = found.path_stress->point;
-      path.first_negative = found.first_negative;
-    }
-    for (const auto& mark : came.marks)
-      if (mark.at) path.marks.push_back({mark.name, *mark.at});
-    const auto &here = stage->strain_before, &first = (*earliest)->strain_before;
-    count_on(path, {here.axial - first.axial, here.radial - first.radial});
-    paths.push_back(std::move(path));
-  }
-  return paths;
+std::vector<study::GrainCurve> labelled_curves(const Stages& stages) {
+  auto curves = study::curves_together(stages);
+  for (std::size_t k = 0; k < curves.size(); ++k) curves[k].label = label_of(*stages[k], stages);
+  return curves;
 }
 
 std::string start_of(const Stages& stages) {
@@ -128,9 +95,9 @@ class Figures {
   }
 
   void add_paths(const char* name, sim::GrainPathKind kind,
-                 Drawing (*draw)(const std::vector<DrawnGrainPath>&, const Subject&)) {
+                 Drawing (*draw)(const std::vector<study::GrainCurve>&, const Subject&)) {
     const Stages stages = paths_of(report_, kind);
-    add(name, draw(drawn_paths(stages), subject_of(report_, start_of(stages))),
+    add(name, draw(labelled_curves(stages), subject_of(report_, start_of(stages))),
         paths_data(report_, stages));
   }
 

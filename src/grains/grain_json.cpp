@@ -2,6 +2,7 @@
 
 #include "lab/grains/grain_words.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
+#include "src/study/grains/grain_curves.hpp"
 #include "src/study/grains/grain_path_findings.hpp"
 #include "src/study/grains/grain_rose_findings.hpp"
 #include "src/study/json_parts.hpp"
@@ -90,16 +91,14 @@ study::Json peak_json(const std::optional<study::GrainPeak>& peak, const char* k
 
 study::Json came_json(const lab::ReportedGrainPath& came) {
   const study::GrainPathFindings found = study::path_findings(came.path, came.points);
+  const auto works = study::works_along(came);
   study::Json marks = study::Json::array(), points = study::Json::array();
   for (const auto& mark : came.marks)
     marks.push_back(
         {{"name", mark.name}, {"at", mark.at ? point_json(*mark.at) : study::Json(nullptr)}});
   for (std::size_t i = 0; i < came.points.size(); ++i) {
     points.push_back(point_json(came.points[i]));
-    points.back()["w2_J_per_m3"] = i == 0
-                                       ? study::Json(nullptr)
-                                       : study::json_number(study::second_order_work(
-                                             came.points[i - 1], came.points[i], came.path.ratio));
+    points.back()["w2_J_per_m3"] = study::json_number(works[i]);
   }
   study::Json negative = nullptr;
   if (found.first_negative) {
