@@ -111,10 +111,8 @@ Command report_command() {
       .purpose = "say when, why and at what stress ratio tests collapsed: text, JSON, HTML or PDF",
       .description =
           {"Reports the named tests and runs of grains, or all, from the database. A test is named "
-           "by "
-           "its number or its name, a run of grains by its name or by grains:NUMBER; of several "
-           "with "
-           "one name the latest is meant.",
+           "by its number or its name, a run of grains by its name or by grains:NUMBER; of several "
+           "with one name the latest is meant.",
            "HTML is one file with its figures inside; PDF is A4. Both hold the path in q-p' with "
            "the onset, "
            "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
@@ -123,16 +121,16 @@ Command report_command() {
            "triax_report.pdf in the current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
            "as SVG, PNG and PDF into a folder, those of runs of grains with the numbers behind "
-           "them; "
-           "without --format and --output nothing else."},
+           "them; without --format and --output nothing else."},
       .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
                        "there is no database yet, or --db names another file"}},
-      .examples = {{"triax report", "all tests as text"},
+      .examples = {{"triax report", "all tests and runs of grains as text"},
                    {"triax report csu_26 --format html --output csu_26.html",
                     "one test with figures"},
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"},
                    {"triax report grains:1 --format html", "a run of grains with its figures"},
-                   {"triax report --figures pictures", "the figures of all tests as files"}},
+                   {"triax report --figures pictures",
+                    "the figures of all tests and runs of grains as files"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("TEST", o->tests,
