@@ -134,8 +134,7 @@ Command report_command() {
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("TEST", o->tests,
-                       "numbers or names of tests, grains:NUMBER or names of runs of grains; none "
-                       "means all")
+                       "numbers or names of tests, grains:1 a run of grains; none means all")
             ->type_name("");
         add_db(app, o->db);
         app.add_option("--format", o->format, "text, json, html or pdf [text]")
