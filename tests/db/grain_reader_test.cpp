@@ -8,7 +8,7 @@
 #include "db/grain_recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
-#include "lab/grains/grain_words.hpp"
+#include "sim/grains/state/triaxial_axes.hpp"
 #include "tests/db/temporary_folder.hpp"
 #include "tests/lab/grains/small_programme.hpp"
 
@@ -250,7 +250,7 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
   CHECK(std::isnan(run.report.stages[0].before.porosity));
   CHECK(run.report.stages[0].after.porosity == 0.41);
   CHECK(run.report.stages[0].after.floating_grains == 13);
-  CHECK(run.report.stages[0].after.wall_stress_pa[2] == Approx(60e3));
+  CHECK(run.report.stages[0].after.wall_stress_pa[sim::kRadial[1]] == Approx(60e3));
   CHECK(run.report.stages[0].seconds == 2.5);
   const auto& path = std::get<lab::ReportedGrainPath>(run.report.stages[0].came);
   CHECK(path.path.kind == sim::GrainPathKind::strain_path);
