@@ -1,14 +1,12 @@
-#include "src/grains/grain_pieces.hpp"
+#include "src/study/grains/grain_pieces.hpp"
 
 #include <fmt/format.h>
 
 #include "lab/base/bad_input.hpp"
 #include "sim/grains/engine/guarded_steps.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
-#include "src/output/output.hpp"
-#include "src/study/grains/grain_piece.hpp"
 
-namespace triax::src {
+namespace triax::study {
 
 const lab::GrainStage& stage_for_pieces(const lab::GrainProgramme& programme) {
   if (programme.grains.made() || programme.stages.size() != 1 ||
@@ -30,14 +28,15 @@ lab::GrainsMade specimen_alone(const lab::GrainProgramme& programme, int threads
   return made;
 }
 
-bool compute_grain_piece(const lab::GrainProgramme& programme, const Piece& piece, int threads,
-                         const std::string& file, const sim::GrainProgress& progress) {
+std::optional<GrainPiece> make_grain_piece(const lab::GrainProgramme& programme, int index,
+                                           int count, int threads,
+                                           const sim::GrainProgress& progress) {
   const lab::GrainStage& stage = stage_for_pieces(programme);
   const auto& how = std::get<lab::GrainProbeStage>(stage.work);
-  const auto numbers = sim::numbers_of_piece(how.directions, piece.index, piece.count);
+  const auto numbers = sim::numbers_of_piece(how.directions, index, count);
   if (numbers.empty())
-    throw lab::BadInput(fmt::format("--piece {}/{}: there are only {} probes to share", piece.index,
-                                    piece.count, how.directions + 1));
+    throw lab::BadInput(fmt::format("--piece {}/{}: there are only {} probes to share", index,
+                                    count, how.directions + 1));
   const sim::GrainState state = specimen_alone(programme, threads).state;
   sim::SomeProbes some;
   try {
@@ -46,14 +45,13 @@ bool compute_grain_piece(const lab::GrainProgramme& programme, const Piece& piec
   } catch (const sim::GrainsFailed& error) {
     throw lab::WorkFailed(fmt::format("stage '{}': {}", stage.name, error.what()));
   }
-  if (some.stopped) return false;
-  study::GrainPiece result;
-  result.index = piece.index;
-  result.count = piece.count;
-  result.specimen = study::probed_grains(state, programme.name, stage.name, how);
+  if (some.stopped) return std::nullopt;
+  GrainPiece result;
+  result.index = index;
+  result.count = count;
+  result.specimen = probed_grains(state, programme.name, stage.name, how);
   result.probes = std::move(some.probes);
-  write_file(file, study::grain_piece_json(result));
-  return true;
+  return result;
 }
 
 lab::GrainStageResult merge_grain_pieces(const lab::GrainProgramme& programme,
@@ -61,14 +59,14 @@ lab::GrainStageResult merge_grain_pieces(const lab::GrainProgramme& programme,
                                          const std::vector<std::string>& files) {
   const lab::GrainStage& stage = stage_for_pieces(programme);
   const auto& how = std::get<lab::GrainProbeStage>(stage.work);
-  study::GrainPiece wanted;
+  GrainPiece wanted;
   wanted.file = programme.source;
-  std::vector<study::GrainPiece> pieces;
+  std::vector<GrainPiece> pieces;
   for (const std::string& file : files) {
-    pieces.push_back(study::load_grain_piece(file));
+    pieces.push_back(load_grain_piece(file));
     // A name says nothing of what was done.
-    wanted.specimen = study::probed_grains(made.state, pieces.back().specimen.programme,
-                                           pieces.back().specimen.stage, how);
+    wanted.specimen = probed_grains(made.state, pieces.back().specimen.programme,
+                                    pieces.back().specimen.stage, how);
     if (const std::string found = difference(pieces.back(), wanted); !found.empty())
       throw lab::BadInput(file, 0, "is no piece of this programme: " + found);
   }
@@ -82,4 +80,4 @@ lab::GrainStageResult merge_grain_pieces(const lab::GrainProgramme& programme,
   return result;
 }
 
-}  // namespace triax::src
+}  // namespace triax::study

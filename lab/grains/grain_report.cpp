@@ -1,12 +1,13 @@
-#include "src/study/grains/grain_report.hpp"
+#include "lab/grains/grain_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/grains/state/triaxial_axes.hpp"
 
-namespace triax::study {
+namespace triax::lab {
 namespace {
 
 /// Marks are states; natural strains add up, so that the end of the path leads back to its start.
@@ -21,7 +22,7 @@ sim::GrainPathPoint since_start(const sim::GrainState& mark, const sim::GrainPat
   return at;
 }
 
-ReportedGrainPath reported(const lab::GrainPathStage& stage, const sim::GrainPathResult& result) {
+ReportedGrainPath reported(const GrainPathStage& stage, const sim::GrainPathResult& result) {
   ReportedGrainPath path{stage.path, result.end, result.points, {}};
   for (std::size_t k = 0; k < stage.mark_names.size(); ++k) {
     ReportedGrainMark mark{stage.mark_names[k], {}};
@@ -31,25 +32,25 @@ ReportedGrainPath reported(const lab::GrainPathStage& stage, const sim::GrainPat
   }
   return path;
 }
-ReportedGrainRest reported(const lab::GrainRestStage& stage, const lab::GrainRest& result) {
+ReportedGrainRest reported(const GrainRestStage& stage, const GrainRest& result) {
   return {stage.strain_held, result};
 }
-ReportedGrainRose reported(const lab::GrainProbeStage& stage, const lab::GrainRose& result) {
-  return {stage.probing, result};
+ReportedGrainRose reported(const GrainProbeStage& stage, const GrainRose& result) {
+  return {stage.probing.norm_pa, result};
 }
-ReportedPerturbation reported(const lab::GrainPerturbationStage& stage,
+ReportedPerturbation reported(const GrainPerturbationStage& stage,
                               const sim::PerturbationResult& result) {
   return {stage.perturbation, result.end, result.points, result.grains_hit, result.most_kinetic_j};
 }
 
 struct Outcome {
-  const lab::GrainStage& stage;
+  const GrainStage& stage;
   ReportedGrainStage& told;
 
-  void operator()(const sim::GrainPathResult& r) { take<lab::GrainPathStage>(r); }
-  void operator()(const lab::GrainRest& r) { take<lab::GrainRestStage>(r); }
-  void operator()(const lab::GrainRose& r) { take<lab::GrainProbeStage>(r); }
-  void operator()(const sim::PerturbationResult& r) { take<lab::GrainPerturbationStage>(r); }
+  void operator()(const sim::GrainPathResult& r) { take<GrainPathStage>(r); }
+  void operator()(const GrainRest& r) { take<GrainRestStage>(r); }
+  void operator()(const GrainRose& r) { take<GrainProbeStage>(r); }
+  void operator()(const sim::PerturbationResult& r) { take<GrainPerturbationStage>(r); }
 
  private:
   template <class Work, class Result>
@@ -66,13 +67,9 @@ std::string GrainReport::about() const {
                      specimen->measures.porosity);
 }
 
-GrainReport grain_report(const lab::GrainProgramme& programme) {
-  return {programme.name, programme.source, programme.grains, {}, {}};
-}
-
-void add(GrainReport& report, const lab::GrainsMade& made) {
+ReportedGrains reported(const GrainSource& asked, const GrainsMade& made) {
   const sim::GrainState& state = made.state;
-  ReportedGrains& told = report.specimen.emplace();
+  ReportedGrains told;
   told.grains = static_cast<std::int64_t>(state.grains.size());
   std::vector<double> diameters;
   for (const sim::Grain& grain : state.grains) diameters.push_back(2 * grain.radius);
@@ -84,24 +81,36 @@ void add(GrainReport& report, const lab::GrainsMade& made) {
   }
   told.law = state.law;
   told.time_step_s = state.time_step_s;
-  const lab::GrainSource& asked = report.asked;
   told.state_file = asked.state_file.empty() ? asked.packing_file : asked.state_file;
   told.measures = made.measures;
-  if (!asked.made()) return;
+  if (!asked.made()) return told;
   told.seed = asked.seed;
   told.compaction_friction = made.compaction_friction_angle;
   told.compaction_pressure = asked.compaction.pressure_pa;
-  told.search = asked.search;
+  if (asked.search) told.porosity_wanted = asked.search->porosity;
   told.trials = made.trials;
+  return told;
 }
 
-void add(GrainReport& report, const lab::GrainStageResult& result) {
-  const lab::GrainStage& stage = *result.stage;
+ReportedGrainStage reported(const GrainStageResult& result) {
+  const GrainStage& stage = *result.stage;
   ReportedGrainStage told{stage.name,     stage.action, stage.from,
                           result.before,  result.after, result.strain_before,
                           result.seconds, result.steps, {}};
   std::visit(Outcome{stage, told}, result.outcome);
-  report.stages.push_back(std::move(told));
+  return told;
 }
 
-}  // namespace triax::study
+sim::GrainMeasures measures_not_stored() {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  sim::GrainMeasures none;
+  none.kinetic_energy_j = none.unbalanced = none.void_ratio = none.porosity = none.coordination =
+      kNaN;
+  none.wall_stress_pa.fill(kNaN);
+  none.stress_pa.setConstant(kNaN);
+  none.grain_contacts = none.wall_contacts = none.sliding_contacts = none.floating_grains =
+      none.grains_outside = kNotStored;
+  return none;
+}
+
+}  // namespace triax::lab

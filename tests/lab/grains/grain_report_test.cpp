@@ -1,4 +1,4 @@
-#include "src/study/grains/grain_report.hpp"
+#include "lab/grains/grain_report.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,7 +7,7 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
+using namespace triax::lab;
 
 TEST_CASE("the specimen is told as it was made") {
   const GrainReport report = test::sample_run();
@@ -30,12 +30,12 @@ TEST_CASE("the specimen is told as it was made") {
 TEST_CASE("a specimen from a file has neither seed nor compaction") {
   auto programme = test::sample_programme();
   programme.grains.state_file = "dense.grains";
-  GrainReport report = grain_report(programme);
-  CHECK(report.about() == "sample");
-  add(report, test::four_grains());
-  CHECK(report.specimen->state_file == "dense.grains");
-  CHECK_FALSE(report.specimen->compaction_friction);
-  CHECK(report.specimen->trials == 0);
+  const ReportedGrains g = reported(programme.grains, test::four_grains());
+  CHECK(g.state_file == "dense.grains");
+  CHECK_FALSE(g.compaction_friction);
+  CHECK(g.trials == 0);
+  CHECK(g.seed == 0);
+  CHECK(GrainReport{"sample", "", {}, {}}.about() == "sample");
 }
 
 TEST_CASE("stages are told in order, each with what came of it") {
@@ -66,9 +66,8 @@ TEST_CASE("a mark has the strains and the time since the start of its path") {
   lab::GrainStageResult result;
   result.stage = &stage;
   result.outcome = made;
-  GrainReport report = grain_report(test::sample_programme());
-  add(report, result);
-  const auto& marks = std::get<ReportedGrainPath>(report.stages[0].came).marks;
+  const auto came = std::get<ReportedGrainPath>(reported(result).came);
+  const auto& marks = came.marks;
   REQUIRE(marks.size() == 2);
   REQUIRE(marks[0].at);
   const auto truth = sim::path_point(*made.marked[0], start.box, 0.825);
