@@ -153,10 +153,11 @@ void CollapseMonitor::Impl::take(const PathPoint& point) {
   criteria.add_point(point, header.has_time);
   tell(listeners, &CollapseListener::second_order_work,
        SecondOrderWorkPoint{.reading = std::llround(point.reading),
-                            .time_s = point.progress,
+                            .time_s = header.has_time ? point.progress : kMissing,
                             .work = point.work,
                             .normalised_error = point.normalised_error,
-                            .window_readings = point.window_readings});
+                            .window_readings = point.window_readings,
+                            .axial_strain_path = header.has_time ? kMissing : point.progress});
   tell_of_descent();
 }
 

@@ -7,6 +7,16 @@
 
 namespace triax::lab {
 
+CounterJoin::CounterJoin() {
+  // What is joined comes first: findings are told in this order.
+  for (const auto zeroed : {RawChannel::Zeroed::joined, RawChannel::Zeroed::reported})
+    for (const QuantityInfo& row : raw_channels())
+      if (row.raw.zeroed == zeroed)
+        counters_.push_back({.quantity = row.quantity,
+                             .drift = row.raw.drift_si,
+                             .joins = zeroed == RawChannel::Zeroed::joined});
+}
+
 void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool stage_begins,
                         std::int64_t line, Findings& findings) {
   for (Counter& counter : counters_) {

@@ -25,6 +25,14 @@ TruthWatch::Lengths truth_lengths(const sim::Specimen::MaterialLaw& law) {
   return {.increment = 5e-4, .lasting = 1e-3};
 }
 
+/// A specimen of ours has no suction, say: such a channel is not on the rig, whatever is described.
+Programme as_far_as_simulated(Programme programme) {
+  for (const auto& row : raw_channels())
+    if (!row.raw.standard && row.raw.of_specimen == nullptr)
+      programme.fitted[index(row.quantity)] = false;
+  return programme;
+}
+
 Plant make_plant(const Programme& programme) {
   try {
     return Plant(programme);
@@ -40,17 +48,21 @@ struct VirtualRig::Impl {
   enum class Mode { running, held, safe, fallen };
 
   Impl(const Programme& p, std::uint64_t used_seed)
-      : programme(p),
-        header(rig_header(p, used_seed)),
-        plant(make_plant(p)),
-        instruments(p, used_seed),
+      : programme(as_far_as_simulated(p)),
+        header(rig_header(programme, used_seed)),
+        plant(make_plant(programme)),
+        instruments(programme, used_seed),
         logger(p.transducers),
         seen(header),
-        supervision(p),
+        supervision(programme),
         axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
                                 .filter_s = p.frame.servo_filter_s}),
         strain_path(p.specimen.height_m, p.frame.servo_filter_s),
-        watch(truth_lengths(plant.specimen().law())) {}
+        watch(truth_lengths(plant.specimen().law())) {
+    for (const auto& row : raw_channels())
+      if (p.fitted[index(row.quantity)] && !programme.fitted[index(row.quantity)])
+        warn(fmt::format("{} is not recorded: the virtual specimen does not have it", row.name));
+  }
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
@@ -191,7 +203,8 @@ PlantDemand VirtualRig::Impl::demand(double dt_s) {
   d.valve_open = stage().valve_open;
   if (mode != Mode::running) {
     // Without a piston there is nothing to lock.
-    if (stage().axial != AxialAction::free) d.axis.kind = AxisDemand::Kind::crosshead;
+    if (way_of(stage().axial).drive != AxialWay::Drive::none)
+      d.axis.kind = AxisDemand::Kind::crosshead;
     return d;
   }
   d.cell = stage().cell;

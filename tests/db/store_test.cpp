@@ -104,6 +104,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   testing::send_scans(listener, 0, 10);
   listener.happened({5, 0.5, lab::EventKind::limit_surface, "q fell"});
   listener.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
+  listener.second_order_work({4, lab::kMissing, {1.5, 1.4, 1.3, 0.9}, 0.02, 51, 0.0125});
   const std::int64_t id = recorder.finish(summary);
 
   const db::Store store(folder.file("t.db"));
@@ -178,8 +179,12 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   REQUIRE(test.events.size() == 1);
   CHECK(test.events[0].kind == lab::EventKind::limit_surface);
   const auto work = store.second_order_work(id);
-  REQUIRE(work.size() == 1);
+  REQUIRE(work.size() == 2);
   CHECK(work[0].reading == 3);
+  CHECK(work[0].time_s == 0.3);
+  CHECK(std::isnan(work[0].axial_strain_path));
+  CHECK(std::isnan(work[1].time_s));
+  CHECK(work[1].axial_strain_path == 0.0125);
   CHECK(work[0].work.eulerian == 1.4);
   CHECK(work[0].window_readings == 51);
 }
