@@ -115,10 +115,10 @@ TEST_CASE("a point of second-order work lies at a time, or on the way along the 
   for (const bool has_time : {true, false}) {
     RecordHeader header = undrained_header();
     header.has_time = has_time;
-    CollapseMonitor monitor(header);
     SyntheticPath path;
     int points = 0;
-    monitor.on_point = [&](const SecondOrderWorkPoint& p) {
+    CollapseListener listener;
+    listener.second_order_work = [&](const SecondOrderWorkPoint& p) {
       ++points;
       const State at = path.state(static_cast<int>(p.reading));
       CHECK(std::isnan(p.time_s) == !has_time);
@@ -128,6 +128,7 @@ TEST_CASE("a point of second-order work lies at a time, or on the way along the 
       else
         CHECK(p.axial_strain_path == Approx(at.strain.axial).epsilon(0.01));
     };
+    CollapseMonitor monitor(header, {listener});
     for (int i = 0; i < 2000; ++i) monitor.watch(path.state(i));
     monitor.finish();
     CHECK(points > 10);
