@@ -1,5 +1,6 @@
 #include "lab/records/counter_join.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -33,6 +34,7 @@ void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool 
                       before / unit.scale, value / unit.scale, row.unit, stage);
       if (counter.joins) {
         counter.offset += before - value;
+        counter.joined = true;
         findings.note(fmt::format("reset {} {}", row.name, stage), line,
                       jump + ": the counter was set to zero; joined as if nothing had moved");
       } else {
@@ -42,6 +44,11 @@ void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool 
     }
     if (counter.offset != 0) value += counter.offset;
   }
+}
+
+bool CounterJoin::joined(Quantity quantity) const {
+  return std::ranges::any_of(counters_,
+                             [&](const Counter& c) { return c.quantity == quantity && c.joined; });
 }
 
 }  // namespace triax::lab

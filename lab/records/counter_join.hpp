@@ -22,6 +22,8 @@ class CounterJoin {
   /// `si` are the values of the next row; joined ones are replaced.
   void apply(std::array<double, kQuantityCount>& si, int stage, bool stage_begins,
              std::int64_t line, Findings& findings);
+  /// Whether the counter of that channel was joined so far.
+  bool joined(Quantity quantity) const;
 
  private:
   struct Counter {
@@ -30,6 +32,7 @@ class CounterJoin {
     bool joins;
     double last = kMissing;  // as the file had it
     double offset = 0;
+    bool joined = false;
   };
   std::vector<Counter> counters_;
 };

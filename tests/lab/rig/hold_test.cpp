@@ -56,9 +56,9 @@ TEST_CASE("while held the crosshead is locked, the pressures stay, and the heade
     for (const Quantity q : rig.header().columns)
       CHECK(r[q] == Approx(held.front()[q]).epsilon(1e-12).margin(1e-15));
   CHECK(rig.header().warnings.empty());
-  std::vector<std::string> kinds;
+  std::vector<EventKind> kinds;
   for (const Event& event : rig.events()) kinds.push_back(event.kind);
-  CHECK(kinds == std::vector<std::string>{"held", "resumed"});
+  CHECK(kinds == std::vector{EventKind::held, EventKind::resumed});
 }
 
 TEST_CASE("hold and resume from outside do what the operator's do") {

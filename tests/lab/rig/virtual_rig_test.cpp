@@ -134,7 +134,7 @@ end = [{quantity = "axial_force_N", above = 5000.0}]
   REQUIRE(truth.run_aways.size() == 1);
   const lab::RunAwayTruth& fall = truth.run_aways[0];
   CHECK(fall.start_s == Approx(collapse_s).margin(0.5));
-  CHECK(fall.end == "end of travel");
+  CHECK(fall.end == lab::RunAwayEnd::end_of_travel);
   CHECK(*fall.end_s - fall.start_s < 2);
   CHECK(fall.largest_kinetic_energy_j > 0.1);
   CHECK(fall.largest_at_s == Approx(*fall.end_s).margin(0.01));

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("a mark that is not known is null, and its angle is where only that is not") {
