@@ -10,8 +10,9 @@
 namespace triax::study {
 
 /// Carries the programme out and stores the specimen and each stage as they end in the database
-/// `db`; `also` is told of all that happens, after what was stored; the progress may stop the run. Gives what the database then holds: a complete run, or an interrupted one with the stages
-/// that had ended. Empty: it was stopped before there was a specimen, and nothing is stored.
+/// `db`; `also` is told of all that happens, after what was stored; the progress may stop the run.
+/// Gives what the database then holds: a complete run, or an interrupted one with the stages that
+/// had ended. Empty: it was stopped before there was a specimen, and nothing is stored.
 ///
 /// Throws as lab::run_grains and db::GrainRecorder; what had ended is stored.
 std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programme,
