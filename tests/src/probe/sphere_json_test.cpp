@@ -1,34 +1,29 @@
-#include "src/probe/sphere_report.hpp"
+#include "src/probe/sphere_json.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include "src/probe/sphere_figures.hpp"
+#include "src/probe/sphere_text.hpp"
+#include "src/study/probe/run_probe.hpp"
 
 using namespace triax;
 using nlohmann::json;
 
 namespace {
 
-src::SphereReport report_of(const std::string& material, const std::vector<double>& etas,
-                            const src::SphereProbing& probing = {}) {
-  src::SphereReport report;
-  report.material = lab::find_material(material);
-  report.probing = probing;
-  report.many = etas.size() > 1;
-  for (const double eta : etas) {
-    study::StateToProbe<sim::Tensor> what;
-    what.state = report.material.material.tensor->start(
-        sim::as_tensor(sim::components(
-            sim::AxisymmetricStress{70e3 * (1 + 2 * eta / 3), 70e3 * (1 - eta / 3)})),
-        1.086);
-    report.states.push_back(src::probe_sphere_of(report.material, what, probing));
-  }
-  return report;
+study::SphereResult result_of(const std::string& material, const std::vector<double>& etas,
+                              const study::SphereProbing& probing = {}) {
+  study::GivenStates states{.stress_kPa = {}, .void_ratio = 1.086};
+  for (const double eta : etas) states.stress_kPa.push_back(study::triaxial_stress(70, 70 * eta));
+  return study::run_sphere(
+      {.material = lab::find_material(material), .states = states, .probing = probing});
 }
 
 }  // namespace
 
 TEST_CASE("in space INL2 is unstable where it is in the axisymmetric plane, by as much") {
-  const json d = json::parse(src::sphere_json(report_of("inl2/S28-general", {0.6})));
+  const json d = json::parse(src::sphere_json(result_of("inl2/S28-general", {0.6})));
   CHECK(d["origin"] == "simulated");
   CHECK(d["probing"]["plane"] == "3d");
   CHECK(d["unstable_regions"] == 1);
@@ -45,7 +40,7 @@ TEST_CASE("in space INL2 is unstable where it is in the axisymmetric plane, by a
 
 TEST_CASE("increments have the norm that is asked for, in the units of their keys") {
   const json d = json::parse(
-      src::sphere_json(report_of("inl2/S28-general", {0.6}, {.norm = 2e3, .rings = 6})));
+      src::sphere_json(result_of("inl2/S28-general", {0.6}, {.norm = 2e3, .rings = 6})));
   CHECK(d["probes"].size() == 72);
   CHECK(d["probing"]["step_deg"] == 30.0);
   for (const auto& probe : d["probes"]) {
@@ -62,26 +57,26 @@ TEST_CASE("increments have the norm that is asked for, in the units of their key
 }
 
 TEST_CASE("elasticity is stable in every direction; several states are a list") {
-  const auto report = report_of("elastic/linear", {0.2, 0.4}, {.rings = 6});
-  const json d = json::parse(src::sphere_json(report));
+  const auto result = result_of("elastic/linear", {0.2, 0.4}, {.rings = 6});
+  const json d = json::parse(src::sphere_json(result));
   REQUIRE(d["states"].size() == 2);
   for (const auto& state : d["states"]) {
     CHECK(state["unstable_share"] == 0.0);
     CHECK(state["unstable_regions"] == 0);
     CHECK(state["least"]["w2_normalised"].get<double>() > 0);
   }
-  CHECK(src::sphere_data(report).rows.size() == 144);
-  for (const auto& row : src::sphere_data(report).rows)
-    CHECK(row.size() == src::sphere_data(report).columns.size());
-  CHECK(src::sphere_text(report).find("(simulated)") != std::string::npos);
-  CHECK(src::sphere_drawing(report).plot);
+  CHECK(src::sphere_data(result).rows.size() == 144);
+  for (const auto& row : src::sphere_data(result).rows)
+    CHECK(row.size() == src::sphere_data(result).columns.size());
+  CHECK(src::sphere_text(result).find("(simulated)") != std::string::npos);
+  CHECK(src::sphere_drawing(result).plot);
   CHECK_FALSE(src::sphere_drawing({}).plot);
 }
 
 TEST_CASE("strain probes of space give their norm as a strain") {
-  const auto report = report_of("inl2/S28-general", {0.6},
+  const auto result = result_of("inl2/S28-general", {0.6},
                                 {.kind = sim::ProbeKind::strain, .norm = 1e-5, .rings = 6});
-  const json d = json::parse(src::sphere_json(report));
+  const json d = json::parse(src::sphere_json(result));
   CHECK(d["probing"]["norm_strain"] == 1e-5);
   CHECK(d["probing"]["norm_kPa"].is_null());
   double square = 0;

@@ -1,4 +1,4 @@
-#include "src/study/probe/control_report.hpp"
+#include "src/study/probe/controllability.hpp"
 #include "src/probe/control_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ using sim::Tensor;
 namespace {
 
 struct Seen {
-  study::ControlReport control;
+  study::Controllability control;
   sim::Circle circle;
 };
 
@@ -89,7 +89,7 @@ TEST_CASE("elasticity holds every R, in both planes, and Eq. (34) has no real ro
 }
 
 TEST_CASE("ranges that the search cuts off say so, and tables hold a row an R") {
-  study::ControlReport control;
+  study::Controllability control;
   control.lost = {{0.05, 0.5, false, true},
                   {2, 5, true, false},
                   {0.6, 0.7, false, false, sim::ControlSense::unloading}};
