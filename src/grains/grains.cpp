@@ -95,18 +95,20 @@ std::optional<db::StoredGrainRun> run_stages(const Options& o, const lab::GrainP
   TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
   progress.next("specimen");
   lab::GrainListener listener;
-  listener.begins = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
+  listener.stage_started = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
     progress.next(stage.name);
     outputs.begins(stage, state);
   };
-  listener.point = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                       const sim::GrainPathPoint& point) {
+  listener.point_kept = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                            const sim::GrainPathPoint& point) {
     outputs.point(stage, state, point.time_s);
   };
-  listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                      const lab::GrainStageResult& /*result*/) { outputs.ends(stage, state); };
-  listener.progress = shown_in(progress, interruption);
-  return study::run_grains(programme, o.chosen_threads(), o.db, listener);
+  listener.stage_ended = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                             const lab::GrainStageResult& /*result*/) {
+    outputs.ends(stage, state);
+  };
+  return study::run_grains(programme, {o.chosen_threads(), shown_in(progress, interruption)}, o.db,
+                           {listener});
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {

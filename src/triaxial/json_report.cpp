@@ -114,7 +114,7 @@ study::Json run_aways_json(const std::vector<lab::RunAwayTruth>& run_aways) {
                     {"kinetic_energy_over_half_work", plain(kinetic_energy_ratio(run_away))},
                     {"expected_ratio", plain(run_away.expected_ratio)},
                     {"end_s", plain(run_away.end_s)},
-                    {"ending", text(run_away.end)}});
+                    {"ending", text(std::string(to_string(run_away.end)))}});
   return list;
 }
 
@@ -166,7 +166,7 @@ study::Json collapse_json(const db::StoredTest& test) {
 study::Json checks_json(const std::vector<lab::Check>& checks) {
   study::Json list = study::Json::array();
   for (const auto& check : checks)
-    list.push_back({{"name", check.name},
+    list.push_back({{"name", to_string(check.kind)},
                     {"measured", plain(check.measured)},
                     {"limit", plain(check.limit)},
                     {"ok", check.ok},

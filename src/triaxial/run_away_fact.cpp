@@ -34,7 +34,9 @@ std::string energy_balance(const lab::RunAwayTruth& run_away) {
 
 std::string ending(const lab::RunAwayTruth& run_away) {
   if (!run_away.end_s) return "still running when the test ended";
-  const auto how = run_away.end.empty() ? std::string("ended") : "ended by " + run_away.end;
+  const auto how = run_away.end == lab::RunAwayEnd::none
+                       ? std::string("ended")
+                       : fmt::format("ended by {}", to_string(run_away.end));
   return fmt::format("{} after {}", how, lapse(*run_away.end_s - run_away.start_s));
 }
 

@@ -34,9 +34,11 @@ const Ran& ran() {
     Ran r;
     lab::GrainListener listener;
     listener.made = [&](const lab::GrainsMade& made) { r.made = made; };
-    listener.ends = [&](const lab::GrainStage&, const sim::GrainState&,
-                        const lab::GrainStageResult& result) { r.results.push_back(result); };
-    lab::run_grains(programme(), 1, listener);
+    listener.stage_ended = [&](const lab::GrainStage&, const sim::GrainState&,
+                               const lab::GrainStageResult& result) {
+      r.results.push_back(result);
+    };
+    lab::run_grains(programme(), {}, {listener});
     return r;
   }();
   return all;

@@ -24,7 +24,7 @@ lab::GrainsMade specimen_alone(const lab::GrainProgramme& programme, int threads
   lab::GrainsMade made;
   lab::GrainListener listener;
   listener.made = [&](const lab::GrainsMade& told) { made = told; };
-  lab::run_grains(no_stages, threads, listener);
+  lab::run_grains(no_stages, {.threads = threads}, {listener});
   return made;
 }
 

@@ -5,21 +5,14 @@
 
 namespace triax::study {
 
-std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programme, int threads,
+std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programme,
+                                             const lab::GrainRunOptions& options,
                                              const std::string& db,
-                                             const lab::GrainListener& also) {
+                                             const lab::GrainListeners& also) {
   std::optional<db::GrainRecorder> recorder(std::in_place, db, programme);
-  lab::GrainListener listener = also;
-  listener.made = [&](const lab::GrainsMade& made) {
-    recorder->made(made);
-    if (also.made) also.made(made);
-  };
-  listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                      const lab::GrainStageResult& result) {
-    recorder->ended(result);
-    if (also.ends) also.ends(stage, state, result);
-  };
-  if (lab::run_grains(programme, threads, listener)) recorder->finish();
+  lab::GrainListeners all = {recorder->listener()};
+  all.insert(all.end(), also.begin(), also.end());
+  if (lab::run_grains(programme, options, all)) recorder->finish();
   const std::int64_t id = recorder->id();
   recorder.reset();  // marks a run that did not finish
   if (id == 0) return std::nullopt;

@@ -12,6 +12,7 @@
 #include "db/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
 
 namespace triax::study {
@@ -78,13 +79,11 @@ class SweepRun {
         lab::read_programme(job_.text, job_.file, job_.sweep.edits(member.place));
     programme.name += fmt::format(" [{}]", job_.sweep.label(member.place));
     lab::VirtualRig rig(programme);
-    lab::Session session;
     db::Recorder recorder(job_.db);
     recorder.belongs_to({job_.name, member.place, job_.sweep.values(member.place)}, turns_);
-    recorder.listen(session);
     try {
-      const lab::TestSummary summary =
-          session.run(rig, {.reduction = {}, .speed = job_.speed, .stop = stop_});
+      const lab::TestSummary summary = lab::run_session(
+          rig, {.reduction = {}, .speed = job_.speed, .stop = stop_}, {recorder.listener()});
       if (stop_()) return recorder.discard();
       member.id = recorder.finish(summary);
       take_findings(member, summary);

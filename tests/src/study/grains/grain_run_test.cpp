@@ -26,12 +26,12 @@ TEST_CASE("a run gives what the database holds, and tells the listener all that 
   int made = 0;
   lab::GrainListener also;
   also.made = [&](const lab::GrainsMade&) { ++made; };
-  also.begins = [&](const lab::GrainStage& stage, const sim::GrainState&) {
+  also.stage_started = [&](const lab::GrainStage& stage, const sim::GrainState&) {
     begun.push_back(stage.name);
   };
-  also.ends = [&](const lab::GrainStage& stage, const sim::GrainState&,
-                  const lab::GrainStageResult&) { ended.push_back(stage.name); };
-  const auto run = study::run_grains(programme, 1, folder.file("t.db"), also);
+  also.stage_ended = [&](const lab::GrainStage& stage, const sim::GrainState&,
+                         const lab::GrainStageResult&) { ended.push_back(stage.name); };
+  const auto run = study::run_grains(programme, {}, folder.file("t.db"), {also});
   REQUIRE(run);
   CHECK(run->status == db::TestStatus::complete);
   CHECK(run->id == 1);
@@ -46,15 +46,15 @@ TEST_CASE("a run that is stopped is interrupted with what had ended, or never wa
   testing::TemporaryFolder folder;
   const auto programme = two_stages();
   bool stop = true;
+  const lab::GrainRunOptions options{1, [&](double, const std::string&) { return !stop; }};
   lab::GrainListener also;
-  also.progress = [&](double, const std::string&) { return !stop; };
-  CHECK_FALSE(study::run_grains(programme, 1, folder.file("t.db"), also));
+  CHECK_FALSE(study::run_grains(programme, options, folder.file("t.db"), {also}));
   CHECK_FALSE(std::filesystem::exists(folder.file("t.db")));
   stop = false;
-  also.begins = [&](const lab::GrainStage& stage, const sim::GrainState&) {
+  also.stage_started = [&](const lab::GrainStage& stage, const sim::GrainState&) {
     stop = stage.name == "drained";
   };
-  const auto run = study::run_grains(programme, 1, folder.file("t.db"), also);
+  const auto run = study::run_grains(programme, options, folder.file("t.db"), {also});
   REQUIRE(run);
   CHECK(run->status == db::TestStatus::interrupted);
   REQUIRE(run->report.stages.size() == 1);
