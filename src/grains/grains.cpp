@@ -108,7 +108,7 @@ std::optional<db::StoredGrainRun> run_stages(const Options& o, const lab::GrainP
     outputs.ends(stage, state);
   };
   return study::run_grains(programme, {o.chosen_threads(), shown_in(progress, interruption)}, o.db,
-                           {listener});
+                           listener);
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "src/output/words.hpp"
 #include "src/triaxial/run_away_fact.hpp"
 
@@ -112,9 +110,7 @@ std::string work_line(const lab::Collapse& collapse) {
 
 std::string truth_line(const lab::Truth& truth) {
   if (!truth.lost_sustainability) return "the virtual specimen itself stayed sustainable";
-  lab::Instant at;
-  at.q_pa = truth.q_pa;
-  at.p_eff_pa = truth.p_eff_pa;
+  const lab::Instant at = study::true_instant(truth);
   std::vector<std::string> parts;
   if (truth.time_s) parts.push_back(duration(truth.time_s));
   if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
@@ -203,18 +199,14 @@ Table summary_table(const std::vector<study::TestResult>& tests) {
 }
 
 std::string summary_banner(const std::vector<study::TestResult>& tests) {
-  const auto count = [&](auto&& is_so) { return std::count_if(tests.begin(), tests.end(), is_so); };
-  const auto simulated =
-      count([](const auto& test) { return test.stored.header.origin == Origin::simulated; });
-  const auto interrupted =
-      count([](const auto& test) { return test.stored.status == db::TestStatus::interrupted; });
+  const auto counts = study::counts_of(tests);
   std::vector<std::string> parts;
-  if (simulated > 0)
+  if (counts.simulated > 0)
     parts.push_back(fmt::format("{} of {} tests SIMULATED: virtual specimens, no measurement",
-                                simulated, tests.size()));
-  if (interrupted > 0)
-    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict", interrupted,
-                                tests.size()));
+                                counts.simulated, counts.tests));
+  if (counts.interrupted > 0)
+    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict",
+                                counts.interrupted, counts.tests));
   return fmt::format("{}", fmt::join(parts, ". "));
 }
 

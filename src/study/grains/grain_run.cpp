@@ -8,11 +8,9 @@ namespace triax::study {
 std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programme,
                                              const lab::GrainRunOptions& options,
                                              const std::string& db,
-                                             const lab::GrainListeners& also) {
+                                             const lab::GrainListener& also) {
   std::optional<db::GrainRecorder> recorder(std::in_place, db, programme);
-  lab::GrainListeners all = {recorder->listener()};
-  all.insert(all.end(), also.begin(), also.end());
-  if (lab::run_grains(programme, options, all)) recorder->finish();
+  if (lab::run_grains(programme, options, {recorder->listener(), also})) recorder->finish();
   const std::int64_t id = recorder->id();
   recorder.reset();  // marks a run that did not finish
   if (id == 0) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
+#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
 namespace {
@@ -27,12 +28,9 @@ void take_findings(SweepMember& member, const lab::TestSummary& summary) {
     member.eta = collapse.onset->eta();
   }
   if (!summary.truth) return;
-  lab::Instant truly;
-  truly.q_pa = summary.truth->q_pa;
-  truly.p_eff_pa = summary.truth->p_eff_pa;
   member.truly_lost = summary.truth->lost_sustainability;
   member.true_time_s = summary.truth->time_s;
-  member.true_eta = truly.eta();
+  member.true_eta = true_instant(*summary.truth).eta();
 }
 
 /// Tests are taken from one counter, results have places of their own.

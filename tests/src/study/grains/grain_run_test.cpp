@@ -31,7 +31,7 @@ TEST_CASE("a run gives what the database holds, and tells the listener all that 
   };
   also.stage_ended = [&](const lab::GrainStage& stage, const sim::GrainState&,
                          const lab::GrainStageResult&) { ended.push_back(stage.name); };
-  const auto run = study::run_grains(programme, {}, folder.file("t.db"), {also});
+  const auto run = study::run_grains(programme, {}, folder.file("t.db"), also);
   REQUIRE(run);
   CHECK(run->status == db::TestStatus::complete);
   CHECK(run->id == 1);
@@ -48,13 +48,13 @@ TEST_CASE("a run that is stopped is interrupted with what had ended, or never wa
   bool stop = true;
   const lab::GrainRunOptions options{1, [&](double, const std::string&) { return !stop; }};
   lab::GrainListener also;
-  CHECK_FALSE(study::run_grains(programme, options, folder.file("t.db"), {also}));
+  CHECK_FALSE(study::run_grains(programme, options, folder.file("t.db"), also));
   CHECK_FALSE(std::filesystem::exists(folder.file("t.db")));
   stop = false;
   also.stage_started = [&](const lab::GrainStage& stage, const sim::GrainState&) {
     stop = stage.name == "drained";
   };
-  const auto run = study::run_grains(programme, options, folder.file("t.db"), {also});
+  const auto run = study::run_grains(programme, options, folder.file("t.db"), also);
   REQUIRE(run);
   CHECK(run->status == db::TestStatus::interrupted);
   REQUIRE(run->report.stages.size() == 1);
