@@ -46,8 +46,8 @@ TEST_CASE("a run that is stopped is interrupted with what had ended, or never wa
   testing::TemporaryFolder folder;
   const auto programme = two_stages();
   bool stop = true;
-  const lab::GrainRunOptions options{1, [&](double, const std::string&) { return !stop; }};
   lab::GrainListener also;
+  const lab::GrainRunOptions options{1, [&](double, const std::string&) { return !stop; }};
   CHECK_FALSE(study::run_grains(programme, options, folder.file("t.db"), also));
   CHECK_FALSE(std::filesystem::exists(folder.file("t.db")));
   stop = false;
