@@ -21,6 +21,8 @@ class GrainRecorder {
   GrainRecorder(const GrainRecorder&) = delete;
   GrainRecorder& operator=(const GrainRecorder&) = delete;
 
+  /// What a run tells, into the database; as long as this recorder lives.
+  lab::GrainListener listener();
   void made(const lab::GrainsMade& made);
   /// After made(). All of the stage or nothing.
   void ended(const lab::GrainStageResult& result);

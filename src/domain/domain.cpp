@@ -29,7 +29,7 @@ std::vector<sim::DomainColumn> computed(const DomainOptions& o, const lab::Mater
                          [&] {
                            sim::DomainWorker worker{lab::made_anew(material), {}};
                            worker.criteria =
-                               sim::domain_criteria(worker.material, grid, o.localisation);
+                               sim::domain_criteria(worker.material, grid, o.criteria);
                            return worker;
                          },
                          {.threads = o.threads, .progress = [&bar](double share) {
@@ -99,7 +99,8 @@ void check_output(const DomainOptions& o, const std::optional<lab::MaterialSet>&
     if (!o.material.file.empty())
       refuse_overwriting("--output", file, {o.material.file}, "the file of --materials");
     if (material)
-      refuse_overwriting("--output", file, study::files_named_by(*material), "named by " + material->name);
+      refuse_overwriting("--output", file, study::files_named_by(*material),
+                         "named by " + material->name);
     if (!o.tests.empty())
       refuse_overwriting("--output", file, database_files(o.db), "the database");
   }
@@ -122,7 +123,8 @@ void run(const DomainOptions& o) {
   check_output(o, material);
   if (!o.piece.empty()) {
     const Piece piece = piece_of(o.piece);
-    return write_file(o.output, study::piece_json(compute(o, *material, piece), piece.index, piece.count));
+    return write_file(o.output,
+                      study::piece_json(compute(o, *material, piece), piece.index, piece.count));
   }
   const std::vector<study::TestedState> tests = tests_on_top(o);
   const study::ReportedDomain domain = material ? compute(o, *material, {}) : merge(o);

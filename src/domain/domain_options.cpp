@@ -80,14 +80,12 @@ void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
                                     axisymmetric ? "" : why));
 }
 
-std::string no_tangents(const lab::MaterialSet& material) {
+std::string no_tangents(const std::string& criterion, const lab::MaterialSet& material) {
   const auto& law = material.material;
   if (law.tensor != nullptr)
-    return fmt::format(
-        "--localisation: {} is a law of finite increments, without the tangents "
-        "that it needs",
-        material.name);
-  return fmt::format("--localisation needs the full tensor, and {} has no form for it{}",
+    return fmt::format("--{}: {} is a law of finite increments, without the tangents that it needs",
+                       criterion, material.name);
+  return fmt::format("--{} needs the full tensor, and {} has no form for it{}", criterion,
                      material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
 }
 
@@ -106,8 +104,11 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
   app.add_option("--directions", o.directions, "directions at each state")
       ->capture_default_str()
       ->type_name("N");
-  app.add_flag("--localisation", o.localisation,
-               "look for vanishing acoustic tensors (Rice) too, which takes ten times as long");
+  for (const auto& kind : sim::domain_criterion_kinds())
+    if (kind.on_request())
+      app.add_flag_callback(
+          fmt::format("--{}", kind.name), [&o, kind] { o.criteria.emplace_back(kind.name); },
+          std::string(kind.help));
   app.add_option("--threads", o.threads,
                  "number of threads; the result does not depend on it [all cores]")
       ->check(CLI::Range(1, 4096).description(""))
@@ -165,13 +166,14 @@ study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::Mater
                                    .void_ratio = chosen_void_ratio(o.material, material),
                                    .plane = o.plane,
                                    .directions = o.directions,
-                                   .localisation = o.localisation};
+                                   .criteria = {}};
   study::check_grid(grid, "the grid");
   check_law(o, material);
-  const auto criteria =
-      sim::domain_criteria(material.material, study::domain_grid(grid), grid.localisation);
-  grid.determinant = static_cast<bool>(criteria.determinant);
-  if (grid.localisation && !criteria.localisation) throw lab::BadInput(no_tangents(material));
+  for (const auto& criterion :
+       sim::domain_criteria(material.material, study::domain_grid(grid), o.criteria))
+    grid.criteria.push_back(criterion.name);
+  for (const std::string& asked : o.criteria)
+    if (!grid.looks_for(asked)) throw lab::BadInput(no_tangents(asked, material));
   return grid;
 }
 

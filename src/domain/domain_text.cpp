@@ -28,23 +28,16 @@ std::vector<const study::ReportedColumn*> told(const study::ReportedDomain& doma
   return columns;
 }
 
-using Mark = std::optional<study::DomainMark> study::ReportedBoundary::*;
-
 struct Criterion {
-  const char* heading;  ///< of the text
-  const char* key;      ///< of the CSV
-  Mark mark;
+  std::string heading;  ///< of the text
+  std::string key;      ///< of the CSV
 };
 
 /// Those that were looked for: an empty cell of them says that they were not met.
 std::vector<Criterion> criteria(const study::DomainSettings::Grid& grid) {
-  std::vector<Criterion> all = {{"η isotropic unloading", "isotropic_unloading",
-                                 &study::ReportedBoundary::isotropic_unloading}};
-  if (grid.determinant)
-    all.push_back({"η determinant", "determinant", &study::ReportedBoundary::determinant});
-  if (grid.localisation)
-    all.push_back({"η localisation", "localisation", &study::ReportedBoundary::localisation});
-  all.push_back({"η plastic limit", "limit", &study::ReportedBoundary::limit});
+  std::vector<Criterion> all = {{"η isotropic unloading", "isotropic_unloading"}};
+  for (const std::string& name : grid.criteria) all.push_back({"η " + spaced(name), name});
+  all.push_back({"η plastic limit", "limit"});
   return all;
 }
 
@@ -60,7 +53,7 @@ Table boundary_table(const study::ReportedDomain& domain,
     auto& row = table.rows.emplace_back();
     row = {number(column->p_eff_kPa, 1), number(eta(b.first_unstable), 4),
            number(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt, 2)};
-    for (const auto& one : shown) row.push_back(number(eta(b.*one.mark), 4));
+    for (const auto& one : shown) row.push_back(number(eta(b.mark(one.key)), 4));
   }
   return table;
 }
@@ -177,7 +170,7 @@ std::string domain_boundaries_csv(const study::ReportedDomain& domain) {
       out += fmt::format("{},{}", column.p_eff_kPa, extension ? "extension" : "compression");
       out += q(b.first_unstable);
       out += cell(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt);
-      for (const auto& one : shown) out += q(b.*one.mark);
+      for (const auto& one : shown) out += q(b.mark(one.key));
       out += '\n';
     }
   return out;

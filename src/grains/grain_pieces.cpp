@@ -26,7 +26,7 @@ lab::GrainsMade specimen_alone(const lab::GrainProgramme& programme, int threads
   lab::GrainsMade made;
   lab::GrainListener listener;
   listener.made = [&](const lab::GrainsMade& told) { made = told; };
-  lab::run_grains(no_stages, threads, listener);
+  lab::run_grains(no_stages, {.threads = threads}, {listener});
   return made;
 }
 
@@ -68,7 +68,7 @@ lab::GrainStageResult merge_grain_pieces(const lab::GrainProgramme& programme,
     pieces.push_back(study::load_grain_piece(file));
     // A name says nothing of what was done.
     wanted.specimen = study::probed_grains(made.state, pieces.back().specimen.programme,
-                                    pieces.back().specimen.stage, how);
+                                           pieces.back().specimen.stage, how);
     if (const std::string found = difference(pieces.back(), wanted); !found.empty())
       throw lab::BadInput(file, 0, "is no piece of this programme: " + found);
   }

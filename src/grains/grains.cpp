@@ -86,29 +86,25 @@ bool run_stages(const Options& o, const lab::GrainProgramme& programme, GrainOut
   TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
   progress.next("specimen");
   lab::GrainListener listener;
-  listener.made = [&](const lab::GrainsMade& made) {
-    recorder.made(made);
-    add(report, made);
-  };
-  listener.begins = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
+  listener.made = [&](const lab::GrainsMade& made) { add(report, made); };
+  listener.stage_started = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
     progress.next(stage.name);
     outputs.begins(stage, state);
   };
-  listener.point = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                       const sim::GrainPathPoint& point) {
+  listener.point_kept = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                            const sim::GrainPathPoint& point) {
     outputs.point(stage, state, point.time_s);
   };
-  listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                      const lab::GrainStageResult& result) {
-    recorder.ended(result);
+  listener.stage_ended = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                             const lab::GrainStageResult& result) {
     add(report, result);
     outputs.ends(stage, state);
   };
-  listener.progress = [&](double share, const std::string& what) {
+  const auto show = [&](double share, const std::string& what) {
     progress.show(share, what);
     return !interruption.requested();
   };
-  return lab::run_grains(programme, o.chosen_threads(), listener);
+  return lab::run_grains(programme, {o.chosen_threads(), show}, {recorder.listener(), listener});
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {

@@ -21,8 +21,7 @@ std::optional<std::string> shared(const std::string& name) {
 
 TestSummary replay(const std::string& path, RecordOptions options = {}) {
   const auto rig = open_record(path, options);
-  Session session;
-  return session.run(*rig, {});
+  return run_session(*rig, {});
 }
 
 bool mentions(const std::vector<Warning>& warnings, const std::string& text) {
@@ -82,7 +81,7 @@ TEST_CASE("the .gds file: counters joined, B 0.733, its own q 5.4 % too high and
   CHECK(*s.consolidation.b_value == Approx(0.733).margin(0.001));
   CHECK(*s.consolidation.height_m * 1e3 == Approx(97.80).margin(0.01));
   const auto closure = std::find_if(s.checks.begin(), s.checks.end(), [](const Check& c) {
-    return c.name == "closure_deviator_stress";
+    return c.kind == CheckKind::closure_deviator_stress;
   });
   REQUIRE(closure != s.checks.end());
   CHECK(*closure->measured == Approx(-0.055).margin(0.002));

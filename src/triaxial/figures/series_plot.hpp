@@ -2,11 +2,12 @@
 // Curves of several tests in one plane: one look a test, a common mark at the onset of collapse.
 #include <qcustomplot.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "src/plot/shapes.hpp"
-#include "src/study/triaxial/test_result.hpp"
+#include "src/study/triaxial/shear_series.hpp"
 
 namespace triax::src {
 
@@ -14,7 +15,15 @@ namespace triax::src {
 QCPScatterStyle onset_marker();
 
 /// Entries of the legend: a curve a test, and the onset if any test has one.
-void name_series(QCPAxisRect& rect, const std::vector<study::TestResult>& tests);
+void name_series(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests);
+
+/// What an axis shows of a state, in the unit of the axis; NaN where it is not known.
+using StateValue = double (*)(const lab::State&);
+
+/// States as points of a plane, in order, up to the first beyond `x_most` (what an axis would cut
+/// off on a screen, an SVG shows); those not known in both are left out.
+Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue y,
+                 double x_most = std::numeric_limits<double>::infinity());
 
 /// The curve of the test with this number, thinned to what the eye can see. Ranges of the axes must
 /// be final.
@@ -25,9 +34,6 @@ void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number);
 QCPRange from_zero(const QCPRange& range);
 
 /// "ICU 6, ICU 42 and ICU 7".
-std::string names_of(const std::vector<study::TestResult>& tests);
-
-/// All of them, for what is said of their origin.
-std::vector<const study::TestResult*> pointers_to(const std::vector<study::TestResult>& tests);
+std::string names_of(const std::vector<study::SeriesTest>& tests);
 
 }  // namespace triax::src

@@ -159,6 +159,7 @@ TEST_CASE("GDSLab: five stages, joined counters, the typed-in height") {
   CHECK(readings.back()[deviator_stress] == Approx(72.8158e3));
   CHECK(warns(header, 2901, "97.80 mm"));
   CHECK(warns(header, 2901, "back_volume jumps from 8058 to 0 mm3"));
+  CHECK(header.back_volume_joined);
   CHECK(warns(header, 42, "stage 2 begins at 300 s"));
 }
 

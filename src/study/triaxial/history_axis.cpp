@@ -1,9 +1,11 @@
-#include "src/triaxial/figures/history_axis.hpp"
+#include "src/study/triaxial/history_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace triax::src {
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::study {
 namespace {
 
 // Beside the onset, so much of the shear stage is shown before and after it: enough to see the
@@ -20,10 +22,21 @@ bool in_shear(const lab::RecordHeader& header, const lab::State& state, bool she
   return !shear_known || (stage != nullptr && stage->role == lab::StageRole::shear);
 }
 
-void choose_time_unit(HistoryAxis& axis, const std::string& since) {
-  const double longest = axis.end - axis.origin;  // a close view keeps the unit of the whole
-  axis.unit = longest <= 3600 ? 1 : longest <= 6 * 3600 ? 60 : 3600;
-  axis.title = "time " + since + (axis.unit == 1 ? " (s)" : axis.unit == 60 ? " (min)" : " (h)");
+/// False where nothing is left to show.
+bool narrow_to_onset(HistoryAxis& axis, const std::optional<lab::Instant>& onset) {
+  const auto at = !onset ? std::nullopt : axis.along_time ? onset->time_s : onset->axial_strain;
+  if (!at) return false;
+  const double length = axis.end - axis.begin;
+  axis.begin = std::max(axis.begin, *at - kBeforeOnset * length);
+  axis.end = std::min(axis.end, *at + kAfterOnset * length);
+  return axis.end > axis.begin;
+}
+
+/// From 0 of the axis, not from where a close view begins: it has the unit of the whole.
+double unit_for(const HistoryAxis& axis) {
+  if (!axis.along_time) return 0.01;
+  const double longest_s = axis.end - axis.origin;
+  return longest_s <= 3600 ? 1 : longest_s <= 6 * 3600 ? 60 : 3600;
 }
 
 }  // namespace
@@ -34,7 +47,7 @@ std::optional<double> HistoryAxis::position(double time_s, double axial_strain) 
   return (si - origin) / unit;
 }
 
-std::optional<HistoryAxis> history_axis(const study::TestResult& test, Span span) {
+std::optional<HistoryAxis> history_axis(const TestResult& test, Span span) {
   const auto& header = test.stored.header;
   HistoryAxis axis;
   axis.along_time = header.has_time;
@@ -51,24 +64,11 @@ std::optional<HistoryAxis> history_axis(const study::TestResult& test, Span span
   }
   if (!any || axis.end <= axis.begin) return std::nullopt;
   if (axis.along_time) axis.origin = axis.begin;
-
-  if (span == Span::onset) {
-    const auto onset = study::collapse_onset(test.stored);
-    const auto at = !onset ? std::nullopt : axis.along_time ? onset->time_s : onset->axial_strain;
-    if (!at) return std::nullopt;
-    const double length = axis.end - axis.begin;
-    const double start = axis.begin;
-    axis.begin = std::max(start, *at - kBeforeOnset * length);
-    axis.end = std::min(axis.end, *at + kAfterOnset * length);
-    if (axis.end <= axis.begin) return std::nullopt;
-  }
-  if (axis.along_time) {
-    choose_time_unit(axis, shear_known ? "since start of shear" : "since start of record");
-  } else {
-    axis.unit = 0.01;
-    axis.title = "axial strain ε₁ (%), no time in the record";
-  }
+  axis.from_shear = shear_known;
+  if (span == Span::onset && !narrow_to_onset(axis, collapse_onset(test.stored)))
+    return std::nullopt;
+  axis.unit = unit_for(axis);
   return axis;
 }
 
-}  // namespace triax::src
+}  // namespace triax::study
