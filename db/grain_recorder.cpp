@@ -83,4 +83,6 @@ std::int64_t GrainRecorder::finish() {
   return impl_->id;
 }
 
+std::int64_t GrainRecorder::id() const { return impl_->id; }
+
 }  // namespace triax::db

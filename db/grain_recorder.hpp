@@ -28,6 +28,8 @@ class GrainRecorder {
   void ended(const lab::GrainStageResult& result);
   /// The run is complete; gives its id.
   std::int64_t finish();
+  /// Of the run; 0 before made().
+  std::int64_t id() const;
 
  private:
   struct Impl;

@@ -10,17 +10,12 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
-#include "sim/stability/domain_criteria.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/study/domain/domain_piece.hpp"
+#include "src/study/domain/usual_grid.hpp"
 
 namespace triax::src {
 namespace {
-
-struct Line {
-  double from = 0, to = 0;
-  int count = 200;
-};
 
 template <class Number>
 bool read(std::string_view text, Number& value) {
@@ -40,10 +35,10 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }
 
 /// FROM:TO or FROM:TO:COUNT; `usual` where nothing is given.
-Line line(const char* option, const std::string& text, const Line& usual) {
+study::GridLine line(const char* option, const std::string& text, const study::GridLine& usual) {
   if (text.empty()) return usual;
   const auto parts = split(text, ':');
-  Line found = usual;
+  study::GridLine found = usual;
   const bool good = (parts.size() == 2 || parts.size() == 3) && read(parts[0], found.from) &&
                     read(parts[1], found.to) &&
                     (parts.size() == 2 || read(parts[2], found.count)) &&
@@ -52,23 +47,6 @@ Line line(const char* option, const std::string& text, const Line& usual) {
     throw lab::BadInput(fmt::format("{} {}: FROM:TO:COUNT is wanted, as in 10:300:200", option,
                                     lab::excerpt(text)));
   return found;
-}
-
-/// What the set is for, within the stresses of the triaxial tests that are usual.
-Line usual_p(const lab::MaterialSet& material) {
-  Line p{10, 300, 200};
-  if (!material.p_eff_range_kPa) return p;
-  const auto [low, high] = *material.p_eff_range_kPa;
-  p.from = std::max(p.from, low);
-  if (high > p.from) p.to = std::min(p.to, high);
-  return p;
-}
-
-/// From isotropic stress to the critical stress ratio at the highest p′.
-Line usual_q(const lab::MaterialSet& material, const Line& p) {
-  const auto* law = material.material.axisymmetric.get();
-  const double ratio = (law != nullptr ? law->limit_stress_ratio() : std::nullopt).value_or(1.5);
-  return {0, 10 * std::ceil(ratio * p.to / 10), 200};
 }
 
 void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
@@ -155,8 +133,8 @@ void check_domain_options(const CLI::App& app, const DomainOptions& o) {
 }
 
 study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {
-  const Line p = line("--p-kPa", o.p, usual_p(material));
-  const Line q = line("--q-kPa", o.q, usual_q(material, p));
+  const study::GridLine p = line("--p-kPa", o.p, study::usual_p(material));
+  const study::GridLine q = line("--q-kPa", o.q, study::usual_q(material, p));
   study::DomainSettings::Grid grid{.p_from_kPa = p.from,
                                    .p_to_kPa = p.to,
                                    .q_from_kPa = q.from,
@@ -169,9 +147,7 @@ study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::Mater
                                    .criteria = {}};
   study::check_grid(grid, "the grid");
   check_law(o, material);
-  for (const auto& criterion :
-       sim::domain_criteria(material.material, study::domain_grid(grid), o.criteria))
-    grid.criteria.push_back(criterion.name);
+  grid.criteria = study::possible_criteria(material, grid, o.criteria);
   for (const std::string& asked : o.criteria)
     if (!grid.looks_for(asked)) throw lab::BadInput(no_tangents(asked, material));
   return grid;

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "src/domain/domain_text.hpp"
 #include "src/output/simulated_head.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
+#include "src/study/domain/domain_counts.hpp"
 
 namespace triax::src {
 namespace {
@@ -58,17 +58,8 @@ Table boundary_table(const study::ReportedDomain& domain,
   return table;
 }
 
-using Counts = std::array<int, sim::kDomainStateKinds.size()>;
-
-Counts counts(const study::ReportedDomain& domain) {
-  Counts all{};
-  for (const auto& column : domain.columns)
-    for (const auto& state : column.states) ++all[static_cast<std::size_t>(state.kind)];
-  return all;
-}
-
 std::string shares(const study::ReportedDomain& domain) {
-  const Counts of = counts(domain);
+  const study::KindCounts of = study::counts_of_kinds(domain);
   const double all = std::max(1, std::accumulate(of.begin(), of.end(), 0));
   const auto share = [&](sim::DomainStateKind kind) {
     return 100 * of[static_cast<std::size_t>(kind)] / all;

@@ -96,15 +96,15 @@ std::string summary_markup(const std::vector<study::TestResult>& tests) {
 
 }  // namespace
 
-std::string html_report(const std::vector<study::TestResult>& tests) {
+std::string html_report(const std::vector<study::TestResult>& tests, const std::string& more) {
   std::string html = kHead;
   html += "<h1>Triaxial tests: when and why they lost sustainability</h1>\n";
-  if (tests.empty()) html += "<p>The database holds no test.</p>\n";
+  if (tests.empty() && more.empty()) html += "<p>The database holds no test.</p>\n";
   if (const auto banner = summary_banner(tests); !banner.empty())
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(banner));
   if (!tests.empty()) html += summary_markup(tests);
   for (const auto& test : tests) html += test_markup(test);
-  return html + "</body>\n</html>\n";
+  return html + more + "</body>\n</html>\n";
 }
 
 }  // namespace triax::src

@@ -62,13 +62,15 @@ PageSection test_section(const study::TestResult& test) {
 
 }  // namespace
 
-void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path) {
+void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path,
+                const std::vector<PageSection>& more) {
   need_drawing();
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   Pages pages(buffer, kTitle);
-  pages.add(summary_section(tests));
+  if (!tests.empty() || more.empty()) pages.add(summary_section(tests));
   for (const auto& test : tests) pages.add(test_section(test));
+  for (const auto& section : more) pages.add(section);
   pages.finish();
   write_file(path, {buffer.data().constData(), static_cast<std::size_t>(buffer.data().size())});
 }

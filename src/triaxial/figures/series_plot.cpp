@@ -40,10 +40,6 @@ void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number) {
   draw_curve(rect, kept, curve_pen(number));
 }
 
-QCPRange from_zero(const QCPRange& range) {
-  return {range.lower < 0 && range.lower > -range.size() / 8 ? 0 : range.lower, range.upper};
-}
-
 std::string names_of(const std::vector<study::SeriesTest>& tests) {
   std::string names;
   for (std::size_t i = 0; i < tests.size(); ++i)

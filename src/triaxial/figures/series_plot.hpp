@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "src/plot/from_zero.hpp"
 #include "src/plot/shapes.hpp"
 #include "src/study/triaxial/shear_series.hpp"
 
@@ -28,10 +29,6 @@ Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue
 /// The curve of the test with this number, thinned to what the eye can see. Ranges of the axes must
 /// be final.
 void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number);
-
-/// The range from 0 where only the noise of a quantity that is never negative, and the margin that
-/// this brought about, lie below (an eighth of the range at most).
-QCPRange from_zero(const QCPRange& range);
 
 /// "ICU 6, ICU 42 and ICU 7".
 std::string names_of(const std::vector<study::SeriesTest>& tests);
