@@ -33,7 +33,8 @@ endfunction()
 function(triax_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
   add_library(${name} STATIC ${sources})
-  target_link_libraries(${name} PUBLIC triax_flags)
+  # Our warnings are ours: who uses an installed library has flags of their own.
+  target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:triax_flags>)
 endfunction()
 
 # triax_embed(TARGET SYMBOL FILES...): the files' text as a C++ table that needs no install path.
