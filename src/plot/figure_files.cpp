@@ -4,6 +4,7 @@
 
 #include <QBuffer>
 #include <QPageSize>
+#include <QPainter>
 #include <QPdfWriter>
 #include <cmath>
 #include <nlohmann/json.hpp>

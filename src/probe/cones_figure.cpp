@@ -224,7 +224,7 @@ class Picture {
 
   const ConesPicture& data_;
   StressAxes plane_;
-  std::unique_ptr<QCustomPlot> plot_;
+  OwnPlot plot_;
   std::vector<PointLabel> labels_;
   double radius_ = 0;  // of a fan with room around it, kPa
 };

@@ -1,4 +1,6 @@
 // The three figures: that what is drawn is where the data are, and nothing without data.
+#include <qcustomplot.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
