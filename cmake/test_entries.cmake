@@ -4,7 +4,8 @@
 cmake_policy(VERSION 3.25)  # ctest starts with none
 set(surroundings
   "LSAN_OPTIONS=suppressions=${root}/tests/leaks_of_others.txt:print_suppressions=0"
-  "TSAN_OPTIONS=suppressions=${root}/tests/races_of_others.txt:halt_on_error=1")
+  "ASAN_SYMBOLIZER_PATH=/usr/bin/llvm-symbolizer-14"
+  "TSAN_OPTIONS=suppressions=${root}/tests/races_of_others.txt:halt_on_error=1:external_symbolizer_path=/usr/bin/llvm-symbolizer-14")
 
 macro(triax_entry entry filter seconds)
   add_test("${entry}" "${program}" -\# -w NoTests "${filter}")

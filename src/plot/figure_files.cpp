@@ -1,10 +1,10 @@
 #include "src/plot/figure_files.hpp"
 
 #include <fmt/format.h>
+#include <qcustomplot.h>
 
 #include <QBuffer>
 #include <QPageSize>
-#include <QPainter>
 #include <QPdfWriter>
 #include <cmath>
 #include <nlohmann/json.hpp>
