@@ -10,17 +10,12 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
-#include "sim/stability/domain_criteria.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/study/domain/domain_piece.hpp"
+#include "src/study/domain/usual_grid.hpp"
 
 namespace triax::src {
 namespace {
-
-struct Line {
-  double from = 0, to = 0;
-  int count = 200;
-};
 
 template <class Number>
 bool read(std::string_view text, Number& value) {
@@ -40,10 +35,10 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }
 
 /// FROM:TO or FROM:TO:COUNT; `usual` where nothing is given.
-Line line(const char* option, const std::string& text, const Line& usual) {
+study::GridLine line(const char* option, const std::string& text, const study::GridLine& usual) {
   if (text.empty()) return usual;
   const auto parts = split(text, ':');
-  Line found = usual;
+  study::GridLine found = usual;
   const bool good = (parts.size() == 2 || parts.size() == 3) && read(parts[0], found.from) &&
                     read(parts[1], found.to) &&
                     (parts.size() == 2 || read(parts[2], found.count)) &&
@@ -52,23 +47,6 @@ Line line(const char* option, const std::string& text, const Line& usual) {
     throw lab::BadInput(fmt::format("{} {}: FROM:TO:COUNT is wanted, as in 10:300:200", option,
                                     lab::excerpt(text)));
   return found;
-}
-
-/// What the set is for, within the stresses of the triaxial tests that are usual.
-Line usual_p(const lab::MaterialSet& material) {
-  Line p{10, 300, 200};
-  if (!material.p_eff_range_kPa) return p;
-  const auto [low, high] = *material.p_eff_range_kPa;
-  p.from = std::max(p.from, low);
-  if (high > p.from) p.to = std::min(p.to, high);
-  return p;
-}
-
-/// From isotropic stress to the critical stress ratio at the highest p′.
-Line usual_q(const lab::MaterialSet& material, const Line& p) {
-  const auto* law = material.material.axisymmetric.get();
-  const double ratio = (law != nullptr ? law->limit_stress_ratio() : std::nullopt).value_or(1.5);
-  return {0, 10 * std::ceil(ratio * p.to / 10), 200};
 }
 
 void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
@@ -80,14 +58,12 @@ void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
                                     axisymmetric ? "" : why));
 }
 
-std::string no_tangents(const lab::MaterialSet& material) {
+std::string no_tangents(const std::string& criterion, const lab::MaterialSet& material) {
   const auto& law = material.material;
   if (law.tensor != nullptr)
-    return fmt::format(
-        "--localisation: {} is a law of finite increments, without the tangents "
-        "that it needs",
-        material.name);
-  return fmt::format("--localisation needs the full tensor, and {} has no form for it{}",
+    return fmt::format("--{}: {} is a law of finite increments, without the tangents that it needs",
+                       criterion, material.name);
+  return fmt::format("--{} needs the full tensor, and {} has no form for it{}", criterion,
                      material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
 }
 
@@ -106,8 +82,11 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
   app.add_option("--directions", o.directions, "directions at each state")
       ->capture_default_str()
       ->type_name("N");
-  app.add_flag("--localisation", o.localisation,
-               "look for vanishing acoustic tensors (Rice) too, which takes ten times as long");
+  for (const auto& kind : sim::domain_criterion_kinds())
+    if (kind.on_request())
+      app.add_flag_callback(
+          fmt::format("--{}", kind.name), [&o, kind] { o.criteria.emplace_back(kind.name); },
+          std::string(kind.help));
   app.add_option("--threads", o.threads,
                  "number of threads; the result does not depend on it [all cores]")
       ->check(CLI::Range(1, 4096).description(""))
@@ -154,8 +133,8 @@ void check_domain_options(const CLI::App& app, const DomainOptions& o) {
 }
 
 study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {
-  const Line p = line("--p-kPa", o.p, usual_p(material));
-  const Line q = line("--q-kPa", o.q, usual_q(material, p));
+  const study::GridLine p = line("--p-kPa", o.p, study::usual_p(material));
+  const study::GridLine q = line("--q-kPa", o.q, study::usual_q(material, p));
   study::DomainSettings::Grid grid{.p_from_kPa = p.from,
                                    .p_to_kPa = p.to,
                                    .q_from_kPa = q.from,
@@ -165,13 +144,12 @@ study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::Mater
                                    .void_ratio = chosen_void_ratio(o.material, material),
                                    .plane = o.plane,
                                    .directions = o.directions,
-                                   .localisation = o.localisation};
+                                   .criteria = {}};
   study::check_grid(grid, "the grid");
   check_law(o, material);
-  const auto criteria =
-      sim::domain_criteria(material.material, study::domain_grid(grid), grid.localisation);
-  grid.determinant = static_cast<bool>(criteria.determinant);
-  if (grid.localisation && !criteria.localisation) throw lab::BadInput(no_tangents(material));
+  grid.criteria = study::possible_criteria(material, grid, o.criteria);
+  for (const std::string& asked : o.criteria)
+    if (!grid.looks_for(asked)) throw lab::BadInput(no_tangents(asked, material));
   return grid;
 }
 

@@ -14,8 +14,7 @@ constexpr double kM = 1.25, kA = 0.006, kC = 0.005, kStep = 0.0004;
 
 TestSummary replay(const std::string& name) {
   const auto rig = open_record("tests/lab/rig/curves/" + name, {});
-  Session session;
-  return session.run(*rig, {});
+  return run_session(*rig, {});
 }
 
 /// Onset where dq/dε₁ = 0: at ε₁ = c, at most one row (0.04 %) later, with q = s c/e and η = M c/(c

@@ -42,8 +42,7 @@ bool warns(const RecordHeader& header, std::int64_t line, const std::string& tex
 
 TestSummary replay(const std::string& path, RecordOptions options = {}) {
   const auto rig = open_record(path, options);
-  Session session;
-  return session.run(*rig, {});
+  return run_session(*rig, {});
 }
 
 bool mentions(const std::vector<Warning>& warnings, const std::string& text) {
@@ -105,7 +104,7 @@ TEST_CASE("the .gds file: counters joined, B 0.733, its own q 5.4 % too high and
   CHECK(*s.consolidation.b_value == Approx(0.733).margin(0.001));
   CHECK(*s.consolidation.height_m * 1e3 == Approx(97.80).margin(0.01));
   const auto closure = std::find_if(s.checks.begin(), s.checks.end(), [](const Check& c) {
-    return c.name == "closure_deviator_stress";
+    return c.kind == CheckKind::closure_deviator_stress;
   });
   REQUIRE(closure != s.checks.end());
   CHECK(*closure->measured == Approx(-0.055).margin(0.002));
@@ -164,6 +163,7 @@ TEST_CASE("GDSLab: five stages, joined counters, the typed-in height", "[of-othe
   CHECK(readings.back()[deviator_stress] == Approx(72.8158e3));
   CHECK(warns(header, 2901, "97.80 mm"));
   CHECK(warns(header, 2901, "back_volume jumps from 8058 to 0 mm3"));
+  CHECK(header.back_volume_joined);
   CHECK(warns(header, 42, "stage 2 begins at 300 s"));
 }
 

@@ -164,7 +164,7 @@ TEST_CASE("the first unstable state of a path is isolated between its rows") {
     const auto step = sim::advance_point(law, row.state, control);
     row = {step.state, row.strain + step.strain_increment};
   }
-  const auto found = src::first_unstable(set, coarse, {});
+  const auto found = study::first_unstable(set, coarse, {});
   REQUIRE(found);
   CHECK(found->axial_strain > 0.0);
   CHECK(found->eta() > 0.5);
@@ -179,5 +179,5 @@ TEST_CASE("the first unstable state of a path is isolated between its rows") {
     CHECK(study::probe_state(set, there, {}).circle.unstable() == (part > 1));
   }
   coarse.resize(1);
-  CHECK_FALSE(src::first_unstable(set, coarse, {}));
+  CHECK_FALSE(study::first_unstable(set, coarse, {}));
 }
