@@ -293,7 +293,7 @@ class Map {
   const sim::DomainGrid& grid_;
   std::vector<sim::DomainColumn> columns_;
   const Subject& subject_;
-  std::unique_ptr<QCustomPlot> plot_;
+  OwnPlot plot_;
   bool has_directions_ = false;
 };
 

@@ -119,9 +119,8 @@ std::vector<LabelledCurve> labelled(const std::vector<study::GrainCurve>& paths,
 }
 
 /// Both sides with curves, markers and names of marks; the labels beside the curves on the right.
-std::unique_ptr<QCustomPlot> drawn(const std::vector<study::GrainCurve>& paths,
-                                   const Side& left_side, const Side& right_side, bool labels,
-                                   const Subject& subject) {
+OwnPlot drawn(const std::vector<study::GrainCurve>& paths, const Side& left_side,
+              const Side& right_side, bool labels, const Subject& subject) {
   auto plot = make_plot(kWidth, kHeight);
   auto& left = *plot->axisRect();
   auto& right = add_axes_beside(*plot);

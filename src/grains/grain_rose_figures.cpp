@@ -109,7 +109,7 @@ void name_shade(QCPAxisRect& rect, const QColor& colour, const std::string& name
 }
 
 struct Panels {
-  std::unique_ptr<QCustomPlot> plot;
+  OwnPlot plot;
   QCPAxisRect *left, *right;
 };
 

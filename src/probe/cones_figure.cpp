@@ -225,7 +225,7 @@ class Picture {
   const study::ConesPicture& data_;
   const Subject& subject_;
   StressAxes plane_;
-  std::unique_ptr<QCustomPlot> plot_;
+  OwnPlot plot_;
   std::vector<PointLabel> labels_;
   double radius_ = 0;  // of a fan with room around it, kPa
 };
