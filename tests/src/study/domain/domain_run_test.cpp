@@ -10,8 +10,8 @@ using namespace triax;
 namespace {
 
 study::DomainRequest sample_request() {
-  return {.material = src::sample_material(),
-          .grid = src::sample_domain({}).settings.grid,
+  return {.material = study::sample_material(),
+          .grid = study::sample_domain({}).settings.grid,
           .threads = 1};
 }
 
@@ -26,7 +26,7 @@ TEST_CASE("a domain run has the columns of its grid, whatever the number of thre
   });
   CHECK(told == 1);
   CHECK(one.columns.size() == 3);
-  CHECK(study::domain_json(one) == study::domain_json(src::sample_domain()));
+  CHECK(study::domain_json(one) == study::domain_json(study::sample_domain()));
   request.threads = 3;
   CHECK(study::domain_json(study::run_domain(request)) == study::domain_json(one));
 }
