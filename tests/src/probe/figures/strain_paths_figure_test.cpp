@@ -1,4 +1,4 @@
-#include "src/probe/strain_paths_figure.hpp"
+#include "src/probe/figures/strain_paths_figure.hpp"
 
 #include <fmt/format.h>
 

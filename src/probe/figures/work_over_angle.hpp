@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "src/probe/circular_diagram.hpp"
+#include "src/probe/figures/circular_diagram.hpp"
 
 namespace triax::src {
 

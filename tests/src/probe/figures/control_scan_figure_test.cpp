@@ -1,4 +1,4 @@
-#include "src/probe/control_scan_figure.hpp"
+#include "src/probe/figures/control_scan_figure.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "src/probe/cones_figure.hpp"
+#include "src/probe/figures/cones_figure.hpp"
 
 #include <fmt/format.h>
 

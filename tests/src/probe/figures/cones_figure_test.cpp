@@ -1,4 +1,4 @@
-#include "src/probe/cones_figure.hpp"
+#include "src/probe/figures/cones_figure.hpp"
 
 #include <catch2/catch.hpp>
 

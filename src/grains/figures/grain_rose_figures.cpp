@@ -1,4 +1,4 @@
-#include "src/grains/grain_rose_figures.hpp"
+#include "src/grains/figures/grain_rose_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "src/plot/energy_axis.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/shapes.hpp"
-#include "src/probe/response_envelope.hpp"
+#include "src/probe/figures/response_envelope.hpp"
 #include "src/study/grains/grain_rose_findings.hpp"
 
 namespace triax::src {

@@ -1,4 +1,4 @@
-#include "src/domain/domain_figure.hpp"
+#include "src/domain/figures/domain_figure.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "src/grains/grain_paths_figures.hpp"
+#include "src/grains/figures/grain_paths_figures.hpp"
 
 #include <fmt/format.h>
 

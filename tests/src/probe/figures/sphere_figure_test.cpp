@@ -1,4 +1,4 @@
-#include "src/probe/sphere_figure.hpp"
+#include "src/probe/figures/sphere_figure.hpp"
 
 #include <catch2/catch.hpp>
 

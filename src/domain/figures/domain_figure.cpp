@@ -1,4 +1,4 @@
-#include "src/domain/domain_figure.hpp"
+#include "src/domain/figures/domain_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "src/plot/colour_steps.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/shapes.hpp"
-#include "src/probe/cones_figure.hpp"
+#include "src/probe/figures/cones_figure.hpp"
 
 namespace triax::src {
 namespace {

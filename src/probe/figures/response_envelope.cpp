@@ -1,4 +1,4 @@
-#include "src/probe/response_envelope.hpp"
+#include "src/probe/figures/response_envelope.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/probe/work_over_angle.hpp"
+#include "src/probe/figures/work_over_angle.hpp"
 
 #include <fmt/format.h>
 

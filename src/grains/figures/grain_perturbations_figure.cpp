@@ -1,4 +1,4 @@
-#include "src/grains/grain_perturbations_figure.hpp"
+#include "src/grains/figures/grain_perturbations_figure.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/probe/circular_diagram.hpp"
+#include "src/probe/figures/circular_diagram.hpp"
 
 #include <catch2/catch.hpp>
 

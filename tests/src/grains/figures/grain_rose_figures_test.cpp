@@ -1,4 +1,4 @@
-#include "src/grains/grain_rose_figures.hpp"
+#include "src/grains/figures/grain_rose_figures.hpp"
 
 #include <catch2/catch.hpp>
 
