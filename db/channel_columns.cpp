@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "db/scan_codec.hpp"
 #include "lab/results/quantity.hpp"

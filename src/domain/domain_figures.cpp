@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/mechanics/axisymmetric.hpp"
-#include "src/domain/domain_figure.hpp"
+#include "src/domain/figures/domain_figure.hpp"
 
 namespace triax::src {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "src/plot/figure_files.hpp"
-#include "src/probe/cones_figure.hpp"
+#include "src/probe/figures/cones_figure.hpp"
 #include "src/study/domain/domain_report.hpp"
 
 namespace triax::src {

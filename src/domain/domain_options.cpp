@@ -10,6 +10,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "sim/stability/domain_criteria.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/study/domain/domain_piece.hpp"
 #include "src/study/domain/usual_grid.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-
 #include "src/output/table.hpp"
 #include "src/study/json_parts.hpp"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "lab/grains/grain_words.hpp"
+#include "src/grains/figures/grain_paths_figures.hpp"
+#include "src/grains/figures/grain_perturbations_figure.hpp"
+#include "src/grains/figures/grain_rose_figures.hpp"
 #include "src/grains/grain_data.hpp"
-#include "src/grains/grain_paths_figures.hpp"
-#include "src/grains/grain_perturbations_figure.hpp"
-#include "src/grains/grain_rose_figures.hpp"
 #include "src/output/words.hpp"
 #include "src/study/grains/grain_curves.hpp"
 

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "src/output/words.hpp"
-#include "src/probe/circular_diagram.hpp"
-#include "src/probe/cones_figure.hpp"
-#include "src/probe/control_scan_figure.hpp"
+#include "src/probe/figures/circular_diagram.hpp"
+#include "src/probe/figures/cones_figure.hpp"
+#include "src/probe/figures/control_scan_figure.hpp"
+#include "src/probe/figures/response_envelope.hpp"
+#include "src/probe/figures/work_over_angle.hpp"
 #include "src/probe/probe_data.hpp"
-#include "src/probe/response_envelope.hpp"
-#include "src/probe/work_over_angle.hpp"
 
 namespace triax::src {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/probe/sphere_figure.hpp"
+#include "src/probe/figures/sphere_figure.hpp"
 #include "src/probe/sphere_text.hpp"
 
 namespace triax::src {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/probe/strain_paths_figure.hpp"
+#include "src/probe/figures/strain_paths_figure.hpp"
 
 namespace triax::src {
 

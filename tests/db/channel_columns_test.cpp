@@ -27,11 +27,10 @@ Scans scans_of(const std::string& path, std::int64_t id) {
 }
 
 std::int64_t record(const std::string& path) {
-  lab::Session session;
   db::Recorder recorder(path);
-  recorder.listen(session);
-  emit session.started(testing::raw_header("a"));
-  testing::send_scans(session, 0, 20);
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(testing::raw_header("a"));
+  testing::send_scans(listener, 0, 20);
   return recorder.finish({});
 }
 

@@ -169,7 +169,8 @@ TEST_CASE("what is no database of ours is refused and not touched") {
   }
 }
 
-TEST_CASE("two threads make the same new database, and neither takes it for a foreign one") {
+TEST_CASE("two threads make the same new database, and neither takes it for a foreign one",
+          "[threads]") {
   TemporaryFolder folder;
   for (int round = 0; round < 200; ++round) {
     const std::string path = folder.file(std::to_string(round) + ".db");
@@ -194,7 +195,7 @@ TEST_CASE("two threads make the same new database, and neither takes it for a fo
   }
 }
 
-TEST_CASE("a database that another thread is making is empty or ours to a reader") {
+TEST_CASE("a database that another thread is making is empty or ours to a reader", "[threads]") {
   TemporaryFolder folder;
   for (int round = 0; round < 50; ++round) {
     const std::string path = folder.file(std::to_string(round) + ".db");

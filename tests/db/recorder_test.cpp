@@ -72,7 +72,8 @@ bool comes_true(const Condition& condition) {
 
 }  // namespace
 
-TEST_CASE("nothing is on disk before a batch is due, and a short test is written at its end") {
+TEST_CASE("nothing is on disk before a batch is due, and a short test is written at its end",
+          "[threads]") {
   TemporaryFolder folder;
   Recording recording(folder.file("t.db"), "a");
   testing::send_scans(recording.listener, 0, 100);
@@ -81,7 +82,8 @@ TEST_CASE("nothing is on disk before a batch is due, and a short test is written
   CHECK(db::Store(folder.file("t.db")).scan_count(1) == 100);
 }
 
-TEST_CASE("what was scanned is on disk within the second although no further reading comes") {
+TEST_CASE("what was scanned is on disk within the second although no further reading comes",
+          "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   Recording recording(path, "a");
@@ -101,7 +103,7 @@ TEST_CASE("what was scanned is on disk within the second although no further rea
   CHECK(store.load(1).status == db::TestStatus::complete);
 }
 
-TEST_CASE("many batches arrive complete and in order") {
+TEST_CASE("many batches arrive complete and in order", "[threads]") {
   TemporaryFolder folder;
   Recording recording(folder.file("t.db"), "a");
   constexpr std::int64_t kCount = 123457;
@@ -115,7 +117,7 @@ TEST_CASE("many batches arrive complete and in order") {
   CHECK(expected == kCount);
 }
 
-TEST_CASE("a recorder that goes away unfinished leaves an interrupted test") {
+TEST_CASE("a recorder that goes away unfinished leaves an interrupted test", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   {
@@ -127,7 +129,7 @@ TEST_CASE("a recorder that goes away unfinished leaves an interrupted test") {
   CHECK(store.load(1).summary.readings == 10);
 }
 
-TEST_CASE("discard leaves no file behind where there was none") {
+TEST_CASE("discard leaves no file behind where there was none", "[threads]") {
   TemporaryFolder folder;
   for (const std::int64_t scans : {0, 10, 30000}) {
     Recording recording(folder.file("t.db"), "a");
@@ -157,7 +159,7 @@ TEST_CASE("discard leaves the content of a database as it was") {
   CHECK(db::Store(path).find({}).size() == 1);
 }
 
-TEST_CASE("discard keeps a database that another recorder uses by now") {
+TEST_CASE("discard keeps a database that another recorder uses by now", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   Recording first(path, "first");
@@ -255,7 +257,7 @@ TEST_CASE("two processes record into a new database at the same time") {
   CHECK(integrity(path) == "ok");
 }
 
-TEST_CASE("a path that cannot be written fails at the end, and while scans come") {
+TEST_CASE("a path that cannot be written fails at the end, and while scans come", "[threads]") {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("d"));
   std::ofstream(folder.file("text")) << std::string(5000, 'x');
@@ -310,7 +312,7 @@ TEST_CASE("a disk that is full is reported and leaves a sound database without t
   CHECK(store.load(1).status == db::TestStatus::complete);
 }
 
-TEST_CASE("a recorder serves one test, which has to have begun") {
+TEST_CASE("a recorder serves one test, which has to have begun", "[threads]") {
   TemporaryFolder folder;
   db::Recorder idle(folder.file("t.db"));
   CHECK_THROWS_AS(idle.finish({}), lab::WorkFailed);

@@ -14,7 +14,8 @@
 using namespace triax;
 using testing::TemporaryFolder;
 
-TEST_CASE("two hundred tests of a sweep on several threads get ids in its order, one fails") {
+TEST_CASE("two hundred tests of a sweep on several threads get ids in its order, one fails",
+          "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   constexpr std::int64_t kTests = 200, kBad = 77;
@@ -69,7 +70,7 @@ TEST_CASE("two hundred tests of a sweep on several threads get ids in its order,
             .getInt() == 9);
 }
 
-TEST_CASE("tests of a sweep stand in its order although their ids do not") {
+TEST_CASE("tests of a sweep stand in its order although their ids do not", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   for (const auto& [name, place] : {std::pair("alone", 0), std::pair("third", 3),

@@ -25,7 +25,7 @@ struct SphereIncrement {
   double second_order_work = 0;  ///< dσ′·dε, Pa
 };
 
-/// Pre-condition: the direction has an answer.
+/// Of a direction without an answer what is not imposed means nothing.
 SphereIncrement increment_of(const sim::SphereProbe& probe, const SphereProbing& probing);
 
 struct ProbedSphere : StateHead {

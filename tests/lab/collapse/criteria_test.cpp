@@ -18,7 +18,7 @@ PathPoint point(int i, double q) {
   p.p_eff = 100e3;
   p.axial_strain = 1e-4 * i;
   p.stress_variance = 1;
-  p.window_readings = 7;
+  p.window_readings = 14;
   return p;
 }
 

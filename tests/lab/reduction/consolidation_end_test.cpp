@@ -29,7 +29,7 @@ ConsolidationEnd consolidated(int seconds, const std::function<double(double)>& 
 const Check& of_kind(const std::vector<Check>& checks, CheckKind kind) {
   for (const Check& c : checks)
     if (c.kind == kind) return c;
-  FAIL("no check " << name);
+  FAIL("no check " << to_string(kind));
   return checks.front();
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("consolidation that has died out passes; cut short it does not") {
   const auto volume = [](double t) { return -5000 * (1 - std::exp(-t / 600)); };
   const auto excess = [](double t) { return 30 * std::exp(-t / 600); };
   for (const Check& check : consolidated(8000, volume, excess).checks()) {
-    INFO(check.name << ' ' << *check.measured);
+    INFO(to_string(check.kind) << ' ' << *check.measured);
     CHECK(check.ok);
   }
   for (const Check& check : consolidated(900, volume, excess).checks()) CHECK_FALSE(check.ok);

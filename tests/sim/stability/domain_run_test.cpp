@@ -56,7 +56,7 @@ class Failing : public Interpolated<Axisymmetric> {
 
 }  // namespace
 
-TEST_CASE("the number of threads does not show in a single bit") {
+TEST_CASE("the number of threads does not show in a single bit", "[threads]") {
   const auto run = [](int threads) {
     return run_domain(kGrid, all_columns(),
                       [] {
@@ -80,7 +80,8 @@ TEST_CASE("the number of threads does not show in a single bit") {
   CHECK(one[4].compression.other_q("determinant"));
 }
 
-TEST_CASE("each thread gets a material of its own, and no more threads than columns are started") {
+TEST_CASE("each thread gets a material of its own, and no more threads than columns are started",
+          "[threads]") {
   int made = 0;
   const auto factory = [&made] {
     ++made;
@@ -94,13 +95,13 @@ TEST_CASE("each thread gets a material of its own, and no more threads than colu
   CHECK(run_domain(kGrid, {}, factory, {.threads = 8, .progress = {}}).empty());
 }
 
-TEST_CASE("an error of a column reaches the caller") {
+TEST_CASE("an error of a column reaches the caller", "[threads]") {
   const auto factory = [] { return DomainWorker{{std::make_shared<Failing>(), {}, {}, {}}, {}}; };
   CHECK_THROWS_WITH(run_domain(kGrid, all_columns(), factory, {.threads = 3, .progress = {}}),
                     "no such state");
 }
 
-TEST_CASE("a run can be ended on the way, and tells how far it is") {
+TEST_CASE("a run can be ended on the way, and tells how far it is", "[threads]") {
   DomainGrid large = kGrid;
   large.rows = 4000;
   std::vector<double> shares;

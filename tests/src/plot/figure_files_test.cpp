@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/base/bad_input.hpp"
-#include "src/probe/circular_diagram.hpp"
+#include "src/probe/figures/circular_diagram.hpp"
 #include "tests/src/plot/plot_contents.hpp"
 #include "tests/src/probe/sample_circles.hpp"
 

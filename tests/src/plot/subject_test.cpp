@@ -3,14 +3,14 @@
 #include <catch2/catch.hpp>
 
 #include "sim/mechanics/axisymmetric.hpp"
-#include "src/domain/domain_figure.hpp"
-#include "src/probe/circular_diagram.hpp"
-#include "src/probe/cones_figure.hpp"
-#include "src/probe/control_scan_figure.hpp"
-#include "src/probe/response_envelope.hpp"
-#include "src/probe/sphere_figure.hpp"
-#include "src/probe/strain_paths_figure.hpp"
-#include "src/probe/work_over_angle.hpp"
+#include "src/domain/figures/domain_figure.hpp"
+#include "src/probe/figures/circular_diagram.hpp"
+#include "src/probe/figures/cones_figure.hpp"
+#include "src/probe/figures/control_scan_figure.hpp"
+#include "src/probe/figures/response_envelope.hpp"
+#include "src/probe/figures/sphere_figure.hpp"
+#include "src/probe/figures/strain_paths_figure.hpp"
+#include "src/probe/figures/work_over_angle.hpp"
 #include "tests/src/plot/plot_contents.hpp"
 #include "tests/src/probe/sample_circles.hpp"
 

@@ -7,7 +7,8 @@ using namespace triax::study;
 
 namespace {
 
-const lab::RunAwayTruth kArrested{3.5, 12.3e-3, 3.7, 2e-6, -4e-6, 0.99, 3.75, "new equilibrium"};
+const lab::RunAwayTruth kArrested{3.5,   12.3e-3, 3.7,  2e-6,
+                                  -4e-6, 0.99,    3.75, lab::RunAwayEnd::new_equilibrium};
 
 }  // namespace
 

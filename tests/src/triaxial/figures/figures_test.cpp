@@ -1,5 +1,7 @@
 // Figures of one test and of all collapse points: that what is drawn is where the data are, and
 // nothing without data.
+#include <qcustomplot.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
