@@ -155,11 +155,13 @@ Table rests_table(const lab::GrainReport& report) {
                              {"steps", "unbalanced", "stress error (Pa)", "σ₁−σ₃/R (kPa)"});
   for_each<lab::ReportedGrainRest>(report, [&](const auto& stage, const auto& came) {
     const auto& settling = came.rest.settling;
-    table.rows.push_back({stage.name, stage.from.empty() ? "as made" : stage.from,
-                          came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
-                          fmt::format("{}", settling.steps), in_joule(settling.unbalanced),
-                          came.strain_held ? kUnknown : number(settling.stress_error_pa, 2),
-                          in_kPa(came.rest.path_stress_pa, 2)});
+    table.rows.push_back(
+        {stage.name, stage.from.empty() ? "as made" : stage.from,
+         came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
+         settling.steps == lab::kNotStored ? kUnknown : fmt::format("{}", settling.steps),
+         in_joule(settling.unbalanced),
+         came.strain_held ? kUnknown : number(settling.stress_error_pa, 2),
+         in_kPa(came.rest.path_stress_pa, 2)});
   });
   return table;
 }
