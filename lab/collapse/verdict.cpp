@@ -83,7 +83,7 @@ Collapse not_judged(const Evidence& e) {
   for (const char* name : {"second_order_work", "loss_of_control", "control_peak"})
     c.criteria.push_back(
         by_finding(name, std::nullopt,
-                   fmt::format("not judged: {} complete states in shear, {} are needed", e.states,
+                   fmt::format("not judged: too few readings in shear, {} complete states of the {} needed", e.states,
                                static_cast<int>(BlockPyramid::kBlocks))));
   return c;
 }
@@ -111,9 +111,9 @@ Collapse verdict(const Evidence& e) {
   }
   c.criteria.push_back(by_second_order_work(descent, c.kind, e.has_time));
   c.criteria.push_back(by_finding("loss_of_control", e.loss_of_control,
-                                  "the programme could be maintained, as far as it is known"));
+                                  "no loss of control detected"));
   c.criteria.push_back(
-      by_finding("control_peak", e.control_peak, "the control variable passed no peak"));
+      by_finding("control_peak", e.control_peak, "no peak of the control variable"));
 
   if (c.kind == CollapseKind::none && e.loss_of_control) {
     // Over before any window was full: the burst itself is the evidence.

@@ -62,6 +62,9 @@ RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
                       .control = AxialControl::displacement,
                       .strain_path_R = {}});
   for (const auto& row : quantities().first(kRawQuantityCount)) h.columns.push_back(row.quantity);
+  for (const TomlEdit& change : programme.changes)
+    h.warnings.push_back({0, fmt::format("{} = {} by --set, instead of the programme's value",
+                                         change.key, change.value)});
   for (const Fault& fault : programme.faults) h.warnings.push_back({0, describe(fault)});
   return h;
 }

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <thread>
 
 #include "db/grain_recorder.hpp"
 #include "lab/base/bad_input.hpp"
@@ -31,13 +29,8 @@ struct Options {
   std::vector<std::string> merge;
   std::string db = "triax.db";
   std::string output;
-  int threads = 0;
+  int jobs = 0;
   bool json = false;
-
-  int chosen_threads() const {
-    return threads > 0 ? threads
-                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  }
 };
 
 lab::GrainProgramme programme_of(const Options& o) {
@@ -52,7 +45,7 @@ void check_piece(const Options& o) {
     throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
   if (o.json)
     throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
-  if (!o.merge.empty()) throw lab::BadInput("--piece beside --merge: first all pieces, then merge");
+  if (!o.merge.empty()) throw lab::BadInput("--piece and --merge exclude each other: first compute all pieces, then merge them");
 }
 
 void check_output(const Options& o, const lab::GrainProgramme& programme,
@@ -77,7 +70,7 @@ void tell(const Options& o, const study::GrainReport& report) {
   print(o.json ? grain_json(report) : grain_text(report));
 }
 
-constexpr const char* kStopped = "stopped by the operator; the stages that had ended are stored";
+constexpr const char* kStopped = "stopped by the operator; the completed stages are stored";
 
 /// All stages, told as they end. False: it was stopped.
 bool run_stages(const Options& o, const lab::GrainProgramme& programme, GrainOutputs& outputs,
@@ -108,7 +101,7 @@ bool run_stages(const Options& o, const lab::GrainProgramme& programme, GrainOut
     progress.show(share, what);
     return !interruption.requested();
   };
-  return lab::run_grains(programme, o.chosen_threads(), listener);
+  return lab::run_grains(programme, chosen_jobs(o.jobs), listener);
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {
@@ -122,14 +115,14 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
     progress.show(share, what);
     return !interruption.requested();
   };
-  if (!compute_grain_piece(programme, piece, o.chosen_threads(), o.output, show))
+  if (!compute_grain_piece(programme, piece, chosen_jobs(o.jobs), o.output, show))
     throw lab::WorkFailed("stopped by the operator; nothing is written");
 }
 
 void run_merge(const Options& o, const lab::GrainProgramme& programme) {
   stage_for_pieces(programme);
   check_output(o, programme, {});
-  const lab::GrainsMade made = specimen_alone(programme, o.chosen_threads());
+  const lab::GrainsMade made = specimen_alone(programme, chosen_jobs(o.jobs));
   const lab::GrainStageResult result = merge_grain_pieces(programme, made, o.merge);
   db::GrainRecorder recorder(o.db, programme);
   study::GrainReport report = study::grain_report(programme);
@@ -165,7 +158,7 @@ Command grains_command() {
       .purpose = "run a programme on a specimen of grains, a discrete element model",
       .description =
           {"A specimen of spheres in a box of six frictionless walls is made (a cloud compressed "
-           "with the friction that gives the density wanted) or loaded, and taken through stages: "
+           "with the friction that gives the density asked for) or loaded, and taken through stages: "
            "isotropic, drained and undrained compression or extension, proportional strain paths, "
            "rest, stress probes in all directions with the second-order work of walls and "
            "contacts, and perturbations of an equilibrium. The contacts are those of section 5 of "
@@ -173,11 +166,11 @@ Command grains_command() {
            "tension.",
            "Each stage starts from the one before it, or from the stage or mark that it names. "
            "Every stage is stored as it ends and called simulated; the same programme gives the "
-           "same bits on any number of threads, and a saved state goes on as if the run had never "
+           "same bits on any number of threads, and a saved state continues as if the run had never "
            "ended.",
            "--output PREFIX writes PREFIX.json, a CSV a stage, the figures, and the files that "
            "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
-           "after the work at hand; what had ended is stored.",
+           "after the current step; completed stages are stored.",
            "The probes of a saved state do not depend on each other: --piece I/N makes every N-th "
            "of them only, as one task of a batch system, and --merge puts the pieces together to "
            "what a run in one go gives, to the bit."},
@@ -190,11 +183,11 @@ Command grains_command() {
       .examples = {{"triax grains samples/grains/quick.toml", "a small specimen, some seconds"},
                    {"triax grains samples/grains/dense.toml --output dense",
                     "probes of 10,000 grains with figures 13 to 15 of the paper"},
-                   {"triax grains samples/grains/medium.toml --output medium --threads 1",
+                   {"triax grains samples/grains/medium.toml --output medium --jobs 1",
                     "strain paths and perturbed equilibria, figures 16 to 18, on one core"},
                    {"triax grains dense.toml --set specimen.seed=7 --set contact.damping=0.1",
                     "another specimen, other damping"},
-                   {"triax grains probes.toml --piece $SLURM_ARRAY_TASK_ID/37 --threads 1 --output "
+                   {"triax grains probes.toml --piece $SLURM_ARRAY_TASK_ID/37 --jobs 1 --output "
                     "piece_$SLURM_ARRAY_TASK_ID.json",
                     "one task of an array job 1-37"},
                    {"triax grains probes.toml --merge piece_*.json --output rose",
@@ -202,14 +195,12 @@ Command grains_command() {
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--set", o->sets, "another value for a key of the programme; repeatable")
+        app.add_option("--set", o->sets, "another value for a key of the programme; may be repeated")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--output", o->output, "also write files whose names begin so")
+        app.add_option("--output", o->output, "also write files whose names begin like this")
             ->type_name("PREFIX");
-        app.add_option("--threads", o->threads, "threads [all cores]")
-            ->check(CLI::Range(1, 64).description(""))
-            ->type_name("N");
+        add_jobs(app, o->jobs, "threads; results do not depend on them", 64);
         app.add_option("--piece", o->piece,
                        "make every N-th probe from the I-th on only, and write them to the file "
                        "--output")

@@ -49,7 +49,7 @@ std::string piece_text(const std::string& path, const std::string& writer,
                        const std::string& whole) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none))
-    throw lab::BadInput(path, 0, "cannot be read; a file that " + writer + " wrote is wanted");
+    throw lab::BadInput(path, 0, "cannot be read; expected a file written by " + writer);
   if (std::filesystem::file_size(path, none) > kLargestFile)
     throw lab::BadInput(path, 0, "is larger than 1 GB; cut the " + whole + " into more pieces");
   std::ifstream file(path, std::ios::binary);

@@ -1,7 +1,6 @@
 #include "src/triaxial/report.hpp"
 
-#include <fmt/format.h>
-
+#include <filesystem>
 #include <memory>
 
 #include "db/store.hpp"
@@ -22,15 +21,24 @@ namespace {
 struct Options {
   std::vector<std::string> tests;
   std::string db = "triax.db";
-  std::string format = "text";
+  std::string format;  ///< empty: what the ending of --output says, or text
   std::string output;
   std::string figures;
 };
 
+std::string chosen_format(const Options& o) {
+  if (!o.format.empty()) return o.format;
+  const std::string ending = std::filesystem::path(o.output).extension().string();
+  for (const char* format : {"json", "html", "pdf"})
+    if (ending == std::string(".") + format) return format;
+  return "text";
+}
+
 void run(const Options& o) {
-  const bool drawn = o.format == "html" || o.format == "pdf";
+  const std::string format = chosen_format(o);
+  const bool drawn = format == "html" || format == "pdf";
   const std::string output = !o.output.empty() ? o.output
-                             : drawn           ? "triax_report." + o.format
+                             : drawn           ? "triax_report." + format
                                                : "-";
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
@@ -39,22 +47,16 @@ void run(const Options& o) {
   std::vector<study::TestResult> tests;
   for (const auto id : ids) tests.push_back(study::load_test_result(store, id, curves));
   if (!o.figures.empty()) {
-    const auto written = write_figures(tests, study::collapse_increments(store, ids), o.figures);
-    print(fmt::format("{} figure{} of {} test{} written to {}\n", written.size(),
-                      written.size() == 1 ? "" : "s", tests.size(), tests.size() == 1 ? "" : "s",
-                      o.figures));
-    if (o.format == "text" && o.output.empty()) return;
+    write_figures(tests, study::collapse_increments(store, ids), o.figures);
+    if (format == "text" && o.output.empty()) return;
   }
 
-  if (o.format == "pdf")
+  if (format == "pdf")
     pdf_report(tests, output);
-  else if (o.format == "html")
+  else if (format == "html")
     write_file(output, html_report(tests));
   else
-    write_file(output, o.format == "json" ? json_report(tests) : text_for_people(std::move(tests)));
-  if (output != "-")
-    print(fmt::format("{} of {} test{} written to {}\n", o.format, tests.size(),
-                      tests.size() == 1 ? "" : "s", output));
+    write_file(output, format == "json" ? json_report(tests) : text_for_people(std::move(tests)));
 }
 
 }  // namespace
@@ -66,11 +68,11 @@ Command report_command() {
       .description =
           {"Reports the named tests, or all, from the database. A test is named by its number or "
            "its name; "
-           "of several with one name the latest is meant.",
+           "of several with one name it is the latest.",
            "HTML is one file with its figures inside; PDF is A4. Both hold the path in q-p' with "
            "the onset, "
            "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
-           "second-order work on one axis. Without --output they are written to triax_report.html "
+           "second-order work on one axis. The ending of --output says the format unless --format does. Without --output they are written to triax_report.html "
            "or "
            "triax_report.pdf in the current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
@@ -78,19 +80,19 @@ Command report_command() {
       .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
                        "there is no database yet, or --db names another file"}},
       .examples = {{"triax report", "all tests as text"},
-                   {"triax report csu_26 --format html --output csu_26.html",
+                   {"triax report csu_26 --output csu_26.html",
                     "one test with figures"},
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"},
                    {"triax report --figures pictures", "the figures of all tests as files"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
-        app.add_option("TEST", o->tests, "numbers or names of tests; none means all")
+        app.add_option("TEST", o->tests, "numbers or names of tests; all if none is given")
             ->type_name("");
         add_db(app, o->db);
-        app.add_option("--format", o->format, "text, json, html or pdf [text]")
-            ->check(CLI::IsMember({"text", "json", "html", "pdf"}).description(""))
-            ->type_name("text|json|html|pdf");
-        app.add_option("--output", o->output, "file to write")->type_name("FILE");
+        add_format(app, o->format, {"text", "json", "html", "pdf"});
+        o->format.clear();
+        app.add_option("--output", o->output, "file to write; .json, .html or .pdf at its end says the format")
+            ->type_name("FILE");
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");
         return [o] { run(*o); };

@@ -73,7 +73,7 @@ TEST_CASE("a specimen that falls before the stage has shown a rate has lost cont
     const auto found = finding(standing, at(100, 2e3, 0.15));
     REQUIRE(found);
     CHECK(found->instant.reading == 99);
-    CHECK(found->evidence.find("axial strain leapt from") == 0);
+    CHECK(found->evidence.find("axial strain jumped from") == 0);
     // A displacement set to zero; a load step that the specimen carries; a blow that settles; a
     // pause of the logger.
     CHECK_FALSE(finding(standing, at(100, 39e3, 0.15)));

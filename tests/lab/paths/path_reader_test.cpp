@@ -106,7 +106,7 @@ repeat_from = "compression"
   refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"), "the name of a segment before");
   refused(with(kPath + cycle, "repeat_from = \"compression\"", "repeat_from = \"comp\""),
           "did you mean 'compression'?");
-  refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat beside it");
+  refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat");
   refused(with(kPath + cycle, "repeat = 4", "repeat = 0"), "must be 1 to 100000");
   refused(with(kPath + cycle, "rows = 7", "rows = 100000"), "rows of output");
   // Few rows, but four million parts with the repetitions.

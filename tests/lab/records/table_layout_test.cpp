@@ -42,7 +42,7 @@ TEST_CASE("another unit of the same kind is converted, another kind is refused")
   CHECK_THROWS_WITH(layout_of("time_s,axial_force_kPa,cell_pressure_kPa\n0,1,1\n"),
                     Catch::Contains("is in 'kPa'; kN would be right"));
   CHECK_THROWS_WITH(layout_of("time_s,axial_force_foo,cell_pressure_kPa\n0,1,1\n"),
-                    Catch::Contains("'foo', which is no known unit"));
+                    Catch::Contains("'foo', which is an unknown unit"));
   CHECK_THROWS_WITH(layout_of("time_s,axial_force,cell_pressure_kPa\n0,1,1\n"),
                     Catch::Contains("has no unit"));
 }
