@@ -3,7 +3,7 @@
 #include "src/study/domain/domain_report.hpp"
 
 // A small domain of INL2, both sides, with states of every kind but refused ones.
-namespace triax::src {
+namespace triax::study {
 
 inline lab::MaterialSet sample_material() { return lab::find_material("inl2/S28-general"); }
 
@@ -25,4 +25,4 @@ inline ReportedDomain sample_domain(std::vector<int> columns = {0, 1, 2}) {
   return domain;
 }
 
-}  // namespace triax::src
+}  // namespace triax::study

@@ -7,6 +7,7 @@
 #include "src/study/grains/grain_report.hpp"
 
 namespace triax::src::test {
+using namespace triax::study;
 
 /// ε₁ and σ₁ − σ₃/R (Pa) of a point on the path dε₁ + 2R dε₃ = 0 at σ₃.
 inline sim::GrainPathPoint path_point(double axial_strain, double path_stress, double R,

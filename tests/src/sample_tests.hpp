@@ -3,6 +3,7 @@
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::src::test {
+using namespace triax::study;
 
 /// Undrained, along time, recorded: q rises to 60 kPa at reading 300 (p′ = 100 kPa, 30 s, ε₁ = 0.5
 /// %) and falls to 6 kPa at reading 900; kind flow, onset at the peak, M = 1.25.

@@ -7,7 +7,6 @@
 #include "src/cli/command.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE(
     "every command has a purpose, a description, diagnostics, examples and described options") {

@@ -6,7 +6,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("a piece is I of N; without one the whole is the only piece") {
   CHECK(piece_of("").index == 1);

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("widths are those of a terminal, not of bytes") {
   CHECK(display_width("φ_mob (°)") == 9);

@@ -6,7 +6,6 @@
 #include "tests/src/plot/plot_contents.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("equal ranges hold what was asked, about its middle, with one scale") {
   auto plot = make_plot(500, 300);

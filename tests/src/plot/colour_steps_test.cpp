@@ -4,7 +4,6 @@
 #include <cmath>
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("colours change exactly at the ends of the steps") {
   const std::vector<QColor> steps = {Qt::red, Qt::green, Qt::blue, Qt::black};

@@ -6,7 +6,6 @@
 #include "tests/src/plot/plot_contents.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("labels stand to the right of all curves in the order of their tops, apart") {
   auto plot = make_plot(500, 300);

@@ -7,7 +7,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
 double normalised(const sim::Probe& probe) { return probe.normalised; }

@@ -5,7 +5,6 @@
 #include "src/plot/drawing.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("energies of two decades or more have a logarithmic axis of whole decades") {
   EnergyRange range;

@@ -14,7 +14,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 namespace fs = std::filesystem;
 
 namespace {

@@ -8,7 +8,6 @@
 #include "tests/src/plot/plot_contents.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
 

@@ -9,7 +9,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("angles run from the x axis towards the y axis") {
   CHECK(polar(2, sim::radians(90)).y() == Approx(2));

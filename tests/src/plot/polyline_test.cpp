@@ -4,7 +4,6 @@
 #include <cmath>
 
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
 

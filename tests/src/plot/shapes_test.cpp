@@ -7,7 +7,6 @@
 #include "tests/src/plot/plot_contents.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("a curve keeps its points in order and enters the legend only with a name") {
   auto plot = make_plot(200, 200);

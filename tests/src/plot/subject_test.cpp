@@ -16,7 +16,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 using enum sim::ProbePlane;
 
 TEST_CASE("axes of the two planes, and isotropic unloading in them") {

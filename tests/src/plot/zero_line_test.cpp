@@ -5,7 +5,6 @@
 #include <limits>
 
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
 

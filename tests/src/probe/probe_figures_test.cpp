@@ -10,16 +10,16 @@ using namespace triax;
 
 namespace {
 
-src::ProbeReport report_of(const std::vector<double>& etas, const src::Probing& probing = {}) {
+src::ProbeReport report_of(const std::vector<double>& etas, const study::Probing& probing = {}) {
   src::ProbeReport report;
   report.material = lab::find_material("inl2/S28-general");
   report.probing = probing;
   for (const double eta : etas) {
-    src::StateToProbe<sim::Axisymmetric> what;
+    study::StateToProbe<sim::Axisymmetric> what;
     what.state = report.material.material.axisymmetric->start(
         sim::components(sim::AxisymmetricStress{70e3 * (1 + 2 * eta / 3), 70e3 * (1 - eta / 3)}),
         1.086);
-    report.states.push_back(src::probe_state(report.material, what, probing));
+    report.states.push_back(study::probe_state(report.material, what, probing));
   }
   return report;
 }

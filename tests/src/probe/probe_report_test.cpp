@@ -9,18 +9,18 @@ using nlohmann::json;
 
 namespace {
 
-src::ProbedState state_at(double p_kPa, double eta, const src::Probing& probing = {},
-                          const std::optional<src::TestedState>& test = {}) {
+study::ProbedState state_at(double p_kPa, double eta, const study::Probing& probing = {},
+                          const std::optional<study::TestedState>& test = {}) {
   const auto set = lab::find_material("inl2/S28-general");
   const double p = 1e3 * p_kPa, q = eta * p;
-  src::StateToProbe<sim::Axisymmetric> what;
+  study::StateToProbe<sim::Axisymmetric> what;
   what.state = set.material.axisymmetric->start(
       sim::components(sim::AxisymmetricStress{p + 2 * q / 3, p - q / 3}), 1.086);
   what.test = test;
-  return src::probe_state(set, what, probing);
+  return study::probe_state(set, what, probing);
 }
 
-src::ProbeReport report_of(const std::vector<double>& etas, const src::Probing& probing = {}) {
+src::ProbeReport report_of(const std::vector<double>& etas, const study::Probing& probing = {}) {
   src::ProbeReport report;
   report.material = lab::find_material("inl2/S28-general");
   report.probing = probing;
@@ -29,8 +29,8 @@ src::ProbeReport report_of(const std::vector<double>& etas, const src::Probing& 
   return report;
 }
 
-src::TestedState tested(double angle) {
-  src::TestedState test{.id = 26, .name = "CSU\n26", .at = "collapse"};
+study::TestedState tested(double angle) {
+  study::TestedState test{.id = 26, .name = "CSU\n26", .at = "collapse"};
   test.state.reading = 812;
   test.state.time_s = 41;
   test.increment = lab::MeasuredIncrement{
@@ -247,10 +247,10 @@ TEST_CASE("the matrix of Eq. (32) of every R, with its determinant and the failu
 TEST_CASE("an octolinear law has its cones in closed form beside the probed ones") {
   src::ProbeReport report;
   report.material = lab::find_material("octolinear/S28-general");
-  src::StateToProbe<sim::Axisymmetric> what;
+  study::StateToProbe<sim::Axisymmetric> what;
   what.state = report.material.material.axisymmetric->start(
       sim::components(sim::AxisymmetricStress{98e3, 56e3}), 1.086);
-  report.states = {src::probe_state(report.material, what, report.probing)};
+  report.states = {study::probe_state(report.material, what, report.probing)};
   const json d = json::parse(src::probe_json(report));
   REQUIRE(d["cones_closed_form"].size() == 1);
   for (const char* edge : {"from_deg", "to_deg"})

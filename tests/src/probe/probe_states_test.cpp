@@ -18,7 +18,7 @@ namespace {
 template <class Space>
 struct Asked {
   src::ProbeReport report;
-  std::vector<src::StateToProbe<Space>> states;
+  std::vector<study::StateToProbe<Space>> states;
   explicit Asked(const src::ProbeOptions& options) {
     report.material = src::material_of(options);
     states = src::states_to_probe<Space>(options, report);

@@ -15,7 +15,7 @@ src::SphereReport report_of(const std::string& material, const std::vector<doubl
   report.probing = probing;
   report.many = etas.size() > 1;
   for (const double eta : etas) {
-    src::StateToProbe<sim::Tensor> what;
+    study::StateToProbe<sim::Tensor> what;
     what.state = report.material.material.tensor->start(
         sim::as_tensor(sim::components(
             sim::AxisymmetricStress{70e3 * (1 + 2 * eta / 3), 70e3 * (1 - eta / 3)})),

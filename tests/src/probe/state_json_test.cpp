@@ -5,7 +5,7 @@
 using namespace triax;
 
 TEST_CASE("a state tells stresses in kPa, its memory by name, and what it does not know as null") {
-  src::StateHead state;
+  study::StateHead state;
   state.stress << 120e3, 90e3, 90e3;
   state.p = 100e3;
   state.q = 30e3;
@@ -26,8 +26,8 @@ TEST_CASE("a state tells stresses in kPa, its memory by name, and what it does n
 }
 
 TEST_CASE("a measured state names its test and reading") {
-  src::StateHead state;
-  state.test = src::TestedState{.id = 26, .name = "CSU 26", .at = "peak", .has_time = false};
+  study::StateHead state;
+  state.test = study::TestedState{.id = 26, .name = "CSU 26", .at = "peak", .has_time = false};
   state.test->state.reading = 812;
   state.test->state.time_s = 41;
   const auto test = src::state_json(state)["test"];

@@ -8,7 +8,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 using Catch::Contains;
 
 TEST_CASE("a sweep that no test can be made of is refused before anything is stored") {

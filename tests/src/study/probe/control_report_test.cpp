@@ -13,7 +13,7 @@ using sim::Tensor;
 namespace {
 
 struct Seen {
-  src::ControlReport control;
+  study::ControlReport control;
   sim::Circle circle;
 };
 
@@ -30,7 +30,7 @@ Seen at(const std::string& material, double eta, const std::vector<double>& R = 
     state = law.start(sim::as_tensor(stress), 1.086);
   const auto response = std::make_shared<const sim::IncrementalResponse<Space>>(law, state);
   const auto circle = sim::probe_circle(sim::make_prober(response, sim::ProbeKind::stress));
-  return {src::control_of(*response, circle.least, R), circle};
+  return {study::control_of(*response, circle.least, R), circle};
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ TEST_CASE("elasticity holds every R, in both planes, and Eq. (34) has no real ro
 }
 
 TEST_CASE("ranges that the search cuts off say so, and tables hold a row an R") {
-  src::ControlReport control;
+  study::ControlReport control;
   control.lost = {{0.05, 0.5, false, true},
                   {2, 5, true, false},
                   {0.6, 0.7, false, false, sim::ControlSense::unloading}};
@@ -106,8 +106,8 @@ TEST_CASE("ranges that the search cuts off say so, and tables hold a row an R") 
   CHECK(table.rows[0][3] == "held");
   CHECK(table.rows[2][1] == "held");
   CHECK(src::named_controls_table(seen).rows.size() == seen.named.size());
-  CHECK(src::usual_ratios().front() == 0.1);
-  CHECK(src::usual_ratios().back() == 3.0);
+  CHECK(study::usual_ratios().front() == 0.1);
+  CHECK(study::usual_ratios().back() == 3.0);
 }
 
 TEST_CASE(
@@ -129,7 +129,7 @@ TEST_CASE("any two conditions have an index, or a culprit") {
         sim::components(sim::AxisymmetricStress{70e3 * (1 + 2 * eta / 3), 70e3 * (1 - eta / 3)});
     const auto& law = *set.material.axisymmetric;
     const sim::IncrementalResponse<Axisymmetric> response(law, law.start(stress, 1.086));
-    const auto control = src::control_of(response, {}, {1.0}, {asked});
+    const auto control = study::control_of(response, {}, {1.0}, {asked});
     REQUIRE(control.conditions.size() == 1);
     CHECK(control.conditions[0].answer.held() == control.named[0].answer.held());
     return src::condition_words(control.conditions[0]);

@@ -13,10 +13,10 @@ using sim::Tensor;
 namespace {
 
 template <class Space>
-src::StateToProbe<Space> loose(const lab::MaterialSet& set, double p_kPa, double eta) {
+study::StateToProbe<Space> loose(const lab::MaterialSet& set, double p_kPa, double eta) {
   const double p = 1e3 * p_kPa, q = eta * p;
   const auto stress = sim::components(sim::AxisymmetricStress{p + 2 * q / 3, p - q / 3});
-  src::StateToProbe<Space> what;
+  study::StateToProbe<Space> what;
   if constexpr (Space::kSize == 2)
     what.state = set.material.axisymmetric->start(stress, 1.086);
   else
@@ -24,15 +24,15 @@ src::StateToProbe<Space> loose(const lab::MaterialSet& set, double p_kPa, double
   return what;
 }
 
-src::ProbedState inl2_at(double eta, const src::Probing& probing = {}) {
+study::ProbedState inl2_at(double eta, const study::Probing& probing = {}) {
   const auto set = lab::find_material("inl2/S28-general");
-  return src::probe_state(set, loose<Axisymmetric>(set, 70, eta), probing);
+  return study::probe_state(set, loose<Axisymmetric>(set, 70, eta), probing);
 }
 
 }  // namespace
 
 TEST_CASE("INL2, e = 1.086, p' = 70 kPa: cones as constitutive.md prints them on half a degree") {
-  const src::Probing probing{.directions = 720};
+  const study::Probing probing{.directions = 720};
   CHECK(inl2_at(0.55, probing).circle.cones.empty());
   struct Printed {
     double eta, first, last;
@@ -81,7 +81,7 @@ TEST_CASE("increments have the norm that is asked for, whatever is imposed") {
 TEST_CASE("integrated increments tend to the rate") {
   const auto rate = inl2_at(0.6), small = inl2_at(0.6, {.norm = 10, .finite = true}),
              large = inl2_at(0.6, {.norm = 1000, .finite = true});
-  const auto off = [&](const src::ProbedState& s) {
+  const auto off = [&](const study::ProbedState& s) {
     return std::abs(s.circle.cones.at(0).from - rate.circle.cones.at(0).from);
   };
   CHECK(off(small) < 1e-3);
@@ -91,9 +91,9 @@ TEST_CASE("integrated increments tend to the rate") {
 
 TEST_CASE("elasticity has no cone in either plane, and tells its state") {
   const auto set = lab::find_material("elastic/linear");
-  const auto axial = src::probe_state(set, loose<Axisymmetric>(set, 100, 0.3), {});
+  const auto axial = study::probe_state(set, loose<Axisymmetric>(set, 100, 0.3), {});
   const auto plane =
-      src::probe_state(set, loose<Tensor>(set, 100, 0.3), {.plane = sim::ProbePlane::plane_strain});
+      study::probe_state(set, loose<Tensor>(set, 100, 0.3), {.plane = sim::ProbePlane::plane_strain});
   for (const auto& state : {axial, plane}) {
     CHECK(state.circle.cones.empty());
     CHECK(state.circle.least.normalised > 0);
@@ -112,7 +112,7 @@ TEST_CASE("a state that the law refuses is bad input in the law's words") {
   const auto outside = inl2_at(0.2);
   CHECK(outside.all_warnings().empty());
   const auto set = lab::find_material("inl2/S28-general");
-  const auto warned = src::probe_state(set, loose<Axisymmetric>(set, 5, 0.2), {});
+  const auto warned = study::probe_state(set, loose<Axisymmetric>(set, 5, 0.2), {});
   REQUIRE(warned.p_eff_outside);
   CHECK_FALSE(warned.void_ratio_outside);
   CHECK(warned.all_warnings() == std::vector<std::string>{*warned.p_eff_outside});
@@ -121,23 +121,23 @@ TEST_CASE("a state that the law refuses is bad input in the law's words") {
 TEST_CASE("a test's own increment is probed where it goes") {
   const auto set = lab::find_material("inl2/S28-general");
   auto what = loose<Axisymmetric>(set, 70, 0.6);
-  what.test = src::TestedState{};
+  what.test = study::TestedState{};
   what.test->increment = lab::MeasuredIncrement{.angle = 4.0};
-  const auto state = src::probe_state(set, what, {});
+  const auto state = study::probe_state(set, what, {});
   REQUIRE(state.own);
   CHECK(state.own->angle == 4.0);
   CHECK(state.own->normalised < 0);
   auto tensor = loose<Tensor>(set, 70, 0.6);
   tensor.test = what.test;
-  CHECK_FALSE(src::probe_state(set, tensor, {.plane = sim::ProbePlane::plane_strain}).own);
+  CHECK_FALSE(study::probe_state(set, tensor, {.plane = sim::ProbePlane::plane_strain}).own);
 }
 
 TEST_CASE("where an angle lies among cones") {
-  CHECK_FALSE(src::place_among({}, 1.0));
+  CHECK_FALSE(study::place_among({}, 1.0));
   const std::vector<sim::Cone> cones = {{1.0, 2.0, {}}, {6.0, 6.6, {}}};
   const auto check = [&](double angle, bool inside, std::size_t cone, double edge) {
     INFO(angle);
-    const auto place = src::place_among(cones, angle);
+    const auto place = study::place_among(cones, angle);
     REQUIRE(place);
     CHECK(place->inside == inside);
     CHECK(place->cone == cone);
@@ -156,8 +156,8 @@ TEST_CASE("the first unstable state of a path is isolated between its rows") {
   const auto set = lab::find_material("inl2/S28-general");
   const auto& law = *set.material.axisymmetric;
   // Undrained shear by displacement, in a few coarse rows.
-  std::vector<src::PassedRow<Axisymmetric>> coarse;
-  src::PassedRow<Axisymmetric> row{loose<Axisymmetric>(set, 100, 0).state, {0, 0}};
+  std::vector<study::PassedRow<Axisymmetric>> coarse;
+  study::PassedRow<Axisymmetric> row{loose<Axisymmetric>(set, 100, 0).state, {0, 0}};
   for (int i = 0; i < 6; ++i) {
     coarse.push_back(row);
     const auto control = sim::MixedControl<Axisymmetric>::strain_path(0.002);
@@ -174,9 +174,9 @@ TEST_CASE("the first unstable state of a path is isolated between its rows") {
     const auto step = sim::advance_point(
         law, coarse[0].state,
         sim::MixedControl<Axisymmetric>::strain_path(part * *found->axial_strain));
-    src::StateToProbe<Axisymmetric> there;
+    study::StateToProbe<Axisymmetric> there;
     there.state = step.state;
-    CHECK(src::probe_state(set, there, {}).circle.unstable() == (part > 1));
+    CHECK(study::probe_state(set, there, {}).circle.unstable() == (part > 1));
   }
   coarse.resize(1);
   CHECK_FALSE(src::first_unstable(set, coarse, {}));

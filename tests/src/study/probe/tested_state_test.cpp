@@ -43,8 +43,8 @@ class StoredPath {
     recorder.finish(summary);
   }
   std::string file() const { return folder_.file("t.db"); }
-  src::TestedState at(const std::string& where, std::optional<double> e = {}) const {
-    return src::tested_state(db::Store(file()), "1", where, e);
+  study::TestedState at(const std::string& where, std::optional<double> e = {}) const {
+    return study::tested_state(db::Store(file()), "1", where, e);
   }
   std::string refusal(const std::string& where) const {
     try {

@@ -40,8 +40,8 @@ class StoredPath {
     summary.collapse.onset = lab::Instant{.reading = onset, .q_pa = 60e3, .p_eff_pa = 100e3};
     recorder.finish(summary);
   }
-  std::vector<src::CollapseIncrement> increments() const {
-    return src::collapse_increments(db::Store(file()), {1});
+  std::vector<study::CollapseIncrement> increments() const {
+    return study::collapse_increments(db::Store(file()), {1});
   }
 
  private:

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("types have looks of their own, in the order of the alphabet, whatever comes first") {
   const ProgrammeLooks a({"ICU", "CSD", "CSD", ""}), b({"", "CSD", "ICU"});
