@@ -113,7 +113,7 @@ std::string path_text(const ReportedPath& path) {
   if (path.peak) out += fmt::format("  largest |q|\n      {}\n", state_line(path, *path.peak));
   if (path.peak || !path.events.empty()) out += '\n';
   for (const auto& warning : path.warnings) fact("warning", warning);
-  fact("outcome", path.message.empty() ? "went to its end" : path.outcome + ": " + path.message);
+  fact("outcome", path.message.empty() ? "completed" : path.outcome + ": " + path.message);
   return without_controls(out);
 }
 

@@ -129,7 +129,7 @@ std::string state_in_words(const ReportedPath& path, const ReportedPoint& at) {
 std::string verdict(const ReportedPath& path, const std::string& message) {
   if (path.outcome == "accepted") return {};
   if (path.outcome == "inaccurate")
-    return fmt::format("{}: estimated error {:.1e}, asked for {:.1e}", message, path.error,
+    return fmt::format("{}: estimated error {:.1e}, tolerance {:.1e}", message, path.error,
                        path.tolerance);
   const std::string where =
       fmt::format("segment {} at {} % of it, {}", path.last.segment,

@@ -178,7 +178,7 @@ Command grains_command() {
           {{"FILE:LINE: ...", "the programme could not be understood there"},
            {"a porosity of ... was not reached, ...",
             "ask for another one, or for the friction of compaction that gives the nearest"},
-           {"stage '...': its start '...' was never passed",
+           {"stage '...': its start '...' was never reached",
             "the path ended before the mark: see the peak that it reached"}},
       .examples = {{"triax grains samples/grains/quick.toml", "a small specimen, some seconds"},
                    {"triax grains samples/grains/dense.toml --output dense",

@@ -95,9 +95,8 @@ std::string place_words(const study::ProbedState& state, int directions) {
   if (!place->certain(own.angle_error))
     return fmt::format("on the edge of the cone {} within its error, {}° {}", cone,
                        in_degrees(place->to_edge, 1), place->inside ? "inside" : "outside");
-  return fmt::format("{} the cone {}, {}° {} its nearest edge",
-                     place->inside ? "inside" : "outside", cone, in_degrees(place->to_edge, 1),
-                     place->inside ? "within" : "from");
+  return fmt::format("{} the cone {}, {}° from the nearest edge",
+                     place->inside ? "inside" : "outside", cone, in_degrees(place->to_edge, 1));
 }
 
 std::string closed_form_words(const std::vector<sim::UnstableSector>& sectors) {
@@ -174,7 +173,7 @@ std::string cones_in_words(const std::vector<sim::Cone>& cones) {
 std::string cones_in_words(const sim::Circle& circle, int directions) {
   if (!circle.cones.empty() || circle.unanswered == 0) return cones_in_words(circle.cones);
   if (!circle.least.answered || circle.unanswered >= directions) return "unknown";
-  return fmt::format("none in the {} answered", directions - circle.unanswered);
+  return fmt::format("none found in {} directions with a result", directions - circle.unanswered);
 }
 
 std::string unanswered_words(const study::ProbedState& state, int directions) {

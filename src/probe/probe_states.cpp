@@ -142,7 +142,7 @@ std::vector<study::StateToProbe<Space>> driven_states(const ProbeOptions& o, Pro
   report.warnings.insert(report.warnings.end(), run.warnings.begin(), run.warnings.end());
   if (!run.message.empty())
     report.warnings.push_back(
-        fmt::format("{} ends before its end: {}", description.name, run.message));
+        fmt::format("{} stopped early: {}", description.name, run.message));
   std::vector<study::StateToProbe<Space>> states;
   if (!o.every) {
     states.push_back(state_at(run.last));

@@ -26,12 +26,12 @@ void check_together(const std::vector<PieceName>& pieces, const std::string& who
     const PieceName& piece = pieces[k];
     const auto refuse = [&](const std::string& why) { throw lab::BadInput(piece.file, 0, why); };
     if (piece.count != first.count)
-      refuse(fmt::format("is a piece of {}, {} one of {}; pieces of one cut belong together",
+      refuse(fmt::format("is a piece of {}, {} one of {}; all pieces must be of one division",
                          piece.count, first.file, first.count));
     if (const std::string other = difference(k); !other.empty())
       refuse(fmt::format("is a piece of another {}: {}", whole, other));
     if (piece.program != first.program)
-      refuse(fmt::format("was written by triax {}, {} by {}; let one version compute all pieces",
+      refuse(fmt::format("was written by triax {}, {} by {}; compute all pieces with one version",
                          piece.program, first.file, first.program));
     const PieceName*& place = of[static_cast<std::size_t>(piece.index - 1)];
     if (place != nullptr)

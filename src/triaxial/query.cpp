@@ -44,7 +44,7 @@ Command query_command() {
                           "The table tests and the views readings, states, second_order_work, "
                           "collapses and collapse_points all have the column test_id, and units "
                           "in the names of their columns."},
-          .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+          .diagnostics = {{"FILE: ... no such database; ...",
                            "there is no database yet, or --db names another file"},
                           {"SQL: no such column: ...", "SQLite's message about the SQL given"},
                           {"... the database is read-only here",

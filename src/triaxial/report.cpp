@@ -77,7 +77,7 @@ Command report_command() {
            "triax_report.pdf in the current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
            "as SVG, PNG and PDF into a folder; without --format and --output nothing else."},
-      .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+      .diagnostics = {{"FILE: ... no such database; ...",
                        "there is no database yet, or --db names another file"}},
       .examples = {{"triax report", "all tests as text"},
                    {"triax report csu_26 --output csu_26.html",

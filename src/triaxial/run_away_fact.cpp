@@ -27,13 +27,13 @@ std::string energy_balance(const lab::RunAwayTruth& run_away) {
   if (run_away.expected_ratio)
     line +=
         fmt::format(" where {} is expected ({})", number(run_away.expected_ratio, 3),
-                    *run_away.expected_ratio < 0.8 ? "from a limit point, where third order leads"
+                    *run_away.expected_ratio < 0.8 ? "from a limit point, where the third order governs"
                                                    : "past the peak");
   return line;
 }
 
 std::string ending(const lab::RunAwayTruth& run_away) {
-  if (!run_away.end_s) return "still running when the test ended";
+  if (!run_away.end_s) return "still moving when the test ended";
   const auto how = run_away.end.empty() ? std::string("ended") : "ended by " + run_away.end;
   return fmt::format("{} after {}", how, lapse(*run_away.end_s - run_away.start_s));
 }

@@ -59,7 +59,7 @@ struct Spread {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     const auto deviation =
         values.size() > 1 ? std::optional(std::sqrt(squares / (n - 1))) : std::nullopt;
-    return fmt::format("mean {}, least {}, largest {}, standard deviation {}", number(mean, 4),
+    return fmt::format("mean {}, minimum {}, maximum {}, standard deviation {}", number(mean, 4),
                        number(*least, 4), number(*most, 4), number(deviation, 4));
   }
 };
@@ -95,15 +95,15 @@ std::string truth_text(const std::vector<study::SweepMember>& members) {
     if (m.eta && m.true_eta) error.add(*m.eta - *m.true_eta);
   }
   return fmt::format(
-      "truth: {} lost sustainability, {} of them detected; {} detected that had not lost it\n"
-      "η where it was truly lost: {}\nη found less η true: {}\n",
+      "true onset (model): {} became unstable, {} of them detected; {} detected that remained stable\n"
+      "η at the true onset: {}\nη found minus true η: {}\n",
       lost, found, invented, eta.text(), error.text());
 }
 
 }  // namespace
 
 std::string sweep_text(const lab::Sweep& sweep, const std::vector<study::SweepMember>& members) {
-  std::string text = "*** SIMULATED: virtual specimens, no measurement ***\n";
+  std::string text = "*** SIMULATED, not measured ***\n";
   text += to_text(lines(sweep, members));
   if (members.size() > kMostLines)
     text += fmt::format("... and {} more; `triax query sweep` lists all\n",

@@ -116,7 +116,7 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   for (const auto& [arguments, says] : std::vector<std::pair<std::string, std::string>>{
            {"--at 99999999", "they go from 0 to"},
            {"--at there", "collapse, peak, end or the number of a reading"},
-           {"--at end --db none.db", "there is no such database"}}) {
+           {"--at end --db none.db", "no such database"}}) {
     const Outcome outcome = here.triax(probe + arguments);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find(says) != std::string::npos);
@@ -129,8 +129,8 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
       {"", "no state is given"},
       {"--p-kPa 70", "--eta or --q-kPa"},
       {"--p-kPa 0 --eta 0.5", "--p-kPa 0"},
-      {"--p-kPa 70 --eta 1.5", "refuses it: the stress ratio"},
-      {"--p-kPa 70 --eta 3", "refuses it"},
+      {"--p-kPa 70 --eta 1.5", "out of range for inl2/S28-general: the stress ratio"},
+      {"--p-kPa 70 --eta 3", "out of range for"},
       {"--p-kPa 70 --eta 0.6 --step 0", "--step 0"},
       {"--p-kPa 70 --eta 0.6 --norm-kPa=-1", "--norm-kPa -1"},
       {"--p-kPa 70 --eta 0.6 --q-kPa 5", "exclude each other"},

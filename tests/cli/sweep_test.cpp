@@ -55,6 +55,29 @@ TEST_CASE("a sweep gives the same table and documents with one job and with two"
   CHECK(json::parse(here.triax("query sweep --db two.db --format json").out).size() == 12);
 }
 
+TEST_CASE("--set changes the programme of one test and of a sweep, and the test says so") {
+  const Workplace here;
+  const std::string set = "simulate " + kIcu6 + " --set specimen.void_ratio=1.12 ";
+  const json one = json::parse(here.triax(set + "--seed 2 --db one.db --json").out);
+  CHECK(one["test"]["name"].get<std::string>().ends_with("[void_ratio 1.12]"));
+  CHECK(one["warnings"].dump().find("specimen.void_ratio = 1.12 by --set") != std::string::npos);
+  const json by_sweep =
+      json::parse(here.triax("simulate " + kIcu6 +
+                             " --sweep specimen.void_ratio=1.12 --sweep seed=2 --db two.db --json")
+                      .out);
+  CHECK(one["collapse"] == by_sweep[0]["collapse"]);
+  const json swept = json::parse(here.triax(set + "--sweep seed=2 --db three.db --json").out);
+  CHECK(swept[0]["collapse"] == one["collapse"]);
+  CHECK(swept[0]["warnings"].dump().find("by --set") != std::string::npos);
+  for (const std::string wrong :
+       {"--set specimen.viod_ratio=1", "--set specimen.void_ratio", "--set seed=x",
+        "--sweep seed=1:2:1 --set seed=3"}) {
+    INFO(wrong);
+    CHECK(here.triax("simulate " + kIcu6 + " " + wrong + " --db none.db").status == 2);
+    CHECK_FALSE(here.has("none.db"));
+  }
+}
+
 TEST_CASE("values that make no sense fail alone, a sweep that makes none fails as a whole") {
   const Workplace here;
   const Outcome mixed =

@@ -26,7 +26,7 @@ struct ReportedGrains {
   sim::GrainMeasures measures;
 };
 
-/// A state taken out of a path; empty where it was never passed.
+/// A saved state of a path; empty where it was never reached.
 struct ReportedGrainMark {
   std::string name;
   std::optional<sim::GrainPathPoint> at;  ///< strains and time since the start of the path

@@ -25,7 +25,7 @@ struct SweepMember {
 struct SweepJob {
   std::string file;  ///< of the programme
   std::string text;  ///< what it holds
-  std::vector<lab::TomlEdit> edits;  ///< the same for all tests
+  std::vector<lab::TomlEdit> edits = {};  ///< the same for all tests
   const lab::Sweep& sweep;
   std::string name;  ///< of the sweep, for the database
   std::string db;

@@ -150,7 +150,7 @@ std::vector<Mark> marks_of(const study::TestResult& test, const HistoryAxis& axi
     add(failure->time_s, failure->axial_strain, "failure on the limit surface",
         line(kGrey, 1.3, Qt::DashLine));
   if (const auto& truth = test.stored.summary.truth; truth && truth->lost_sustainability)
-    add(truth->time_s, truth->axial_strain, "truth: the specimen itself",
+    add(truth->time_s, truth->axial_strain, "true onset (model)",
         line(kInk, 1.3, Qt::DotLine));
   return marks;
 }

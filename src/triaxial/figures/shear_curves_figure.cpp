@@ -65,7 +65,7 @@ Drawing shear_curves_figure(const std::vector<study::TestResult>& tests) {
   auto& left = *plot->axisRect();
   auto* right = close > 0 ? &add_axes_beside(*plot) : nullptr;
   style_axes(left, "axial strain ε₁ (%)", "deviator stress q (kPa)");
-  if (right != nullptr) style_axes(*right, "axial strain ε₁ (%), its beginning", "q (kPa)");
+  if (right != nullptr) style_axes(*right, "axial strain ε₁ (%), detail", "q (kPa)");
   name_series(left, tests);
   legend_below(*plot, 5);
   note_below(*plot, origin_of(pointers_to(tests)));

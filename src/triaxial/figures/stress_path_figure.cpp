@@ -86,7 +86,7 @@ Drawing stress_path_figure(const study::TestResult& test) {
          "failure on the limit surface");
   if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)
     mark(*plot, *truth->p_eff_pa, *truth->q_pa, QCPScatterStyle::ssCross, kInk,
-         "truth: the specimen itself");
+         "true onset (model)");
   legend_below(*plot, 2);
   note_below(*plot, origin_of({&test}));
   place_labels(*plot, labels);

@@ -45,7 +45,7 @@ TEST_CASE("settings that are none, and values that cannot be, are refused") {
 TEST_CASE("a start that the law refuses, or with another law's memory, is bad input") {
   auto description = read_path(test::kPath, "p.toml");
   change_setting(description, "void_ratio", "9");
-  CHECK_THROWS_WITH(check_start(description), Contains("refuses it"));
+  CHECK_THROWS_WITH(check_start(description), Contains("out of range for"));
   auto remembered = read_path(
       test::with(test::kPath, "void_ratio = 1.0", "void_ratio = 1.0\nmemory = [1, 2]"), "p.toml");
   CHECK_THROWS_WITH(check_start(remembered), Contains("memory has 2 values"));

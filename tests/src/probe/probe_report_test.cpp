@@ -121,7 +121,7 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
   CHECK(alone["nearest_edge_deg"].is_null());
 
   const std::string text = src::probe_text(with(0.6, 216), {});
-  CHECK(text.find("inside the cone 214.83–237.59, 1.2° within its nearest edge") !=
+  CHECK(text.find("inside the cone 214.83–237.59, 1.2° from the nearest edge") !=
         std::string::npos);
   CHECK(inside["certain"] == true);
   // 0.5 degrees from the edge, with a standard error of 0.57.
@@ -132,7 +132,7 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
         std::string::npos);
   CHECK(text.find("CSU 26 (number 26, recorded) at collapse, reading 812, 41.0 s") !=
         std::string::npos);
-  CHECK(src::probe_text(with(0.6, 213), {}).find("1.8° from its nearest edge") !=
+  CHECK(src::probe_text(with(0.6, 213), {}).find("1.8° from the nearest edge") !=
         std::string::npos);
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("without a cone the words say how many directions were answered") {
   circle.least.answered = true;
   CHECK(src::cones_in_words(circle, 36) == "none");
   circle.unanswered = 6;
-  CHECK(src::cones_in_words(circle, 36) == "none in the 30 answered");
+  CHECK(src::cones_in_words(circle, 36) == "none found in 30 directions with a result");
   circle.unanswered = 36;
   circle.least.answered = false;
   CHECK(src::cones_in_words(circle, 36) == "unknown");

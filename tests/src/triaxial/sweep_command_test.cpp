@@ -20,13 +20,13 @@ TEST_CASE("a sweep that no test can be made of is refused before anything is sto
         std::pair("specimen.void_ratio=98,99", "[void_ratio 98]"),
         std::pair("seed=5:1:1", "runs backwards")}) {
     INFO(text);
-    CHECK_THROWS_AS(run_sweep_command({programme, {text}, db, 0, 1, false}), lab::BadInput);
-    CHECK_THROWS_WITH(run_sweep_command({programme, {text}, db, 0, 1, false}),
+    CHECK_THROWS_AS(run_sweep_command({programme, {}, {text}, db, 0, 1, false}), lab::BadInput);
+    CHECK_THROWS_WITH(run_sweep_command({programme, {}, {text}, db, 0, 1, false}),
                       Contains("--sweep") && Contains(words));
   }
-  CHECK_THROWS_WITH(run_sweep_command({programme, {"seed=1"}, programme, 0, 1, false}),
+  CHECK_THROWS_WITH(run_sweep_command({programme, {}, {"seed=1"}, programme, 0, 1, false}),
                     Contains("--db"));
-  CHECK_THROWS_AS(run_sweep_command({folder.file("no.toml"), {"seed=1"}, db, 0, 1, false}),
+  CHECK_THROWS_AS(run_sweep_command({folder.file("no.toml"), {}, {"seed=1"}, db, 0, 1, false}),
                   lab::BadInput);
   CHECK_FALSE(std::filesystem::exists(db));
 }
