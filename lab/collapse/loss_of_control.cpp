@@ -11,6 +11,10 @@
 namespace triax::lab {
 namespace {
 
+std::string in_readings(std::size_t count) {
+  return count == 1 ? "one reading" : fmt::format("{} readings", count);
+}
+
 constexpr double kBurst = 10;    ///< times the rate of the stage so far
 constexpr double kFall = 0.01;   ///< axial strain between two readings
 constexpr double kLostQ = 0.05;  ///< share of the q that was
@@ -125,9 +129,9 @@ void LossOfControl::check_strain_burst(bool has_time) {
   if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
     fall_ = Fall{recent_[start], last};
   finding_ = Finding{instant_of(recent_[start], has_time),
-                     fmt::format("axial strain rose from {:.3f} % to {:.3f} % within {} readings{}",
+                     fmt::format("axial strain rose from {:.3f} % to {:.3f} % within {}{}",
                                  recent_[start].strain.axial * 100, last.strain.axial * 100,
-                                 static_cast<std::int64_t>(kRecent - 1 - start),
+                                 in_readings(kRecent - 1 - start),
                                  mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before",
                                                               burst / mean_rate_)
                                                 : ", with no movement before")};

@@ -96,10 +96,16 @@ std::string verdict_line(const db::StoredTest& test) {
   return line;
 }
 
-std::string limit_line(const lab::Collapse& collapse) {
+std::string limit_line(const db::StoredTest& test) {
+  const lab::Collapse& collapse = test.summary.collapse;
   if (!collapse.limit_stress_ratio) return kUnknown;
   auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
-  if (!collapse.limit_source.empty()) line += fmt::format(" ({})", collapse.limit_source);
+  const bool of_the_law = test.header.origin == Origin::simulated &&
+                          test.header.specimen.limit_friction_angle_rad.has_value();
+  if (of_the_law)
+    line += " (friction angle from the law)";
+  else if (!collapse.limit_source.empty())
+    line += fmt::format(" ({})", collapse.limit_source);
   return line;
 }
 
@@ -140,7 +146,7 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   facts.push_back(
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
-  facts.push_back({"Limit surface", {limit_line(collapse)}});
+  facts.push_back({"Limit surface", {limit_line(test)}});
   if (test.summary.truth) facts.push_back({"True onset (model)", {truth_line(*test.summary.truth)}});
   if (test.summary.truth && !test.summary.truth->run_aways.empty())
     facts.push_back({"Runaway", run_away_lines(test.summary.truth->run_aways)});

@@ -34,7 +34,8 @@ std::string energy_balance(const lab::RunAwayTruth& run_away) {
 
 std::string ending(const lab::RunAwayTruth& run_away) {
   if (!run_away.end_s) return "still moving when the test ended";
-  const auto how = run_away.end.empty() ? std::string("ended") : "ended by " + run_away.end;
+  std::string how = run_away.end.empty() ? "ended" : run_away.end;
+  if (how == "end of travel") how = "travel limit reached";
   return fmt::format("{} after {}", how, lapse(*run_away.end_s - run_away.start_s));
 }
 

@@ -216,7 +216,7 @@ TEST_CASE("a domain of which the law answers no state is no result") {
       "--directions 8 --output x");
   CHECK(outcome.status == 1);
   CHECK(outcome.out.empty());
-  CHECK(outcome.err.find("answers no state of the grid") != std::string::npos);
+  CHECK(outcome.err.find("gives no result at any state of the grid") != std::string::npos);
   CHECK(outcome.err.find("the void ratio is 5") != std::string::npos);
   CHECK_FALSE(here.has("x.csv"));
 }
@@ -286,7 +286,7 @@ TEST_CASE("a UMAT that misbehaves everywhere is status 1 with its words, and not
     CHECK(outcome.status == 1);
     CHECK(outcome.out.empty());
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-    CHECK(outcome.err.find("answers no state of the grid") != std::string::npos);
+    CHECK(outcome.err.find("gives no result at any state of the grid") != std::string::npos);
     CHECK_FALSE(here.has("x.csv"));
   }
 }

@@ -109,7 +109,7 @@ TEST_CASE("bad paths and settings are one line and status 2, and nothing is prin
   };
   const Bad all[] = {
       {"", "", "[path] is missing"},
-      {"\x01\x02\xff", "", "no valid TOML"},
+      {"\x01\x02\xff", "", "invalid TOML"},
       {with(kSmall, "p_eff_kPa = 100.0", ""), "", "effective stress is missing"},
       {with(kSmall, "axial_strain", "axial_strian"), "", "did you mean 'axial_strain'?"},
       {with(kSmall, "radial_stress_kPa", "radial_stress_MPa"), "", "column 1"},
@@ -118,11 +118,11 @@ TEST_CASE("bad paths and settings are one line and status 2, and nothing is prin
       {with(kSmall, "= 0.01", "= 1e99"), "", "beyond what a test can have"},
       {with(kSmall, "void_ratio = 1.0", "void_ratio = 19"), "", "out of range for"},
       {with(kSmall, "rows = 5", "table = \"gone.csv\""), "", "leave conditions out"},
-      {with(kSmall, "sanisand/", "sandy/"), "", "no material"},
+      {with(kSmall, "sanisand/", "sandy/"), "", "unknown material"},
       {kSmall, "--set void_ratio", "expected KEY=VALUE"},
       {kSmall, "--set viod_ratio=1", "did you mean 'void_ratio'?"},
       {kSmall, "--set poisson_ratio=2", "poisson_ratio"},
-      {kSmall, "--set material=none/x", "no material"},
+      {kSmall, "--set material=none/x", "unknown material"},
       {kSmall, "--output p.toml", "p.toml"},
       {kSmall, "--save-failure x.csv --output x.csv", "x.csv"},
   };

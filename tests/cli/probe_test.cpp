@@ -136,7 +136,7 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
       {"--p-kPa 70 --eta 0.6 --q-kPa 5", "exclude each other"},
       {"--p-kPa 70 --eta 0.6 --path p.toml", "more than one kind of state"},
       {"--p-kPa 70 --eta 0.6 --plane sphere", "--plane"},
-      {"--stress-kPa 100,80,60", "no axisymmetric state"},
+      {"--stress-kPa 100,80,60", "is not axisymmetric"},
       {"--p-kPa 70 --eta 0.6 --set poisson_ratio=2", "poisson_ratio"},
       {"--p-kPa 70 --eta 0.6 --void-ratio 99", ""},
       {"--path gone.toml", "gone.toml"},

@@ -38,7 +38,7 @@ TEST_CASE("settings that are none, and values that cannot be, are refused") {
   refused("void_ratio", "1.0x", "must be a number");
   refused("void_ratio", "-1", "must be a number");
   refused("p_eff_kPa", "inf", "must be a number");
-  refused("material", "sanisand", "no material");
+  refused("material", "sanisand", "unknown material");
   refused("poisson_ratio", "0.7", "must be");
 }
 

@@ -80,14 +80,14 @@ TEST_CASE("exactly one state is asked for, with what belongs to it") {
   says("--p-kPa 0 --eta 0.5", "--p-kPa 0");
   says("--p-kPa 1e9 --eta 0.5", "--p-kPa 1e+09");
   says("--p-kPa 70 --eta 0.5,nan", "--eta nan");
-  says("--eta 0.5 --test 26", "--eta has a meaning only with --p-kPa");
+  says("--eta 0.5 --test 26", "--eta needs --p-kPa");
   says("--stress-kPa 100", "has 1 value");
-  says("--stress-kPa 100,80,60", "no axisymmetric state");
-  says("--stress-kPa 100,60 --at peak", "--at has a meaning only with --test");
-  says("--test 26 --every 2", "--every has a meaning only with --path");
+  says("--stress-kPa 100,80,60", "is not axisymmetric");
+  says("--stress-kPa 100,60 --at peak", "--at needs --test");
+  says("--test 26 --every 2", "--every needs --path");
   says("--path p.toml --every 0", "--every 0");
-  says("--p-kPa 70 --eta 0.5 --axial-strain 0.1", "--axial-strain has a meaning only with");
-  says("--p-kPa 70 --eta 0.5 --R 1", "--R has a meaning only with --control, --output or --json");
+  says("--p-kPa 70 --eta 0.5 --axial-strain 0.1", "--axial-strain needs");
+  says("--p-kPa 70 --eta 0.5 --R 1", "--R needs --control, --output or --json");
 }
 
 TEST_CASE("in three dimensions the step divides half a turn, and nothing of a plane is asked") {

@@ -137,7 +137,7 @@ TEST_CASE("a path that loses control ends with a warning, and its last state") {
   const Asked<Axisymmetric> asked(along(folder, text));
   REQUIRE(asked.states.size() == 1);
   REQUIRE(asked.report.warnings.size() == 1);
-  CHECK(asked.report.warnings[0].find("ends before its end") != std::string::npos);
+  CHECK(asked.report.warnings[0].find("stopped early") != std::string::npos);
 }
 
 TEST_CASE("what cannot be probed in the plane, or is not there, is bad input") {
