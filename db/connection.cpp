@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "db/channel_columns.hpp"
 #include "db/writer_identity.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/embedded.hpp"
@@ -100,7 +101,7 @@ void tidy_up(const std::string& path) {
     SQLite::Database database(path, SQLite::OPEN_READWRITE, kBusyTimeoutMs);
     check_ours(database, path);
     if (is_empty(database)) return;
-    if (read_int(database, "PRAGMA user_version") < newest_schema()) migrate(database, path);
+    migrate(database, path);
     mark_abandoned_tests(database);
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() == SQLITE_NOTADB || error.getErrorCode() == SQLITE_CORRUPT)
@@ -122,7 +123,10 @@ SQLite::Database open_immutable(const std::string& path) {
 int newest_schema() { return version_of(lab::kMigrations.back()); }
 
 void migrate(SQLite::Database& database, const std::string& path, int target) {
-  if (!is_empty(database) && read_int(database, "PRAGMA user_version") >= target) return;
+  const bool newest = target >= newest_schema();
+  if (!is_empty(database) && read_int(database, "PRAGMA user_version") >= target &&
+      (!newest || has_all_channels(database)))
+    return;
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   check_ours(database, path);
   const int present = read_int(database, "PRAGMA user_version");
@@ -134,6 +138,7 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
     database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
     database.exec("PRAGMA user_version = " + std::to_string(target));
   }
+  if (newest) add_missing_channels(database);
   transaction.commit();
 }
 
@@ -167,6 +172,7 @@ SQLite::Database open_for_reading(const std::string& path) {
       throw lab::BadInput(path, 0,
                           "schema version " + std::to_string(version) +
                               " needs migration, but the file cannot be written; make it writable");
+    if (!has_all_channels(database)) show_all_channels(database);
     database.exec("PRAGMA query_only = ON");
     return database;
   };

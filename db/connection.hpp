@@ -12,7 +12,8 @@ inline constexpr int kApplicationId = 0x54524958;
 /// The number of the newest migration (db/migrations/NNNN_name.sql).
 int newest_schema();
 
-/// Applies the numbered migrations above the database's user_version up to `target`, all or none.
+/// Applies the numbered migrations above the database's user_version up to `target`, all or none;
+/// with the newest of them the columns of quantities that the database does not know yet.
 /// Throws lab::BadInput if the file belongs to another program or to a newer triax.
 void migrate(SQLite::Database& database, const std::string& path, int target = newest_schema());
 

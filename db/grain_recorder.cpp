@@ -53,6 +53,14 @@ GrainRecorder::~GrainRecorder() {
   }
 }
 
+lab::GrainListener GrainRecorder::listener() {
+  lab::GrainListener all;
+  all.made = [this](const lab::GrainsMade& told) { made(told); };
+  all.stage_ended = [this](const lab::GrainStage&, const sim::GrainState&,
+                           const lab::GrainStageResult& result) { ended(result); };
+  return all;
+}
+
 void GrainRecorder::made(const lab::GrainsMade& made) {
   const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   std::int64_t id = 0;
@@ -74,5 +82,7 @@ std::int64_t GrainRecorder::finish() {
   impl_->finished = true;
   return impl_->id;
 }
+
+std::int64_t GrainRecorder::id() const { return impl_->id; }
 
 }  // namespace triax::db

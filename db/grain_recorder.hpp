@@ -21,11 +21,15 @@ class GrainRecorder {
   GrainRecorder(const GrainRecorder&) = delete;
   GrainRecorder& operator=(const GrainRecorder&) = delete;
 
+  /// What a run tells, into the database; as long as this recorder lives.
+  lab::GrainListener listener();
   void made(const lab::GrainsMade& made);
   /// After made(). All of the stage or nothing.
   void ended(const lab::GrainStageResult& result);
   /// The run is complete; gives its id.
   std::int64_t finish();
+  /// Of the run; 0 before made().
+  std::int64_t id() const;
 
  private:
   struct Impl;

@@ -1,117 +1,71 @@
 #include "db/grain_writer.hpp"
 
-#include <SQLiteCpp/Statement.h>
+#include <limits>
+#include <utility>
 
-#include <algorithm>
-#include <numbers>
-
-#include "db/columns.hpp"
+#include "db/exact_row.hpp"
+#include "db/grain_columns.hpp"
 #include "db/writer_identity.hpp"
-#include "lab/grains/grain_words.hpp"
-#include "sim/grains/state/triaxial_axes.hpp"
 
 namespace triax::db {
 namespace {
 
-using SQLite::Statement;
-
-std::string places(int count) {
-  std::string text = "?";
-  for (int k = 1; k < count; ++k) text += ",?";
-  return text;
-}
-
+/// Rows of what came of one stage.
 class StageRows {
  public:
   StageRows(SQLite::Database& database, std::int64_t run, std::int64_t stage)
       : database_(database), run_(run), stage_(stage) {}
 
-  void operator()(const sim::GrainPathResult& path) {
-    Statement insert(database_, "INSERT INTO grain_points VALUES (" + places(17) + ")");
-    for (std::size_t k = 0; k < path.points.size(); ++k) {
-      const sim::GrainPathPoint& p = path.points[k];
-      row(insert, k)
-          .number(p.time_s)
-          .si(p.strain.axial, "%")
-          .si(p.strain.radial, "%")
-          .si(p.volumetric_strain, "%")
-          .si(p.stress.axial, "kPa")
-          .si(p.stress.radial, "kPa")
-          .si(p.p_pa, "kPa")
-          .si(p.q_pa, "kPa")
-          .si(p.path_stress_pa, "kPa")
-          .number(p.kinetic_energy_j)
-          .number(p.unbalanced)
-          .number(p.porosity)
-          .number(p.coordination)
-          .si(p.sliding_share, "%")
-          .run();
+  void operator()(const lab::ReportedGrainPath& came) {
+    const PathRow asked{lab::word(came.path.kind), came.path};
+    insert("grain_paths", {}, [&](auto& row) { visit_path(row, asked); });
+    for (std::size_t k = 0; k < came.points.size(); ++k)
+      insert("grain_points", k, [&](auto& row) { visit_point(row, came.points[k]); });
+    for (std::size_t k = 0; k < came.marks.size(); ++k) {
+      const auto& [name, at] = came.marks[k];
+      const MarkRow mark{name, at.has_value(), at.value_or(never_passed())};
+      insert("grain_marks", k, [&](auto& row) { visit_mark(row, mark); });
     }
   }
-  void operator()(const lab::GrainRest&) {}
-  void operator()(const lab::GrainRose& rose) {
-    Statement insert(database_, "INSERT INTO grain_probes VALUES (" + places(21) + ")");
-    probe(insert, 0, rose.rose.null_probe, std::nullopt);
-    for (std::size_t k = 0; k < rose.rose.probes.size(); ++k)
-      probe(insert, k + 1, rose.rose.probes[k], rose.rose.probes[k].angle);
+  void operator()(const lab::ReportedGrainRest& came) {
+    const RestRow rest{came.strain_held ? "walls" : "stresses", came.rest};
+    insert("grain_rests", {}, [&](auto& row) { visit_rest(row, rest); });
   }
-  void operator()(const sim::PerturbationResult& result) {
-    Statement insert(database_,
-                     "INSERT INTO grain_perturbation_points VALUES (" + places(10) + ")");
-    for (std::size_t k = 0; k < result.points.size(); ++k) {
-      const sim::PerturbationPoint& p = result.points[k];
-      row(insert, k)
-          .number(p.time_s)
-          .si(p.path_stress_pa, "kPa")
-          .number(p.stress_share)
-          .si(p.p_pa, "kPa")
-          .si(p.axial_strain, "%")
-          .number(p.kinetic_energy_j)
-          .number(p.unbalanced)
-          .run();
-    }
+  void operator()(const lab::ReportedGrainRose& came) {
+    insert("grain_roses", {}, [&](auto& row) { visit_rose(row, came); });
+    const sim::ProbeRose& rose = came.made.rose;
+    probe(0, rose.null_probe, std::nullopt);
+    for (std::size_t k = 0; k < rose.probes.size(); ++k)
+      probe(k + 1, rose.probes[k], rose.probes[k].angle);
   }
-  void perturbation(const sim::Perturbation& how, const sim::PerturbationResult& result) {
-    Statement insert(database_, "INSERT INTO grain_perturbations VALUES (" + places(6) + ")");
-    Binder(insert)
-        .integer(run_)
-        .integer(stage_)
-        .number(how.load_step_pa)
-        .number(how.kinetic_energy_j)
-        .integer(result.grains_hit)
-        .number(result.most_kinetic_j)
-        .run();
+  void operator()(const lab::ReportedPerturbation& came) {
+    insert("grain_perturbations", {}, [&](auto& row) { visit_perturbation(row, came); });
+    for (std::size_t k = 0; k < came.points.size(); ++k)
+      insert("grain_perturbation_points", k,
+             [&](auto& row) { visit_perturbation_point(row, came.points[k]); });
+  }
+  void measures(const char* moment, const sim::GrainMeasures& measures) {
+    insert("grain_measures", {}, [&](auto& row) {
+      row("moment", std::string(moment));
+      visit_measures(row, measures);
+    });
   }
 
  private:
-  Binder row(Statement& insert, std::size_t number) {
-    Binder binder(insert);
-    binder.integer(run_).integer(stage_).integer(static_cast<std::int64_t>(number));
-    return binder;
+  template <class Visit>
+  void insert(const char* table, std::optional<std::size_t> number, const Visit& visit) {
+    std::vector<Key> keys = {{"run_id", run_}, {"stage", stage_}};
+    if (number) keys.push_back({"number", static_cast<std::int64_t>(*number)});
+    insert_row(database_, table, keys, visit);
   }
-  void probe(Statement& insert, std::size_t number, const sim::GrainProbe& p,
-             std::optional<double> angle) {
-    const sim::GrainWork& w = p.work;
-    row(insert, number)
-        .si(angle, "deg")
-        .si(p.norm_pa, "kPa")
-        .integer(p.settled ? 1 : 0)
-        .number(p.strain.axial)
-        .number(p.strain.radial)
-        .number(w.lagrangian)
-        .number(w.eulerian())
-        .number(w.stress_part)
-        .number(w.volume_part)
-        .number(w.transport_part)
-        .number(w.microscopic())
-        .number(w.fixed_frame)
-        .number(w.boundary_part)
-        .number(w.normalised)
-        .si(p.sliding_share, "%")
-        .si(w.non_permanent_share(), "%")
-        .number(p.most_kinetic_j)
-        .integer(p.steps)
-        .run();
+  void probe(std::size_t number, const sim::GrainProbe& p, std::optional<double> angle) {
+    const ProbeRow all{p, angle, p.work.eulerian(), p.work.microscopic(),
+                       p.work.non_permanent_share()};
+    insert("grain_probes", number, [&](auto& row) { visit_probe(row, all); });
+  }
+  static sim::GrainPathPoint never_passed() {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    return {kNaN, {kNaN, kNaN}, kNaN, {kNaN, kNaN}, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
   }
 
   SQLite::Database& database_;
@@ -131,82 +85,45 @@ std::optional<double> ratio_of(const lab::GrainStage& stage) {
 
 std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgramme& programme,
                               const lab::GrainsMade& made, const std::string& recorded_at) {
-  const lab::GrainSource& source = programme.grains;
-  const bool loaded = !source.made();
-  const sim::ContactLaw& law = made.state.law;
-  const sim::GrainMeasures& m = made.measures;
-  const auto if_made = [&](auto value) {
-    return loaded ? std::nullopt : std::optional<decltype(value)>(value);
-  };
+  SpecimenRow specimen{
+      lab::reported(programme.grains, made), lab::word(made.state.law.reading), {}, {}};
+  if (programme.grains.made()) {
+    specimen.seed = static_cast<std::int64_t>(specimen.told.seed);
+    specimen.compactions = specimen.told.trials;
+  }
   const WriterIdentity writer = this_process();
-  Statement insert(
-      database,
-      "INSERT INTO grain_runs (name, source, programme, settings, state_file, status, recorded_at, "
-      "grains, seed, "
-      "compaction_friction_deg, compactions, stiffness_reading, stiffness_over_diameter_MPa, "
-      "tangential_ratio, friction_angle_deg, density_kg_per_m3, damping, time_step_s, porosity, "
-      "void_ratio, coordination, floating_grains, grains_outside, writer_pid, writer_started, "
-      "writer_host) VALUES (?,?,?,?,?,'running'," +
-          places(20) + ")");
-  Binder(insert)
-      .text(programme.name)
-      .text(programme.source)
-      .text(programme.text)
-      .text_or_null(programme.settings)
-      .text_or_null(source.state_file.empty() ? source.packing_file : source.state_file)
-      .text(recorded_at)
-      .integer(static_cast<std::int64_t>(made.state.grains.size()))
-      .integer(if_made(static_cast<std::int64_t>(source.seed)))
-      .si(if_made(made.compaction_friction_angle), "deg")
-      .integer(if_made(static_cast<std::int64_t>(made.trials)))
-      .text(lab::word(law.reading))
-      .si(law.stiffness_over_diameter_pa, "MPa")
-      .number(law.tangential_ratio)
-      .si(law.friction_angle, "deg")
-      .number(law.density_kg_per_m3)
-      .number(law.damping)
-      .number(made.state.time_step_s)
-      .number(m.porosity)
-      .number(m.void_ratio)
-      .number(m.coordination)
-      .integer(m.floating_grains)
-      .integer(m.grains_outside)
-      .integer(writer.pid)
-      .integer(writer.started)
-      .text(writer.host)
-      .run();
-  return database.getLastInsertRowid();
+  insert_row(database, "grain_runs", {}, [&](auto& row) {
+    row("name", programme.name);
+    row("source", programme.source);
+    row("programme", programme.text);
+    row.or_null("settings", programme.settings);
+    row("status", std::string("running"));
+    row("recorded_at", recorded_at);
+    visit_specimen(row, std::as_const(specimen));
+    row("writer_pid", writer.pid);
+    row("writer_started", writer.started);
+    row("writer_host", writer.host);
+  });
+  const std::int64_t run = database.getLastInsertRowid();
+  StageRows(database, run, 0).measures("made", made.measures);
+  return run;
 }
 
 void insert_grain_stage(SQLite::Database& database, std::int64_t run, std::int64_t number,
                         const lab::GrainStageResult& result) {
-  const lab::GrainStage& stage = *result.stage;
-  const sim::GrainMeasures& m = result.after;
   const auto settled = lab::settled(result);
-  Statement insert(database, "INSERT INTO grain_stages VALUES (" + places(17) + ")");
-  Binder(insert)
-      .integer(run)
-      .integer(number)
-      .text(stage.name)
-      .text(stage.action)
-      .text(stage.from)
-      .number(ratio_of(stage))
-      .text(lab::ending(result))
-      .integer(settled ? std::optional<std::int64_t>(*settled ? 1 : 0) : std::nullopt)
-      .number(m.porosity)
-      .number(m.coordination)
-      .integer(m.floating_grains)
-      .si(m.wall_stress_pa[sim::kAxial], "kPa")
-      .si(0.5 * (m.wall_stress_pa[sim::kRadial[0]] + m.wall_stress_pa[sim::kRadial[1]]), "kPa")
-      .number(m.unbalanced)
-      .number(m.kinetic_energy_j)
-      .integer(result.steps)
-      .number(result.seconds > 0 ? std::optional(result.seconds) : std::nullopt)
-      .run();
+  StageRow stage{
+      lab::reported(result), number, lab::ending(result), {}, ratio_of(*result.stage), {}, 0};
+  if (settled) stage.settled = *settled ? 1 : 0;
+  if (result.seconds > 0) stage.seconds = result.seconds;
+  const auto& stress = result.after.wall_stress_pa;
+  stage.radial_stress_pa = 0.5 * (stress[sim::kRadial[0]] + stress[sim::kRadial[1]]);
+  insert_row(database, "grain_stages", {{"run_id", run}},
+             [&](auto& row) { visit_stage(row, std::as_const(stage)); });
   StageRows rows(database, run, number);
-  std::visit(rows, result.outcome);
-  if (const auto* work = std::get_if<lab::GrainPerturbationStage>(&stage.work))
-    rows.perturbation(work->perturbation, std::get<sim::PerturbationResult>(result.outcome));
+  rows.measures("before", result.before);
+  rows.measures("after", result.after);
+  std::visit(rows, stage.told.came);
 }
 
 }  // namespace triax::db

@@ -230,18 +230,17 @@ void Recorder::belongs_to(SweepMembership sweep, Turns& turns) {
   impl_->belongs_to(std::move(sweep), turns);
 }
 
-void Recorder::listen(lab::Session& session) {
+lab::SessionListener Recorder::listener() {
   Impl* const impl = impl_.get();
-  connect(&session, &lab::Session::started, this,
-          [impl](const lab::RecordHeader& header) { impl->start(header); });
-  connect(&session, &lab::Session::scanned, this,
-          [impl](const lab::Reading& reading, const lab::State& state) {
-            impl->add(&Batch::scans, Scan{reading, state});
-          });
-  connect(&session, &lab::Session::second_order_work, this,
-          [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); });
-  connect(&session, &lab::Session::happened, this,
-          [impl](const lab::Event& event) { impl->add(&Batch::events, event); });
+  return {.started = [impl](const lab::RecordHeader& header) { impl->start(header); },
+          .scanned =
+              [impl](const lab::Reading& reading, const lab::State& state) {
+                impl->add(&Batch::scans, Scan{reading, state});
+              },
+          .second_order_work =
+              [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
+          .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },
+          .progressed = {}};
 }
 
 std::int64_t Recorder::finish(const lab::TestSummary& summary) {

@@ -1,12 +1,11 @@
 #pragma once
-#include <QObject>
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "db/store.hpp"
 #include "db/turns.hpp"
-#include "lab/rig/session.hpp"
+#include "lab/rig/session_listener.hpp"
 
 namespace triax::db {
 
@@ -18,22 +17,23 @@ namespace triax::db {
 /// thousand scans, or finish): bad input that shows up early leaves the database, and even its
 /// absence, as it was.
 ///
-/// All calls and signals come from one thread. What goes wrong while writing (disk full, folder
+/// All calls come from one thread. What goes wrong while writing (disk full, folder
 /// missing, file of another program) is thrown as lab::WorkFailed or lab::BadInput by finish(), or
-/// earlier out of the session's next signal; batches committed before stand until discard().
-class Recorder : public QObject {
-  Q_OBJECT
+/// earlier out of what the session tells next; batches committed before stand until discard().
+class Recorder {
  public:
   explicit Recorder(std::string path);
-  ~Recorder() override;  ///< a test that was not finished stays behind as interrupted
+  ~Recorder();  ///< a test that was not finished stays behind as interrupted
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
 
   /// Says of which sweep the test is one; before it starts. The test then enters the database with
   /// its first reading, when those of all earlier places have entered or are over: ids follow the
   /// order of the sweep, however many threads run it. `turns` must outlive this recorder; who runs
   /// the test says when its turn is over, in case it never enters.
   void belongs_to(SweepMembership sweep, Turns& turns);
-  /// Listens to every signal of a session.
-  void listen(lab::Session& session);
+  /// What a session tells, into the database; as long as this recorder lives.
+  lab::SessionListener listener();
   /// The test is over: stores the summary, marks it complete; gives its id. Throws lab::WorkFailed
   /// if no test was started.
   std::int64_t finish(const lab::TestSummary& summary);

@@ -11,8 +11,13 @@ namespace {
 using lab::kMissing;
 using lab::Quantity;
 
-// Layout of last_bits; the views read kInvariants too (migrations/0002_views.sql).
+// Layout of last_bits; the views read kInvariants too (migrations/0002_views.sql). That of
+// added_last_bits and given_last_bits is three bits an item from the first on.
 constexpr BitField raw_bits(std::size_t channel) { return {static_cast<int>(3 * channel), 3}; }
+constexpr std::size_t kItemsOfThreeBits = 21;
+static_assert(lab::index(Quantity::cell_volume) + 1 == kFirstChannelCount,
+              "a new raw channel stands behind the others: databases keep last bits by this order");
+static_assert(kAddedChannelCount <= kItemsOfThreeBits && kGivenCount <= kItemsOfThreeBits);
 constexpr BitField zero_bit(int item) { return {21 + item, 1}; }
 constexpr std::int64_t kInvariants = std::int64_t{1} << 26;
 constexpr BitField derived_bits(std::size_t item) { return {27 + static_cast<int>(6 * item), 6}; }
@@ -187,9 +192,13 @@ bool encode(const lab::Reading& reading, const lab::State& state, const StageRef
             ScanRow& row, ScanDetail& detail) {
   row.number = reading.number;
   row.stage = reading.stage;
-  row.last_bits = 0;
-  for (std::size_t i = 0; i < lab::kRawQuantityCount; ++i)
+  row.last_bits = row.added_last_bits = 0;
+  for (std::size_t i = 0; i < kFirstChannelCount; ++i)
     row.last_bits |= encode_field(reading.si[i], scales()[i], raw_bits(i), row.raw[i]);
+  for (std::size_t i = 0; i < kAddedChannelCount; ++i) {
+    const std::size_t q = kFirstChannelCount + i;
+    row.added_last_bits |= encode_field(reading.si[q], scales()[q], raw_bits(i), row.raw[q]);
+  }
   row.last_bits |= encode_si(reading.time_s, 0, row.time_s);
   row.last_bits |= encode_si(state.strain.axial, 1, row.axial_strain);
   row.last_bits |= encode_si(state.volumetric_strain, 2, row.volumetric_strain);
@@ -214,8 +223,12 @@ void decode(const ScanRow& row, const ScanDetail* detail, const StageReference& 
   reading.stage = state.stage = row.stage;
   reading.time_s = state.time_s = decode_si(row.time_s, 0, bits);
   reading.line = 0;
-  for (std::size_t i = 0; i < lab::kRawQuantityCount; ++i)
+  for (std::size_t i = 0; i < kFirstChannelCount; ++i)
     reading.si[i] = decode_field(row.raw[i], scales()[i], raw_bits(i).get(bits));
+  for (std::size_t i = 0; i < kAddedChannelCount; ++i) {
+    const std::size_t q = kFirstChannelCount + i;
+    reading.si[q] = decode_field(row.raw[q], scales()[q], raw_bits(i).get(row.added_last_bits));
+  }
   for (std::size_t i = 0; i < kGivenCount; ++i) {
     const std::size_t q = lab::kRawQuantityCount + i;
     reading.si[q] = detail == nullptr ? kMissing

@@ -30,6 +30,9 @@ StageReference reference_of(const lab::State& state);
 enum class Derived { radial_strain, void_ratio, area, effective_axial, effective_radial, pore };
 inline constexpr std::size_t kDerivedCount = 6;
 inline constexpr std::size_t kGivenCount = lab::kQuantityCount - lab::kRawQuantityCount;
+/// Raw channels that `last_bits` has room for; those behind them have `added_last_bits`.
+inline constexpr std::size_t kFirstChannelCount = 7;
+inline constexpr std::size_t kAddedChannelCount = lab::kRawQuantityCount - kFirstChannelCount;
 
 /// A row of `scans`; a NaN stands for NULL.
 struct ScanRow {
@@ -42,6 +45,7 @@ struct ScanRow {
   double q_pa = lab::kMissing;
   double p_eff_pa = lab::kMissing;
   std::int64_t last_bits = 0;
+  std::int64_t added_last_bits = 0;
 };
 
 /// A row of `scan_details`; a NaN stands for NULL.

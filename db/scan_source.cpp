@@ -4,6 +4,9 @@
 #include <sqlite3.h>
 
 #include <cmath>
+#include <string>
+
+#include "db/channel_columns.hpp"
 
 namespace triax::db {
 namespace {
@@ -18,17 +21,17 @@ struct Cursor : sqlite3_vtab_cursor {
   ScanRow row;
 };
 
-constexpr char kDeclaration[] =
-    "CREATE TABLE incoming_scans (id INTEGER, time_s REAL, stage INTEGER, "
-    "axial_displacement_mm REAL, axial_force_kN REAL, cell_pressure_kPa REAL, "
-    "back_pressure_kPa REAL, pore_pressure_kPa REAL, back_volume_mm3 REAL, cell_volume_mm3 REAL, "
-    "axial_strain REAL, volumetric_strain REAL, q_Pa REAL, p_eff_Pa REAL, last_bits INTEGER)";
+// Columns are those of scan_columns(), in that order: three, the raw channels, and these.
+constexpr int kFirstChannel = 3;
+constexpr int kBehindChannels = kFirstChannel + static_cast<int>(lab::kRawQuantityCount);
+enum Behind { kAxialStrain, kVolumetricStrain, kQ, kPEff, kLastBits, kAddedLastBits };
 
 int connect(sqlite3* database, void* source, int, const char* const*, sqlite3_vtab** made, char**) {
   auto* const table = new Table{};
   table->source = static_cast<ScanSource*>(source);
   *made = table;
-  return sqlite3_declare_vtab(database, kDeclaration);
+  const std::string sql = "CREATE TABLE incoming_scans (" + column_list(scan_columns()) + ")";
+  return sqlite3_declare_vtab(database, sql.c_str());
 }
 
 int disconnect(sqlite3_vtab* table) {
@@ -83,11 +86,15 @@ void result(sqlite3_context* context, double value) {
   if (std::isfinite(value)) sqlite3_result_double(context, value);
 }
 
+void result_unless_zero(sqlite3_context* context, std::int64_t bits) {
+  if (bits != 0) sqlite3_result_int64(context, bits);
+}
+
 int column(sqlite3_vtab_cursor* cursor, sqlite3_context* context, int index) {
   const Cursor& at = *static_cast<Cursor*>(cursor);
   const ScanRow& row = at.row;
-  if (index >= 3 && index < 10) {
-    result(context, row.raw[static_cast<std::size_t>(index - 3)]);
+  if (index >= kFirstChannel && index < kBehindChannels) {
+    result(context, row.raw[static_cast<std::size_t>(index - kFirstChannel)]);
     return SQLITE_OK;
   }
   switch (index) {
@@ -100,20 +107,23 @@ int column(sqlite3_vtab_cursor* cursor, sqlite3_context* context, int index) {
     case 2:
       sqlite3_result_int(context, row.stage);
       break;
-    case 10:
+    case kBehindChannels + kAxialStrain:
       result(context, row.axial_strain);
       break;
-    case 11:
+    case kBehindChannels + kVolumetricStrain:
       result(context, row.volumetric_strain);
       break;
-    case 12:
+    case kBehindChannels + kQ:
       result(context, row.q_pa);
       break;
-    case 13:
+    case kBehindChannels + kPEff:
       result(context, row.p_eff_pa);
       break;
+    case kBehindChannels + kLastBits:
+      result_unless_zero(context, row.last_bits);
+      break;
     default:
-      if (row.last_bits != 0) sqlite3_result_int64(context, row.last_bits);
+      result_unless_zero(context, row.added_last_bits);
   }
   return SQLITE_OK;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A batch of scans as a table that SQL can select from. `INSERT INTO scans SELECT * FROM
+// A batch of scans as a table that SQL can select from. `INSERT INTO scans (...) SELECT ... FROM
 // incoming_scans` stores a batch in one statement: a quarter faster than one INSERT a scan.
 #include <cstdint>
 #include <exception>

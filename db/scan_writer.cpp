@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "db/channel_columns.hpp"
 #include "db/columns.hpp"
 #include "lab/base/bad_input.hpp"
 
@@ -17,6 +18,17 @@ void bind_unless_zero(PlainStatement& statement, int parameter, std::int64_t bit
     statement.bind_null(parameter);
 }
 
+std::string insert_scans() {
+  const std::string columns = column_list(scan_columns());
+  return "INSERT INTO scans (" + columns + ") SELECT " + columns + " FROM incoming_scans";
+}
+
+std::string insert_detail() {
+  std::string marks = "?";
+  for (std::size_t i = 1; i < detail_columns().size(); ++i) marks += ",?";
+  return "INSERT INTO scan_details (" + column_list(detail_columns()) + ") VALUES (" + marks + ")";
+}
+
 ScanSource& registered(SQLite::Database& database, ScanSource& source) {
   register_scan_source(database.getHandle(), source);
   return source;
@@ -28,11 +40,12 @@ ScanWriter::ScanWriter(SQLite::Database& database, std::int64_t test_id)
     : database_(database),
       test_id_(test_id),
       source_{{}, [this](const Scan& scan, ScanRow& row) { return encode_row(scan, row); }, {}},
-      scans_((registered(database, source_), database),
-             "INSERT INTO scans SELECT * FROM incoming_scans"),
-      detail_(database,
-              "INSERT INTO scan_details VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
-      work_(database, "INSERT INTO work_points VALUES (?,?,?,?,?,?,?,?)") {}
+      scans_((registered(database, source_), database), insert_scans().c_str()),
+      detail_(database, insert_detail().c_str()),
+      work_(database,
+            "INSERT INTO work_points (id, time_s, small_strain, eulerian, semi_lagrangian, "
+            "normalised, normalised_error, window_readings, axial_strain_path) "
+            "VALUES (?,?,?,?,?,?,?,?,?)") {}
 
 std::int64_t ScanWriter::key(std::int64_t reading) const {
   if (reading < 0 || reading > 0xffffffff)
@@ -108,6 +121,7 @@ void ScanWriter::write(const lab::SecondOrderWorkPoint& point) {
   work_.bind(6, point.work.normalised);
   work_.bind(7, point.normalised_error);
   work_.bind(8, point.window_readings);
+  work_.bind(9, point.axial_strain_path);
   work_.run();
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 
+#include "db/channel_columns.hpp"
 #include "db/connection.hpp"
 #include "db/plain_statement.hpp"
 #include "db/scan_codec.hpp"
@@ -20,14 +21,13 @@ namespace {
 
 using SQLite::Statement;
 
-constexpr const char* kScans =
-    "SELECT s.id & 4294967295, s.time_s, s.stage, s.axial_displacement_mm, s.axial_force_kN, "
-    "s.cell_pressure_kPa, s.back_pressure_kPa, s.pore_pressure_kPa, s.back_volume_mm3, "
-    "s.cell_volume_mm3, s.axial_strain, s.volumetric_strain, s.q_Pa, s.p_eff_Pa, s.last_bits, d.* "
-    "FROM scans s LEFT JOIN scan_details d ON d.id = s.id "
-    "WHERE s.id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 "
-    "AND (s.id & 4294967295) % ?2 = 0 ORDER BY s.id";
-constexpr int kDetailColumn = 15;
+std::string select_scans(SQLite::Database& database) {
+  return "SELECT " + selected(database, "scans", "s", scan_columns()) + ", " +
+         selected(database, "scan_details", "d", detail_columns()) +
+         " FROM scans s LEFT JOIN scan_details d ON d.id = s.id "
+         "WHERE s.id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 "
+         "AND (s.id & 4294967295) % ?2 = 0 ORDER BY s.id";
+}
 /// Oldest first; the tests of a sweep together, in its order.
 constexpr const char* kAllTests =
     "WITH places AS (SELECT DISTINCT test_id, sweep, place FROM sweep_members), "
@@ -37,21 +37,22 @@ constexpr const char* kAllTests =
     "ORDER BY coalesce(f.first, t.id), p.place, t.id";
 
 void read_row(const PlainStatement& row, ScanRow& scan) {
-  scan.number = row.integer(0);
-  scan.time_s = row.number(1);
-  scan.stage = static_cast<int>(row.integer(2));
-  for (std::size_t i = 0; i < scan.raw.size(); ++i)
-    scan.raw[i] = row.number(3 + static_cast<int>(i));
-  scan.axial_strain = row.number(10);
-  scan.volumetric_strain = row.number(11);
-  scan.q_pa = row.number(12);
-  scan.p_eff_pa = row.number(13);
-  scan.last_bits = row.integer(14);
+  int column = 0;
+  scan.number = row.integer(column++) & 0xffffffff;
+  scan.time_s = row.number(column++);
+  scan.stage = static_cast<int>(row.integer(column++));
+  for (double& value : scan.raw) value = row.number(column++);
+  scan.axial_strain = row.number(column++);
+  scan.volumetric_strain = row.number(column++);
+  scan.q_pa = row.number(column++);
+  scan.p_eff_pa = row.number(column++);
+  scan.last_bits = row.integer(column++);
+  if constexpr (kAddedChannelCount > 0) scan.added_last_bits = row.integer(column);
 }
 
 /// The columns of scan_details from its id on; false where the scan has none.
 bool read_detail(const PlainStatement& row, ScanDetail& detail) {
-  int column = kDetailColumn;
+  auto column = static_cast<int>(scan_columns().size());
   if (row.is_null(column++)) return false;
   for (double& value : detail.given) value = row.number(column++);
   detail.given_last_bits = row.integer(column++);
@@ -178,7 +179,7 @@ void Store::for_each_scan(
     const std::function<void(const lab::Reading&, const lab::State&)>& use) const {
   impl_->guarded([&] {
     const auto references = read_references(impl_->database, id);
-    PlainStatement row(impl_->database, kScans);
+    PlainStatement row(impl_->database, select_scans(impl_->database).c_str());
     row.bind(1, id);
     row.bind(2, std::max<std::int64_t>(every, 1));
     ScanRow scan;
@@ -211,7 +212,8 @@ std::vector<lab::SecondOrderWorkPoint> Store::second_order_work(std::int64_t id)
   return impl_->guarded([&] {
     PlainStatement row(impl_->database,
                        "SELECT id & 4294967295, time_s, small_strain, eulerian, semi_lagrangian, "
-                       "normalised, normalised_error, window_readings FROM work_points "
+                       "normalised, normalised_error, window_readings, axial_strain_path "
+                       "FROM work_points "
                        "WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 ORDER BY id");
     row.bind(1, id);
     std::vector<lab::SecondOrderWorkPoint> points;
@@ -222,6 +224,7 @@ std::vector<lab::SecondOrderWorkPoint> Store::second_order_work(std::int64_t id)
       point.work = {row.number(2), row.number(3), row.number(4), row.number(5)};
       point.normalised_error = row.number(6);
       point.window_readings = row.integer(7);
+      point.axial_strain_path = row.number(8);
     }
     return points;
   });

@@ -2,6 +2,8 @@
 
 #include <SQLiteCpp/Statement.h>
 
+#include <fmt/format.h>
+
 #include <sstream>
 
 #include "db/columns.hpp"
@@ -30,6 +32,14 @@ std::vector<lab::Quantity> quantities_in(const std::string& list) {
     for (const lab::QuantityInfo& row : lab::quantities())
       if (lab::heading(row.quantity) == heading) result.push_back(row.quantity);
   return result;
+}
+
+/// What a text of ours stands for. Throws lab::BadInput for one that this version does not know.
+template <class Kind>
+Kind known(const std::string& text, std::optional<Kind> (*kind_from)(std::string_view)) {
+  if (const auto kind = kind_from(text)) return *kind;
+  throw lab::BadInput(fmt::format(
+      "the database holds '{}', which this version of triax does not know: use a newer one", text));
 }
 
 TestStatus status_of(const std::string& text) {
@@ -178,7 +188,7 @@ void read_consolidation_and_checks(SQLite::Database& database, std::int64_t id,
            "SELECT name, measured, limit_value, ok, note FROM checks WHERE test_id = ? ORDER BY id",
            [&](Columns& c) {
              lab::Check& check = summary.checks.emplace_back();
-             check.name = c.text();
+             check.kind = known(c.text(), lab::check_kind_from);
              check.measured = c.number();
              check.limit = c.number();
              check.ok = c.truth().value_or(false);
@@ -213,7 +223,7 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
              run_away.second_order_work_j = c.number();
              run_away.expected_ratio = c.number();
              run_away.end_s = c.number();
-             run_away.end = c.text();
+             run_away.end = known(c.text(), lab::run_away_end_from);
            });
 }
 
@@ -236,7 +246,7 @@ void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::E
              lab::Event& event = events.emplace_back();
              event.reading = c.integer().value_or(0);
              event.time_s = c.number();
-             event.kind = c.text();
+             event.kind = known(c.text(), lab::event_kind_from);
              event.detail = c.text();
            });
 }

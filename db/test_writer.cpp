@@ -137,7 +137,7 @@ void insert_run_aways(SQLite::Database& database, std::int64_t id,
         .number(run_away.second_order_work_j)
         .number(run_away.expected_ratio)
         .number(run_away.end_s)
-        .text_or_null(run_away.end)
+        .text_or_null(to_string(run_away.end))
         .run();
 }
 
@@ -165,7 +165,7 @@ void insert_checks(SQLite::Database& database, std::int64_t id,
   for (const lab::Check& check : checks)
     Binder(insert)
         .integer(id)
-        .text(check.name)
+        .text(to_string(check.kind))
         .number(check.measured)
         .number(check.limit)
         .integer(check.ok)
@@ -220,7 +220,7 @@ void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::E
       .integer(test_id)
       .integer(event.reading)
       .number(event.time_s)
-      .text(event.kind)
+      .text(to_string(event.kind))
       .text(event.detail)
       .run();
 }

@@ -14,6 +14,7 @@
 
 #include "db/recorder.hpp"
 #include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
 
 using namespace triax;
@@ -50,20 +51,20 @@ lab::Programme slowed(const std::string& file) {
 int main(int argc, char** argv) {
   const std::string file = argc > 1 ? argv[1] : "samples/programmes/csu_26.toml";
   lab::VirtualRig rig(slowed(file));
-  lab::Session session;
+  lab::SessionListeners listeners;
   std::optional<db::Recorder> recorder;
-  if (argc > 2) recorder.emplace(argv[2]).listen(session);
+  if (argc > 2) listeners.push_back(recorder.emplace(argv[2]).listener());
   std::size_t next = 0;
   long filled_kb = 0, last_kb = 0;
-  QObject::connect(&session, &lab::Session::scanned, [&](const lab::Reading& reading) {
+  listeners.push_back({.scanned = [&](const lab::Reading& reading, const lab::State&) {
     if (next >= std::size(kHours) || reading.time_s < kHours[next] * kHour_s) return;
     last_kb = resident_kb();
     if (kHours[next] == kFilled_h) filled_kb = last_kb;
     fmt::print("{:g} {}\n", kHours[next++], last_kb);
     std::fflush(stdout);
-  });
+  }});
   const auto over = [&] { return next == std::size(kHours); };
-  const lab::TestSummary summary = session.run(rig, {.stop = over});
+  const lab::TestSummary summary = lab::run_session(rig, {.stop = over}, listeners);
   if (recorder) recorder->finish(summary);
   if (!over()) {
     fmt::print(stderr, "the test ended after {} readings\n", summary.readings);

@@ -17,6 +17,7 @@
 #include "bench/point/yardstick.hpp"
 #include "db/recorder.hpp"
 #include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
 
 using namespace triax;
@@ -73,18 +74,15 @@ std::int64_t run_rig(const lab::Programme& programme) {
   return readings;
 }
 
-void run_session(const lab::Programme& programme) {
+void run_monitored(const lab::Programme& programme) {
   lab::VirtualRig rig(programme);
-  lab::Session session;
-  static_cast<void>(session.run(rig, {}));
+  static_cast<void>(lab::run_session(rig, {}));
 }
 
 void run_stored(const lab::Programme& programme, const std::string& db) {
   lab::VirtualRig rig(programme);
-  lab::Session session;
   db::Recorder recorder(db);
-  recorder.listen(session);
-  recorder.finish(session.run(rig, {}));
+  recorder.finish(lab::run_session(rig, {}, {recorder.listener()}));
 }
 
 }  // namespace
@@ -102,7 +100,7 @@ int main(int argc, char** argv) {
   const std::pair<const char*, std::function<void()>> subjects[] = {
       {"point", [&] { sink = drive_point(programme, increments); }},
       {"rig", [&] { run_rig(programme); }},
-      {"rig+reduction+monitor", [&] { run_session(programme); }},
+      {"rig+reduction+monitor", [&] { run_monitored(programme); }},
       {"rig+reduction+monitor+database", [&] { run_stored(programme, db); }}};
   double least_s[std::size(subjects)];
   std::fill(std::begin(least_s), std::end(least_s), std::numeric_limits<double>::infinity());

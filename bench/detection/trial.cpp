@@ -112,20 +112,19 @@ TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
   const lab::Programme programme = varied(subject, seed);
   lab::VirtualRig rig(programme, seed);
   Naive naive(rig.header());
-  lab::Session session;
+  lab::SessionListener listener;
   std::int64_t now = 0;
   std::vector<double> times;
   std::optional<std::int64_t> noticed;
-  QObject::connect(&session, &lab::Session::scanned,
-                   [&](const lab::Reading& reading, const lab::State& state) {
-                     now = reading.number;
-                     times.push_back(reading.time_s);
-                     naive.add(state);
-                   });
-  QObject::connect(&session, &lab::Session::happened, [&](const lab::Event& event) {
-    if (event.kind == "loss_of_sustainability" && !noticed) noticed = now;
-  });
-  const lab::TestSummary summary = session.run(rig, {});
+  listener.scanned = [&](const lab::Reading& reading, const lab::State& state) {
+    now = reading.number;
+    times.push_back(reading.time_s);
+    naive.add(state);
+  };
+  listener.happened = [&](const lab::Event& event) {
+    if (event.kind == lab::EventKind::loss_of_sustainability && !noticed) noticed = now;
+  };
+  const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
 
   TrialResult r;
   r.programme = programme.name;

@@ -14,8 +14,10 @@ void ControlPeak::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   const double loss = largest_loss_;
   const auto turn = pore_turn_;
+  const auto sharper = sharper_turn_;
   *this = ControlPeak();
   pore_turn_ = turn;
+  sharper_turn_ = sharper;
   finding_ = found;
   largest_loss_ = loss;
   if (!stage) return;
@@ -25,11 +27,16 @@ void ControlPeak::start_stage(const StageInfo* stage) {
   strain_path_R_ = stage->strain_path_R.value_or(1);
 }
 
-void ControlPeak::add(const PathPoint& point, bool has_time) {
+void ControlPeak::add_point(const PathPoint& point, bool has_time) {
   if (held_q_)
     check_contraction(point, has_time);
   else if (!load_controlled_)
     check_peak(point, has_time);
+}
+
+std::optional<Finding> ControlPeak::finding() const {
+  if (!finding_ || !sharper_turn_) return finding_;
+  return Finding{.instant = *sharper_turn_, .evidence = finding_->evidence};
 }
 
 /// Positive where the specimen is sheared to, in extension (q < 0) as in compression.
@@ -87,7 +94,7 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
                              before_->volumetric_strain * 100)
                : fmt::format(
                      "the pore pressure (measure of the volume change while the valve is closed) "
-                     "started to rise while p' fell (u {:.2f} kPa, ",
+                     "started started to rise while p' fell (u {:.2f} kPa, ",
                      before_->pore_pressure / 1e3);
   finding_ = Finding{instant_of(*before_, has_time),
                      what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3)};

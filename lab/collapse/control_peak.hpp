@@ -7,18 +7,19 @@
 #include <optional>
 
 #include "lab/collapse/change_point.hpp"
-#include "lab/collapse/finding.hpp"
-#include "lab/collapse/path_rates.hpp"
+#include "lab/collapse/criterion.hpp"
 
 namespace triax::lab {
 
-class ControlPeak {
+class ControlPeak : public CollapseCriterion {
  public:
-  void start_stage(const StageInfo* stage);
-  void add(const PathPoint& point, bool has_time);
-  const std::optional<Finding>& finding() const { return finding_; }
+  void start_stage(const StageInfo* stage) override;
+  void add_point(const PathPoint& point, bool has_time) override;
+  std::optional<Finding> finding() const override;
   /// Where the pore pressure turned, if that is the finding.
   const std::optional<double>& turn_of_pore_pressure() const { return pore_turn_; }
+  /// The same from a fit around it, where one was possible.
+  void sharpen_turn(const Instant& turn) { sharper_turn_ = turn; }
 
  private:
   void check_peak(const PathPoint& smoothed, bool has_time);
@@ -35,6 +36,7 @@ class ControlPeak {
   ChangePoint contraction_;
   std::optional<PathPoint> before_;
   std::optional<double> pore_turn_;  ///< reading
+  std::optional<Instant> sharper_turn_;
   double last_reading_ = -1;
   std::optional<Finding> finding_;
 };

@@ -9,6 +9,7 @@ namespace triax::lab {
 struct Finding {
   Instant instant;
   std::string evidence;
+  bool detected = true;  ///< false: it was looked at, and is no collapse
 };
 
 }  // namespace triax::lab

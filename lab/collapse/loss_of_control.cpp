@@ -39,7 +39,7 @@ void LossOfControl::start_stage(const StageInfo* stage) {
   drainage_ = stage ? stage->drainage : Drainage::unknown;
 }
 
-void LossOfControl::add(const State& state, bool has_time) {
+void LossOfControl::add_state(const State& state, bool has_time) {
   const State before = std::exchange(before_, state);
   const bool watched = control_ == AxialControl::constant_q || control_ == AxialControl::load;
   if (!watched || finding_) return;

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "lab/collapse/finding.hpp"
-#include "lab/results/state.hpp"
+#include "lab/collapse/criterion.hpp"
 
 namespace triax::lab {
 
@@ -21,11 +20,12 @@ namespace triax::lab {
 ///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
 ///   valve open to stand, or to go on as the controller took it so far.
 /// A frame that prescribes displacement keeps its control through a peak: nothing is looked for.
-class LossOfControl {
+class LossOfControl : public CollapseCriterion {
  public:
-  void start_stage(const StageInfo* stage);
-  void add(const State& state, bool has_time);
-  const std::optional<Finding>& finding() const { return finding_; }
+  void start_stage(const StageInfo* stage) override;
+  void add_state(const State& state, bool has_time) override;
+  std::optional<Finding> finding() const override { return finding_; }
+  const std::optional<Finding>& found() const { return finding_; }
   /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a
   /// specimen that had carried its stage until then.
   bool sudden() const { return fall_.has_value(); }

@@ -4,14 +4,16 @@
 
 #include <cmath>
 
+#include "lab/base/listeners.hpp"
 #include "lab/collapse/control_peak.hpp"
-#include "lab/collapse/descent.hpp"
+#include "lab/collapse/criteria.hpp"
 #include "lab/collapse/fall_fit.hpp"
 #include "lab/collapse/instant.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/collapse/onset_refiner.hpp"
 #include "lab/collapse/path_sampler.hpp"
+#include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/verdict.hpp"
 
 namespace triax::lab {
@@ -28,29 +30,35 @@ bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
 }  // namespace
 
 struct CollapseMonitor::Impl {
-  explicit Impl(const RecordHeader& h) : header(h), sampler(h.has_time), limit(h.specimen) {}
+  Impl(const RecordHeader& h, CollapseListeners all)
+      : header(h), listeners(std::move(all)), sampler(h.has_time), limit(h.specimen) {
+    rates.on_point = [this](const PathPoint& point) { take(point); };
+  }
 
   void start_stage(const State& state);
   void watch(const State& state);
-  void take(const PathPoint& point, const CollapseMonitor& outer);
-  void tell_of_descent(const CollapseMonitor& outer);
+  void take(const PathPoint& point);
+  void tell_of_descent();
   void sharpen();
   void place_fall(const Finding& burst);
   void end_stage();
   Collapse judge() const;
 
   const RecordHeader header;
+  const CollapseListeners listeners;
   PathSampler sampler;
   PathRates rates;
   PathHistory history;  ///< of the stage under way
   OnsetRefiner descent_onset, pore_turn;
   std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
-  DescentTracker descents;
-  LossOfControl control;
+  Criteria criteria;
+  // Those of which the verdict knows more than their findings.
+  SecondOrderWork& work = criteria.of<SecondOrderWork>();
+  LossOfControl& control = criteria.of<LossOfControl>();
+  ControlPeak& control_peak = criteria.of<ControlPeak>();
   std::optional<Instant> fall;  ///< where a sudden loss of control began
   std::optional<FallWork> fall_work;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
-  ControlPeak control_peak;
   LimitSurface limit;
   std::optional<State> peak;
   std::optional<int> stage;
@@ -58,13 +66,10 @@ struct CollapseMonitor::Impl {
   bool held_undrained = false;  ///< in any stage so far
   std::int64_t watched_states = 0, points = 0;
   std::optional<double> told_onset;
-  std::optional<Descent> held_descent;  ///< the first that lasted
 };
 
-CollapseMonitor::CollapseMonitor(const RecordHeader& header)
-    : impl_(std::make_unique<Impl>(header)) {
-  impl_->rates.on_point = [this](const PathPoint& point) { impl_->take(point, *this); };
-}
+CollapseMonitor::CollapseMonitor(const RecordHeader& header, CollapseListeners listeners)
+    : impl_(std::make_unique<Impl>(header, std::move(listeners))) {}
 
 CollapseMonitor::~CollapseMonitor() = default;
 
@@ -76,9 +81,7 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   end_stage();
   stage = state.stage;
   const StageInfo* info = header.stage(state.stage);
-  descents.start_stage();
-  control.start_stage(info);
-  control_peak.start_stage(info);
+  criteria.start_stage(info);
   held_q = info && info->control == AxialControl::constant_q;
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
@@ -88,7 +91,7 @@ void CollapseMonitor::Impl::watch(const State& s) {
   if (!is_watched(header.stage(s.stage))) return;
   if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
   ++watched_states;
-  control.add(s, header.has_time);
+  criteria.add_state(s, header.has_time);
 
   const auto sample = sampler.sample(s);
   if (!sample) return;
@@ -99,7 +102,7 @@ void CollapseMonitor::Impl::watch(const State& s) {
 
 /// Sets to work on what was newly found, and follows it on.
 void CollapseMonitor::Impl::sharpen() {
-  const auto& descent = descents.latest();
+  const auto& descent = work.latest();
   if (descent && sharpened_descent != descent->onset.reading) {
     sharpened_descent = descent->onset.reading;
     descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work,
@@ -107,11 +110,11 @@ void CollapseMonitor::Impl::sharpen() {
   } else {
     descent_onset.follow(history);
   }
-  const auto& burst = control.finding();
+  const auto& burst = control.found();
   if (burst && control.sudden() && !fall) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   if (descent && is_sharper(descent_onset.onset(), descent->onset))
-    descents.sharpen(descent_onset.onset()->point);
+    work.sharpen(descent_onset.onset()->point);
 
   const auto& turn = control_peak.turn_of_pore_pressure();
   if (turn && sharpened_turn != turn) {
@@ -121,6 +124,8 @@ void CollapseMonitor::Impl::sharpen() {
     pore_turn.follow(history);
   }
   if (burst) pore_turn.finish(history, static_cast<double>(burst->instant.reading));
+  if (pore_turn.onset())
+    control_peak.sharpen_turn(instant_of(pore_turn.onset()->point, header.has_time));
 }
 
 void CollapseMonitor::Impl::place_fall(const Finding& burst) {
@@ -141,62 +146,53 @@ void CollapseMonitor::Impl::end_stage() {
   history.clear();
 }
 
-void CollapseMonitor::Impl::take(const PathPoint& point, const CollapseMonitor& outer) {
+void CollapseMonitor::Impl::take(const PathPoint& point) {
   ++points;
-  if (!control.finding()) before_fall = point;
+  if (!control.found()) before_fall = point;
   limit.add(point);
-  descents.add(point);
-  control_peak.add(point, header.has_time);
-  if (outer.on_point) {
-    outer.on_point({.reading = std::llround(point.reading),
-                    .time_s = point.progress,
-                    .work = point.work,
-                    .normalised_error = point.normalised_error,
-                    .window_readings = point.window_readings});
-  }
-  tell_of_descent(outer);
+  criteria.add_point(point, header.has_time);
+  tell(listeners, &CollapseListener::second_order_work,
+       SecondOrderWorkPoint{.reading = std::llround(point.reading),
+                            .time_s = header.has_time ? point.progress : kMissing,
+                            .work = point.work,
+                            .normalised_error = point.normalised_error,
+                            .window_readings = point.window_readings,
+                            .axial_strain_path = header.has_time ? kMissing : point.progress});
+  tell_of_descent();
 }
 
-void CollapseMonitor::Impl::tell_of_descent(const CollapseMonitor& outer) {
-  const auto& descent = descents.latest();
-  if (!descent) return;
-  const bool costly = descent->strength_loss() >= Descent::kWorthALoss;
-  const bool yields = held_q && lasts_at_held_q(*descent);
-  const bool known = held_descent && held_descent->onset.reading == descent->onset.reading;
-  if (known || (yields && !held_descent)) held_descent = descent;
-  if (!(costly || yields) || told_onset == descent->onset.reading) return;
+void CollapseMonitor::Impl::tell_of_descent() {
+  const auto& descent = work.latest();
+  if (!work.latest_counts() || told_onset == descent->onset.reading) return;
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
   const bool inside = limit.inside(descent->best_onset().eta());
-  if (!outer.on_event) return;
-  outer.on_event(
-      {.reading = at.reading,
-       .time_s = at.time_s,
-       .kind = inside ? "loss_of_sustainability" : "limit_surface",
-       .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
-                             "{:.3f} and stays negative",
-                             *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
+  if (!is_heard(listeners, &CollapseListener::happened)) return;
+  tell(listeners, &CollapseListener::happened,
+       Event{
+           .reading = at.reading,
+           .time_s = at.time_s,
+           .kind = inside ? EventKind::loss_of_sustainability : EventKind::limit_surface,
+           .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
+                                 "{:.3f} and stays negative",
+                                 *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
 Collapse CollapseMonitor::Impl::judge() const {
-  const auto& latest = descents.latest();
-  const bool same = latest && held_descent && held_descent->onset.reading == latest->onset.reading;
-  auto control_peak_found = control_peak.finding();
-  if (control_peak_found && pore_turn.onset())
-    control_peak_found->instant = instant_of(pore_turn.onset()->point, header.has_time);
-  return verdict({.worst = descents.worst(),
-                  .at_held_q = same ? latest : held_descent,
+  return verdict({.worst = work.worst(),
+                  .at_held_q = work.at_held_q(),
                   .loss_of_control = control.finding(),
                   .fall = fall,
                   .fall_work = fall_work,
-                  .control_peak = control_peak_found,
+                  .control_peak = control_peak.finding(),
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
                   .points = points,
                   .limit = limit,
-                  .has_time = header.has_time});
+                  .has_time = header.has_time},
+                 criteria.criteria());
 }
 
 Collapse CollapseMonitor::so_far() const { return impl_->judge(); }

@@ -12,17 +12,21 @@
 
 namespace triax::lab {
 
+/// What the monitor tells as it watches. Any may be empty.
+struct CollapseListener {
+  /// A point of second-order work, as soon as its window is full.
+  std::function<void(const SecondOrderWorkPoint&)> second_order_work;
+  /// An onset was found, inside the limit surface or on it.
+  std::function<void(const Event&)> happened;
+};
+using CollapseListeners = std::vector<CollapseListener>;
+
 class CollapseMonitor {
  public:
-  explicit CollapseMonitor(const RecordHeader& header);
+  explicit CollapseMonitor(const RecordHeader& header, CollapseListeners listeners = {});
   ~CollapseMonitor();
   CollapseMonitor(const CollapseMonitor&) = delete;
   CollapseMonitor& operator=(const CollapseMonitor&) = delete;
-
-  /// Called for each point of second-order work as soon as its window is full.
-  std::function<void(const SecondOrderWorkPoint&)> on_point;
-  /// Called at each event (onset found, strength came back, limit surface reached).
-  std::function<void(const Event&)> on_event;
 
   void watch(const State& state);
   /// States are missing here: no window reaches across, and no onset is placed in between.

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "lab/collapse/criteria.hpp"
 #include "lab/collapse/instant.hpp"
 
 namespace triax::lab {
 namespace {
 
 constexpr double kFlowLoss = 0.5;
-constexpr double kHeldStrain = 0.01;
 
 CollapseKind kind_of(const Descent& descent) {
   const double loss = descent.strength_loss();
@@ -20,46 +20,6 @@ CollapseKind kind_of(const Descent& descent) {
 CollapseKind kind_at_held_q(const Evidence& e) {
   const bool lost_q = e.loss_of_control || (e.worst && kind_of(*e.worst) == CollapseKind::flow);
   return e.at_held_q->came_back && !lost_q ? CollapseKind::limited : CollapseKind::flow;
-}
-
-std::string describe(const Descent& d) {
-  const auto& w = d.evidence;
-  return fmt::format(
-      "normalised second-order work {:.3f} ± {:.3f} over {} readings; {:.0f} % of q lost while it "
-      "was negative{}",
-      w.work.normalised, w.normalised_error, w.window_readings, d.strength_loss() * 100,
-      d.came_back ? ", then positive again" : "");
-}
-
-Criterion by_second_order_work(const std::optional<Descent>& descent, CollapseKind kind,
-                               bool has_time) {
-  Criterion c{.name = "second_order_work"};
-  if (!descent) {
-    c.evidence = "nowhere negative with statistical significance";
-    return c;
-  }
-  const Instant at = instant_of(descent->best_onset(), has_time);
-  c.detected = kind != CollapseKind::none;
-  c.reading = at.reading;
-  c.time_s = at.time_s;
-  c.eta = at.eta();
-  c.evidence = describe(*descent);
-  return c;
-}
-
-Criterion by_finding(std::string name, const std::optional<Finding>& finding,
-                     std::string otherwise) {
-  Criterion c{.name = std::move(name)};
-  if (!finding) {
-    c.evidence = std::move(otherwise);
-    return c;
-  }
-  c.detected = true;
-  c.reading = finding->instant.reading;
-  c.time_s = finding->instant.time_s;
-  c.eta = finding->instant.eta();
-  c.evidence = finding->evidence;
-  return c;
 }
 
 /// The windows before the fall say nothing, the fall itself does.
@@ -80,22 +40,14 @@ Collapse not_judged(const Evidence& e) {
   c.judged = false;
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
-  for (const char* name : {"second_order_work", "loss_of_control", "control_peak"})
-    c.criteria.push_back(
-        by_finding(name, std::nullopt,
-                   fmt::format("not judged: too few readings in shear, {} complete states of the {} needed", e.states,
-                               static_cast<int>(BlockPyramid::kBlocks))));
+  c.criteria = no_criteria(fmt::format("not judged: too few readings in shear, {} complete states of the {} needed",
+                                       e.states, static_cast<int>(BlockPyramid::kBlocks)));
   return c;
 }
 
 }  // namespace
 
-bool lasts_at_held_q(const Descent& descent) {
-  return !descent.came_back &&
-         descent.axial_strain_last - descent.onset.axial_strain >= kHeldStrain;
-}
-
-Collapse verdict(const Evidence& e) {
+Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   Collapse c;
   if (e.points == 0 && !e.loss_of_control) return not_judged(e);
   c.limit_stress_ratio = e.limit.stress_ratio();
@@ -109,11 +61,7 @@ Collapse verdict(const Evidence& e) {
     c.second_order_work_normalised = descent->evidence.work.normalised;
     c.second_order_work_error = descent->evidence.normalised_error;
   }
-  c.criteria.push_back(by_second_order_work(descent, c.kind, e.has_time));
-  c.criteria.push_back(by_finding("loss_of_control", e.loss_of_control,
-                                  "no loss of control detected"));
-  c.criteria.push_back(
-      by_finding("control_peak", e.control_peak, "no peak of the control variable"));
+  c.criteria = std::move(criteria);
 
   if (c.kind == CollapseKind::none && e.loss_of_control) {
     // Over before any window was full: the burst itself is the evidence.

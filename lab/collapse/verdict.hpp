@@ -1,6 +1,7 @@
 #pragma once
 // What the criteria come to together.
 #include <optional>
+#include <vector>
 
 #include "lab/collapse/descent.hpp"
 #include "lab/collapse/fall_work.hpp"
@@ -29,14 +30,11 @@ struct Evidence {
   bool has_time = true;
 };
 
-/// A descent under a held q shows in the strain, not in q: it counts once the axial strain has
-/// grown by 1 % since the onset without second-order work turning positive again.
-bool lasts_at_held_q(const Descent& descent);
-
 /// flow: half the strength or more is lost and not half of that comes back, or the specimen yields
 /// at held q to the end; limited: a tenth or more is lost, and it stops or comes back; none: less,
 /// or the onset lies on the limit surface (softening of dense sand is a failure there, no diffuse
-/// collapse).
-Collapse verdict(const Evidence& evidence);
+/// collapse). `criteria` are those of Criteria::criteria(): they stand in the verdict, the first of
+/// them, second-order work, as a fall proves it or the limit surface refutes it.
+Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

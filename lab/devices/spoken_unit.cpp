@@ -3,7 +3,8 @@
 namespace triax::lab {
 
 sim::Unit spoken_unit(Quantity channel) {
-  return *sim::find_unit(channel == Quantity::axial_force ? "N" : info(channel).unit);
+  const QuantityInfo& row = info(channel);
+  return *sim::find_unit(row.raw.spoken_unit.empty() ? row.unit : row.raw.spoken_unit);
 }
 
 }  // namespace triax::lab

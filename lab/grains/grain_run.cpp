@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/listeners.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_packing.hpp"
 #include "sim/grains/engine/calming.hpp"
@@ -87,8 +88,12 @@ double held_stress(const sim::GrainState& state, int axis) {
 
 class Stages {
  public:
-  Stages(const GrainProgramme& programme, int threads, const GrainListener& listener)
-      : programme_(programme), threads_(threads), listener_(listener) {
+  Stages(const GrainProgramme& programme, const GrainRunOptions& options,
+         const GrainListeners& listeners)
+      : programme_(programme),
+        threads_(options.threads),
+        progress_(options.progress),
+        listeners_(listeners) {
     for (std::size_t k = 0; k < programme.stages.size(); ++k)
       last_use_[programme.stages[k].from] = k;
   }
@@ -108,7 +113,7 @@ class Stages {
       throw WorkFailed(
           fmt::format("stage '{}': its start '{}' was never reached", stage.name, stage.from));
     const sim::GrainState start = from->second;
-    if (listener_.begins) listener_.begins(stage, start);
+    tell(listeners_, &GrainListener::stage_started, stage, start);
     GrainStageResult result;
     result.stage = &stage;
     result.before = measure(start);
@@ -129,7 +134,7 @@ class Stages {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
     result.after = measure(end_);
     if (result.steps == 0) result.steps = end_.steps - start.steps;
-    if (listener_.ends) listener_.ends(stage, end_, result);
+    tell(listeners_, &GrainListener::stage_ended, stage, end_, result);
     keep_marks(stage, result, place);
     keep(stage.name, std::move(end_), place);
     forget(place);
@@ -139,11 +144,11 @@ class Stages {
   sim::GrainPathResult carry_out(const GrainStage& stage, const GrainPathStage& work,
                                  const sim::GrainState& start, GrainStageResult&) {
     sim::GrainPathWatch watch;
-    if (listener_.point)
+    if (is_heard(listeners_, &GrainListener::point_kept))
       watch = [&](const sim::GrainState& state, const sim::GrainPathPoint& point) {
-        listener_.point(stage, state, point);
+        tell(listeners_, &GrainListener::point_kept, stage, state, point);
       };
-    sim::GrainPathResult result = follow(start, work.path, threads_, listener_.progress, watch);
+    sim::GrainPathResult result = follow(start, work.path, threads_, progress_, watch);
     stopped_ = result.end == sim::GrainPathEnd::stopped;
     end_ = result.state;
     return result;
@@ -154,7 +159,7 @@ class Stages {
     GrainRest result;
     if (work.strain_held) {
       sim::Equilibrium found =
-          equilibrium_at(start, work.ratio, work.settling, threads_, listener_.progress);
+          equilibrium_at(start, work.ratio, work.settling, threads_, progress_);
       result.settling = found.settled;
       end_ = std::move(found.state);
     } else {
@@ -165,7 +170,7 @@ class Stages {
       if (!(held.axial > 0) || !(held.radial > 0))
         throw std::invalid_argument("the stresses to be held are not above 0: it has collapsed");
       sim::Grains grains(start, threads_);
-      result.settling = sim::rest(grains, held, work.settling, listener_.progress);
+      result.settling = sim::rest(grains, held, work.settling, progress_);
       end_ = grains.state();
     }
     stopped_ = result.settling.stopped;
@@ -179,7 +184,7 @@ class Stages {
     GrainRose result;
     result.stress = axisymmetric_stress(start);
     result.angles = sim::rose_angles(work.directions);
-    result.rose = probe_rose(start, result.angles, work.probing, threads_, listener_.progress);
+    result.rose = probe_rose(start, result.angles, work.probing, threads_, progress_);
     stopped_ = result.rose.stopped;
     stage_result.steps = result.rose.null_probe.steps;
     for (const sim::GrainProbe& probe : result.rose.probes) stage_result.steps += probe.steps;
@@ -188,8 +193,7 @@ class Stages {
 
   sim::PerturbationResult carry_out(const GrainStage&, const GrainPerturbationStage& work,
                                     const sim::GrainState& start, GrainStageResult&) {
-    sim::PerturbationResult result =
-        perturb(start, work.perturbation, threads_, listener_.progress);
+    sim::PerturbationResult result = perturb(start, work.perturbation, threads_, progress_);
     stopped_ = result.end == sim::PerturbationEnd::stopped;
     end_ = result.state;
     return result;
@@ -215,7 +219,8 @@ class Stages {
 
   const GrainProgramme& programme_;
   int threads_;
-  const GrainListener& listener_;
+  const sim::GrainProgress& progress_;
+  const GrainListeners& listeners_;
   sim::GrainBox made_;
   std::map<std::string, std::size_t> last_use_;
   std::map<std::string, sim::GrainState> states_;
@@ -225,16 +230,17 @@ class Stages {
 
 }  // namespace
 
-bool run_grains(const GrainProgramme& programme, int threads, const GrainListener& listener) {
+bool run_grains(const GrainProgramme& programme, const GrainRunOptions& options,
+                const GrainListeners& listeners) {
   std::optional<GrainsMade> made;
   try {
-    made = make_specimen(programme, threads, listener.progress);
+    made = make_specimen(programme, options.threads, options.progress);
   } catch (const sim::GrainsFailed& error) {
     throw WorkFailed(fmt::format("making the specimen: {}", error.what()));
   }
   if (!made) return false;
-  if (listener.made) listener.made(*made);
-  return Stages(programme, threads, listener).run(std::move(made->state));
+  tell(listeners, &GrainListener::made, *made);
+  return Stages(programme, options, listeners).run(std::move(made->state));
 }
 
 }  // namespace triax::lab

@@ -40,21 +40,30 @@ struct GrainStageResult {
   std::variant<sim::GrainPathResult, GrainRest, GrainRose, sim::PerturbationResult> outcome;
 };
 
-/// What is told while it runs, in this order; any may be empty.
+/// What a run tells, in this order. Any may be empty.
 struct GrainListener {
   std::function<void(const GrainsMade&)> made;
   /// A stage begins with this state.
-  std::function<void(const GrainStage&, const sim::GrainState&)> begins;
+  std::function<void(const GrainStage&, const sim::GrainState&)> stage_started;
   /// A point of a path was kept.
-  std::function<void(const GrainStage&, const sim::GrainState&, const sim::GrainPathPoint&)> point;
-  std::function<void(const GrainStage&, const sim::GrainState&, const GrainStageResult&)> ends;
-  sim::GrainProgress progress;  ///< share of the stage, and what is done
+  std::function<void(const GrainStage&, const sim::GrainState&, const sim::GrainPathPoint&)>
+      point_kept;
+  std::function<void(const GrainStage&, const sim::GrainState&, const GrainStageResult&)>
+      stage_ended;
+};
+using GrainListeners = std::vector<GrainListener>;
+
+struct GrainRunOptions {
+  int threads = 1;
+  /// Asked with the share of the stage, and what is done; false breaks the run off.
+  sim::GrainProgress progress = {};
 };
 
 /// False: the progress stopped it; stages that ended before have been told. The results are the
 /// same on any number of threads. Throws BadInput (a state file that cannot be read, a specimen
 /// that cannot be made so), WorkFailed with the stage's name (GrainsFailed, a porosity that no
-/// friction gives).
-bool run_grains(const GrainProgramme& programme, int threads, const GrainListener& listener);
+/// friction gives), and what a listener throws.
+bool run_grains(const GrainProgramme& programme, const GrainRunOptions& options,
+                const GrainListeners& listeners = {});
 
 }  // namespace triax::lab

@@ -16,6 +16,11 @@ constexpr std::int64_t kKnown = 16;
 
 }  // namespace
 
+double patience_of(Quantity quantity) {
+  const RawChannel& channel = info(quantity).raw;
+  return channel.held || channel.counts_water ? 2 : 1;
+}
+
 double finest_of(Quantity quantity) {
   const auto unit = sim::find_unit(info(quantity).unit);
   switch (unit ? unit->dimension : sim::Dimension::none) {

@@ -8,6 +8,10 @@
 
 namespace triax::lab {
 
+/// By how many times a channel may rest longer than others before it is stuck: a controller may
+/// hold its pressure, and a piston its place, quieter than the noise so far.
+double patience_of(Quantity quantity);
+
 /// Differences below this are round-off of somebody's arithmetic: no instrument resolves them. SI
 double finest_of(Quantity quantity);
 

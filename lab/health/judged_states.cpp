@@ -25,7 +25,7 @@ bool counts_from_shear(Quantity q) {
 bool serves_the_state(Quantity q, const RecordHeader& header) {
   if (!header.is_raw()) return true;
   if (q == Quantity::back_pressure) return !header.has(Quantity::pore_pressure);
-  return q != Quantity::cell_volume;
+  return info(q).raw.in_state;
 }
 
 /// The state without the stresses that stand on a channel that cannot be believed.

@@ -15,19 +15,6 @@ namespace {
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
 
-/// A controller may hold its pressure, and a piston its place, quieter than the noise so far.
-double patience_of(Quantity q) {
-  switch (q) {
-    case Quantity::cell_pressure:
-    case Quantity::back_pressure:
-    case Quantity::back_volume:
-    case Quantity::cell_volume:
-      return 2;
-    default:
-      return 1;
-  }
-}
-
 }  // namespace
 
 RecordHealth::RecordHealth(const RecordHeader& header) : header_(header) {
@@ -58,9 +45,7 @@ void RecordHealth::start_stage(const Reading& reading) {
     if (!was_drained || channel.quantity != Quantity::back_volume)
       channel.moves = channel.longest_run = 0;
     // What a piston counts moves with the water, not with noise, and rests while the valve is shut.
-    const bool counter =
-        channel.quantity == Quantity::back_volume || channel.quantity == Quantity::cell_volume;
-    channel.health.may_rest(counter && !drained_);
+    channel.health.may_rest(lab::info(channel.quantity).raw.counts_water && !drained_);
     channel.at_rest = now_;
   }
 }

@@ -8,24 +8,8 @@ namespace triax::lab {
 namespace {
 
 std::string_view plain_name(Quantity channel) {
-  switch (channel) {
-    case Quantity::axial_displacement:
-      return "the axial displacement transducer";
-    case Quantity::axial_force:
-      return "the load cell";
-    case Quantity::cell_pressure:
-      return "the sensor of the cell pressure";
-    case Quantity::back_pressure:
-      return "the sensor of the back pressure";
-    case Quantity::pore_pressure:
-      return "the pore-pressure transducer";
-    case Quantity::back_volume:
-      return "the volume gauge of the back-pressure controller";
-    case Quantity::cell_volume:
-      return "the volume gauge of the cell-pressure controller";
-    default:
-      return "the column";
-  }
+  const std::string_view sensor = info(channel).raw.sensor;
+  return sensor.empty() ? "the column" : sensor;
 }
 
 std::string value_in_field_units(const SensorFinding& f) {

@@ -2,16 +2,10 @@
 
 namespace triax::lab {
 
-bool by_force(AxialAction action) {
-  switch (action) {
-    case AxialAction::load:
-    case AxialAction::dead_load:
-    case AxialAction::constant_q:
-    case AxialAction::stress_ratio:
-      return true;
-    default:
-      return false;
-  }
+FittedChannels standard_channels() {
+  FittedChannels fitted{};
+  for (const QuantityInfo& row : raw_channels()) fitted[index(row.quantity)] = row.raw.standard;
+  return fitted;
 }
 
 }  // namespace triax::lab

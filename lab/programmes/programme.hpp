@@ -13,6 +13,7 @@
 #include "lab/devices/pressure_controller.hpp"
 #include "lab/devices/transducer.hpp"
 #include "lab/materials/material_library.hpp"
+#include "lab/programmes/axial_way.hpp"
 #include "lab/programmes/end_condition.hpp"
 #include "lab/results/quantity.hpp"
 #include "lab/results/record_header.hpp"
@@ -20,19 +21,10 @@
 
 namespace triax::lab {
 
-/// What the axis does in a stage.
-enum class AxialAction {
-  free,          ///< no piston: q = 0, the cap follows the specimen
-  hold,          ///< the crosshead stands
-  displacement,  ///< the crosshead moves at a velocity
-  spring,        ///< the same through a spring (Servant et al. 2005)
-  load,          ///< the cylinder's servo follows a force
-  dead_load,     ///< masses on the piston: the force stays, whatever the specimen does
-  constant_q,    ///< the servo follows q times the current area
-  stress_ratio,  ///< the servo follows η p′: anisotropic consolidation
-};
-/// Whether the cylinder (or masses), not the crosshead, moves the cap.
-bool by_force(AxialAction action);
+/// Which raw channels a rig has, in the order of Quantity.
+using FittedChannels = std::array<bool, kRawQuantityCount>;
+/// Those that every rig has.
+FittedChannels standard_channels();
 
 /// When readings are recorded.
 struct Logging {
@@ -86,6 +78,7 @@ struct Programme {
   std::optional<double> specific_gravity;
 
   std::array<Transducer, kRawQuantityCount> transducers;  ///< in the order of Quantity
+  FittedChannels fitted = standard_channels();
   PressureController cell_controller;
   PressureController back_controller;
   LoadingFrame frame;

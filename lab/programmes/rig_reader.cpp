@@ -128,8 +128,9 @@ void read_transducers(const std::optional<TomlTable>& base, const std::optional<
                       Programme& programme) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     const QuantityInfo& row = quantities()[i];
-    programme.transducers[i] =
-        read_transducer(row.quantity, inner(base, row.name), inner(own, row.name));
+    const auto shipped = inner(base, row.name), given = inner(own, row.name);
+    programme.transducers[i] = read_transducer(row.quantity, shipped, given);
+    programme.fitted[i] = row.raw.standard || shipped || given;
   }
   if (base) base->finish();
   if (own) own->finish();

@@ -14,41 +14,14 @@ namespace {
 
 constexpr double kKpaPerMin = 1e3 / 60;
 
-constexpr auto kActions = std::to_array<std::pair<std::string_view, AxialAction>>(
-    {{"free", AxialAction::free},
-     {"hold", AxialAction::hold},
-     {"displacement", AxialAction::displacement},
-     {"spring", AxialAction::spring},
-     {"load", AxialAction::load},
-     {"dead_load", AxialAction::dead_load},
-     {"constant_q", AxialAction::constant_q},
-     {"stress_ratio", AxialAction::stress_ratio}});
-
-AxialAction read_action(const TomlTable& table) {
+const AxialWay& read_way(const TomlTable& table) {
   const std::string word = table.required_text("axial");
-  std::vector<std::string> known(kActions.size());
-  for (std::size_t i = 0; i < kActions.size(); ++i) {
-    if (kActions[i].first == word) return kActions[i].second;
-    known[i] = kActions[i].first;
+  std::vector<std::string> known;
+  for (const AxialWay& way : axial_ways()) {
+    if (way.word == word) return way;
+    known.emplace_back(way.word);
   }
   table.fail("axial", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
-}
-
-/// A rate; `at_rest` is the word for an axis that has none.
-double read_rate(const TomlTable& table, std::string_view key, std::string_view at_rest) {
-  const double value = table.required_number(key);
-  if (value == 0)
-    table.fail(key, fmt::format("is 0; give a rate or write axial = \"{}\"", at_rest));
-  return value;
-}
-
-double read_velocity(const TomlTable& table, const LoadingFrame& frame) {
-  const double velocity = read_rate(table, "axial_rate_mm_per_min", "hold") * 1e-3 / 60;
-  if (!gives(frame, velocity))
-    table.fail("axial_rate_mm_per_min",
-               fmt::format("the frame gives {:g} to {:g} mm/min", frame.slowest_m_per_s * 6e4,
-                           frame.fastest_m_per_s * 6e4));
-  return velocity;
 }
 
 void read_perturbation(const TomlTable& table, Stage& stage) {
@@ -57,36 +30,10 @@ void read_perturbation(const TomlTable& table, Stage& stage) {
 }
 
 void read_axis(const TomlTable& table, const LoadingFrame& frame, Stage& stage) {
-  stage.axial = read_action(table);
+  const AxialWay& way = read_way(table);
+  stage.axial = way.action;
   if (by_force(stage.axial)) read_perturbation(table, stage);
-  switch (stage.axial) {
-    case AxialAction::spring:
-      stage.spring_stiffness_n_per_m =
-          1e3 * table.required_number("spring_stiffness_N_per_mm", {.above = 0, .at_most = 1e7});
-      stage.axial_rate_m_per_s = read_velocity(table, frame);
-      break;
-    case AxialAction::displacement:
-      stage.axial_rate_m_per_s = read_velocity(table, frame);
-      stage.strain_path_R = table.number("strain_path_R", {.at_least = 0.05, .at_most = 20});
-      break;
-    case AxialAction::load:
-      stage.load_rate_n_per_s = read_rate(table, "load_rate_N_per_min", "dead_load") / 60;
-      break;
-    case AxialAction::constant_q:
-      if (const auto q = table.number(
-              "held_q_kPa", {.at_least = -kLargestPressure_kPa, .at_most = kLargestPressure_kPa}))
-        stage.held_q_pa = 1e3 * *q;
-      break;
-    case AxialAction::stress_ratio:
-      // q/p' lies between those of σ₁' = 0 and σ₃' = 0.
-      stage.held_stress_ratio =
-          table.required_number("held_stress_ratio", {.at_least = -1.49, .at_most = 2.99});
-      break;
-    case AxialAction::free:
-    case AxialAction::hold:
-    case AxialAction::dead_load:
-      break;
-  }
+  if (way.read != nullptr) way.read(table, frame, stage);
 }
 
 /// Reads one controller's demand; `pressure_pa` is where it starts, NaN if that is not known.

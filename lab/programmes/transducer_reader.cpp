@@ -113,7 +113,7 @@ Transducer read_transducer(Quantity channel, const std::optional<TomlTable>& bas
   if (own) read_over(sheet, *own);
   if (base || own) check(sheet, own ? *own : *base);
   // Exactly 1, or 1e-3 for a load cell.
-  const double scale = channel == Quantity::axial_force ? 1e-3 : 1;
+  const double scale = spoken.scale / t.unit.scale;
   t.range = scale * sheet.range;
   t.step = sheet.bits > 0 ? converter_step(t.range, static_cast<int>(sheet.bits))
                           : scale * sheet.resolution;

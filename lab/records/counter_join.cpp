@@ -1,10 +1,21 @@
 #include "lab/records/counter_join.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace triax::lab {
+
+CounterJoin::CounterJoin() {
+  // What is joined comes first: findings are told in this order.
+  for (const auto zeroed : {RawChannel::Zeroed::joined, RawChannel::Zeroed::reported})
+    for (const QuantityInfo& row : raw_channels())
+      if (row.raw.zeroed == zeroed)
+        counters_.push_back({.quantity = row.quantity,
+                             .drift = row.raw.drift_si,
+                             .joins = zeroed == RawChannel::Zeroed::joined});
+}
 
 void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool stage_begins,
                         std::int64_t line, Findings& findings) {
@@ -23,6 +34,7 @@ void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool 
                       before / unit.scale, value / unit.scale, row.unit, stage);
       if (counter.joins) {
         counter.offset += before - value;
+        counter.joined = true;
         findings.note(fmt::format("reset {} {}", row.name, stage), line,
                       jump + ": the counter was set to zero; joined as if nothing had moved");
       } else {
@@ -32,6 +44,11 @@ void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool 
     }
     if (counter.offset != 0) value += counter.offset;
   }
+}
+
+bool CounterJoin::joined(Quantity quantity) const {
+  return std::ranges::any_of(counters_,
+                             [&](const Counter& c) { return c.quantity == quantity && c.joined; });
 }
 
 }  // namespace triax::lab

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "lab/records/findings.hpp"
 #include "lab/results/reading.hpp"
@@ -13,12 +14,16 @@ namespace triax::lab {
 /// may have been unloaded.
 ///
 /// A counter counts as reset if it begins a stage within 2 % of zero while it had left the stage
-/// before at more than what the channel can have drifted (0.02 mm, 20 mm³).
+/// before at more than what the channel can have drifted (RawChannel::drift_si).
 class CounterJoin {
  public:
+  CounterJoin();
+
   /// `si` are the values of the next row; joined ones are replaced.
   void apply(std::array<double, kQuantityCount>& si, int stage, bool stage_begins,
              std::int64_t line, Findings& findings);
+  /// Whether the counter of that channel was joined so far.
+  bool joined(Quantity quantity) const;
 
  private:
   struct Counter {
@@ -27,11 +32,9 @@ class CounterJoin {
     bool joins;
     double last = kMissing;  // as the file had it
     double offset = 0;
+    bool joined = false;
   };
-  std::array<Counter, 4> counters_{{{Quantity::axial_displacement, 0.02e-3, true},
-                                    {Quantity::back_volume, 20e-9, true},
-                                    {Quantity::cell_volume, 20e-9, true},
-                                    {Quantity::axial_force, 5, false}}};
+  std::vector<Counter> counters_;
 };
 
 }  // namespace triax::lab

@@ -27,25 +27,9 @@ std::size_t slot_of(const PlannedColumn& column, std::size_t time, std::size_t s
   return index(column.quantity);
 }
 
-// What no triaxial apparatus measures, in the unit of the channel.
-double absurd_field_value(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::axial_displacement:
-      return 1e4;
-    case Quantity::axial_force:
-    case Quantity::cell_pressure:
-    case Quantity::back_pressure:
-    case Quantity::pore_pressure:
-      return 1e6;
-    default:
-      return std::numeric_limits<double>::infinity();
-  }
-}
-
 double limit_of(const PlannedColumn& column) {
   if (column.role != ColumnRole::quantity) return std::numeric_limits<double>::infinity();
-  return sim::to_si(absurd_field_value(column.quantity),
-                    *sim::find_unit(info(column.quantity).unit));
+  return sim::to_si(info(column.quantity).raw.absurd, *sim::find_unit(info(column.quantity).unit));
 }
 
 }  // namespace
@@ -213,7 +197,7 @@ void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
                  fmt::format("column {} has {}, beyond {:g} {}: no apparatus measures that; "
                              "check the unit of the column",
                              excerpt(plan.column->heading), excerpt(cell),
-                             absurd_field_value(quantity), info(quantity).unit));
+                             info(quantity).raw.absurd, info(quantity).unit));
 }
 
 }  // namespace triax::lab

@@ -47,7 +47,12 @@ RunAwayTruth read_run_away(const TomlTable& table) {
   for (const RunAwayKey& row : kRunAwayKeys)
     found.*row.member = table.number(row.name, kMeasurable);
   if (found.end_s && *found.end_s < found.start_s) table.fail("end_s", "is before start_s");
-  found.end = table.text("ending").value_or("");
+  const auto ending = run_away_end_from(table.text("ending").value_or(""));
+  if (!ending)
+    table.fail("ending",
+               fmt::format("is neither \"{}\" nor \"{}\"", to_string(RunAwayEnd::new_equilibrium),
+                           to_string(RunAwayEnd::end_of_travel)));
+  found.end = *ending;
   table.finish();
   return found;
 }
@@ -62,7 +67,8 @@ std::string run_away_toml(const RunAwayTruth& run_away) {
   append(out, "largest_kinetic_energy_J", run_away.largest_kinetic_energy_j);
   append(out, "largest_at_s", run_away.largest_at_s);
   for (const RunAwayKey& row : kRunAwayKeys) append(out, row.name, run_away.*row.member);
-  if (!run_away.end.empty()) out += fmt::format("ending = {}\n", toml_quoted(run_away.end));
+  if (run_away.end != RunAwayEnd::none)
+    out += fmt::format("ending = {}\n", toml_quoted(to_string(run_away.end)));
   return out;
 }
 

@@ -24,7 +24,7 @@ void BValue::add(const Reading& reading, bool in_b_check) {
 Check BValue::check() const {
   const bool ok = *value_ >= kLimit;
   return {
-      .name = "b_value",
+      .kind = CheckKind::b_value,
       .measured = value_,
       .limit = kLimit,
       .ok = ok,

@@ -27,7 +27,7 @@ std::optional<Check> ClosedValve::check() const {
         "with the drainage closed {:.0f} mm3 ran {} the specimen's side by reading {}: the valve "
         "does not close, or something leaks; the test was not undrained",
         std::fabs(largest_m3_) * 1e9, largest_m3_ > 0 ? "to" : "from", reading_);
-  return Check{.name = "undrained_volume",
+  return Check{.kind = CheckKind::undrained_volume,
                .measured = largest_,
                .limit = kLimit,
                .ok = ok,

@@ -16,19 +16,18 @@ class Closure {
   static constexpr double kLimit = 0.02;  ///< relative difference that passes
 
   void add(const Reading& reading, const State& state, bool in_shear);
-  /// One check "closure_QUANTITY" for each computed column of the file: measured is
+  /// One check for each computed column of the file: measured is
   /// (ours − theirs)/ours, by least squares over the shear stage. `start_area` is our area at the
-  /// start of shear; what the record's reader had to join may explain a difference.
-  std::vector<Check> checks(std::optional<double> start_area,
-                            const std::vector<Warning>& record_warnings) const;
+  /// start of shear; a volume counter that the record's reader had to join may explain a
+  /// difference.
+  std::vector<Check> checks(std::optional<double> start_area, bool back_volume_joined) const;
 
  private:
   struct Sums {
     double ours_theirs = 0, ours_ours = 0;
     std::int64_t count = 0;
   };
-  std::string area_as_cause(double difference, double start_area,
-                            const std::vector<Warning>& record_warnings) const;
+  std::string area_as_cause(double difference, double start_area, bool back_volume_joined) const;
 
   std::array<Sums, kQuantityCount> sums_{};
   double area_ratio_sum_ = 0;  ///< theirs/ours

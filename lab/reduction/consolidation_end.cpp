@@ -65,7 +65,7 @@ std::vector<Check> ConsolidationEnd::checks() const {
   if (const auto rate = rate_pct_per_h()) {
     const bool ok = *rate <= kRateLimit_pct_per_h;
     all.push_back(
-        {.name = "consolidation",
+        {.kind = CheckKind::consolidation,
          .measured = rate,
          .limit = kRateLimit_pct_per_h,
          .ok = ok,
@@ -76,7 +76,7 @@ std::vector<Check> ConsolidationEnd::checks() const {
   if (differences_ > 0 && p_eff_ > 0) {
     const double ratio = std::fabs(difference_) / p_eff_;
     const bool ok = ratio <= kDifferenceLimit;
-    all.push_back({.name = "zero_difference",
+    all.push_back({.kind = CheckKind::zero_difference,
                    .measured = ratio,
                    .limit = kDifferenceLimit,
                    .ok = ok,

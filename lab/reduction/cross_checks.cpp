@@ -33,7 +33,7 @@ std::vector<Check> CrossChecks::checks(std::optional<std::int64_t> onset) const 
 std::vector<Warning> warnings_of(const std::vector<Check>& checks) {
   std::vector<Warning> all;
   for (const Check& check : checks)
-    if (!check.ok) all.push_back({0, check.name + ": " + check.note});
+    if (!check.ok) all.push_back({0, std::string(to_string(check.kind)) + ": " + check.note});
   return all;
 }
 

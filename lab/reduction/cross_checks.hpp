@@ -19,7 +19,7 @@ class CrossChecks {
 
   /// In order. A channel that cannot be believed is missing (NaN) from `reading` here.
   void add(const Reading& reading, const State& state);
-  /// Of what the record holds: "consolidation", "zero_difference", "rate", "undrained_volume". The
+  /// Of what the record holds: consolidation, zero_difference, rate, undrained_volume. The
   /// rate is judged before reading `onset`, the onset of collapse, if any.
   std::vector<Check> checks(std::optional<std::int64_t> onset) const;
 

@@ -49,7 +49,7 @@ std::optional<Check> RateCheck::check(std::optional<std::int64_t> before) const 
         "drifted",
         largest.reading, std::fabs(largest.difference_pa) / 1e3,
         largest.difference_pa > 0 ? "above" : "below", largest.ratio * 100);
-  return Check{.name = "rate",
+  return Check{.kind = CheckKind::rate,
                .measured = largest.ratio,
                .limit = kLimit,
                .ok = ok,

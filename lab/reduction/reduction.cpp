@@ -75,10 +75,10 @@ Consolidation Reduction::consolidation() const {
   return c;
 }
 
-std::vector<Check> Reduction::checks(const std::vector<Warning>& record_warnings) const {
+std::vector<Check> Reduction::checks(bool back_volume_joined) const {
   std::vector<Check> checks;
   if (impl_->b_value.value()) checks.push_back(impl_->b_value.check());
-  for (auto& check : impl_->closure.checks(impl_->from_raw.start_area(), record_warnings))
+  for (auto& check : impl_->closure.checks(impl_->from_raw.start_area(), back_volume_joined))
     checks.push_back(std::move(check));
   return checks;
 }

@@ -44,7 +44,7 @@ class Reduction {
   Consolidation consolidation() const;
   /// B value; closure of the columns that the file itself had computed. What the record's reader
   /// had to join (`record_warnings`) may explain a difference.
-  std::vector<Check> checks(const std::vector<Warning>& record_warnings) const;
+  std::vector<Check> checks(bool back_volume_joined) const;
   std::vector<Warning> warnings() const;
 
  private:

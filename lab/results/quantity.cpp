@@ -2,19 +2,84 @@
 
 #include <array>
 
+#include "sim/specimen/specimen_state.hpp"
+
 namespace triax::lab {
 namespace {
 
 using enum Quantity;
+using enum RawChannel::Zeroed;
+using Specimen = sim::SpecimenState;
 
 constexpr std::array<QuantityInfo, kQuantityCount> kTable{{
-    {axial_displacement, "axial_displacement", "mm", "ΔH"},
-    {axial_force, "axial_force", "kN", "F"},
-    {cell_pressure, "cell_pressure", "kPa", "σ_c"},
-    {back_pressure, "back_pressure", "kPa", "u_b"},
-    {pore_pressure, "pore_pressure", "kPa", "u"},
-    {back_volume, "back_volume", "mm3", "V_b"},
-    {cell_volume, "cell_volume", "mm3", "V_c"},
+    {axial_displacement,
+     "axial_displacement",
+     "mm",
+     "ΔH",
+     {.sensor = "the axial displacement transducer",
+      .standard = true,
+      .in_state = true,
+      .zeroed = joined,
+      .drift_si = 0.02e-3,
+      .absurd = 1e4}},
+    {axial_force,
+     "axial_force",
+     "kN",
+     "F",
+     {.sensor = "the load cell",
+      .spoken_unit = "N",
+      .standard = true,
+      .in_state = true,
+      .zeroed = reported,
+      .drift_si = 5,
+      .absurd = 1e6}},
+    {cell_pressure,
+     "cell_pressure",
+     "kPa",
+     "σ_c",
+     {.sensor = "the sensor of the cell pressure",
+      .standard = true,
+      .in_state = true,
+      .held = true,
+      .absurd = 1e6,
+      .of_specimen = [](const Specimen& now, const Specimen&) { return now.cell_pressure; }}},
+    {back_pressure,
+     "back_pressure",
+     "kPa",
+     "u_b",
+     {.sensor = "the sensor of the back pressure",
+      .standard = true,
+      .in_state = true,
+      .held = true,
+      .absurd = 1e6}},
+    {pore_pressure,
+     "pore_pressure",
+     "kPa",
+     "u",
+     {.sensor = "the pore-pressure transducer",
+      .standard = true,
+      .in_state = true,
+      .absurd = 1e6,
+      .of_specimen = [](const Specimen& now, const Specimen&) { return now.pore_pressure; }}},
+    {back_volume,
+     "back_volume",
+     "mm3",
+     "V_b",
+     {.sensor = "the volume gauge of the back-pressure controller",
+      .standard = true,
+      .in_state = true,
+      .counts_water = true,
+      .zeroed = joined,
+      .drift_si = 20e-9}},
+    {cell_volume,
+     "cell_volume",
+     "mm3",
+     "V_c",
+     {.sensor = "the volume gauge of the cell-pressure controller",
+      .standard = true,
+      .counts_water = true,
+      .zeroed = joined,
+      .drift_si = 20e-9}},
     {axial_strain, "axial_strain", "", "ε₁"},
     {radial_strain, "radial_strain", "", "ε₃"},
     {volumetric_strain, "volumetric_strain", "", "ε_v"},
@@ -30,6 +95,14 @@ constexpr std::array<QuantityInfo, kQuantityCount> kTable{{
     {void_ratio, "void_ratio", "", "e"},
     {current_area, "current_area", "mm2", "A"},
 }};
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kTable.size(); ++i)
+        if (index(kTable[i].quantity) != i || kTable[i].name.empty()) return false;
+      return true;
+    }(),
+    "one row a quantity, in the order of the enumeration");
 
 }  // namespace
 

@@ -2,28 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
-#include <utility>
+
+#include "lab/base/names.hpp"
 
 namespace triax::lab {
 namespace {
-
-template <class Enum>
-using Names = std::span<const std::pair<Enum, std::string_view>>;
-
-template <class Enum>
-std::string_view name_of(Enum value, Names<Enum> names) {
-  for (const auto& [key, name] : names)
-    if (key == value) return name;
-  return {};
-}
-
-template <class Enum>
-std::optional<Enum> value_of(std::string_view text, Names<Enum> names) {
-  for (const auto& [key, name] : names)
-    if (name == text) return key;
-  return std::nullopt;
-}
 
 constexpr auto kRoles = std::to_array<std::pair<StageRole, std::string_view>>(
     {{StageRole::unknown, "unknown"},
@@ -39,6 +22,10 @@ constexpr auto kControls = std::to_array<std::pair<AxialControl, std::string_vie
      {AxialControl::displacement, "displacement"},
      {AxialControl::load, "load"},
      {AxialControl::constant_q, "constant_q"}});
+constexpr auto kRunAwayEnds = std::to_array<std::pair<RunAwayEnd, std::string_view>>(
+    {{RunAwayEnd::none, ""},
+     {RunAwayEnd::new_equilibrium, "new equilibrium"},
+     {RunAwayEnd::end_of_travel, "end of travel"}});
 
 }  // namespace
 
@@ -49,6 +36,10 @@ std::string_view to_string(StageRole role) { return name_of<StageRole>(role, kRo
 std::string_view to_string(Drainage drainage) { return name_of<Drainage>(drainage, kDrainages); }
 std::string_view to_string(AxialControl control) {
   return name_of<AxialControl>(control, kControls);
+}
+std::string_view to_string(RunAwayEnd end) { return name_of<RunAwayEnd>(end, kRunAwayEnds); }
+std::optional<RunAwayEnd> run_away_end_from(std::string_view text) {
+  return value_of<RunAwayEnd>(text, kRunAwayEnds);
 }
 std::optional<StageRole> stage_role_from(std::string_view text) {
   return value_of<StageRole>(text, kRoles);

@@ -50,6 +50,12 @@ struct SpecimenInfo {
   std::string material;
 };
 
+/// How a run-away ended; none: it was still running when the test ended, or nobody says.
+enum class RunAwayEnd { none, new_equilibrium, end_of_travel };
+/// "", "new equilibrium", "end of travel".
+std::string_view to_string(RunAwayEnd end);
+std::optional<RunAwayEnd> run_away_end_from(std::string_view text);
+
 /// What a simulated specimen did when its load could not be carried any longer.
 struct RunAwayTruth {
   double start_s = 0;                   ///< test time at which equilibrium was lost
@@ -62,7 +68,7 @@ struct RunAwayTruth {
   /// (sim/specimen/run_away.hpp)
   std::optional<double> expected_ratio;
   std::optional<double> end_s;  ///< test time; empty: still running when the test ended
-  std::string end;              ///< "new equilibrium", "end of travel"; empty: still running
+  RunAwayEnd end = RunAwayEnd::none;
 };
 
 /// When and where a simulated specimen itself lost sustainability; no instrument sees this.
@@ -96,6 +102,9 @@ struct RecordHeader {
   std::vector<Quantity> columns;  ///< what the readings hold
   bool has_time = true;
   std::vector<Warning> warnings;
+  /// The counter of the back volume was set to zero between stages, and its parts were joined.
+  /// Like the warnings known as far as readings have been drawn.
+  bool back_volume_joined = false;
 
   bool has(Quantity column) const;
   /// True where the raw channels suffice for our own reduction; else the record enters at State.

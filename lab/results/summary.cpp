@@ -1,25 +1,59 @@
 #include "lab/results/summary.hpp"
 
+#include <array>
+
+#include "lab/base/names.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {
 
-std::string_view to_string(CollapseKind kind) {
-  switch (kind) {
-    case CollapseKind::none:
-      return "none";
-    case CollapseKind::limited:
-      return "limited";
-    case CollapseKind::flow:
-      return "flow";
-  }
-  return {};
-}
+namespace {
 
+constexpr auto kCollapseKinds =
+    std::to_array<std::pair<CollapseKind, std::string_view>>({{CollapseKind::none, "none"},
+                                                              {CollapseKind::limited, "limited"},
+                                                              {CollapseKind::flow, "flow"}});
+constexpr auto kEventKinds = std::to_array<std::pair<EventKind, std::string_view>>(
+    {{EventKind::stage_started, "stage_started"},
+     {EventKind::loss_of_sustainability, "loss_of_sustainability"},
+     {EventKind::limit_surface, "limit_surface"},
+     {EventKind::sensor_fault, "sensor_fault"},
+     {EventKind::device_fault, "device_fault"},
+     {EventKind::held, "held"},
+     {EventKind::resumed, "resumed"},
+     {EventKind::aborted, "aborted"},
+     {EventKind::safe_state, "safe_state"},
+     {EventKind::run_away, "run_away"}});
+constexpr auto kCheckKinds = std::to_array<std::pair<CheckKind, std::string_view>>(
+    {{CheckKind::b_value, "b_value"},
+     {CheckKind::consolidation, "consolidation"},
+     {CheckKind::zero_difference, "zero_difference"},
+     {CheckKind::rate, "rate"},
+     {CheckKind::undrained_volume, "undrained_volume"},
+     {CheckKind::closure_deviator_stress, "closure_deviator_stress"},
+     {CheckKind::closure_mean_effective_stress, "closure_mean_effective_stress"},
+     {CheckKind::closure_effective_axial_stress, "closure_effective_axial_stress"},
+     {CheckKind::closure_effective_radial_stress, "closure_effective_radial_stress"},
+     {CheckKind::closure_axial_strain, "closure_axial_strain"},
+     {CheckKind::closure_volumetric_strain, "closure_volumetric_strain"},
+     {CheckKind::closure_void_ratio, "closure_void_ratio"},
+     {CheckKind::closure_current_area, "closure_current_area"}});
+
+}  // namespace
+
+std::string_view to_string(CollapseKind kind) {
+  return name_of<CollapseKind>(kind, kCollapseKinds);
+}
+std::string_view to_string(EventKind kind) { return name_of<EventKind>(kind, kEventKinds); }
+std::string_view to_string(CheckKind kind) { return name_of<CheckKind>(kind, kCheckKinds); }
 std::optional<CollapseKind> collapse_kind_from(std::string_view text) {
-  for (const auto kind : {CollapseKind::none, CollapseKind::limited, CollapseKind::flow})
-    if (to_string(kind) == text) return kind;
-  return std::nullopt;
+  return value_of<CollapseKind>(text, kCollapseKinds);
+}
+std::optional<EventKind> event_kind_from(std::string_view text) {
+  return value_of<EventKind>(text, kEventKinds);
+}
+std::optional<CheckKind> check_kind_from(std::string_view text) {
+  return value_of<CheckKind>(text, kCheckKinds);
 }
 
 std::optional<double> Instant::phi_mob_rad() const {

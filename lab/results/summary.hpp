@@ -14,11 +14,28 @@ enum class CollapseKind { none, limited, flow };
 std::string_view to_string(CollapseKind kind);
 std::optional<CollapseKind> collapse_kind_from(std::string_view text);
 
+/// What can happen during a test.
+enum class EventKind {
+  stage_started,
+  loss_of_sustainability,  ///< second-order work vanished for good, inside the limit surface
+  limit_surface,           ///< likewise, on it: a failure, no diffuse collapse
+  sensor_fault,            ///< a sensor cannot be believed
+  device_fault,            ///< a device of the rig does not do what it was asked
+  held,                    ///< paused, by the operator or from outside
+  resumed,
+  aborted,
+  safe_state,  ///< the supervision brought the rig to rest
+  run_away,    ///< equilibrium of cap and specimen was lost, or found again
+};
+/// "stage_started".
+std::string_view to_string(EventKind kind);
+std::optional<EventKind> event_kind_from(std::string_view text);
+
 /// Something that happened at an instant, with its evidence.
 struct Event {
   std::int64_t reading = 0;
   std::optional<double> time_s;
-  std::string kind;    ///< "stage_started", "collapse", "limit_surface", "loss_of_control"...
+  EventKind kind = EventKind::stage_started;
   std::string detail;  ///< one sentence with numbers and units
 };
 
@@ -39,7 +56,7 @@ struct Instant {
 
 /// One criterion's own finding.
 struct Criterion {
-  std::string name;  ///< "second_order_work", "loss_of_control", "control_peak"
+  std::string name;  ///< of its row in lab/collapse/criteria.cpp: "second_order_work"
   bool detected = false;
   std::optional<std::int64_t> reading;
   std::optional<double> time_s;
@@ -55,9 +72,30 @@ struct Consolidation {
   std::optional<double> diameter_m;
 };
 
+/// What is held against what is acceptable. A closure is a computed column of the file against our
+/// own reduction of the same readings.
+enum class CheckKind {
+  b_value,
+  consolidation,     ///< it had ended
+  zero_difference,   ///< of the transducers of pore and back pressure
+  rate,              ///< of drained shear: slow enough
+  undrained_volume,  ///< a closed valve is
+  closure_deviator_stress,
+  closure_mean_effective_stress,
+  closure_effective_axial_stress,
+  closure_effective_radial_stress,
+  closure_axial_strain,
+  closure_volumetric_strain,
+  closure_void_ratio,
+  closure_current_area,
+};
+/// "b_value".
+std::string_view to_string(CheckKind kind);
+std::optional<CheckKind> check_kind_from(std::string_view text);
+
 /// A measured value held against what is acceptable.
 struct Check {
-  std::string name;  ///< "b_value", "closure_deviator_stress"
+  CheckKind kind = CheckKind::b_value;
   std::optional<double> measured;
   std::optional<double> limit;
   bool ok = false;

@@ -1,5 +1,6 @@
 #pragma once
 // The control loop of the axis: from the stage and what was seen to what the axis is asked for.
+// What each way to drive it wants is in lab/programmes/axial_way.cpp:
 //
 //   load          F = F at the start + rate · t
 //   constant_q    F = q A
@@ -39,11 +40,10 @@ class AxisControl {
   std::optional<double> wanted_force_n() const { return wanted_; }
 
  private:
-  double wanted_force(const Seen& seen, double next_cell_pa, double dt_s) const;
-  double wanted_stress(const Seen& seen, double next_cell_pa) const;
+  void want(const AxisView& view);
   void smooth_area(const Seen& seen, double dt_s);
   bool follows_area() const;
-  void follow_area(const Seen& seen, double next_cell_pa, AxisDemand& d);
+  void follow_area(const Seen& seen, double start_stress, AxisDemand& d) const;
 
   Servo servo_;
   TrendFilter area_;
@@ -51,7 +51,7 @@ class AxisControl {
   Stage stage_;
   double force_at_start_ = 0;  ///< as read
   double dead_force_ = 0;      ///< as it is
-  double held_q_ = 0;
+  double q_at_start_ = 0;
   double trim_ = 0;
   double stress_ = 0;  ///< wanted at the end of the last tick, where the area is followed
   bool first_ = true;

@@ -30,8 +30,9 @@ class BackEnd {
   /// What happened to the rig itself since the last call: held, safe state, run-away.
   virtual std::vector<Event> events() { return {}; }
   /// The test is broken off after the reading last drawn: no more readings are asked for. `reason`
-  /// is a whole sentence for the record; a back end that drives something brings it to rest.
-  virtual void abort(const std::string& /*reason*/) {}
+  /// is a whole sentence for the record; a back end that drives something brings it to rest. True
+  /// if a warning of its header says so from now on.
+  virtual bool abort(const std::string& /*reason*/) { return false; }
 };
 
 }  // namespace triax::lab

@@ -3,7 +3,7 @@
 namespace triax::lab {
 
 Instruments::Instruments(const Programme& programme, std::uint64_t seed)
-    : transducers_(programme.transducers), seed_(seed) {
+    : fitted_(programme.fitted), transducers_(programme.transducers), seed_(seed) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     std::vector<Fault> own;
     for (const Fault& fault : programme.faults)
@@ -14,6 +14,7 @@ Instruments::Instruments(const Programme& programme, std::uint64_t seed)
 
 void Instruments::look(const Plant& plant, double time_s, Reading& reading) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
+    if (!fitted_[i]) continue;
     const Quantity channel = quantities()[i].quantity;
     const TransducerReading seen =
         triax::lab::look(transducers_[i], states_[i], plant.true_value(channel), time_s, seed_, i);

@@ -22,6 +22,7 @@ class Instruments {
   bool saturated(Quantity channel) const { return saturated_[index(channel)]; }
 
  private:
+  FittedChannels fitted_;
   std::array<Transducer, kRawQuantityCount> transducers_;
   std::array<TransducerState, kRawQuantityCount> states_{};
   std::vector<FaultyChannel> faults_;  ///< one a channel

@@ -153,6 +153,8 @@ double Plant::next_cell_pa(const PressureDemand& demand, double dt_s) const {
 
 double Plant::true_value(Quantity channel) const {
   const auto& s = state_.specimen;
+  if (const auto of_specimen = info(channel).raw.of_specimen)
+    return of_specimen(s, specimen_.start());
   switch (channel) {
     case Quantity::axial_displacement: {
       const double load_cell = frame_.load_cell_stiffness_n_per_m;
@@ -161,12 +163,8 @@ double Plant::true_value(Quantity channel) const {
     }
     case Quantity::axial_force:
       return specimen_.axial_force(s);
-    case Quantity::cell_pressure:
-      return s.cell_pressure;
     case Quantity::back_pressure:
       return state_.back.pressure_pa;
-    case Quantity::pore_pressure:
-      return s.pore_pressure;
     case Quantity::back_volume:
       return given_volume(back_controller_, state_.back, back_inflow_m3_);
     case Quantity::cell_volume:

@@ -206,7 +206,10 @@ bool RecordedRig::Impl::draw(Reading& reading) {
     findings.note("unnamed stage", row.line,
                   fmt::format("stage {} is not described; its role is unknown", stage));
   reading.time_s = time_line.next(row.time_s, row.stage_time_s, stage, begins, row.line, findings);
-  if (header.origin == Origin::recorded) counters.apply(row.si, stage, begins, row.line, findings);
+  if (header.origin == Origin::recorded) {
+    counters.apply(row.si, stage, begins, row.line, findings);
+    header.back_volume_joined = counters.joined(Quantity::back_volume);
+  }
   reading.number = count++;
   reading.stage = stage;
   reading.si = row.si;

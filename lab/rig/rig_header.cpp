@@ -1,26 +1,11 @@
 #include "lab/rig/rig_header.hpp"
 
+#include <fmt/format.h>
+
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {
 namespace {
-
-AxialControl control_of(AxialAction action) {
-  switch (action) {
-    case AxialAction::hold:
-    case AxialAction::displacement:
-      return AxialControl::displacement;
-    case AxialAction::constant_q:
-      return AxialControl::constant_q;
-    case AxialAction::free:
-    case AxialAction::spring:
-    case AxialAction::load:
-    case AxialAction::dead_load:
-    case AxialAction::stress_ratio:
-      return AxialControl::load;
-  }
-  return AxialControl::unknown;
-}
 
 template <class Number>
 std::optional<Number> unless_zero(Number value) {
@@ -53,7 +38,7 @@ RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
                         .name = stage.name,
                         .role = stage.role,
                         .drainage = stage.valve_open ? Drainage::open : Drainage::closed,
-                        .control = control_of(stage.axial),
+                        .control = way_of(stage.axial).control,
                         .strain_path_R = stage.strain_path_R});
   h.stages.push_back({.number = number,
                       .name = "held",
@@ -61,7 +46,8 @@ RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
                       .drainage = Drainage::unknown,
                       .control = AxialControl::displacement,
                       .strain_path_R = {}});
-  for (const auto& row : quantities().first(kRawQuantityCount)) h.columns.push_back(row.quantity);
+  for (const auto& row : raw_channels())
+    if (programme.fitted[index(row.quantity)]) h.columns.push_back(row.quantity);
   for (const TomlEdit& change : programme.changes)
     h.warnings.push_back({0, fmt::format("{} = {} by --set, instead of the programme's value",
                                          change.key, change.value)});

@@ -15,16 +15,16 @@ void copy_comparison(const sim::RunAway& from, RunAwayTruth& to) {
   if (std::isfinite(from.expected_ratio())) to.expected_ratio = from.expected_ratio();
 }
 
-std::string ending(sim::RunAway::End end) {
+RunAwayEnd ending(sim::RunAway::End end) {
   switch (end) {
     case sim::RunAway::End::arrested:
-      return "new equilibrium";
+      return RunAwayEnd::new_equilibrium;
     case sim::RunAway::End::end_of_travel:
-      return "end of travel";
+      return RunAwayEnd::end_of_travel;
     case sim::RunAway::End::none:
-      return {};
+      return RunAwayEnd::none;
   }
-  return {};
+  return RunAwayEnd::none;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string RunAwayLog::watch(double time_s, const sim::SpecimenState& state) {
     all_.back().end = ending(now.end);
   }
   return fmt::format("runaway of the cap for {:.4f} s, kinetic energy up to {:.3g} J: {}",
-                     now.elapsed_s, now.largest_kinetic_energy_j, ending(now.end));
+                     now.elapsed_s, now.largest_kinetic_energy_j, to_string(ending(now.end)));
 }
 
 }  // namespace triax::lab

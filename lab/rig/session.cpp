@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "lab/base/listeners.hpp"
+#include "lab/collapse/monitor.hpp"
 #include "lab/health/gaps.hpp"
 #include "lab/health/judged_states.hpp"
 #include "lab/reduction/cross_checks.hpp"
@@ -39,22 +41,12 @@ class Pace {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Breaks the test off after this reading and sees to it that the record says so.
-void abort(BackEnd& back_end, const Reading& reading, std::vector<Warning>& warnings) {
-  const std::string when = back_end.header().has_time
-                               ? fmt::format("at {:.6g} s", reading.time_s)
-                               : fmt::format("after reading {}", reading.number);
-  const std::string reason = "aborted by the operator " + when;
-  back_end.abort(reason);
-  const auto says_so = [&](const Warning& w) { return w.text.find(reason) != std::string::npos; };
-  if (!std::ranges::any_of(back_end.header().warnings, says_so)) warnings.push_back({0, reason});
-}
-
 Event stage_event(const RecordHeader& header, const Reading& reading) {
   const StageInfo* stage = header.stage(reading.stage);
   std::string detail = "stage " + std::to_string(reading.stage);
   if (stage && !stage->name.empty()) detail += ": " + stage->name;
-  Event event{.reading = reading.number, .time_s = {}, .kind = "stage_started", .detail = detail};
+  Event event{
+      .reading = reading.number, .time_s = {}, .kind = EventKind::stage_started, .detail = detail};
   if (header.has_time) event.time_s = reading.time_s;
   return event;
 }
@@ -62,7 +54,7 @@ Event stage_event(const RecordHeader& header, const Reading& reading) {
 Event sensor_event(const SensorFinding& finding) {
   return {.reading = finding.from,
           .time_s = finding.from_time_s,
-          .kind = "sensor_fault",
+          .kind = EventKind::sensor_fault,
           .detail = describe(finding)};
 }
 
@@ -82,88 +74,147 @@ void take_back(const JudgedStates& states, TestSummary& summary) {
   }
   if (!(states.wrong_in_b_check() & kPressures)) return;
   c.b_value.reset();
-  std::erase_if(summary.checks, [](const Check& check) { return check.name == "b_value"; });
+  std::erase_if(summary.checks,
+                [](const Check& check) { return check.kind == CheckKind::b_value; });
+}
+
+/// One test on its way through the stream.
+class SessionRun {
+ public:
+  SessionRun(BackEnd& back_end, const SessionOptions& options, const SessionListeners& listeners)
+      : back_end_(back_end),
+        options_(options),
+        listeners_(listeners),
+        reduction_(back_end.header(), options.reduction),
+        monitor_(back_end.header(), {monitor_listener()}),
+        states_(back_end.header()),
+        cross_checks_(back_end.header()),
+        pace_(options) {}
+
+  TestSummary run() {
+    tell(listeners_, &SessionListener::started, back_end_.header());
+    Reading reading;
+    while (back_end_.next(reading)) {
+      pace_.wait_for(reading.time_s);
+      take(reading);
+      if (options_.stop && options_.stop()) {
+        abort(reading);
+        break;
+      }
+    }
+    tell_of_the_rig();
+    states_.finish();
+    pass_on();
+    summarise();
+    tell(listeners_, &SessionListener::progressed, 1.0);
+    return std::move(summary_);
+  }
+
+ private:
+  CollapseListener monitor_listener();
+  void take(const Reading& reading);
+  void tell_of(const Event& event) { tell(listeners_, &SessionListener::happened, event); }
+  void tell_of_the_rig() {
+    for (const Event& event : back_end_.events()) tell_of(event);
+  }
+  void pass_on();
+  void tell_progress();
+  void abort(const Reading& reading);
+  void summarise();
+
+  BackEnd& back_end_;
+  const SessionOptions& options_;
+  const SessionListeners& listeners_;
+  Reduction reduction_;
+  Gaps gaps_;
+  CollapseMonitor monitor_;
+  JudgedStates states_;
+  CrossChecks cross_checks_;
+  Collapse until_mark_;
+  TestSummary summary_;
+  Pace pace_;
+  std::optional<int> stage_;
+  std::vector<Warning> aborted_;
+  Clock::time_point next_progress_ = Clock::now();
+};
+
+CollapseListener SessionRun::monitor_listener() {
+  return {.second_order_work =
+              [this](const SecondOrderWorkPoint& p) {
+                gaps_.add(p);
+                tell(listeners_, &SessionListener::second_order_work, p);
+              },
+          .happened = [this](const Event& e) { tell_of(e); }};
+}
+
+void SessionRun::take(const Reading& reading) {
+  if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
+  stage_ = reading.stage;
+  tell_of_the_rig();
+  const State state = reduction_.reduce(reading);
+  tell(listeners_, &SessionListener::scanned, reading, state);
+  states_.add(reading, state);
+  for (const SensorFinding& finding : states_.health().news()) tell_of(sensor_event(finding));
+  pass_on();
+  if (++summary_.readings % 1024 == 0 || options_.speed > 0) tell_progress();
+}
+
+/// To the monitor goes what has been judged by now.
+void SessionRun::pass_on() {
+  while (const auto* judged = states_.next()) {
+    cross_checks_.add(believed(*judged), judged->state);
+    if (judged->mark) until_mark_ = monitor_.so_far();
+    if (!judged->live) continue;
+    if (judged->after_gap) {
+      monitor_.interrupt();
+      gaps_.end(judged->reading.number);
+    }
+    monitor_.watch(judged->state);
+  }
+}
+
+void SessionRun::tell_progress() {
+  const auto now = Clock::now();
+  if (now < next_progress_) return;
+  tell(listeners_, &SessionListener::progressed, back_end_.progress());
+  next_progress_ = now + std::chrono::milliseconds(50);
+}
+
+/// Breaks the test off after this reading and sees to it that the record says so.
+void SessionRun::abort(const Reading& reading) {
+  const std::string when = back_end_.header().has_time
+                               ? fmt::format("at {:.6g} s", reading.time_s)
+                               : fmt::format("after reading {}", reading.number);
+  const std::string reason = "aborted by the operator " + when;
+  if (!back_end_.abort(reason)) aborted_.push_back({0, reason});
+}
+
+void SessionRun::summarise() {
+  const std::vector<Warning>& of_record = back_end_.header().warnings;
+  Collapse& collapse = summary_.collapse;
+  collapse = states_.ends_at_mark() ? until_mark_ : monitor_.finish();
+  states_.bound(collapse);
+  const auto caveat = gaps_.caveat(collapse);
+  if (caveat && collapse.judged_until_reason.empty()) collapse.judged_until_reason = *caveat;
+  summary_.peak = monitor_.peak();
+  summary_.consolidation = reduction_.consolidation();
+  summary_.truth = back_end_.truth();
+  summary_.checks = reduction_.checks(back_end_.header().back_volume_joined);
+  const auto& onset = collapse.onset;
+  const auto crossed = cross_checks_.checks(onset ? std::optional(onset->reading) : std::nullopt);
+  summary_.checks.insert(summary_.checks.end(), crossed.begin(), crossed.end());
+  take_back(states_, summary_);
+  for (const auto& warnings :
+       {of_record, aborted_, reduction_.warnings(), warnings_of(crossed), states_.warnings()})
+    summary_.warnings.insert(summary_.warnings.end(), warnings.begin(), warnings.end());
+  if (caveat) summary_.warnings.push_back({0, "the onset of collapse is " + *caveat});
 }
 
 }  // namespace
 
-TestSummary Session::run(BackEnd& back_end, const SessionOptions& options) {
-  Reduction reduction(back_end.header(), options.reduction);
-  CollapseMonitor monitor(back_end.header());
-  Gaps gaps;
-  monitor.on_point = [&](const SecondOrderWorkPoint& p) {
-    gaps.add(p);
-    emit second_order_work(p);
-  };
-  monitor.on_event = [this](const Event& e) { emit happened(e); };
-  JudgedStates states(back_end.header());
-  CrossChecks cross_checks(back_end.header());
-  Collapse until_mark;
-  const auto pass_on = [&] {
-    while (const auto* judged = states.next()) {
-      cross_checks.add(believed(*judged), judged->state);
-      if (judged->mark) until_mark = monitor.so_far();
-      if (!judged->live) continue;
-      if (judged->after_gap) {
-        monitor.interrupt();
-        gaps.end(judged->reading.number);
-      }
-      monitor.watch(judged->state);
-    }
-  };
-  emit started(back_end.header());
-
-  TestSummary summary;
-  Pace pace(options);
-  Reading reading;
-  std::optional<int> stage;
-  std::vector<Warning> aborted;
-  auto next_progress = Clock::now();
-  while (back_end.next(reading)) {
-    pace.wait_for(reading.time_s);
-    if (stage != reading.stage) emit happened(stage_event(back_end.header(), reading));
-    stage = reading.stage;
-    for (const Event& event : back_end.events()) emit happened(event);
-    const State state = reduction.reduce(reading);
-    emit scanned(reading, state);
-    states.add(reading, state);
-    for (const SensorFinding& finding : states.health().news())
-      emit happened(sensor_event(finding));
-    pass_on();
-    if (++summary.readings % 1024 == 0 || options.speed > 0) {
-      const auto now = Clock::now();
-      if (now >= next_progress) emit progressed(back_end.progress());
-      if (now >= next_progress) next_progress = now + std::chrono::milliseconds(50);
-    }
-    if (options.stop && options.stop()) {
-      abort(back_end, reading, aborted);
-      break;
-    }
-  }
-  for (const Event& event : back_end.events()) emit happened(event);
-  states.finish();
-  pass_on();
-  summary.collapse = states.ends_at_mark() ? until_mark : monitor.finish();
-  states.bound(summary.collapse);
-  const auto caveat = gaps.caveat(summary.collapse);
-  if (caveat && summary.collapse.judged_until_reason.empty())
-    summary.collapse.judged_until_reason = *caveat;
-  summary.peak = monitor.peak();
-  summary.consolidation = reduction.consolidation();
-  summary.truth = back_end.truth();
-  summary.checks = reduction.checks(back_end.header().warnings);
-  const auto& onset = summary.collapse.onset;
-  const auto crossed = cross_checks.checks(onset ? std::optional(onset->reading) : std::nullopt);
-  summary.checks.insert(summary.checks.end(), crossed.begin(), crossed.end());
-  take_back(states, summary);
-  summary.warnings = back_end.header().warnings;
-  for (auto& warning : aborted) summary.warnings.push_back(std::move(warning));
-  for (auto& warning : reduction.warnings()) summary.warnings.push_back(std::move(warning));
-  for (auto& warning : warnings_of(crossed)) summary.warnings.push_back(std::move(warning));
-  for (auto& warning : states.warnings()) summary.warnings.push_back(std::move(warning));
-  if (caveat) summary.warnings.push_back({0, "the onset of collapse is " + *caveat});
-  emit progressed(1.0);
-  return summary;
+TestSummary run_session(BackEnd& back_end, const SessionOptions& options,
+                        const SessionListeners& listeners) {
+  return SessionRun(back_end, options, listeners).run();
 }
 
 }  // namespace triax::lab

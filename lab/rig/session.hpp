@@ -1,12 +1,11 @@
 #pragma once
-// The one stream: back end -> Reading -> reduction -> State -> collapse monitor -> Event, and the
-// signals by which recorder, progress bar and panel listen to it.
-#include <QObject>
+// The one stream: back end -> Reading -> reduction -> State -> collapse monitor -> Event, told to
+// recorder, progress bar and panel as it runs.
 #include <functional>
 
-#include "lab/collapse/monitor.hpp"
 #include "lab/reduction/reduction.hpp"
 #include "lab/rig/back_end.hpp"
+#include "lab/rig/session_listener.hpp"
 
 namespace triax::lab {
 
@@ -18,20 +17,10 @@ struct SessionOptions {
   std::function<bool()> stop = {};
 };
 
-class Session : public QObject {
-  Q_OBJECT
- public:
-  /// Runs a whole test; returns what it came to. A test that was broken off is judged as far as it
-  /// went, with a warning that says when. Throws what the back end throws, after which every
-  /// reading that was signalled stands. Signals are delivered in this thread, in order.
-  TestSummary run(BackEnd& back_end, const SessionOptions& options);
-
- signals:
-  void started(const triax::lab::RecordHeader& header);
-  void scanned(const triax::lab::Reading& reading, const triax::lab::State& state);
-  void second_order_work(const triax::lab::SecondOrderWorkPoint& point);
-  void happened(const triax::lab::Event& event);
-  void progressed(double fraction);  ///< about a hundred times a second of clock time at most
-};
+/// Runs a whole test; returns what it came to. A test that was broken off is judged as far as it
+/// went, with a warning that says when. Throws what the back end or a listener throws, after which
+/// every reading that was told stands. The listeners are told in this thread, in their order.
+TestSummary run_session(BackEnd& back_end, const SessionOptions& options,
+                        const SessionListeners& listeners = {});
 
 }  // namespace triax::lab

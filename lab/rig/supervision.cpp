@@ -56,22 +56,8 @@ Channels channels_of(EndQuantity quantity) {
 
 /// What the axis' control loop reads.
 Channels channels_of(const Stage& stage) {
-  using Q = Quantity;
-  if (stage.strain_path_R) return {Q::axial_displacement, Q::back_volume};
-  switch (stage.axial) {
-    case AxialAction::load:
-      return {Q::axial_force};
-    case AxialAction::constant_q:
-      return {Q::axial_force, Q::axial_displacement, Q::back_volume};
-    case AxialAction::stress_ratio:
-      return {Q::axial_force, Q::axial_displacement, Q::back_volume, Q::pore_pressure};
-    default:
-      return {};
-  }
-}
-
-bool counts_water(Quantity channel) {
-  return channel == Quantity::back_volume || channel == Quantity::cell_volume;
+  if (stage.strain_path_R) return {Quantity::axial_displacement, Quantity::back_volume};
+  return way_of(stage.axial).looks_at;
 }
 
 std::string_view name_of(Quantity channel) { return info(channel).name; }
@@ -79,15 +65,12 @@ std::string_view name_of(Quantity channel) { return info(channel).name; }
 }  // namespace
 
 Supervision::Supervision(const Programme& p)
-    : load_limit_n_(p.frame.load_limit_n),
+    : fitted_(p.fitted),
+      load_limit_n_(p.frame.load_limit_n),
       volume_m3_(std::numbers::pi / 4 * p.specimen.diameter_m * p.specimen.diameter_m *
                  p.specimen.height_m) {
-  // What a controller holds may be quieter than the noise so far.
-  for (const auto& row : quantities().first(kRawQuantityCount)) {
-    const bool held = counts_water(row.quantity) || row.quantity == Quantity::cell_pressure ||
-                      row.quantity == Quantity::back_pressure;
-    health_.emplace_back(finest_of(row.quantity), held ? 2 : 1);
-  }
+  for (const auto& row : raw_channels())
+    health_.emplace_back(finest_of(row.quantity), patience_of(row.quantity));
 }
 
 void Supervision::begin_stage(const Stage& stage) {
@@ -101,7 +84,7 @@ void Supervision::begin_stage(const Stage& stage) {
   way_start_.reset();
   const bool drained = stage.role == StageRole::shear && stage.valve_open;
   for (std::size_t i = 0; i < kRawQuantityCount; ++i)
-    health_[i].may_rest(counts_water(quantities()[i].quantity) && !drained);
+    health_[i].may_rest(quantities()[i].raw.counts_water && !drained);
 }
 
 bool Supervision::can_tell(EndQuantity quantity, const Reading& raw,
@@ -145,6 +128,7 @@ std::optional<std::string> Supervision::full_or_empty(const PlantState& devices)
 std::optional<std::string> Supervision::deaf(const Reading& raw, const Instruments& instruments,
                                              double dt_s) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
+    if (!fitted_[i]) continue;
     const Quantity channel = quantities()[i].quantity;
     const bool missing = std::isnan(raw[channel]);
     if (!missing && !instruments.saturated(channel)) {
@@ -191,6 +175,7 @@ std::optional<std::string> Supervision::stuck(const Reading& raw) {
   ++looks_;
   std::optional<std::string> reason;
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
+    if (!fitted_[i]) continue;
     const Quantity channel = quantities()[i].quantity;
     health_[i].add(looks_, raw[channel]);
     const auto& dead = health_[i].dead();

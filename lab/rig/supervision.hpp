@@ -75,6 +75,7 @@ class Supervision {
     std::optional<double> rests(double volume, double allowed, double dt_s);
   };
 
+  FittedChannels fitted_;
   double load_limit_n_, volume_m3_;
   Stage stage_;
   std::array<bool, kRawQuantityCount> needed_{};

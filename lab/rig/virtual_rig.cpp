@@ -25,6 +25,14 @@ TruthWatch::Lengths truth_lengths(const sim::Specimen::MaterialLaw& law) {
   return {.increment = 5e-4, .lasting = 1e-3};
 }
 
+/// A specimen of ours has no suction, say: such a channel is not on the rig, whatever is described.
+Programme as_far_as_simulated(Programme programme) {
+  for (const auto& row : raw_channels())
+    if (!row.raw.standard && row.raw.of_specimen == nullptr)
+      programme.fitted[index(row.quantity)] = false;
+  return programme;
+}
+
 Plant make_plant(const Programme& programme) {
   try {
     return Plant(programme);
@@ -40,24 +48,28 @@ struct VirtualRig::Impl {
   enum class Mode { running, held, safe, fallen };
 
   Impl(const Programme& p, std::uint64_t used_seed)
-      : programme(p),
-        header(rig_header(p, used_seed)),
-        plant(make_plant(p)),
-        instruments(p, used_seed),
+      : programme(as_far_as_simulated(p)),
+        header(rig_header(programme, used_seed)),
+        plant(make_plant(programme)),
+        instruments(programme, used_seed),
         logger(p.transducers),
         seen(header),
-        supervision(p),
+        supervision(programme),
         axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
                                 .filter_s = p.frame.servo_filter_s}),
         strain_path(p.specimen.height_m, p.frame.servo_filter_s),
-        watch(truth_lengths(plant.specimen().law())) {}
+        watch(truth_lengths(plant.specimen().law())) {
+    for (const auto& row : raw_channels())
+      if (p.fitted[index(row.quantity)] && !programme.fitted[index(row.quantity)])
+        warn(fmt::format("{} is not recorded: the virtual specimen does not have it", row.name));
+  }
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
   void warn_once(bool& done, const std::string& text) {
     if (!std::exchange(done, true)) warn(text);
   }
-  void tell(const std::string& kind, const std::string& detail) {
+  void tell(EventKind kind, const std::string& detail) {
     events.push_back({.reading = number, .time_s = time_s, .kind = kind, .detail = detail});
   }
 
@@ -66,7 +78,7 @@ struct VirtualRig::Impl {
   bool met(const EndCondition& end) const;
   bool stage_over();
   void act_as_operator();
-  void go(Mode next, const std::string& kind, const std::string& detail);
+  bool go(Mode next, EventKind kind, const std::string& detail);
   PlantDemand demand(double dt_s);
   void supervise(double dt_s);
   bool tick(double dt_s);
@@ -160,8 +172,9 @@ bool VirtualRig::Impl::stage_over() {
   return true;
 }
 
-void VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string& detail) {
-  if (mode == next || mode == Mode::safe || mode == Mode::fallen) return;
+/// False where it stays as it is: a safe state is not left.
+bool VirtualRig::Impl::go(Mode next, EventKind kind, const std::string& detail) {
+  if (mode == next || mode == Mode::safe || mode == Mode::fallen) return false;
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
@@ -169,17 +182,19 @@ void VirtualRig::Impl::go(Mode next, const std::string& kind, const std::string&
     warn(fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s, stage().name,
                      detail));
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
+  return true;
 }
 
 void VirtualRig::Impl::act_as_operator() {
   for (; next_action < programme.operator_actions.size(); ++next_action) {
     const OperatorAction& action = programme.operator_actions[next_action];
     if (action.at_s > time_s) return;
-    if (action.kind == OperatorAction::Kind::hold) go(Mode::held, "held", "by the operator");
+    if (action.kind == OperatorAction::Kind::hold)
+      go(Mode::held, EventKind::held, "by the operator");
     if (action.kind == OperatorAction::Kind::resume)
-      go(Mode::running, "resumed", "by the operator");
+      go(Mode::running, EventKind::resumed, "by the operator");
     if (action.kind == OperatorAction::Kind::abort)
-      go(Mode::safe, "aborted", "aborted by the operator");
+      go(Mode::safe, EventKind::aborted, "aborted by the operator");
   }
 }
 
@@ -188,7 +203,8 @@ PlantDemand VirtualRig::Impl::demand(double dt_s) {
   d.valve_open = stage().valve_open;
   if (mode != Mode::running) {
     // Without a piston there is nothing to lock.
-    if (stage().axial != AxialAction::free) d.axis.kind = AxisDemand::Kind::crosshead;
+    if (way_of(stage().axial).drive != AxialWay::Drive::none)
+      d.axis.kind = AxisDemand::Kind::crosshead;
     return d;
   }
   d.cell = stage().cell;
@@ -201,7 +217,7 @@ PlantDemand VirtualRig::Impl::demand(double dt_s) {
 void VirtualRig::Impl::supervise(double dt_s) {
   for (const std::string& note : supervision.notes()) {
     warn(note);
-    tell("device_fault", note);
+    tell(EventKind::device_fault, note);
   }
   if (mode != Mode::running) return;
   Asked asked;
@@ -212,7 +228,7 @@ void VirtualRig::Impl::supervise(double dt_s) {
   asked.back_pa = plant.state().back.asked_pa;
   if (before.axis.spring_n_per_m == 0) asked.crosshead_velocity = before.axis.velocity_m_per_s;
   if (const auto reason = supervision.look(reading, seen, asked, instruments, plant.state(), dt_s))
-    go(Mode::safe, "safe_state", *reason);
+    go(Mode::safe, EventKind::safe_state, *reason);
 }
 
 /// False where the test cannot go on after this step.
@@ -264,7 +280,7 @@ bool VirtualRig::Impl::tick(double dt_s) {
   time_s += dt_s;
   if (mode == Mode::running) seen.add_stage_time(dt_s);
   if (const std::string news = run_aways.watch(time_s, step.state); !news.empty())
-    tell("run_away", news);
+    tell(EventKind::run_away, news);
   return within_travel(step);
 }
 
@@ -325,10 +341,10 @@ std::optional<Truth> VirtualRig::truth() const {
 
 std::vector<Event> VirtualRig::events() { return std::exchange(impl_->events, {}); }
 
-void VirtualRig::hold() { impl_->go(Impl::Mode::held, "held", "from outside"); }
-void VirtualRig::resume() { impl_->go(Impl::Mode::running, "resumed", "from outside"); }
-void VirtualRig::abort(const std::string& reason) {
-  impl_->go(Impl::Mode::safe, "aborted", reason);
+void VirtualRig::hold() { impl_->go(Impl::Mode::held, EventKind::held, "from outside"); }
+void VirtualRig::resume() { impl_->go(Impl::Mode::running, EventKind::resumed, "from outside"); }
+bool VirtualRig::abort(const std::string& reason) {
+  return impl_->go(Impl::Mode::safe, EventKind::aborted, reason);
 }
 
 bool VirtualRig::next(Reading& reading) {

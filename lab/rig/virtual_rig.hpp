@@ -51,7 +51,7 @@ class VirtualRig : public BackEnd {
   /// Pauses, goes on, or leads to the safe state, from the next tick on.
   void hold();
   void resume();
-  void abort(const std::string& reason) override;
+  bool abort(const std::string& reason) override;
 
   /// True state of the specimen at the last reading, which no instrument sees.
   const sim::SpecimenState& specimen_state() const;

@@ -303,8 +303,9 @@ class ColumnWalk {
     const auto unloading = [this](double q) { return isotropic_unloading(q); };
     found.isotropic_unloading_q = before_end(first_met(
         rows, [&](std::size_t i) { return unloading(rows[i]); }, unloading));
-    found.determinant_q = before_end(first_met(rows, criteria_.determinant, rows.size()));
-    found.localisation_q = before_end(first_met(rows, criteria_.localisation, kLocalisationRows));
+    for (const DomainCriterion& criterion : criteria_)
+      if (const Value q = before_end(first_met(rows, criterion.witness, criterion.most_rows)))
+        found.others_q.emplace(criterion.name, *q);
     return found;
   }
 
@@ -329,6 +330,11 @@ DomainColumn column_of(const Law<Space>* law, const std::string& why_not, const 
 }
 
 }  // namespace
+
+std::optional<double> DomainBoundary::other_q(std::string_view name) const {
+  const auto found = others_q.find(name);
+  return found == others_q.end() ? std::nullopt : std::optional(found->second);
+}
 
 double DomainGrid::p(int column) const { return place(p_from, p_to, column, columns); }
 double DomainGrid::q(int row) const { return place(q_from, q_to, row, rows); }

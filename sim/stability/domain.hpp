@@ -1,6 +1,6 @@
 #pragma once
 // The bifurcation domain: states of the p′-q plane with a direction of negative second-order work,
-// its boundary, and beside it the localisation criterion and the plastic limit (section 4 of the
+// its boundary, and beside it criteria of other kinds and the plastic limit (section 4 of the
 // paper).
 //
 // A state stands alone: σ′ and e, without memory of a reversal (Law::start), σ₂ = σ₃. Going away
@@ -8,8 +8,11 @@
 // isotropic unloading, plastic limit.
 #include <array>
 #include <functional>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/law/parameters.hpp"
@@ -68,10 +71,10 @@ struct DomainBoundary {
   std::optional<double> first_unstable_angle;  ///< that direction, rad
   std::optional<double> isotropic_unloading_q;  ///< W₂ vanishes for dσ₁ = dσ₃ < 0. Axisymmetric:
                                                 ///< dq = 0, dp′ < 0, the ICU peak and CSD collapse
-  std::optional<double> determinant_q;   ///< det of the symmetric part vanishes, in a zone that
-                                         ///< holds the direction (domain_criteria.hpp)
-  std::optional<double> localisation_q;  ///< det of an acoustic tensor vanishes (Rice)
-  std::optional<double> limit_q;         ///< the plastic limit: the last state before beyond_limit
+  std::optional<double> limit_q;  ///< the plastic limit: the last state before beyond_limit
+  /// Of criteria of other kinds (domain_criteria.hpp) by name: those that are met, Pa.
+  std::map<std::string, double, std::less<>> others_q;
+  std::optional<double> other_q(std::string_view name) const;
 };
 
 /// Of q, as a share of the larger of |q| and the distance of two rows.
@@ -96,13 +99,16 @@ Vector<Space> domain_stress(double p, double q) {
 }
 
 /// A criterion of another kind at the state (p′, q) in Pa: above 0 where it is not met yet, below
-/// where it is; empty where it says nothing, which counts as not met. May be left out.
+/// where it is; empty where it says nothing, which counts as not met.
 using DomainWitness = std::function<std::optional<double>(double p, double q)>;
-struct DomainCriteria {
-  DomainWitness determinant;
-  DomainWitness localisation;  ///< looked at in kLocalisationRows states a side and where it is met
+struct DomainCriterion {
+  std::string name;
+  DomainWitness witness;
+  /// States a side that are looked at, beside those where it is met: fewer than the rows for one
+  /// that is slow.
+  std::size_t most_rows = std::numeric_limits<std::size_t>::max();
 };
-inline constexpr std::size_t kLocalisationRows = 25;
+using DomainCriteria = std::vector<DomainCriterion>;
 
 /// One column, by stress probes of the rates. Axisymmetric plane. A law that fails at a state
 /// (std::runtime_error of a foreign one) refuses it.

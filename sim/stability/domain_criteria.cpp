@@ -1,5 +1,8 @@
 #include "sim/stability/domain_criteria.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "sim/stability/localisation.hpp"
 #include "sim/stability/octolinear_cones.hpp"
 #include "sim/stability/stability_determinant.hpp"
@@ -18,14 +21,21 @@ std::optional<double> determinant(const Law<Space>& law, const PointState<Space>
 }
 
 template <class Space>
-DomainWitness determinant_witness(const Law<Space>* law, double void_ratio) {
+DomainWitness determinant_of(const Law<Space>* law, double void_ratio) {
   if (law == nullptr || law->finite()) return {};
   return [law, void_ratio](double p, double q) {
     return determinant(*law, law->start(domain_stress<Space>(p, q), void_ratio));
   };
 }
 
-DomainWitness localisation_witness(const Law<Tensor>* law, const DomainGrid& grid) {
+DomainWitness determinant_witness(const Material& material, const DomainGrid& grid) {
+  return grid.plane == ProbePlane::axisymmetric
+             ? determinant_of(material.axisymmetric.get(), grid.void_ratio)
+             : determinant_of(material.tensor.get(), grid.void_ratio);
+}
+
+DomainWitness localisation_witness(const Material& material, const DomainGrid& grid) {
+  const Law<Tensor>* law = material.tensor.get();
   if (law == nullptr || law->finite()) return {};
   return [law, plane = grid.plane, e = grid.void_ratio](double p, double q) {
     const auto state = law->start(domain_stress<Tensor>(p, q), e);
@@ -35,15 +45,30 @@ DomainWitness localisation_witness(const Law<Tensor>* law, const DomainGrid& gri
   };
 }
 
+constexpr DomainCriterionKind kKinds[] = {
+    {.name = "determinant",
+     .legend = "vanishing determinant",
+     .dots = true,
+     .witness = determinant_witness},
+    {.name = "localisation",
+     .legend = "localisation (acoustic tensor)",
+     .help = "look for vanishing acoustic tensors (Rice) too, which takes ten times as long",
+     .most_rows = 25,
+     .witness = localisation_witness},
+};
+
 }  // namespace
 
+std::span<const DomainCriterionKind> domain_criterion_kinds() { return kKinds; }
+
 DomainCriteria domain_criteria(const Material& material, const DomainGrid& grid,
-                               bool localisation) {
+                               const std::vector<std::string>& asked) {
   DomainCriteria criteria;
-  criteria.determinant = grid.plane == ProbePlane::axisymmetric
-                             ? determinant_witness(material.axisymmetric.get(), grid.void_ratio)
-                             : determinant_witness(material.tensor.get(), grid.void_ratio);
-  if (localisation) criteria.localisation = localisation_witness(material.tensor.get(), grid);
+  for (const DomainCriterionKind& kind : kKinds) {
+    if (kind.on_request() && std::ranges::find(asked, kind.name) == asked.end()) continue;
+    if (auto witness = kind.witness(material, grid))
+      criteria.push_back({std::string(kind.name), std::move(witness), kind.most_rows});
+  }
   return criteria;
 }
 

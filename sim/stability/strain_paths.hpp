@@ -17,6 +17,8 @@ struct StrainPathPoint {
   double void_ratio = 0;
   /// Of the increment along the path, in [−1, 1]; empty where the path cannot go on.
   std::optional<double> normalised_work;
+
+  double eta() const { return q / p; }
 };
 
 struct StrainPath {

@@ -3,6 +3,7 @@
 #include <CLI/Config.hpp>
 
 #include "src/cli/help_formatter.hpp"
+#include "src/study/version.hpp"
 
 namespace triax::src {
 namespace {
@@ -25,7 +26,8 @@ Application make_application(const std::vector<Command>& commands) {
       std::make_shared<std::function<void()>>()};
   CLI::App& app = *application.app;
   app.set_help_flag("--help,-h", "print this help and exit");
-  app.set_version_flag("--version", "triax " TRIAX_VERSION, "print the version and exit");
+  app.set_version_flag("--version", "triax " + std::string(study::version()),
+                       "print the version and exit");
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer(
       "\nExit status: 0 done, 1 failed while running, 2 wrong usage or bad input.\n"

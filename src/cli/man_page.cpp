@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "src/cli/manual.hpp"
+#include "src/study/version.hpp"
 
 namespace triax::src {
 namespace {
@@ -26,7 +27,7 @@ std::string title(const std::string& page) {
   std::string capitals = page;
   for (char& c : capitals)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return fmt::format(".TH {} 1 \"\" \"triax {}\" \"User Commands\"\n", capitals, TRIAX_VERSION);
+  return fmt::format(".TH {} 1 \"\" \"triax {}\" \"User Commands\"\n", capitals, study::version());
 }
 
 std::string option_item(const CLI::Option& option) {

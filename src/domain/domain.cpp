@@ -4,10 +4,7 @@
 
 #include <memory>
 
-#include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
-#include "sim/stability/domain_criteria.hpp"
-#include "sim/stability/domain_run.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/domain/domain_figures.hpp"
@@ -16,27 +13,14 @@
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/table.hpp"
+#include "src/study/domain/domain_cones.hpp"
+#include "src/study/domain/domain_counts.hpp"
 #include "src/study/domain/domain_inputs.hpp"
 #include "src/study/domain/domain_piece.hpp"
+#include "src/study/domain/domain_run.hpp"
 
 namespace triax::src {
 namespace {
-
-std::vector<sim::DomainColumn> computed(const DomainOptions& o, const lab::MaterialSet& material,
-                                        const sim::DomainGrid& grid, const Piece& piece) {
-  ProgressBar bar("domain");
-  return sim::run_domain(grid, sim::columns_of_piece(grid, piece.index, piece.count),
-                         [&] {
-                           sim::DomainWorker worker{lab::made_anew(material), {}};
-                           worker.criteria =
-                               sim::domain_criteria(worker.material, grid, o.localisation);
-                           return worker;
-                         },
-                         {.threads = o.jobs, .progress = [&bar](double share) {
-                            bar.show(share);
-                            return true;
-                          }});
-}
 
 /// The states of a piece, or of the whole domain.
 study::ReportedDomain compute(const DomainOptions& o, const lab::MaterialSet& material,
@@ -45,10 +29,12 @@ study::ReportedDomain compute(const DomainOptions& o, const lab::MaterialSet& ma
   if (piece.count > grid.columns)
     throw lab::BadInput(
         fmt::format("--piece {}: the grid has only {} columns to share", o.piece, grid.columns));
-  study::ReportedDomain domain{.settings = study::domain_settings(material, grid)};
-  for (const auto& column : computed(o, material, study::domain_grid(grid), piece))
-    domain.columns.push_back(study::reported_column(column));
-  return domain;
+  return study::run_domain({.material = material,
+                            .grid = grid,
+                            .threads = o.jobs,
+                            .piece = piece.index,
+                            .pieces = piece.count},
+                           progress_bars());
 }
 
 study::ReportedDomain merge(const DomainOptions& o) {
@@ -70,19 +56,16 @@ void write_files(const study::ReportedDomain& domain, const std::vector<study::T
   write_file(prefix + "_boundaries.csv", domain_boundaries_csv(domain));
   write_file(prefix + ".json", study::domain_json(domain));
   write_figure(domain_map(domain), prefix);
-  for (const auto& figure : domain_cones(domain, tests)) write_named_figure(figure, prefix);
+  if (domain.settings.grid.plane != "axisymmetric") return;
+  for (const auto& figure : domain_cones(domain, study::cones_picture(domain, tests)))
+    write_named_figure(figure, prefix);
 }
 
 /// The measured increments that the figures of cones are to show.
 std::vector<study::TestedState> tests_on_top(const DomainOptions& o) {
-  std::vector<study::TestedState> tests;
-  if (o.tests.empty()) return tests;
-  const db::Store store(o.db);
+  if (o.tests.empty()) return {};
   // An arrow needs stresses only; a void ratio that a test does not know must not be in its way.
-  const double void_ratio = o.material.void_ratio.value_or(1);
-  for (const auto& name : o.tests)
-    tests.push_back(study::tested_state(store, name, "collapse", void_ratio));
-  return tests;
+  return study::tested_states(o.db, o.tests, "collapse", o.material.void_ratio.value_or(1));
 }
 
 /// Nothing that is read may be replaced, and what is to be written must be possible, before an hour
@@ -99,7 +82,8 @@ void check_output(const DomainOptions& o, const std::optional<lab::MaterialSet>&
     if (!o.material.file.empty())
       refuse_overwriting("--output", file, {o.material.file}, "the file of --materials");
     if (material)
-      refuse_overwriting("--output", file, study::files_named_by(*material), "named by " + material->name);
+      refuse_overwriting("--output", file, study::files_named_by(*material),
+                         "named by " + material->name);
     if (!o.tests.empty())
       refuse_overwriting("--output", file, database_files(o.db), "the database");
   }
@@ -107,9 +91,7 @@ void check_output(const DomainOptions& o, const std::optional<lab::MaterialSet>&
 
 /// A map of refusals is no result. A piece may be one, as the rest of its domain may be more.
 void refuse_if_nothing_is_answered(const study::ReportedDomain& domain) {
-  for (const auto& column : domain.columns)
-    for (const auto& state : column.states)
-      if (state.kind != sim::DomainStateKind::refused) return;
+  if (study::any_answer(domain)) return;
   const study::ReportedColumn& first = domain.columns.front();
   throw lab::WorkFailed(fmt::format("{} gives no result at any state of the grid; at p' {:g} kPa first: {}",
                                     domain.settings.material.name, first.p_eff_kPa,
@@ -122,7 +104,8 @@ void run(const DomainOptions& o) {
   check_output(o, material);
   if (!o.piece.empty()) {
     const Piece piece = piece_of(o.piece);
-    return write_file(o.output, study::piece_json(compute(o, *material, piece), piece.index, piece.count));
+    return write_file(o.output,
+                      study::piece_json(compute(o, *material, piece), piece.index, piece.count));
   }
   const std::vector<study::TestedState> tests = tests_on_top(o);
   const study::ReportedDomain domain = material ? compute(o, *material, {}) : merge(o);

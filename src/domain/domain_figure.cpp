@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string>
 
 #include "sim/mechanics/axisymmetric.hpp"
+#include "sim/stability/domain_criteria.hpp"
 #include "src/plot/colour_steps.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/shapes.hpp"
@@ -47,27 +50,42 @@ Scale scale_of(const std::vector<sim::DomainColumn>& columns) {
 }
 
 using Side = sim::DomainBoundary sim::DomainColumn::*;
-using Criterion = std::optional<double> sim::DomainBoundary::*;
+using Criterion = std::function<std::optional<double>(const sim::DomainBoundary&)>;
 constexpr std::array<Side, 2> kSides = {&sim::DomainColumn::compression,
                                         &sim::DomainColumn::extension};
 
 struct BoundaryLook {
   Criterion criterion;
-  const char* name;
+  std::string name;
   QPen pen;
   bool dots = false;  ///< on the line that it may lie on; else a line
 };
 
+/// Criteria of the list that are dots, or lines; each has a colour of its own by its place in it.
+void add_others(bool dots, std::vector<BoundaryLook>& all) {
+  const std::array colours = {kPurple, kGreen, kOrange};
+  std::size_t place = 0;
+  for (const auto& kind : sim::domain_criterion_kinds()) {
+    const QColor& colour = colours[place++ % colours.size()];
+    if (kind.dots != dots) continue;
+    all.push_back({[name = kind.name](const sim::DomainBoundary& b) { return b.other_q(name); },
+                   std::string(kind.legend),
+                   dots ? line(colour, 1.4) : line(colour, 2, Qt::DashDotLine), dots});
+  }
+}
+
 std::vector<BoundaryLook> looks(const Subject& subject) {
-  return {{&sim::DomainBoundary::limit_q, "plastic limit", line(kInk, 1.4)},
-          {&sim::DomainBoundary::localisation_q, "localisation (acoustic tensor)",
-           line(kGreen, 2, Qt::DashDotLine)},
-          {&sim::DomainBoundary::isotropic_unloading_q,
-           subject.plane == sim::ProbePlane::axisymmetric ? "isotropic unloading (215.26°)"
-                                                          : "isotropic unloading (225°)",
-           line(kInk, 1.8, Qt::DashLine)},
-          {&sim::DomainBoundary::first_unstable_q, "first unstable direction", line(kBlue, 2.2)},
-          {&sim::DomainBoundary::determinant_q, "vanishing determinant", line(kPurple, 1.4), true}};
+  std::vector<BoundaryLook> all = {
+      {&sim::DomainBoundary::limit_q, "plastic limit", line(kInk, 1.4)}};
+  add_others(false, all);
+  all.push_back({&sim::DomainBoundary::isotropic_unloading_q,
+                 subject.plane == sim::ProbePlane::axisymmetric ? "isotropic unloading (215.26°)"
+                                                                : "isotropic unloading (225°)",
+                 line(kInk, 1.8, Qt::DashLine)});
+  all.push_back(
+      {&sim::DomainBoundary::first_unstable_q, "first unstable direction", line(kBlue, 2.2)});
+  add_others(true, all);
+  return all;
 }
 
 QCPScatterStyle dot(const QPen& pen) {
@@ -87,11 +105,12 @@ Points some_of(const Points& points) {
 }
 
 /// The criterion over p′ on one side, kPa; a gap where a column has none.
-Points boundary(const std::vector<sim::DomainColumn>& columns, Side side, Criterion criterion) {
+Points boundary(const std::vector<sim::DomainColumn>& columns, Side side,
+                const Criterion& criterion) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   Points points;
   for (const auto& column : columns) {
-    const auto& q = column.*side.*criterion;
+    const auto q = criterion(column.*side);
     points.emplace_back(column.p * 1e-3, q ? *q * 1e-3 : kGap);
   }
   return points;
@@ -274,7 +293,7 @@ class Map {
   const sim::DomainGrid& grid_;
   std::vector<sim::DomainColumn> columns_;
   const Subject& subject_;
-  std::unique_ptr<QCustomPlot> plot_;
+  OwnPlot plot_;
   bool has_directions_ = false;
 };
 

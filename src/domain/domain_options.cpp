@@ -11,22 +11,19 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/range.hpp"
+#include "lab/base/text.hpp"
 #include "sim/stability/domain_criteria.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/study/domain/domain_piece.hpp"
+#include "src/study/domain/usual_grid.hpp"
 
 namespace triax::src {
 namespace {
 
 constexpr std::int64_t kMostValues = 1'000'000;  // of a range; a grid has fewer
 
-struct Line {
-  double from = 0, to = 0;
-  int count = 200;
-};
-
 /// FROM:TO/COUNT, FROM:TO:STEP or FROM:TO; `usual` where nothing is given.
-Line line(const char* option, const std::string& text, const Line& usual) {
+study::GridLine line(const char* option, const std::string& text, const study::GridLine& usual) {
   if (text.empty()) return usual;
   const bool ends_only = std::ranges::count(text, ':') == 1 && text.find('/') == text.npos;
   try {
@@ -34,29 +31,16 @@ Line line(const char* option, const std::string& text, const Line& usual) {
         ends_only ? fmt::format("{}/{}", text, usual.count) : text, kMostValues);
     if (!range.meets_end())
       throw std::invalid_argument(fmt::format(
-          "does not meet its end by this step; for {:g} values write {:g}:{:g}/{:g}", *range.step,
-          range.from, range.to, *range.step));
-    return {range.from, range.to, static_cast<int>(range.count)};
+          "{} does not meet its end by this step; for {:g} values write {:g}:{:g}/{:g}",
+          lab::excerpt(text), *range.step, range.from, range.to, *range.step));
+    study::GridLine found = usual;
+    found.from = range.from;
+    found.to = range.to;
+    found.count = static_cast<int>(range.count);
+    return found;
   } catch (const std::invalid_argument& error) {
     throw lab::BadInput(fmt::format("{} {}", option, error.what()));
   }
-}
-
-/// What the set is for, within the stresses of the triaxial tests that are usual.
-Line usual_p(const lab::MaterialSet& material) {
-  Line p{10, 300, 200};
-  if (!material.p_eff_range_kPa) return p;
-  const auto [low, high] = *material.p_eff_range_kPa;
-  p.from = std::max(p.from, low);
-  if (high > p.from) p.to = std::min(p.to, high);
-  return p;
-}
-
-/// From isotropic stress to the critical stress ratio at the highest p′.
-Line usual_q(const lab::MaterialSet& material, const Line& p) {
-  const auto* law = material.material.axisymmetric.get();
-  const double ratio = (law != nullptr ? law->limit_stress_ratio() : std::nullopt).value_or(1.5);
-  return {0, 10 * std::ceil(ratio * p.to / 10), 200};
 }
 
 void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
@@ -68,14 +52,12 @@ void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
                                     axisymmetric ? "" : why));
 }
 
-std::string no_tangents(const lab::MaterialSet& material) {
+std::string no_tangents(const std::string& criterion, const lab::MaterialSet& material) {
   const auto& law = material.material;
   if (law.tensor != nullptr)
-    return fmt::format(
-        "--localisation: {} is a law of finite increments, without the tangents "
-        "that it needs",
-        material.name);
-  return fmt::format("--localisation needs the full tensor, and {} is not formulated for it{}",
+    return fmt::format("--{}: {} is a law of finite increments, without the tangents that it needs",
+                       criterion, material.name);
+  return fmt::format("--{} needs the full tensor, and {} is not formulated for it{}", criterion,
                      material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
 }
 
@@ -95,8 +77,11 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
   app.add_option("--directions", o.directions, "directions at each state")
       ->capture_default_str()
       ->type_name("N");
-  app.add_flag("--localisation", o.localisation,
-               "look for vanishing acoustic tensors (Rice) too, which takes ten times as long");
+  for (const auto& kind : sim::domain_criterion_kinds())
+    if (kind.on_request())
+      app.add_flag_callback(
+          fmt::format("--{}", kind.name), [&o, kind] { o.criteria.emplace_back(kind.name); },
+          std::string(kind.help));
   add_jobs(app, o.jobs, "threads; results do not depend on them", 4096);
   app.add_option("--piece", o.piece,
                  "compute every N-th column from the I-th on only, and "
@@ -140,8 +125,8 @@ void check_domain_options(const CLI::App& app, const DomainOptions& o) {
 }
 
 study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {
-  const Line p = line("--p-kPa", o.p, usual_p(material));
-  const Line q = line("--q-kPa", o.q, usual_q(material, p));
+  const study::GridLine p = line("--p-kPa", o.p, study::usual_p(material));
+  const study::GridLine q = line("--q-kPa", o.q, study::usual_q(material, p));
   study::DomainSettings::Grid grid{.p_from_kPa = p.from,
                                    .p_to_kPa = p.to,
                                    .q_from_kPa = q.from,
@@ -151,13 +136,12 @@ study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::Mater
                                    .void_ratio = chosen_void_ratio(o.material, material),
                                    .plane = o.plane,
                                    .directions = o.directions,
-                                   .localisation = o.localisation};
+                                   .criteria = {}};
   study::check_grid(grid, "the grid");
   check_law(o, material);
-  const auto criteria =
-      sim::domain_criteria(material.material, study::domain_grid(grid), grid.localisation);
-  grid.determinant = static_cast<bool>(criteria.determinant);
-  if (grid.localisation && !criteria.localisation) throw lab::BadInput(no_tangents(material));
+  grid.criteria = study::possible_criteria(material, grid, o.criteria);
+  for (const std::string& asked : o.criteria)
+    if (!grid.looks_for(asked)) throw lab::BadInput(no_tangents(asked, material));
   return grid;
 }
 

@@ -20,7 +20,7 @@ struct DomainOptions {
   std::string output;
   std::vector<std::string> tests;
   std::string db = "triax.db";
-  bool localisation = false;
+  std::vector<std::string> criteria;  ///< asked for, of sim::domain_criterion_kinds()
   bool json = false;
 };
 

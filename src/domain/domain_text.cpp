@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "src/domain/domain_text.hpp"
 #include "src/output/simulated_head.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
+#include "src/study/domain/domain_counts.hpp"
 
 namespace triax::src {
 namespace {
@@ -28,23 +28,16 @@ std::vector<const study::ReportedColumn*> told(const study::ReportedDomain& doma
   return columns;
 }
 
-using Mark = std::optional<study::DomainMark> study::ReportedBoundary::*;
-
 struct Criterion {
-  const char* heading;  ///< of the text
-  const char* key;      ///< of the CSV
-  Mark mark;
+  std::string heading;  ///< of the text
+  std::string key;      ///< of the CSV
 };
 
 /// Those that were looked for: an empty cell of them says that they were not met.
 std::vector<Criterion> criteria(const study::DomainSettings::Grid& grid) {
-  std::vector<Criterion> all = {{"η isotropic unloading", "isotropic_unloading",
-                                 &study::ReportedBoundary::isotropic_unloading}};
-  if (grid.determinant)
-    all.push_back({"η determinant", "determinant", &study::ReportedBoundary::determinant});
-  if (grid.localisation)
-    all.push_back({"η localisation", "localisation", &study::ReportedBoundary::localisation});
-  all.push_back({"η plastic limit", "limit", &study::ReportedBoundary::limit});
+  std::vector<Criterion> all = {{"η isotropic unloading", "isotropic_unloading"}};
+  for (const std::string& name : grid.criteria) all.push_back({"η " + spaced(name), name});
+  all.push_back({"η plastic limit", "limit"});
   return all;
 }
 
@@ -60,22 +53,13 @@ Table boundary_table(const study::ReportedDomain& domain,
     auto& row = table.rows.emplace_back();
     row = {number(column->p_eff_kPa, 1), number(eta(b.first_unstable), 4),
            number(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt, 2)};
-    for (const auto& one : shown) row.push_back(number(eta(b.*one.mark), 4));
+    for (const auto& one : shown) row.push_back(number(eta(b.mark(one.key)), 4));
   }
   return table;
 }
 
-using Counts = std::array<int, sim::kDomainStateKinds.size()>;
-
-Counts counts(const study::ReportedDomain& domain) {
-  Counts all{};
-  for (const auto& column : domain.columns)
-    for (const auto& state : column.states) ++all[static_cast<std::size_t>(state.kind)];
-  return all;
-}
-
 std::string shares(const study::ReportedDomain& domain) {
-  const Counts of = counts(domain);
+  const study::KindCounts of = study::counts_of_kinds(domain);
   const double all = std::max(1, std::accumulate(of.begin(), of.end(), 0));
   const auto share = [&](sim::DomainStateKind kind) {
     return 100 * of[static_cast<std::size_t>(kind)] / all;
@@ -177,7 +161,7 @@ std::string domain_boundaries_csv(const study::ReportedDomain& domain) {
       out += fmt::format("{},{}", column.p_eff_kPa, extension ? "extension" : "compression");
       out += q(b.first_unstable);
       out += cell(b.first_unstable ? b.first_unstable->alpha_deg : std::nullopt);
-      for (const auto& one : shown) out += q(b.*one.mark);
+      for (const auto& one : shown) out += q(b.mark(one.key));
       out += '\n';
     }
   return out;

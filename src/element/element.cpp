@@ -1,20 +1,16 @@
 #include "src/element/element.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
-#include "lab/paths/incremental_driver_reader.hpp"
-#include "lab/paths/path_reader.hpp"
-#include "lab/paths/path_writer.hpp"
-#include "sim/point/path_runner.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
-#include "src/element/path_report.hpp"
+#include "src/element/path_csv.hpp"
+#include "src/element/path_json.hpp"
+#include "src/element/path_text.hpp"
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
+#include "src/study/element/run_element.hpp"
 
 namespace triax::src {
 namespace {
@@ -27,38 +23,9 @@ struct Options {
   std::string format;
 };
 
-lab::PathDescription described(const Options& o) {
-  auto settings = key_values(o.sets, "void_ratio=1.086");
-  lab::PathDescription description = lab::is_incremental_driver(o.path)
-                                         ? lab::describe_incremental_driver(o.path, settings)
-                                         : lab::load_path(o.path);
-  // The material first: parameters are changed in the one that is meant.
-  std::stable_partition(settings.begin(), settings.end(),
-                        [](const auto& one) { return one.first == "material"; });
-  for (const auto& [key, value] : settings) lab::change_setting(description, key, value);
-  lab::check_start(description);
-  return description;
-}
-
-template <class Space>
-ReportedPath run_in(const Options& o, const lab::PathDescription& description,
-                    const sim::Path<Space>& path) {
-  ProgressBar bar(description.name);
-  const auto result = sim::run_path(
-      *description.material.material.law<Space>(), path,
-      {.tolerance = {.relative = description.tolerance}, .progress = [&bar](double share) {
-         bar.show(share);
-         return true;
-       }});
-  ReportedPath report = reported_path(description, result);
-  if (result.failed && !o.save_failure.empty())
-    write_file(o.save_failure,
-               lab::failed_increment_toml(description, *result.failed, report.message));
-  return report;
-}
-
 void run(const Options& o) {
-  const lab::PathDescription description = described(o);
+  const lab::PathDescription description =
+      study::described_path(o.path, key_values(o.sets, "void_ratio=1.086"));
   refuse_overwriting("--output", o.output, description.files, "what the path is read from");
   refuse_overwriting("--save-failure", o.save_failure, description.files,
                      "what the path is read from");
@@ -69,14 +36,15 @@ void run(const Options& o) {
         "use");
   if (!o.output.empty())
     refuse_overwriting("--save-failure", o.save_failure, {o.output}, "the file of --output");
-  const ReportedPath report =
-      std::visit([&](const auto& path) { return run_in(o, description, path); }, description.path);
+  const study::PathResult result = study::run_element(description, progress_bars());
+  if (!o.save_failure.empty() && !result.failed_increment.empty())
+    write_file(o.save_failure, result.failed_increment);
   if (!o.output.empty())
-    write_file(o.output, o.output.ends_with(".json") ? path_json(report) : path_csv(report));
-  print(o.format == "json"  ? path_json(report)
-        : o.format == "csv" ? path_csv(report)
-                            : path_text(report));
-  if (!report.went_to_the_end()) throw lab::WorkFailed(report.message);
+    write_file(o.output, o.output.ends_with(".json") ? path_json(result) : path_csv(result));
+  print(o.format == "json"  ? path_json(result)
+        : o.format == "csv" ? path_csv(result)
+                            : path_text(result));
+  if (!result.went_to_the_end()) throw lab::WorkFailed(result.message);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "sim/mechanics/axisymmetric.hpp"
-#include "src/study/grains/grain_path_findings.hpp"
+#include "src/study/grains/grain_curves.hpp"
 #include "src/study/grains/grain_rose_findings.hpp"
 
 namespace triax::src {
@@ -13,8 +13,8 @@ namespace {
 
 using Row = std::vector<std::optional<double>>;
 
-FigureData titled(const study::GrainReport& report, const std::string& what,
-                  const std::vector<const study::ReportedGrainStage*>& stages) {
+FigureData titled(const lab::GrainReport& report, const std::string& what,
+                  const std::vector<const lab::ReportedGrainStage*>& stages) {
   FigureData data;
   data.title = fmt::format("{}, {}", what, report.about());
   data.origin = "simulated";
@@ -26,7 +26,7 @@ FigureData titled(const study::GrainReport& report, const std::string& what,
   return data;
 }
 
-double number_of(const study::GrainReport& report, const study::ReportedGrainStage& stage) {
+double number_of(const lab::GrainReport& report, const lab::ReportedGrainStage& stage) {
   return static_cast<double>(&stage - report.stages.data() + 1);
 }
 
@@ -49,18 +49,16 @@ const std::vector<DataColumn> kPathColumns = {{"stage", ""},
                                               {"kinetic_energy_J", "J"},
                                               {"unbalanced", ""}};
 
-void add_points(FigureData& data, double stage, const study::ReportedGrainPath& path) {
-  const sim::GrainPathPoint* before = nullptr;
-  for (const auto& at : path.points) {
-    const auto work =
-        before ? std::optional(study::second_order_work(*before, at, path.path.ratio)) : std::nullopt;
+void add_points(FigureData& data, double stage, const lab::ReportedGrainPath& path) {
+  const auto works = study::works_along(path);
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const sim::GrainPathPoint& at = path.points[i];
     data.rows.push_back({stage, at.time_s, at.strain.axial, at.strain.radial, at.volumetric_strain,
                          at.stress.axial / 1e3, at.stress.radial / 1e3, at.p_pa / 1e3,
                          at.q_pa / 1e3,
                          at.p_pa > 0 ? std::optional(at.stress_ratio()) : std::nullopt,
-                         path.path.ratio, at.path_stress_pa / 1e3, work, at.porosity,
+                         path.path.ratio, at.path_stress_pa / 1e3, works[i], at.porosity,
                          at.coordination, at.sliding_share, at.kinetic_energy_j, at.unbalanced});
-    before = &at;
   }
 }
 
@@ -91,8 +89,11 @@ const std::vector<DataColumn> kProbeColumns = {{"alpha_deg", "°"},
                                                {"unbalanced", ""},
                                                {"stress_error_Pa", "Pa"}};
 
-Row probe_row(const sim::GrainProbe& p, std::optional<double> angle) {
+Row probe_row(const sim::GrainProbe& p, std::optional<double> angle, bool parts_stored) {
   const bool null_probe = !angle;
+  const auto part = [&](double value) {
+    return parts_stored ? std::optional(value) : std::nullopt;
+  };
   Row row = {angle, p.norm_pa / 1e3};
   if (!p.stopped) {
     const auto& w = p.work;
@@ -106,9 +107,9 @@ Row probe_row(const sim::GrainProbe& p, std::optional<double> angle) {
                            w.volume_part,
                            w.transport_part,
                            w.microscopic(),
-                           w.normal_part,
-                           w.tangential_part,
-                           w.non_permanent_part,
+                           part(w.normal_part),
+                           part(w.tangential_part),
+                           part(w.non_permanent_part),
                            w.fixed_frame,
                            w.boundary_part,
                            null_probe ? std::nullopt : study::micro_over_macro(p),
@@ -126,19 +127,17 @@ Row probe_row(const sim::GrainProbe& p, std::optional<double> angle) {
 }
 
 struct Csv {
-  const study::GrainReport& report;
-  const study::ReportedGrainStage& stage;
+  const lab::GrainReport& report;
+  const lab::ReportedGrainStage& stage;
 
-  std::optional<NamedBytes> operator()(const study::ReportedGrainPath& /*came*/) const {
+  std::optional<NamedBytes> operator()(const lab::ReportedGrainPath& /*came*/) const {
     return named("_points.csv", paths_data(report, {&stage}));
   }
-  std::optional<NamedBytes> operator()(const study::ReportedGrainRest& /*came*/) const {
-    return {};
-  }
-  std::optional<NamedBytes> operator()(const study::ReportedGrainRose& /*came*/) const {
+  std::optional<NamedBytes> operator()(const lab::ReportedGrainRest& /*came*/) const { return {}; }
+  std::optional<NamedBytes> operator()(const lab::ReportedGrainRose& /*came*/) const {
     return named("_probes.csv", rose_data(report, stage));
   }
-  std::optional<NamedBytes> operator()(const study::ReportedPerturbation& /*came*/) const {
+  std::optional<NamedBytes> operator()(const lab::ReportedPerturbation& /*came*/) const {
     return named("_points.csv", perturbations_data(report, {&stage}));
   }
 
@@ -150,31 +149,33 @@ struct Csv {
 
 }  // namespace
 
-FigureData paths_data(const study::GrainReport& report,
-                      const std::vector<const study::ReportedGrainStage*>& stages) {
+FigureData paths_data(const lab::GrainReport& report,
+                      const std::vector<const lab::ReportedGrainStage*>& stages) {
   FigureData data = titled(report, "paths of a specimen of grains", stages);
   data.columns = kPathColumns;
   data.remarks.emplace_back("w2: of the increment from the point before, Eq. (30)");
   for (const auto* stage : stages)
-    add_points(data, number_of(report, *stage), std::get<study::ReportedGrainPath>(stage->came));
+    add_points(data, number_of(report, *stage), std::get<lab::ReportedGrainPath>(stage->came));
   return data;
 }
 
-FigureData rose_data(const study::GrainReport& report, const study::ReportedGrainStage& stage) {
+FigureData rose_data(const lab::GrainReport& report, const lab::ReportedGrainStage& stage) {
   FigureData data = titled(report, "stress probes of a specimen of grains", {&stage});
-  const auto& [probing, made] = std::get<study::ReportedGrainRose>(stage.came);
+  const auto& rose = std::get<lab::ReportedGrainRose>(stage.came);
+  const lab::GrainRose& made = rose.made;
   data.columns = kProbeColumns;
   data.remarks.push_back(fmt::format("state: axial stress {} kPa, radial stress {} kPa",
                                      made.stress.axial / 1e3, made.stress.radial / 1e3));
   data.remarks.emplace_back("the row without an angle is the null probe");
   for (std::size_t i = 0; i < made.rose.probes.size(); ++i)
-    data.rows.push_back(probe_row(made.rose.probes[i], sim::degrees(made.angles[i])));
-  data.rows.push_back(probe_row(made.rose.null_probe, {}));
+    data.rows.push_back(
+        probe_row(made.rose.probes[i], sim::degrees(made.angles[i]), rose.parts_stored));
+  data.rows.push_back(probe_row(made.rose.null_probe, {}, rose.parts_stored));
   return data;
 }
 
-FigureData perturbations_data(const study::GrainReport& report,
-                              const std::vector<const study::ReportedGrainStage*>& stages) {
+FigureData perturbations_data(const lab::GrainReport& report,
+                              const std::vector<const lab::ReportedGrainStage*>& stages) {
   FigureData data = titled(report, "perturbations of a specimen of grains", stages);
   data.columns = {{"stage", ""},
                   {"time_s", "s"},
@@ -186,7 +187,7 @@ FigureData perturbations_data(const study::GrainReport& report,
                   {"kinetic_energy_J", "J"},
                   {"unbalanced", ""}};
   for (const auto* stage : stages) {
-    const auto& came = std::get<study::ReportedPerturbation>(stage->came);
+    const auto& came = std::get<lab::ReportedPerturbation>(stage->came);
     for (const auto& at : came.points)
       data.rows.push_back({number_of(report, *stage), at.time_s, came.how.ratio,
                            at.path_stress_pa / 1e3, at.stress_share, at.p_pa / 1e3, at.axial_strain,
@@ -195,7 +196,7 @@ FigureData perturbations_data(const study::GrainReport& report,
   return data;
 }
 
-std::vector<NamedBytes> grain_csvs(const study::GrainReport& report) {
+std::vector<NamedBytes> grain_csvs(const lab::GrainReport& report) {
   std::vector<NamedBytes> all;
   for (const auto& stage : report.stages)
     if (auto one = std::visit(Csv{report, stage}, stage.came)) all.push_back(std::move(*one));

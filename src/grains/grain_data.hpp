@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "lab/grains/grain_report.hpp"
 #include "src/plot/figure_files.hpp"
-#include "src/study/grains/grain_report.hpp"
 
 namespace triax::src {
 
 /// Every point with W₂ of the increment that led there (Eq. 30), for these paths together; a column
 /// `stage` counts the stages of the report from 1, and a remark names them.
-FigureData paths_data(const study::GrainReport& report,
-                      const std::vector<const study::ReportedGrainStage*>& stages);
+FigureData paths_data(const lab::GrainReport& report,
+                      const std::vector<const lab::ReportedGrainStage*>& stages);
 /// Every probe of a rose, the null probe last, without an angle. Pre-condition: the stage is one.
-FigureData rose_data(const study::GrainReport& report, const study::ReportedGrainStage& stage);
+FigureData rose_data(const lab::GrainReport& report, const lab::ReportedGrainStage& stage);
 /// Every point of these perturbations.
-FigureData perturbations_data(const study::GrainReport& report,
-                              const std::vector<const study::ReportedGrainStage*>& stages);
+FigureData perturbations_data(const lab::GrainReport& report,
+                              const std::vector<const lab::ReportedGrainStage*>& stages);
 
 struct NamedBytes {
   std::string suffix;  ///< "_STAGE_points.csv", to be put behind the prefix of the file
@@ -26,6 +26,6 @@ struct NamedBytes {
 
 /// A CSV a stage: _STAGE_points.csv of paths and perturbations, _STAGE_probes.csv, with STAGE as
 /// lab::in_file_name() has it. A rest has none.
-std::vector<NamedBytes> grain_csvs(const study::GrainReport& report);
+std::vector<NamedBytes> grain_csvs(const lab::GrainReport& report);
 
 }  // namespace triax::src

@@ -10,14 +10,14 @@
 #include "src/grains/grain_perturbations_figure.hpp"
 #include "src/grains/grain_rose_figures.hpp"
 #include "src/output/words.hpp"
-#include "src/study/grains/grain_path_findings.hpp"
+#include "src/study/grains/grain_curves.hpp"
 
 namespace triax::src {
 namespace {
 
-using Stages = std::vector<const study::ReportedGrainStage*>;
+using Stages = std::vector<const lab::ReportedGrainStage*>;
 
-Subject subject_of(const study::GrainReport& report, const std::string& state = {}) {
+Subject subject_of(const lab::GrainReport& report, const std::string& state = {}) {
   return {.material = report.about(),
           .state = state,
           .plane = sim::ProbePlane::axisymmetric,
@@ -25,7 +25,7 @@ Subject subject_of(const study::GrainReport& report, const std::string& state = 
 }
 
 template <class Kind, class Such>
-Stages stages_of(const study::GrainReport& report, const Such& such) {
+Stages stages_of(const lab::GrainReport& report, const Such& such) {
   Stages found;
   for (const auto& stage : report.stages)
     if (const auto* came = std::get_if<Kind>(&stage.came); came && such(*came))
@@ -33,71 +33,37 @@ Stages stages_of(const study::GrainReport& report, const Such& such) {
   return found;
 }
 
-Stages paths_of(const study::GrainReport& report, sim::GrainPathKind kind) {
-  return stages_of<study::ReportedGrainPath>(
+Stages paths_of(const lab::GrainReport& report, sim::GrainPathKind kind) {
+  return stages_of<lab::ReportedGrainPath>(
       report, [&](const auto& came) { return came.path.kind == kind; });
 }
 
 /// R of strain paths, the stage's name where two have one R.
-std::string label_of(const study::ReportedGrainStage& stage, const Stages& all) {
-  const auto ratio = [](const study::ReportedGrainStage* s) {
-    return std::get<study::ReportedGrainPath>(s->came).path.ratio;
+std::string label_of(const lab::ReportedGrainStage& stage, const Stages& all) {
+  const auto ratio = [](const lab::ReportedGrainStage* s) {
+    return std::get<lab::ReportedGrainPath>(s->came).path.ratio;
   };
-  const auto& path = std::get<study::ReportedGrainPath>(stage.came).path;
+  const auto& path = std::get<lab::ReportedGrainPath>(stage.came).path;
   if (path.kind != sim::GrainPathKind::strain_path) return stage.name;
   const auto same = std::ranges::count(all, path.ratio, ratio);
   return fmt::format("R = {:g}", path.ratio) + (same > 1 ? " " + stage.name : "");
 }
 
-/// Strains counted on from what went before, where paths follow each other: all from the start of
-/// the earliest.
-void count_on(DrawnGrainPath& path, const sim::AxisymmetricStrain& before) {
-  const auto shift = [&](sim::GrainPathPoint& point) {
-    point.strain.axial += before.axial;
-    point.strain.radial += before.radial;
-    point.volumetric_strain += volumetric_strain(before);
-  };
-  for (auto& point : path.points) shift(point);
-  for (auto& mark : path.marks) shift(mark.at);
-}
-
-std::vector<DrawnGrainPath> drawn_paths(const Stages& stages) {
-  std::vector<DrawnGrainPath> paths;
-  const auto earliest =
-      std::min_element(stages.begin(), stages.end(), [](const auto* a, const auto* b) {
-        return std::abs(a->strain_before.axial) < std::abs(b->strain_before.axial);
-      });
-  for (const auto* stage : stages) {
-    const auto& came = std::get<study::ReportedGrainPath>(stage->came);
-    const study::GrainPathFindings found = study::path_findings(came.path, came.points);
-    DrawnGrainPath path{.label = label_of(*stage, stages),
-                        .points = came.points,
-                        .peak = {},
-                        .first_negative = {},
-                        .marks = {}};
-    if (found.path_stress && found.path_stress->fell) {
-      path.peak = found.path_stress->point;
-      path.first_negative = found.first_negative;
-    }
-    for (const auto& mark : came.marks)
-      if (mark.at) path.marks.push_back({mark.name, *mark.at});
-    const auto &here = stage->strain_before, &first = (*earliest)->strain_before;
-    count_on(path, {here.axial - first.axial, here.radial - first.radial});
-    paths.push_back(std::move(path));
-  }
-  return paths;
+std::vector<study::GrainCurve> labelled_curves(const Stages& stages) {
+  auto curves = study::curves_together(stages);
+  for (std::size_t k = 0; k < curves.size(); ++k) curves[k].label = label_of(*stages[k], stages);
+  return curves;
 }
 
 std::string start_of(const Stages& stages) {
   for (const auto* stage : stages)
-    if (const auto& points = std::get<study::ReportedGrainPath>(stage->came).points;
-        !points.empty())
+    if (const auto& points = std::get<lab::ReportedGrainPath>(stage->came).points; !points.empty())
       return fmt::format("from p = {} kPa", in_kPa(points.front().p_pa));
   return {};
 }
 
-std::string title_of(const study::ReportedGrainStage& stage) {
-  const auto& came = std::get<study::ReportedPerturbation>(stage.came);
+std::string title_of(const lab::ReportedGrainStage& stage) {
+  const auto& came = std::get<lab::ReportedPerturbation>(stage.came);
   std::string title = stage.from.empty() ? stage.name : stage.from;
   if (came.how.load_step_pa != 0) title += fmt::format(", {:+.4g} Pa", came.how.load_step_pa);
   if (came.how.kinetic_energy_j != 0)
@@ -105,45 +71,43 @@ std::string title_of(const study::ReportedGrainStage& stage) {
   return title + ": " + lab::word(came.end);
 }
 
-std::string rose_state(const study::ReportedGrainStage& stage) {
-  const auto& stress = std::get<study::ReportedGrainRose>(stage.came).made.stress;
+std::string rose_state(const lab::ReportedGrainStage& stage) {
+  const auto& stress = std::get<lab::ReportedGrainRose>(stage.came).made.stress;
   return fmt::format("probes at σ₁ = {} kPa, σ₃ = {} kPa", in_kPa(stress.axial),
                      in_kPa(stress.radial));
 }
 
 class Figures {
  public:
-  explicit Figures(const study::GrainReport& report) : report_(report) {}
+  explicit Figures(const lab::GrainReport& report) : report_(report) {}
 
   void add_roses() {
     for (const auto* stage :
-         stages_of<study::ReportedGrainRose>(report_, [](const auto&) { return true; })) {
-      const auto& rose = std::get<study::ReportedGrainRose>(stage->came);
+         stages_of<lab::ReportedGrainRose>(report_, [](const auto&) { return true; })) {
+      const auto& rose = std::get<lab::ReportedGrainRose>(stage->came);
       const Subject subject = subject_of(report_, rose_state(*stage));
       const FigureData data = rose_data(report_, *stage);
       const std::string name = lab::in_file_name(stage->name);
-      add(name + "_envelope", grain_envelope_figure(rose.made.rose, rose.probing.norm_pa, subject),
-          data);
+      add(name + "_envelope", grain_envelope_figure(rose.made.rose, rose.norm_pa, subject), data);
       add(name + "_work", grain_work_figure(rose.made.rose, subject), data);
       add(name + "_contacts", grain_contacts_figure(rose.made.rose, subject), data);
     }
   }
 
   void add_paths(const char* name, sim::GrainPathKind kind,
-                 Drawing (*draw)(const std::vector<DrawnGrainPath>&, const Subject&)) {
+                 Drawing (*draw)(const std::vector<study::GrainCurve>&, const Subject&)) {
     const Stages stages = paths_of(report_, kind);
-    add(name, draw(drawn_paths(stages), subject_of(report_, start_of(stages))),
+    add(name, draw(labelled_curves(stages), subject_of(report_, start_of(stages))),
         paths_data(report_, stages));
   }
 
   void add_perturbations(const char* name, bool load, bool energy) {
-    const Stages stages = stages_of<study::ReportedPerturbation>(report_, [&](const auto& came) {
+    const Stages stages = stages_of<lab::ReportedPerturbation>(report_, [&](const auto& came) {
       return (came.how.load_step_pa != 0) == load && (came.how.kinetic_energy_j > 0) == energy;
     });
     std::vector<DrawnPerturbation> drawn;
     for (const auto* stage : stages)
-      drawn.push_back(
-          {title_of(*stage), std::get<study::ReportedPerturbation>(stage->came).points});
+      drawn.push_back({title_of(*stage), std::get<lab::ReportedPerturbation>(stage->came).points});
     add(name, grain_perturbations_figure(drawn, subject_of(report_)),
         perturbations_data(report_, stages));
   }
@@ -155,13 +119,13 @@ class Figures {
     if (drawing.plot) figures_.push_back({name, std::move(drawing), data});
   }
 
-  const study::GrainReport& report_;
+  const lab::GrainReport& report_;
   std::vector<NamedFigure> figures_;
 };
 
 }  // namespace
 
-std::vector<NamedFigure> grain_figures(const study::GrainReport& report) {
+std::vector<NamedFigure> grain_figures(const lab::GrainReport& report) {
   Figures figures(report);
   figures.add_paths("isotropic", sim::GrainPathKind::isotropic, grain_compression_figure);
   figures.add_paths("drained", sim::GrainPathKind::drained, grain_shear_figure);

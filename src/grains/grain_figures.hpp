@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "lab/grains/grain_report.hpp"
 #include "src/plot/figure_files.hpp"
-#include "src/study/grains/grain_report.hpp"
 
 namespace triax::src {
 
@@ -18,6 +18,6 @@ namespace triax::src {
 /// What in a stage's name is no letter, digit, '-' or '.' is '_'. Stages that were not made, or
 /// stopped before their first point, are left out, and figures without any. The data of a figure
 /// that has nothing drawn do not exist either.
-std::vector<NamedFigure> grain_figures(const study::GrainReport& report);
+std::vector<NamedFigure> grain_figures(const lab::GrainReport& report);
 
 }  // namespace triax::src

@@ -2,6 +2,7 @@
 
 #include "lab/grains/grain_words.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
+#include "src/study/grains/grain_curves.hpp"
 #include "src/study/grains/grain_path_findings.hpp"
 #include "src/study/grains/grain_rose_findings.hpp"
 #include "src/study/json_parts.hpp"
@@ -9,18 +10,22 @@
 namespace triax::src {
 namespace {
 
+study::Json count_json(std::int64_t count) {
+  return count == lab::kNotStored ? study::Json(nullptr) : study::Json(count);
+}
+
 study::Json measures_json(const sim::GrainMeasures& m) {
   return {{"axial_stress_kPa", study::json_kPa(m.wall_stress_pa[sim::kAxial])},
-          {"radial_stress_kPa",
-           study::json_kPa(0.5 * (m.wall_stress_pa[sim::kRadial[0]] + m.wall_stress_pa[sim::kRadial[1]]))},
+          {"radial_stress_kPa", study::json_kPa(0.5 * (m.wall_stress_pa[sim::kRadial[0]] +
+                                                       m.wall_stress_pa[sim::kRadial[1]]))},
           {"porosity", study::json_number(m.porosity)},
           {"void_ratio", study::json_number(m.void_ratio)},
           {"coordination", study::json_number(m.coordination)},
-          {"grain_contacts", m.grain_contacts},
-          {"wall_contacts", m.wall_contacts},
-          {"sliding_contacts", m.sliding_contacts},
-          {"floating_grains", m.floating_grains},
-          {"grains_outside", m.grains_outside},
+          {"grain_contacts", count_json(m.grain_contacts)},
+          {"wall_contacts", count_json(m.wall_contacts)},
+          {"sliding_contacts", count_json(m.sliding_contacts)},
+          {"floating_grains", count_json(m.floating_grains)},
+          {"grains_outside", count_json(m.grains_outside)},
           {"kinetic_energy_J", study::json_number(m.kinetic_energy_j)},
           {"unbalanced", study::json_number(m.unbalanced)}};
 }
@@ -34,11 +39,11 @@ study::Json law_json(const sim::ContactLaw& law) {
           {"damping", law.damping}};
 }
 
-study::Json specimen_json(const std::optional<study::ReportedGrains>& g) {
+study::Json specimen_json(const std::optional<lab::ReportedGrains>& g) {
   if (!g) return nullptr;
-  study::Json grading = {{"smallest_mm", g->smallest_m * 1e3},
-                         {"median_mm", g->median_m * 1e3},
-                         {"largest_mm", g->largest_m * 1e3}};
+  study::Json grading = {{"smallest_mm", study::json_number(g->smallest_m * 1e3)},
+                         {"median_mm", study::json_number(g->median_m * 1e3)},
+                         {"largest_mm", study::json_number(g->largest_m * 1e3)}};
   const bool loaded = !g->state_file.empty();  // a state, or a packing
   return {{"grains", g->grains},
           {"diameter", std::move(grading)},
@@ -46,8 +51,7 @@ study::Json specimen_json(const std::optional<study::ReportedGrains>& g) {
           {"seed", loaded ? study::Json(nullptr) : study::Json(g->seed)},
           {"compaction_friction_deg", study::json_deg(g->compaction_friction)},
           {"compaction_pressure_kPa", study::json_kPa(g->compaction_pressure)},
-          {"porosity_wanted",
-           study::json_number(g->search ? std::optional(g->search->porosity) : std::nullopt)},
+          {"porosity_wanted", study::json_number(g->porosity_wanted)},
           {"compactions", loaded ? study::Json(nullptr) : study::Json(g->trials)},
           {"law", law_json(g->law)},
           {"time_step_s", g->time_step_s},
@@ -85,18 +89,16 @@ study::Json peak_json(const std::optional<study::GrainPeak>& peak, const char* k
           {"fell", peak->fell}};
 }
 
-study::Json came_json(const study::ReportedGrainPath& came) {
+study::Json came_json(const lab::ReportedGrainPath& came) {
   const study::GrainPathFindings found = study::path_findings(came.path, came.points);
+  const auto works = study::works_along(came);
   study::Json marks = study::Json::array(), points = study::Json::array();
   for (const auto& mark : came.marks)
     marks.push_back(
         {{"name", mark.name}, {"at", mark.at ? point_json(*mark.at) : study::Json(nullptr)}});
   for (std::size_t i = 0; i < came.points.size(); ++i) {
     points.push_back(point_json(came.points[i]));
-    points.back()["w2_J_per_m3"] =
-        i == 0
-            ? study::Json(nullptr)
-            : study::json_number(study::second_order_work(came.points[i - 1], came.points[i], came.path.ratio));
+    points.back()["w2_J_per_m3"] = study::json_number(works[i]);
   }
   study::Json negative = nullptr;
   if (found.first_negative) {
@@ -110,14 +112,16 @@ study::Json came_json(const study::ReportedGrainPath& came) {
           {"peak_q", peak_json(found.q, "q_kPa", 1e3)},
           {"peak_eta", peak_json(found.eta, "eta", 1)},
           {"peak_path_stress", peak_json(found.path_stress, "path_stress_kPa", 1e3)},
-          {"w2_window_points", study::work_window(came.path.samples)},
+          {"w2_window_points", came.path.samples > 0
+                                   ? study::Json(study::work_window(came.path.samples))
+                                   : study::Json(nullptr)},
           {"w2_first_negative", std::move(negative)},
           {"kinetic_energy_most_J", study::json_number(found.most_kinetic_j)},
-          {"marks", std::move(marks)},
+          {"marks", came.marks_stored ? std::move(marks) : study::Json(nullptr)},
           {"points", std::move(points)}};
 }
 
-study::Json came_json(const study::ReportedGrainRest& came) {
+study::Json came_json(const lab::ReportedGrainRest& came) {
   const auto& settling = came.rest.settling;
   return {{"held", came.strain_held ? "walls" : "stresses"},
           {"settled", came.rest.settled},
@@ -129,8 +133,12 @@ study::Json came_json(const study::ReportedGrainRest& came) {
 }
 
 /// Null for what a stopped probe does not tell.
-study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle) {
-  study::Json one = {{"alpha_deg", study::json_deg(angle)}, {"norm_kPa", study::json_kPa(p.norm_pa)}};
+study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle, bool parts_stored) {
+  const auto part = [&](double value) {
+    return parts_stored ? study::json_number(value) : study::Json(nullptr);
+  };
+  study::Json one = {{"alpha_deg", study::json_deg(angle)},
+                     {"norm_kPa", study::json_kPa(p.norm_pa)}};
   one["stopped"] = p.stopped;
   if (p.stopped) return one;
   const auto& w = p.work;
@@ -144,13 +152,14 @@ study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle) {
                 {"volume_part", study::json_number(w.volume_part)},
                 {"transport_part", study::json_number(w.transport_part)},
                 {"microscopic", study::json_number(w.microscopic())},
-                {"normal_part", study::json_number(w.normal_part)},
-                {"tangential_part", study::json_number(w.tangential_part)},
-                {"non_permanent_part", study::json_number(w.non_permanent_part)},
+                {"normal_part", part(w.normal_part)},
+                {"tangential_part", part(w.tangential_part)},
+                {"non_permanent_part", part(w.non_permanent_part)},
                 {"fixed_frame", study::json_number(w.fixed_frame)}}},
               {"boundary_part_J_per_m3", study::json_number(w.boundary_part)},
               {"w2_normalised", angle ? study::json_number(w.normalised) : study::Json(nullptr)},
-              {"micro_over_macro", angle ? study::json_number(study::micro_over_macro(p)) : study::Json(nullptr)},
+              {"micro_over_macro",
+               angle ? study::json_number(study::micro_over_macro(p)) : study::Json(nullptr)},
               {"sliding_share", study::json_number(p.sliding_share)},
               {"non_permanent_share", study::json_number(w.non_permanent_share())},
               {"kinetic_energy_most_J", study::json_number(p.most_kinetic_j)},
@@ -163,20 +172,21 @@ study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle) {
 study::Json ranges_json(const std::vector<study::AngleRange>& ranges) {
   study::Json all = study::Json::array();
   for (const auto& [from, to, directions] : ranges)
-    all.push_back(
-        {{"from_deg", study::json_deg(from)}, {"to_deg", study::json_deg(to)}, {"directions", directions}});
+    all.push_back({{"from_deg", study::json_deg(from)},
+                   {"to_deg", study::json_deg(to)},
+                   {"directions", directions}});
   return all;
 }
 
-study::Json came_json(const study::ReportedGrainRose& came) {
+study::Json came_json(const lab::ReportedGrainRose& came) {
   const auto& [stress, angles, rose] = came.made;
   const study::GrainRoseFindings found = study::rose_findings(rose);
   const bool any = found.made > 0;
   study::Json probes = study::Json::array();
   for (std::size_t i = 0; i < rose.probes.size(); ++i)
-    probes.push_back(probe_json(rose.probes[i], angles[i]));
+    probes.push_back(probe_json(rose.probes[i], angles[i], came.parts_stored));
   return {
-      {"norm_kPa", study::json_kPa(came.probing.norm_pa)},
+      {"norm_kPa", study::json_kPa(came.norm_pa)},
       {"stress", stress_json(stress)},
       {"made", found.made},
       {"settled", found.settled},
@@ -190,14 +200,15 @@ study::Json came_json(const study::ReportedGrainRose& came) {
       {"dynamic",
        {{"times_least_kinetic_energy", study::kDynamic}, {"ranges", ranges_json(found.dynamic)}}},
       {"unsettled", ranges_json(found.unsettled)},
-      {"kinetic_energy_most_J", any ? study::json_number(found.most_kinetic_j) : study::Json(nullptr)},
+      {"kinetic_energy_most_J",
+       any ? study::json_number(found.most_kinetic_j) : study::Json(nullptr)},
       {"smallest_strain", study::json_number(found.smallest_strain)},
       {"null_probe_over_smallest", study::json_number(found.drift)},
-      {"null_probe", probe_json(rose.null_probe, {})},
+      {"null_probe", probe_json(rose.null_probe, {}, came.parts_stored)},
       {"probes", std::move(probes)}};
 }
 
-study::Json came_json(const study::ReportedPerturbation& came) {
+study::Json came_json(const lab::ReportedPerturbation& came) {
   study::Json points = study::Json::array();
   for (const auto& at : came.points)
     points.push_back({{"time_s", study::json_number(at.time_s)},
@@ -211,8 +222,8 @@ study::Json came_json(const study::ReportedPerturbation& came) {
   return {{"R", came.how.ratio},
           {"load_step_Pa", came.how.load_step_pa},
           {"kinetic_energy_given_J", came.how.kinetic_energy_j},
-          {"floating_share", came.how.floating_share},
-          {"seed", came.how.seed},
+          {"floating_share", study::json_number(came.how.floating_share)},
+          {"seed", came.seed_stored ? study::Json(came.how.seed) : study::Json(nullptr)},
           {"end", lab::word(came.end)},
           {"time_s", last ? study::json_number(last->time_s) : study::Json(nullptr)},
           {"chi", last ? study::json_number(last->stress_share) : study::Json(nullptr)},
@@ -222,9 +233,7 @@ study::Json came_json(const study::ReportedPerturbation& came) {
           {"points", std::move(points)}};
 }
 
-}  // namespace
-
-std::string grain_json(const study::GrainReport& report) {
+study::Json document_of(const lab::GrainReport& report) {
   study::Json stages = study::Json::array();
   for (const auto& stage : report.stages) {
     study::Json one = {{"name", stage.name},
@@ -236,13 +245,27 @@ std::string grain_json(const study::GrainReport& report) {
     one.update(std::visit([](const auto& came) { return came_json(came); }, stage.came));
     stages.push_back(std::move(one));
   }
-  const study::Json document = {
-      {"origin", "simulated"},
-      {"format", kGrainReportFormat},
-      {"version", kGrainReportVersion},
-      {"programme", {{"name", report.programme}, {"source", study::json_text(report.source)}}},
-      {"specimen", specimen_json(report.specimen)},
-      {"stages", std::move(stages)}};
+  return {{"origin", "simulated"},
+          {"format", kGrainReportFormat},
+          {"version", kGrainReportVersion},
+          {"programme", {{"name", report.programme}, {"source", study::json_text(report.source)}}},
+          {"specimen", specimen_json(report.specimen)},
+          {"stages", std::move(stages)}};
+}
+
+}  // namespace
+
+std::string grain_json(const lab::GrainReport& report) {
+  return study::json_document(document_of(report));
+}
+
+std::string grain_run_json(const db::StoredGrainRun& run) {
+  study::Json document = {{"id", run.id},
+                          {"name", run.report.programme},
+                          {"status", db::to_string(run.status)},
+                          {"recorded_at", run.recorded_at},
+                          {"stored_whole", run.whole}};
+  document.update(document_of(run.report));
   return study::json_document(document);
 }
 

@@ -6,10 +6,10 @@
 
 #include "src/plot/axes.hpp"
 #include "src/plot/curve_labels.hpp"
+#include "src/plot/from_zero.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/point_labels.hpp"
 #include "src/plot/shapes.hpp"
-#include "src/triaxial/figures/series_plot.hpp"
 
 namespace triax::src {
 namespace {
@@ -49,7 +49,7 @@ struct Side {
   double room_right = 0;  ///< of the range of the axis below
 };
 
-void set_ranges(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths, const Side& side) {
+void set_ranges(QCPAxisRect& rect, const std::vector<study::GrainCurve>& paths, const Side& side) {
   RangeOf x, y;
   x.add(0);
   if (side.from_zero) y.add(0);
@@ -64,7 +64,7 @@ void set_ranges(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths, con
   rect.axis(QCPAxis::atLeft)->setRange(from_zero(y.with_margin(0.08, true)));
 }
 
-void draw_paths(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths, Place place) {
+void draw_paths(QCPAxisRect& rect, const std::vector<study::GrainCurve>& paths, Place place) {
   Points peaks, unstable, marks;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const auto& path = paths[i];
@@ -80,7 +80,7 @@ void draw_paths(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths, Pla
   draw_markers(rect, marks, mark_marker());
 }
 
-void name_marks(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths, Place place) {
+void name_marks(QCPAxisRect& rect, const std::vector<study::GrainCurve>& paths, Place place) {
   std::vector<PointLabel> labels;
   for (const auto& path : paths)
     for (const auto& mark : path.marks) {
@@ -91,11 +91,11 @@ void name_marks(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths, Pla
 }
 
 template <class Member>
-bool any(const std::vector<DrawnGrainPath>& paths, Member member) {
+bool any(const std::vector<study::GrainCurve>& paths, Member member) {
   return std::ranges::any_of(paths, member);
 }
 
-void name_entries(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths) {
+void name_entries(QCPAxisRect& rect, const std::vector<study::GrainCurve>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     draw_curve(rect, {}, curve_pen(i, 1.6), paths[i].label);
   if (any(paths, [](const auto& p) { return p.peak.has_value(); }))
@@ -106,7 +106,7 @@ void name_entries(QCPAxisRect& rect, const std::vector<DrawnGrainPath>& paths) {
     draw_markers(rect, {}, mark_marker(), "saved state");
 }
 
-std::vector<LabelledCurve> labelled(const std::vector<DrawnGrainPath>& paths, Place place) {
+std::vector<LabelledCurve> labelled(const std::vector<study::GrainCurve>& paths, Place place) {
   std::vector<LabelledCurve> curves;
   for (const auto& path : paths) {
     Points points;
@@ -119,8 +119,8 @@ std::vector<LabelledCurve> labelled(const std::vector<DrawnGrainPath>& paths, Pl
 }
 
 /// Both sides with curves, markers and names of marks; the labels beside the curves on the right.
-std::unique_ptr<QCustomPlot> drawn(const std::vector<DrawnGrainPath>& paths, const Side& left_side,
-                                   const Side& right_side, bool labels, const Subject& subject) {
+OwnPlot drawn(const std::vector<study::GrainCurve>& paths, const Side& left_side,
+              const Side& right_side, bool labels, const Subject& subject) {
   auto plot = make_plot(kWidth, kHeight);
   auto& left = *plot->axisRect();
   auto& right = add_axes_beside(*plot);
@@ -139,14 +139,14 @@ std::unique_ptr<QCustomPlot> drawn(const std::vector<DrawnGrainPath>& paths, con
   return plot;
 }
 
-std::vector<DrawnGrainPath> with_points(const std::vector<DrawnGrainPath>& all) {
-  std::vector<DrawnGrainPath> paths;
+std::vector<study::GrainCurve> with_points(const std::vector<study::GrainCurve>& all) {
+  std::vector<study::GrainCurve> paths;
   std::ranges::copy_if(all, std::back_inserter(paths),
                        [](const auto& path) { return !path.points.empty(); });
   return paths;
 }
 
-std::string labels_of(const std::vector<DrawnGrainPath>& paths) {
+std::string labels_of(const std::vector<study::GrainCurve>& paths) {
   std::string words;
   for (const auto& path : paths) words += (words.empty() ? "" : ", ") + path.label;
   return words;
@@ -154,7 +154,8 @@ std::string labels_of(const std::vector<DrawnGrainPath>& paths) {
 
 }  // namespace
 
-Drawing grain_strain_paths_figure(const std::vector<DrawnGrainPath>& all, const Subject& subject) {
+Drawing grain_strain_paths_figure(const std::vector<study::GrainCurve>& all,
+                                  const Subject& subject) {
   const auto paths = with_points(all);
   if (paths.empty()) return {};
   auto plot =
@@ -170,7 +171,7 @@ Drawing grain_strain_paths_figure(const std::vector<DrawnGrainPath>& all, const 
                   fallen, paths.size(), simulated_with(subject))};
 }
 
-Drawing grain_shear_figure(const std::vector<DrawnGrainPath>& all, const Subject& subject) {
+Drawing grain_shear_figure(const std::vector<study::GrainCurve>& all, const Subject& subject) {
   const auto paths = with_points(all);
   if (paths.empty()) return {};
   auto plot = drawn(paths, {"axial strain ε₁ (%)", "deviator stress q (kPa)", q_over_strain},
@@ -182,7 +183,8 @@ Drawing grain_shear_figure(const std::vector<DrawnGrainPath>& all, const Subject
                       labels_of(paths), simulated_with(subject))};
 }
 
-Drawing grain_compression_figure(const std::vector<DrawnGrainPath>& all, const Subject& subject) {
+Drawing grain_compression_figure(const std::vector<study::GrainCurve>& all,
+                                 const Subject& subject) {
   const auto paths = with_points(all);
   if (paths.empty()) return {};
   auto plot = drawn(paths, {"volumetric strain ε_v (%)", "mean stress p (kPa)", p_over_volume},

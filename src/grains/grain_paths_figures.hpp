@@ -1,35 +1,22 @@
 #pragma once
 // Paths of a specimen of grains. Stresses are those on the walls; there is no pore water.
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "sim/grains/paths/grain_path.hpp"
 #include "src/plot/drawing.hpp"
 #include "src/plot/subject.hpp"
+#include "src/study/grains/grain_curves.hpp"
 
 namespace triax::src {
-
-struct DrawnGrainPath {
-  std::string label;  ///< "R = 0.825"; a name of its own each
-  std::vector<sim::GrainPathPoint> points;
-  std::optional<std::size_t> peak;            ///< of σ₁ − σ₃/R, among the points
-  std::optional<std::size_t> first_negative;  ///< where W₂ < 0 sets in
-  struct Mark {
-    std::string name;
-    sim::GrainPathPoint at;
-  };
-  std::vector<Mark> marks;
-};
 
 /// Fig. 16: left q over p, right σ₁ − σ₃/R over ε₁, a colour a path with its label in the legend
 /// and beside its curve on the right; peaks as circles, the onset of W₂ < 0 as crosses, marks as
 /// diamonds with their names. No plot without a point.
-Drawing grain_strain_paths_figure(const std::vector<DrawnGrainPath>& all, const Subject& subject);
+Drawing grain_strain_paths_figure(const std::vector<study::GrainCurve>& all,
+                                  const Subject& subject);
 
 /// Left q, right ε_v over ε₁. No plot without a point.
-Drawing grain_shear_figure(const std::vector<DrawnGrainPath>& all, const Subject& subject);
+Drawing grain_shear_figure(const std::vector<study::GrainCurve>& all, const Subject& subject);
 /// Left p, right porosity over ε_v: isotropic paths, where ε₁ is a third of that.
-Drawing grain_compression_figure(const std::vector<DrawnGrainPath>& all, const Subject& subject);
+Drawing grain_compression_figure(const std::vector<study::GrainCurve>& all, const Subject& subject);
 
 }  // namespace triax::src

@@ -109,7 +109,7 @@ void name_shade(QCPAxisRect& rect, const QColor& colour, const std::string& name
 }
 
 struct Panels {
-  std::unique_ptr<QCustomPlot> plot;
+  OwnPlot plot;
   QCPAxisRect *left, *right;
 };
 
@@ -139,19 +139,8 @@ std::string unsettled_words(const Probes& probes) {
 }  // namespace
 
 Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm_pa, const Subject& subject) {
-  sim::Circle circle;
   const Probes probes = made(rose);
-  for (const auto& probe : probes) {
-    sim::Probe one;
-    one.angle = probe.angle;
-    one.answered = probe.settled;
-    one.stress = norm_pa * sim::unit_direction(probe.angle);
-    one.strain = {std::numbers::sqrt2 * probe.strain.radial, probe.strain.axial};
-    one.second_order_work = probe.work.lagrangian;
-    one.normalised = probe.work.lagrangian / (norm_pa * study::strain_norm(probe));
-    circle.probes.push_back(one);
-  }
-  Drawing drawing = response_envelope(circle, norm_pa, subject);
+  Drawing drawing = response_envelope(study::circle_of(rose, norm_pa), norm_pa, subject);
   if (drawing.plot && !unsettled_words(probes).empty())
     drawing.caption += unsettled_words(probes) + " They are left out.";
   return drawing;

@@ -76,14 +76,14 @@ std::string ranges_words(const std::vector<study::AngleRange>& ranges) {
 
 std::string null_words(const study::GrainRoseFindings& found, const sim::GrainProbe& null_probe) {
   if (!found.drift) return "not made";
-  return fmt::format("strains by {:.2e}, {} % of the smallest probe's{}", study::strain_norm(null_probe),
-                     number(100 * *found.drift, 2),
+  return fmt::format("strains by {:.2e}, {} % of the smallest probe's{}",
+                     study::strain_norm(null_probe), number(100 * *found.drift, 2),
                      found.drifts() ? ": signs of W₂ are in doubt" : "");
 }
 
 }  // namespace
 
-RoseTables rose_tables(const study::ReportedGrainRose& rose) {
+RoseTables rose_tables(const lab::ReportedGrainRose& rose) {
   RoseTables tables{right_columns({"α (°)", "dε₁ (10⁻⁶)", "dε₃ (10⁻⁶)", "W₂ norm.", "sliding (%)",
                                    "non-perm. (%)", "largest K (J)", "steps", "settled"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
@@ -95,7 +95,7 @@ RoseTables rose_tables(const study::ReportedGrainRose& rose) {
   return tables;
 }
 
-std::vector<std::pair<std::string, std::string>> rose_facts(const study::ReportedGrainRose& rose) {
+std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedGrainRose& rose) {
   const study::GrainRoseFindings found = study::rose_findings(rose.made.rose);
   const auto& stress = rose.made.stress;
   const double p = sim::mean_stress(stress);
@@ -105,7 +105,7 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const study::Reporte
            "σ₁ {} kPa, σ₃ {} kPa, η {}; probes of {:g} kPa", in_kPa(stress.axial, 2),
            in_kPa(stress.radial, 2),
            number(p > 0 ? std::optional(sim::deviator_stress(stress) / p) : std::nullopt, 4),
-           rose.probing.norm_pa / 1e3)},
+           rose.norm_pa / 1e3)},
       {"made", fmt::format("{} of {} probes, {} settled", found.made, rose.made.rose.probes.size(),
                            found.settled)},
       {"null probe", null_words(found, rose.made.rose.null_probe)}};

@@ -28,7 +28,7 @@ void put_peak(const std::optional<study::GrainPeak>& peak, double unit, int deci
 }
 
 struct Came {
-  std::string operator()(const study::ReportedGrainPath& path) const {
+  std::string operator()(const lab::ReportedGrainPath& path) const {
     if (path.points.empty()) return spaced(lab::word(path.end));
     const auto& last = path.points.back();
     switch (path.end) {
@@ -44,33 +44,31 @@ struct Came {
         return spaced(lab::word(path.end));
     }
   }
-  std::string operator()(const study::ReportedGrainRest& rest) const {
+  std::string operator()(const lab::ReportedGrainRest& rest) const {
     return rest.rest.settled ? "settled" : "NOT SETTLED";
   }
-  std::string operator()(const study::ReportedGrainRose& rose) const {
+  std::string operator()(const lab::ReportedGrainRose& rose) const {
     int settled = 0;
     for (const auto& probe : rose.made.rose.probes) settled += probe.settled;
     return fmt::format("{} of {} probes settled", settled, rose.made.rose.probes.size());
   }
-  std::string operator()(const study::ReportedPerturbation& perturbation) const {
+  std::string operator()(const lab::ReportedPerturbation& perturbation) const {
     return perturbation.end == sim::PerturbationEnd::collapsed ? "COLLAPSED"
                                                                : lab::word(perturbation.end);
   }
 };
 
 template <class Kind, class Row>
-void for_each(const study::GrainReport& report, const Row& row) {
+void for_each(const lab::GrainReport& report, const Row& row) {
   for (const auto& stage : report.stages)
     if (const auto* came = std::get_if<Kind>(&stage.came)) row(stage, *came);
 }
 
 }  // namespace
 
-std::string came_to(const study::ReportedGrainStage& stage) {
-  return std::visit(Came{}, stage.came);
-}
+std::string came_to(const lab::ReportedGrainStage& stage) { return std::visit(Came{}, stage.came); }
 
-Table stages_table(const study::GrainReport& report) {
+Table stages_table(const lab::GrainReport& report) {
   Table table =
       with_columns({"stage", "action", "from", "came to"}, {"n", "Z", "floating", "steps"});
   for (const auto& stage : report.stages)
@@ -81,10 +79,10 @@ Table stages_table(const study::GrainReport& report) {
   return table;
 }
 
-Table paths_table(const study::GrainReport& report) {
+Table paths_table(const lab::GrainReport& report) {
   Table table = with_columns({"stage"}, {"ε₁ (%)", "ε_v (%)", "peak q (kPa)", "at ε₁ (%)", "peak η",
                                          "at ε₁ (%)", "largest K (J)"});
-  for_each<study::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
+  for_each<lab::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
     const study::GrainPathFindings found = study::path_findings(path.path, path.points);
     const auto* last = path.points.empty() ? nullptr : &path.points.back();
     std::vector<std::string> row = {
@@ -105,10 +103,10 @@ std::vector<std::string> paths_notes() {
       "largest K: kinetic energy, along the path"};
 }
 
-Table strain_paths_table(const study::GrainReport& report) {
+Table strain_paths_table(const lab::GrainReport& report) {
   Table table = with_columns({"stage"}, {"R", "peak (kPa)", "at ε₁ (%)", "p (kPa)", "η", "falls",
                                          "W₂ < 0 from ε₁ (%)", "there (kPa)"});
-  for_each<study::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
+  for_each<lab::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
     if (path.path.kind != sim::GrainPathKind::strain_path) return;
     const study::GrainPathFindings found = study::path_findings(path.path, path.points);
     const auto* top = found.path_stress ? &path.points[found.path_stress->point] : nullptr;
@@ -132,11 +130,11 @@ std::vector<std::string> strain_paths_notes() {
       "W₂ < 0: of Eq. (30) over a twentieth of the points, first negative and for as many more"};
 }
 
-Table marks_table(const study::GrainReport& report) {
+Table marks_table(const lab::GrainReport& report) {
   Table table = with_columns({"mark", "of stage"},
                              {"ε₁ (%)", "σ₁−σ₃/R (kPa)", "q (kPa)", "p (kPa)", "η", "n", "Z"});
-  for_each<study::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
-    for (const study::ReportedGrainMark& mark : path.marks) {
+  for_each<lab::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
+    for (const lab::ReportedGrainMark& mark : path.marks) {
       std::vector<std::string> row = {mark.name, stage.name};
       if (mark.at)
         row.insert(row.end(), {in_percent(mark.at->strain.axial, 3),
@@ -152,10 +150,10 @@ Table marks_table(const study::GrainReport& report) {
   return table;
 }
 
-Table rests_table(const study::GrainReport& report) {
+Table rests_table(const lab::GrainReport& report) {
   Table table = with_columns({"stage", "from", "held", "settled"},
                              {"steps", "unbalanced", "stress error (Pa)", "σ₁−σ₃/R (kPa)"});
-  for_each<study::ReportedGrainRest>(report, [&](const auto& stage, const auto& came) {
+  for_each<lab::ReportedGrainRest>(report, [&](const auto& stage, const auto& came) {
     const auto& settling = came.rest.settling;
     table.rows.push_back({stage.name, stage.from.empty() ? "as made" : stage.from,
                           came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
@@ -166,10 +164,10 @@ Table rests_table(const study::GrainReport& report) {
   return table;
 }
 
-Table perturbations_table(const study::GrainReport& report) {
+Table perturbations_table(const lab::GrainReport& report) {
   Table table = with_columns({"stage", "from"}, {"step (Pa)", "energy (J)", "hit", "came to",
                                                  "after (s)", "χ", "ε₁ (%)", "largest K (J)"});
-  for_each<study::ReportedPerturbation>(report, [&](const auto& stage, const auto& came) {
+  for_each<lab::ReportedPerturbation>(report, [&](const auto& stage, const auto& came) {
     const auto* last = came.points.empty() ? nullptr : &came.points.back();
     table.rows.push_back(
         {stage.name, stage.from.empty() ? "as made" : stage.from,

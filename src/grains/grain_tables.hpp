@@ -4,19 +4,19 @@
 #include <utility>
 #include <vector>
 
+#include "lab/grains/grain_report.hpp"
 #include "src/output/table.hpp"
-#include "src/study/grains/grain_report.hpp"
 
 namespace triax::src {
 
 /// A row each stage: what it was, from where, what came of it.
-Table stages_table(const study::GrainReport& report);
+Table stages_table(const lab::GrainReport& report);
 /// A row each path, of each strain path, of each mark, of each rest, of each perturbation.
-Table paths_table(const study::GrainReport& report);
-Table strain_paths_table(const study::GrainReport& report);
-Table marks_table(const study::GrainReport& report);
-Table rests_table(const study::GrainReport& report);
-Table perturbations_table(const study::GrainReport& report);
+Table paths_table(const lab::GrainReport& report);
+Table strain_paths_table(const lab::GrainReport& report);
+Table marks_table(const lab::GrainReport& report);
+Table rests_table(const lab::GrainReport& report);
+Table perturbations_table(const lab::GrainReport& report);
 /// What their columns mean, a sentence each.
 std::vector<std::string> paths_notes();
 std::vector<std::string> strain_paths_notes();
@@ -27,11 +27,11 @@ struct RoseTables {
   Table responses;  ///< strains, sliding and non-permanent contacts, kinetic energy
   Table work;       ///< second-order work in all its forms
 };
-RoseTables rose_tables(const study::ReportedGrainRose& rose);
+RoseTables rose_tables(const lab::ReportedGrainRose& rose);
 /// Label and words: what the probes show together.
-std::vector<std::pair<std::string, std::string>> rose_facts(const study::ReportedGrainRose& rose);
+std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedGrainRose& rose);
 
 /// What came of a stage, in a few words.
-std::string came_to(const study::ReportedGrainStage& stage);
+std::string came_to(const lab::ReportedGrainStage& stage);
 
 }  // namespace triax::src

@@ -1,12 +1,16 @@
 #pragma once
 #include <string>
+#include <vector>
 
-#include "src/study/grains/grain_report.hpp"
+#include "db/grain_store.hpp"
 
 namespace triax::src {
 
 /// The specimen, a table of the stages, and tables of what paths, rests, probes and perturbations
 /// came to, for people; with short names of stages no line is longer than 100 columns.
-std::string grain_text(const study::GrainReport& report);
+std::string grain_text(const db::StoredGrainRun& run);
+
+/// A table of the runs, and each in full.
+std::string grain_runs_text(const std::vector<db::StoredGrainRun>& runs);
 
 }  // namespace triax::src

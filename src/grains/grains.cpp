@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "db/grain_recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "src/cli/interruption.hpp"
@@ -14,10 +13,11 @@
 #include "src/grains/grain_figures.hpp"
 #include "src/grains/grain_json.hpp"
 #include "src/grains/grain_outputs.hpp"
-#include "src/grains/grain_pieces.hpp"
 #include "src/grains/grain_text.hpp"
 #include "src/output/output.hpp"
 #include "src/output/task_progress.hpp"
+#include "src/study/grains/grain_pieces.hpp"
+#include "src/study/grains/grain_run.hpp"
 
 namespace triax::src {
 namespace {
@@ -61,47 +61,47 @@ void check_output(const Options& o, const lab::GrainProgramme& programme,
   }
 }
 
-void tell(const Options& o, const study::GrainReport& report) {
+void write_and_print(const Options& o, const db::StoredGrainRun& run) {
+  const lab::GrainReport& report = run.report;
   if (!o.output.empty()) {
     write_file(o.output + ".json", grain_json(report));
     for (const NamedBytes& csv : grain_csvs(report)) write_file(o.output + csv.suffix, csv.bytes);
     for (const NamedFigure& figure : grain_figures(report)) write_named_figure(figure, o.output);
   }
-  print(o.json ? grain_json(report) : grain_text(report));
+  print(o.json ? grain_json(report) : grain_text(run));
 }
 
 constexpr const char* kStopped = "stopped by the operator; the completed stages are stored";
+constexpr const char* kStoppedEarly = "stopped by the operator before there was a specimen";
 
-/// All stages, told as they end. False: it was stopped.
-bool run_stages(const Options& o, const lab::GrainProgramme& programme, GrainOutputs& outputs,
-                db::GrainRecorder& recorder, study::GrainReport& report) {
+/// Shows the progress until the operator stops it.
+sim::GrainProgress shown_in(TaskProgress& progress, const Interruption& interruption) {
+  return [&progress, &interruption](double share, const std::string& what) {
+    progress.show(share, what);
+    return !interruption.requested();
+  };
+}
+
+std::optional<db::StoredGrainRun> run_stages(const Options& o, const lab::GrainProgramme& programme,
+                                             GrainOutputs& outputs) {
   const Interruption interruption;
   TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
   progress.next("specimen");
   lab::GrainListener listener;
-  listener.made = [&](const lab::GrainsMade& made) {
-    recorder.made(made);
-    add(report, made);
-  };
-  listener.begins = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
+  listener.stage_started = [&](const lab::GrainStage& stage, const sim::GrainState& state) {
     progress.next(stage.name);
     outputs.begins(stage, state);
   };
-  listener.point = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                       const sim::GrainPathPoint& point) {
+  listener.point_kept = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                            const sim::GrainPathPoint& point) {
     outputs.point(stage, state, point.time_s);
   };
-  listener.ends = [&](const lab::GrainStage& stage, const sim::GrainState& state,
-                      const lab::GrainStageResult& result) {
-    recorder.ended(result);
-    add(report, result);
+  listener.stage_ended = [&](const lab::GrainStage& stage, const sim::GrainState& state,
+                             const lab::GrainStageResult& /*result*/) {
     outputs.ends(stage, state);
   };
-  listener.progress = [&](double share, const std::string& what) {
-    progress.show(share, what);
-    return !interruption.requested();
-  };
-  return lab::run_grains(programme, chosen_jobs(o.jobs), listener);
+  return study::run_grains(programme, {chosen_jobs(o.jobs), shown_in(progress, interruption)}, o.db,
+                           listener);
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {
@@ -111,27 +111,16 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
   const Interruption interruption;
   TaskProgress progress(1);
   progress.next("piece " + o.piece);
-  const auto show = [&](double share, const std::string& what) {
-    progress.show(share, what);
-    return !interruption.requested();
-  };
-  if (!compute_grain_piece(programme, piece, chosen_jobs(o.jobs), o.output, show))
-    throw lab::WorkFailed("stopped by the operator; nothing is written");
+  const auto made = study::make_grain_piece(programme, piece.index, piece.count, chosen_jobs(o.jobs),
+                                            shown_in(progress, interruption));
+  if (!made) throw lab::WorkFailed("stopped by the operator; nothing is written");
+  write_file(o.output, study::grain_piece_json(*made));
 }
 
 void run_merge(const Options& o, const lab::GrainProgramme& programme) {
-  stage_for_pieces(programme);
+  study::stage_for_pieces(programme);
   check_output(o, programme, {});
-  const lab::GrainsMade made = specimen_alone(programme, chosen_jobs(o.jobs));
-  const lab::GrainStageResult result = merge_grain_pieces(programme, made, o.merge);
-  db::GrainRecorder recorder(o.db, programme);
-  study::GrainReport report = study::grain_report(programme);
-  recorder.made(made);
-  add(report, made);
-  recorder.ended(result);
-  add(report, result);
-  recorder.finish();
-  tell(o, report);
+  write_and_print(o, study::merge_grains(programme, chosen_jobs(o.jobs), o.db, o.merge));
 }
 
 void run(const Options& o) {
@@ -140,14 +129,10 @@ void run(const Options& o) {
   if (!o.merge.empty()) return run_merge(o, programme);
   GrainOutputs outputs(programme, o.output);
   check_output(o, programme, outputs.files());
-  db::GrainRecorder recorder(o.db, programme);
-  study::GrainReport report = study::grain_report(programme);
-  const bool whole = run_stages(o, programme, outputs, recorder, report);
-  if (whole) recorder.finish();
-  if (report.specimen) tell(o, report);
-  if (!whole)
-    throw lab::WorkFailed(report.specimen ? kStopped
-                                          : "stopped by the operator before there was a specimen");
+  const auto stored = run_stages(o, programme, outputs);
+  if (!stored) throw lab::WorkFailed(kStoppedEarly);
+  write_and_print(o, *stored);
+  if (stored->status != db::TestStatus::complete) throw lab::WorkFailed(kStopped);
 }
 
 }  // namespace

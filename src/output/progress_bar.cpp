@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 namespace triax::src {
@@ -25,6 +26,21 @@ void ProgressBar::show(double fraction) {
   const auto full = static_cast<std::size_t>(percent * kWidth / 100);
   fmt::print(stderr, "\r{} [{:<{}}] {:3} %", label_, std::string(full, '='), kWidth, percent);
   std::fflush(stderr);
+}
+
+std::function<void(const std::string&, double)> progress_bars() {
+  struct Shown {
+    std::string what;
+    std::unique_ptr<ProgressBar> bar;
+  };
+  return [shown = std::make_shared<Shown>()](const std::string& what, double fraction) {
+    if (!shown->bar || shown->what != what) {
+      shown->bar.reset();
+      shown->bar = std::make_unique<ProgressBar>(what);
+      shown->what = what;
+    }
+    shown->bar->show(fraction);
+  };
 }
 
 }  // namespace triax::src

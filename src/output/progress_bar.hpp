@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 namespace triax::src {
@@ -17,5 +18,9 @@ class ProgressBar {
   bool on_terminal_;
   int shown_percent_ = -1;
 };
+
+/// For a study: a bar for what is under way, labelled with its name, that is wiped when something
+/// else begins or the function goes.
+std::function<void(const std::string& what, double fraction)> progress_bars();
 
 }  // namespace triax::src

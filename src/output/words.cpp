@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/mechanics/axisymmetric.hpp"
+#include "src/study/number_text.hpp"
 
 namespace triax::src {
 namespace {
@@ -18,11 +19,7 @@ std::optional<double> scaled(std::optional<double> value, double factor) {
 }  // namespace
 
 std::string number(std::optional<double> value, int decimals) {
-  if (!value || !std::isfinite(*value)) return kUnknown;
-  auto text = fmt::format("{:.{}f}", *value, decimals);
-  // "-0.00" is a zero that carries the sign of a rounding error.
-  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
-  return text;
+  return study::number_text(value, decimals);
 }
 
 std::string in_kPa(std::optional<double> pa, int decimals) {

@@ -1,5 +1,7 @@
 #include "src/plot/drawing.hpp"
 
+#include <qcustomplot.h>
+
 #include <QApplication>
 #include <QBuffer>
 #include <QFontMetricsF>
@@ -63,9 +65,11 @@ void need_drawing() {
   qInstallMessageHandler(usual);
 }
 
-std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px) {
+void EndPlot::operator()(QCustomPlot* plot) const { delete plot; }
+
+OwnPlot make_plot(int width_px, int height_px) {
   need_drawing();
-  auto plot = std::make_unique<QCustomPlot>();
+  OwnPlot plot(new QCustomPlot);
   plot->setAttribute(Qt::WA_DontShowOnScreen);
   resize_plot(*plot, width_px, height_px);
   plot->setFont(label_font());

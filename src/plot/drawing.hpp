@@ -1,16 +1,24 @@
 #pragma once
 // Drawing without a screen: a plot of fixed size that can be written as SVG, PNG or into a PDF
 // page.
-#include <qcustomplot.h>
-
 #include <memory>
 #include <string>
 
+class QCustomPlot;
+class QPainter;
+class QRectF;
+
 namespace triax::src {
+
+/// Ends a plot where QCustomPlot is known: who only holds a drawing need not read Qt's widgets.
+struct EndPlot {
+  void operator()(QCustomPlot* plot) const;
+};
+using OwnPlot = std::unique_ptr<QCustomPlot, EndPlot>;
 
 /// A finished plot. Its size is in CSS pixels (1/96 inch); text is laid out for that size.
 struct Drawing {
-  std::unique_ptr<QCustomPlot> plot;
+  OwnPlot plot;
   std::string caption;  ///< one or two sentences that say what is seen
 };
 
@@ -19,7 +27,7 @@ struct Drawing {
 void need_drawing();
 
 /// An empty plot of that size in the house style. Calls need_drawing().
-std::unique_ptr<QCustomPlot> make_plot(int width_px, int height_px);
+OwnPlot make_plot(int width_px, int height_px);
 
 /// Gives a plot another size.
 void resize_plot(QCustomPlot& plot, int width_px, int height_px);

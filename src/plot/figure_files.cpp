@@ -1,6 +1,7 @@
 #include "src/plot/figure_files.hpp"
 
 #include <fmt/format.h>
+#include <qcustomplot.h>
 
 #include <QBuffer>
 #include <QPageSize>

@@ -19,8 +19,8 @@ constexpr double kArrow = 1.7;  // length of a test's arrow in radii of a fan
 
 class Picture {
  public:
-  Picture(const ConesPicture& data, StressAxes plane)
-      : data_(data), plane_(plane), plot_(make_plot(kWidth, kHeight)) {}
+  Picture(const study::ConesPicture& data, const Subject& subject, StressAxes plane)
+      : data_(data), subject_(subject), plane_(plane), plot_(make_plot(kWidth, kHeight)) {}
 
   Drawing draw() {
     style_axes(rect(),
@@ -28,7 +28,7 @@ class Picture {
                plane_ == StressAxes::p_q ? "deviator stress q (kPa)" : "σ₁′ (kPa)");
     name_legend();
     legend_below(*plot_, 2);
-    origin_below(*plot_, data_.subject);
+    origin_below(*plot_, subject_);
     find_ranges();
     const auto radii = fan_radii();
     draw_lines();
@@ -61,7 +61,7 @@ class Picture {
             simulated ? QBrush(Qt::white) : QBrush(kInk), 7};
   }
 
-  QPointF kPa(const TriaxialState& state) const { return position(state, plane_) * 1e-3; }
+  QPointF kPa(const study::TriaxialState& state) const { return position(state, plane_) * 1e-3; }
 
   bool has(bool stable) const {
     return std::ranges::any_of(data_.states,
@@ -105,7 +105,7 @@ class Picture {
 
   void find_ranges() {
     RangeOf x, y;
-    const auto add = [&](const TriaxialState& state) {
+    const auto add = [&](const study::TriaxialState& state) {
       x.add(kPa(state).x());
       y.add(kPa(state).y());
     };
@@ -166,7 +166,7 @@ class Picture {
     return radii;
   }
 
-  void draw_ray(const TriaxialState& towards, const QPen& pen) {
+  void draw_ray(const study::TriaxialState& towards, const QPen& pen) {
     const QPointF way = position(towards, plane_);
     const auto x = plot_->xAxis->range(), y = plot_->yAxis->range();
     double length = way.x() > 0 ? x.upper / way.x() : x.upper;
@@ -180,13 +180,13 @@ class Picture {
     if (draws_limit_line()) draw_ray({1, *data_.limit_stress_ratio}, limit_pen());
   }
 
-  void draw_path(const std::vector<TriaxialState>& path, const QPen& pen) {
+  void draw_path(const std::vector<study::TriaxialState>& path, const QPen& pen) {
     Points points;
     for (const auto& state : path) points.push_back(kPa(state));
     draw_curve(rect(), points, pen);
   }
 
-  void draw_fans(const ConesAtState& at, double radius) {
+  void draw_fans(const study::ConesAtState& at, double radius) {
     const QPointF tip = kPa(at.state);
     for (const auto& [from, to] : at.cones) {
       const bool whole = to - from >= 2 * std::numbers::pi - 1e-9;
@@ -200,11 +200,11 @@ class Picture {
     }
   }
 
-  void mark_state(const ConesAtState& at) {
+  void mark_state(const study::ConesAtState& at) {
     draw_markers(rect(), {kPa(at.state)}, state_marker(at.cones.empty()));
   }
 
-  void draw_test(const TestIncrement& test) {
+  void draw_test(const study::TestIncrement& test) {
     const QPointF at = kPa(test.state);
     draw_arrow(rect(), at, at + kArrow * radius_ * increment(test.angle, plane_), line(kInk, 1.8));
     draw_markers(rect(), {at}, test_marker(test.simulated));
@@ -219,25 +219,20 @@ class Picture {
         "have directions with W₂ < 0",
         plane_ == StressAxes::p_q ? "q-p′" : "Rendulic", unstable, data_.states.size());
     if (!data_.tests.empty()) text += "; arrows are the stress increments of tests";
-    return text + ". " + simulated_with(data_.subject);
+    return text + ". " + simulated_with(subject_);
   }
 
-  const ConesPicture& data_;
+  const study::ConesPicture& data_;
+  const Subject& subject_;
   StressAxes plane_;
-  std::unique_ptr<QCustomPlot> plot_;
+  OwnPlot plot_;
   std::vector<PointLabel> labels_;
   double radius_ = 0;  // of a fan with room around it, kPa
 };
 
 }  // namespace
 
-std::vector<sim::Sector> sectors_of(const sim::Circle& circle) {
-  std::vector<sim::Sector> sectors;
-  for (const auto& cone : circle.cones) sectors.push_back({cone.from, cone.to});
-  return sectors;
-}
-
-QPointF position(const TriaxialState& state, StressAxes plane) {
+QPointF position(const study::TriaxialState& state, StressAxes plane) {
   if (plane == StressAxes::p_q) return {state.p, state.q};
   return {std::numbers::sqrt2 * (state.p - state.q / 3), state.p + 2 * state.q / 3};
 }
@@ -249,9 +244,9 @@ QPointF increment(double angle, StressAxes plane) {
   return {sim::mean_stress(s), sim::deviator_stress(s)};
 }
 
-Drawing cones_figure(const ConesPicture& picture, StressAxes plane) {
+Drawing cones_figure(const study::ConesPicture& picture, const Subject& subject, StressAxes plane) {
   if (picture.states.empty() && picture.tests.empty()) return {};
-  return Picture(picture, plane).draw();
+  return Picture(picture, subject, plane).draw();
 }
 
 }  // namespace triax::src

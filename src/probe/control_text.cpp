@@ -27,7 +27,7 @@ const char* sense_words(sim::ControlSense sense) {
   return sense == sim::ControlSense::loading ? "loading" : "unloading";
 }
 
-std::string lost_in_words(const study::ControlReport& control) {
+std::string lost_in_words(const study::Controllability& control) {
   if (control.asked > 0 && control.unanswered == control.asked) return "unknown, no R was answered";
   const auto beyond = [](bool isolated, double R, double end, const char* word) {
     if (isolated) return std::string();
@@ -38,9 +38,10 @@ std::string lost_in_words(const study::ControlReport& control) {
     std::string ranges;
     for (const auto& at : control.lost)
       if (at.sense == sense)
-        ranges += fmt::format("{}{}{} to {}{}", ranges.empty() ? "" : ", ", unit_free(at.from),
-                              beyond(at.begins, at.from, study::kLeastRatio, "below"),
-                              unit_free(at.to), beyond(at.ends, at.to, study::kLargestRatio, "above"));
+        ranges +=
+            fmt::format("{}{}{} to {}{}", ranges.empty() ? "" : ", ", unit_free(at.from),
+                        beyond(at.begins, at.from, study::kLeastRatio, "below"), unit_free(at.to),
+                        beyond(at.ends, at.to, study::kLargestRatio, "above"));
     if (!ranges.empty())
       words +=
           fmt::format("{}{} lost for R {}", words.empty() ? "" : "; ", sense_words(sense), ranges);
@@ -53,7 +54,7 @@ std::string lost_in_words(const study::ControlReport& control) {
   return words;
 }
 
-std::string roots_in_words(const study::ControlReport& control) {
+std::string roots_in_words(const study::Controllability& control) {
   if (control.compliance.empty()) return "no compliance to write it with";
   std::string words;
   for (const auto& root : control.roots)
@@ -62,7 +63,7 @@ std::string roots_in_words(const study::ControlReport& control) {
   return (words.empty() ? "no real root" : words) + ", " + control.compliance;
 }
 
-Table scan_table(const study::ControlReport& control) {
+Table scan_table(const study::Controllability& control) {
   Table table;
   table.columns = {{"R", Align::right},           {"loading", Align::left},
                    {"index", Align::right},       {"unloading", Align::left},
@@ -77,7 +78,7 @@ Table scan_table(const study::ControlReport& control) {
   return table;
 }
 
-Table named_controls_table(const study::ControlReport& control) {
+Table named_controls_table(const study::Controllability& control) {
   Table table;
   table.columns = {{"programme", Align::left}, {"control", Align::left}, {"index", Align::right}};
   for (const auto& at : control.named)

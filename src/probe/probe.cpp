@@ -1,31 +1,25 @@
 #include "src/probe/probe.hpp"
 
-#include <algorithm>
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/output/output.hpp"
 #include "src/output/progress_bar.hpp"
+#include "src/probe/probe_data.hpp"
 #include "src/probe/probe_figures.hpp"
-#include "src/probe/probe_options.hpp"
-#include "src/probe/probe_states.hpp"
-#include "src/probe/strain_paths_report.hpp"
+#include "src/probe/probe_json.hpp"
+#include "src/probe/probe_request.hpp"
+#include "src/probe/probe_text.hpp"
+#include "src/probe/sphere_figures.hpp"
+#include "src/probe/sphere_json.hpp"
+#include "src/probe/sphere_text.hpp"
+#include "src/probe/strain_paths_figures.hpp"
+#include "src/probe/strain_paths_json.hpp"
+#include "src/probe/strain_paths_text.hpp"
 
 namespace triax::src {
 namespace {
-
-template <class Space>
-void probe_all(const ProbeOptions& o, ProbeReport& report) {
-  const auto states = states_to_probe<Space>(o, report);
-  ProgressBar bar("probes");
-  for (const auto& state : states) {
-    report.states.push_back(study::probe_state(report.material, state, report.probing));
-    if (!report.isolated && !state.passed.empty())
-      report.isolated = first_unstable(report.material, state.passed, report.probing);
-    bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
-  }
-}
 
 void keep_what_is_read(const ProbeOptions& o, const std::string& prefix) {
   for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
@@ -34,79 +28,57 @@ void keep_what_is_read(const ProbeOptions& o, const std::string& prefix) {
 
 /// The document, the table of all probes, and each figure with its data; nothing is written before
 /// it is known that none of it would replace what was read.
-void write_files(const ProbeOptions& o, const ProbeReport& report) {
-  const auto figures = probe_figures(report);
+void write_files(const ProbeOptions& o, const study::ProbeResult& result) {
+  const auto figures = probe_figures(result);
   std::vector<std::string> prefixes = {o.output};
   for (const auto& figure : figures) prefixes.push_back(o.output + '_' + figure.name);
   for (const auto& prefix : prefixes) keep_what_is_read(o, prefix);
-  write_file(o.output + ".json", probe_json(report));
-  write_file(o.output + ".csv", to_csv(probes_data(report)));
+  write_file(o.output + ".json", probe_json(result));
+  write_file(o.output + ".csv", to_csv(probes_data(result)));
   for (const auto& figure : figures) write_named_figure(figure, o.output);
 }
 
 void run_strain_paths(const ProbeOptions& o) {
-  check_strain_path_options(o);
-  const auto material = chosen_material(o.material);
-  const auto report =
-      strain_paths(material, 1e3 * *o.p_kPa, chosen_void_ratio(o.material, material),
-                   o.strain_paths, o.axial_strain.value_or(kUsualAxialStrain));
+  const auto result = study::strain_paths(strain_paths_request(o));
   if (!o.output.empty()) {
     keep_what_is_read(o, o.output);
-    write_figure(strain_paths_drawing(report), o.output);
-    write_file(o.output + ".csv", to_csv(strain_paths_data(report)));
-    write_file(o.output + ".json", strain_paths_json(report));
+    write_figure(strain_paths_drawing(result), o.output);
+    write_file(o.output + ".csv", to_csv(strain_paths_data(result)));
+    write_file(o.output + ".json", strain_paths_json(result));
   }
-  print(o.json ? strain_paths_json(report) : strain_paths_text(report));
+  print(o.json ? strain_paths_json(result) : strain_paths_text(result));
 }
 
 void run_sphere(const ProbeOptions& o) {
-  SphereReport report;
-  report.probing = checked_sphere(o);
-  check_state_options(o);
-  ProbeReport found;
-  found.material = material_of(o);
-  const auto states = states_to_probe<sim::Tensor>(o, found);
-  report.material = found.material;
-  report.many = found.many;
-  report.path = found.path;
-  report.warnings = found.warnings;
-  ProgressBar bar("probes");
-  for (const auto& state : states) {
-    report.states.push_back(probe_sphere_of(report.material, state, report.probing));
-    bar.show(static_cast<double>(report.states.size()) / static_cast<double>(states.size()));
-  }
+  const auto result = study::run_sphere(sphere_request(o), progress_bars());
   if (!o.output.empty()) {
     keep_what_is_read(o, o.output);
-    write_file(o.output + ".json", sphere_json(report));
-    write_file(o.output + ".csv", to_csv(sphere_data(report)));
-    if (const Drawing drawing = sphere_drawing(report); drawing.plot)
+    write_file(o.output + ".json", sphere_json(result));
+    write_file(o.output + ".csv", to_csv(sphere_data(result)));
+    if (const Drawing drawing = sphere_drawing(result); drawing.plot)
       write_figure(drawing, o.output);
   }
-  print(o.json ? sphere_json(report) : sphere_text(report));
-  if (std::ranges::none_of(report.states, [](const auto& s) { return s.sphere.least.answered; }))
-    throw lab::WorkFailed("the law gives no result in any direction");
+  print(o.json ? sphere_json(result) : sphere_text(result));
+  if (!result.any_answer()) throw lab::WorkFailed("the law gives no result in any direction");
+}
+
+void run_probe(const ProbeOptions& o) {
+  const auto result = study::run_probe(probe_request(o), progress_bars());
+  if (!o.output.empty()) write_files(o, result);
+  print(o.json ? probe_json(result)
+               : probe_text(result, {.probes = o.probes, .control = o.control}));
+  if (!result.any_answer())
+    throw lab::WorkFailed("the law gives no result in any direction" +
+                          (result.states.empty() || result.states.front().refusal.empty()
+                               ? ""
+                               : ": " + result.states.front().refusal));
 }
 
 void run(const ProbeOptions& o) {
   check_targets("--output", o.output, files_of_prefix(o.output));
-  if (o.plane == "3d" && o.strain_paths.empty()) return run_sphere(o);
   if (!o.strain_paths.empty()) return run_strain_paths(o);
-  ProbeReport report;
-  report.probing = checked_probing(o);
-  check_state_options(o);
-  report.material = material_of(o);
-  if (report.probing.plane == sim::ProbePlane::plane_strain)
-    probe_all<sim::Tensor>(o, report);
-  else
-    probe_all<sim::Axisymmetric>(o, report);
-  if (!o.output.empty()) write_files(o, report);
-  print(o.json ? probe_json(report)
-               : probe_text(report, {.probes = o.probes, .control = o.control}));
-  if (!report.any_answer())
-    throw lab::WorkFailed("the law gives no result in any direction" +
-                          (report.states.empty() || report.states.front().refusal.empty()
-                               ? ""
-                               : ": " + report.states.front().refusal));
+  if (o.plane == "3d") return run_sphere(o);
+  run_probe(o);
 }
 
 }  // namespace

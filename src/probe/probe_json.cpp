@@ -1,8 +1,6 @@
-// The JSON form of a report of probes.
-#include <cmath>
+#include "src/probe/probe_json.hpp"
 
 #include "src/probe/control_text.hpp"
-#include "src/probe/probe_report.hpp"
 #include "src/probe/state_json.hpp"
 #include "src/study/json_parts.hpp"
 
@@ -32,12 +30,15 @@ study::Json increment_json(const sim::PlaneVector& v, const study::Probing& prob
                            const std::string& suffix) {
   const double lateral = axisymmetric(probing) ? v.x() / std::numbers::sqrt2 : v.x();
   return {{"axial" + suffix, study::json_number(v.y() / unit)},
-          {(axisymmetric(probing) ? "radial" : "lateral") + suffix, study::json_number(lateral / unit)}};
+          {(axisymmetric(probing) ? "radial" : "lateral") + suffix,
+           study::json_number(lateral / unit)}};
 }
 
 study::Json probe_json(const sim::Probe& probe, const study::Probing& probing) {
-  study::Json one = {{"alpha_deg", study::json_deg(probe.angle)}, {"w2_normalised", normalised(probe)}};
-  one["w2_Pa"] = probe.answered ? study::json_number(probe.second_order_work) : study::Json(nullptr);
+  study::Json one = {{"alpha_deg", study::json_deg(probe.angle)},
+                     {"w2_normalised", normalised(probe)}};
+  one["w2_Pa"] =
+      probe.answered ? study::json_number(probe.second_order_work) : study::Json(nullptr);
   one["stress"] =
       probe.answered ? increment_json(probe.stress, probing, 1e3, "_kPa") : study::Json(nullptr);
   one["strain"] =
@@ -71,7 +72,7 @@ study::Json own_json(const study::ProbedState& state, const study::Probing& prob
       {"cone", nullptr},
       {"nearest_edge_deg", nullptr}};
   if (!comparable) return own_json;
-  if (const auto place = study::place_among(state.circle.cones, own.angle)) {
+  if (const auto& place = state.own_place) {
     own_json["in_cone"] = place->inside;
     own_json["certain"] = place->certain(own.angle_error);
     own_json["cone"] = place->cone;
@@ -108,7 +109,8 @@ study::Json closed_form_json(const std::optional<std::vector<sim::UnstableSector
   if (!sectors) return nullptr;
   study::Json cones = study::Json::array();
   for (const auto& sector : *sectors)
-    cones.push_back({{"from_deg", study::json_deg(sector.from)}, {"to_deg", study::json_deg(sector.to)}});
+    cones.push_back(
+        {{"from_deg", study::json_deg(sector.from)}, {"to_deg", study::json_deg(sector.to)}});
   return cones;
 }
 
@@ -122,24 +124,25 @@ study::Json first_json(const std::optional<study::FirstUnstable>& first) {
           {"alpha_deg", study::json_deg(first->angle)}};
 }
 
-study::Json control_json(const study::ControlReport& control) {
+study::Json control_json(const study::Controllability& control) {
   study::Json scan = study::Json::array(), lost = study::Json::array(),
               named = study::Json::array(), roots = study::Json::array(),
               conditions = study::Json::array();
   for (const auto& at : control.scan)
-    scan.push_back(
-        {{"R", at.R},
-         {"controllable", at.controllable},
-         {"index", study::json_number(at.index)},
-         {"loading", answer_json(at.loading)},
-         {"unloading", answer_json(at.unloading)},
-         {"mode_alpha_deg", at.mode.answered ? study::json_deg(at.mode.angle) : study::Json(nullptr)},
-         {"mode_w2_normalised", normalised(at.mode)},
-         {"matrix", matrix_json(at.matrix)}});
+    scan.push_back({{"R", at.R},
+                    {"controllable", at.controllable},
+                    {"index", study::json_number(at.index)},
+                    {"loading", answer_json(at.loading)},
+                    {"unloading", answer_json(at.unloading)},
+                    {"mode_alpha_deg",
+                     at.mode.answered ? study::json_deg(at.mode.angle) : study::Json(nullptr)},
+                    {"mode_w2_normalised", normalised(at.mode)},
+                    {"matrix", matrix_json(at.matrix)}});
   for (const auto& range : control.lost)
-    lost.push_back({{"sense", sense_words(range.sense)},
-                    {"from_R", range.begins ? study::json_number(range.from) : study::Json(nullptr)},
-                    {"to_R", range.ends ? study::json_number(range.to) : study::Json(nullptr)}});
+    lost.push_back(
+        {{"sense", sense_words(range.sense)},
+         {"from_R", range.begins ? study::json_number(range.from) : study::Json(nullptr)},
+         {"to_R", range.ends ? study::json_number(range.to) : study::Json(nullptr)}});
   for (const auto& at : control.named) named.push_back(named_json(at));
   for (const auto& at : control.conditions) {
     conditions.push_back(named_json(at));
@@ -164,16 +167,18 @@ study::Json control_json(const study::ControlReport& control) {
 }
 
 /// Everything that is said of one state, put into `object`.
-void put_state(const ProbeReport& report, const study::ProbedState& state, study::Json& object) {
-  const study::Probing& probing = report.probing;
+void put_state(const study::ProbeResult& result, const study::ProbedState& state,
+               study::Json& object) {
+  const study::Probing& probing = result.probing;
   object["state"] = state_json(state);
   study::Json cones = study::Json::array(), probes = study::Json::array();
   for (const sim::Cone& cone : state.circle.cones) cones.push_back(cone_json(cone));
   object["cones"] = std::move(cones);
   object["cones_closed_form"] = closed_form_json(state.closed_form);
   const sim::Probe& least = state.circle.least;
-  object["least"] = {{"alpha_deg", least.answered ? study::json_deg(least.angle) : study::Json(nullptr)},
-                     {"w2_normalised", normalised(least)}};
+  object["least"] = {
+      {"alpha_deg", least.answered ? study::json_deg(least.angle) : study::Json(nullptr)},
+      {"w2_normalised", normalised(least)}};
   const sim::Probe& unloading = state.isotropic_unloading;
   object["isotropic_unloading"] = {
       {"alpha_deg", study::json_deg(unloading.angle)},
@@ -193,26 +198,26 @@ void put_state(const ProbeReport& report, const study::ProbedState& state, study
 
 }  // namespace
 
-std::string probe_json(const ProbeReport& report) {
+std::string probe_json(const study::ProbeResult& result) {
   study::Json document = {{"origin", "simulated"},
-                          {"material", study::json_material(report.material)},
-                          {"probing", probing_json(report.probing)},
-                          {"path", study::json_text(report.path)}};
-  study::Json warnings = report.warnings;
-  if (!report.many && report.states.size() == 1) {
-    const study::ProbedState& state = report.states.front();
-    put_state(report, state, document);
+                          {"material", study::json_material(result.material)},
+                          {"probing", probing_json(result.probing)},
+                          {"path", study::json_text(result.path)}};
+  study::Json warnings = result.warnings;
+  if (!result.many && result.states.size() == 1) {
+    const study::ProbedState& state = result.states.front();
+    put_state(result, state, document);
     for (const auto& warning : state.all_warnings()) warnings.push_back(warning);
   } else {
     study::Json states = study::Json::array();
-    for (const study::ProbedState& state : report.states) {
+    for (const study::ProbedState& state : result.states) {
       study::Json one = study::Json::object();
-      put_state(report, state, one);
+      put_state(result, state, one);
       one["warnings"] = state.all_warnings();
       states.push_back(std::move(one));
     }
     document["states"] = std::move(states);
-    if (report.has_first()) document["first_unstable_state"] = first_json(report.first_unstable());
+    if (result.has_first()) document["first_unstable_state"] = first_json(result.first_unstable());
   }
   document["warnings"] = std::move(warnings);
   return study::json_document(document);

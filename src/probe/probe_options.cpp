@@ -205,7 +205,7 @@ study::Probing checked_probing(const ProbeOptions& o) {
   return probing;
 }
 
-SphereProbing checked_sphere(const ProbeOptions& o) {
+study::SphereProbing checked_sphere(const ProbeOptions& o) {
   const study::Probing plane = checked_probing(o);
   if (o.finite || o.control || o.probes || !o.R.empty() || !o.conditions.empty())
     throw lab::BadInput("--plane 3d excludes --finite, --control, --R, --conditions and --probes");

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "src/cli/material_option.hpp"
-#include "src/probe/sphere_report.hpp"
+#include "src/study/probe/run_probe.hpp"
+#include "src/study/probe/strain_paths.hpp"
 
 namespace triax::src {
 
@@ -50,7 +51,7 @@ void add_probe_options(CLI::App& app, ProbeOptions& options);
 study::Probing checked_probing(const ProbeOptions& options);
 
 /// The same in three dimensions.
-SphereProbing checked_sphere(const ProbeOptions& options);
+study::SphereProbing checked_sphere(const ProbeOptions& options);
 
 /// Throws lab::BadInput unless the options of proportional strain paths are whole and alone.
 void check_strain_path_options(const ProbeOptions& options);

@@ -1,6 +1,6 @@
 #pragma once
 #include "src/study/json_parts.hpp"
-#include "src/study/probe/probed_state.hpp"
+#include "src/study/probe/state_head.hpp"
 
 namespace triax::src {
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "src/output/words.hpp"
 #include "src/triaxial/run_away_fact.hpp"
 
@@ -73,7 +71,8 @@ std::string shear_start_line(const db::StoredTest& test) {
   const auto& at = test.summary.consolidation;
   std::vector<std::string> parts;
   if (at.p_eff_pa) parts.push_back(fmt::format("p′₀ {} kPa", in_kPa(at.p_eff_pa)));
-  if (study::void_ratio(test)) parts.push_back(fmt::format("e₀ {}", number(study::void_ratio(test), 3)));
+  if (study::void_ratio(test))
+    parts.push_back(fmt::format("e₀ {}", number(study::void_ratio(test), 3)));
   if (at.height_m) parts.push_back(fmt::format("height {} mm", in_mm(at.height_m)));
   if (at.diameter_m) parts.push_back(fmt::format("diameter {} mm", in_mm(at.diameter_m)));
   if (at.b_value) parts.push_back(fmt::format("B value {}", number(at.b_value, 3)));
@@ -117,9 +116,7 @@ std::string work_line(const lab::Collapse& collapse) {
 
 std::string truth_line(const lab::Truth& truth) {
   if (!truth.lost_sustainability) return "the simulated specimen remained stable";
-  lab::Instant at;
-  at.q_pa = truth.q_pa;
-  at.p_eff_pa = truth.p_eff_pa;
+  const lab::Instant at = study::true_instant(truth);
   std::vector<std::string> parts;
   if (truth.time_s) parts.push_back(duration(truth.time_s));
   if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
@@ -142,7 +139,8 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   facts.push_back({"Collapse", {verdict_line(test)}});
   if (!study::has_verdict(test)) return;
   if (const auto onset = study::collapse_onset(test)) facts.push_back({"Onset", {instant(*onset)}});
-  if (const auto failure = study::failure_onset(test)) facts.push_back({"Failure", {instant(*failure)}});
+  if (const auto failure = study::failure_onset(test))
+    facts.push_back({"Failure", {instant(*failure)}});
   facts.push_back(
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
@@ -175,8 +173,8 @@ Table checks_table(const db::StoredTest& test) {
     return value ? fmt::format("{:.4g}", *value) : std::string(kUnknown);
   };
   for (const auto& check : test.summary.checks)
-    table.rows.push_back({spaced(check.name), plain(check.measured), plain(check.limit),
-                          check.ok ? "ok" : "NOT OK", check.note});
+    table.rows.push_back({spaced(std::string(to_string(check.kind))), plain(check.measured),
+                          plain(check.limit), check.ok ? "ok" : "NOT OK", check.note});
   return table;
 }
 
@@ -207,18 +205,14 @@ Table summary_table(const std::vector<study::TestResult>& tests) {
 }
 
 std::string summary_banner(const std::vector<study::TestResult>& tests) {
-  const auto count = [&](auto&& is_so) { return std::count_if(tests.begin(), tests.end(), is_so); };
-  const auto simulated =
-      count([](const auto& test) { return test.stored.header.origin == Origin::simulated; });
-  const auto interrupted =
-      count([](const auto& test) { return test.stored.status == db::TestStatus::interrupted; });
+  const auto counts = study::counts_of(tests);
   std::vector<std::string> parts;
-  if (simulated > 0)
+  if (counts.simulated > 0)
     parts.push_back(fmt::format("{} of {} tests SIMULATED, not measured",
-                                simulated, tests.size()));
-  if (interrupted > 0)
-    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict", interrupted,
-                                tests.size()));
+                                counts.simulated, counts.tests));
+  if (counts.interrupted > 0)
+    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict",
+                                counts.interrupted, counts.tests));
   return fmt::format("{}", fmt::join(parts, ". "));
 }
 
@@ -243,7 +237,8 @@ TestContent test_content(const study::TestResult& reported) {
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
   facts.push_back({"Start of shear", {shear_start_line(test)}});
   add_collapse(facts, test);
-  if (auto list = study::warnings(test); !list.empty()) facts.push_back({"Warnings", std::move(list)});
+  if (auto list = study::warnings(test); !list.empty())
+    facts.push_back({"Warnings", std::move(list)});
   content.criteria = criteria_table(test);
   content.checks = checks_table(test);
   return content;

@@ -9,14 +9,14 @@
 
 #include "lab/base/bad_input.hpp"
 #include "src/plot/figure_files.hpp"
+#include "src/study/triaxial/tests_origin.hpp"
 #include "src/triaxial/figures/collapse_points_figure.hpp"
-#include "src/triaxial/figures/history_figure.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
-#include "src/triaxial/figures/series_plot.hpp"
 #include "src/triaxial/figures/shear_curves_figure.hpp"
 #include "src/triaxial/figures/strains_over_p_figure.hpp"
-#include "src/triaxial/figures/stress_path_figure.hpp"
+#include "src/triaxial/figures/stress_increments_figure.hpp"
 #include "src/triaxial/figures/stress_paths_figure.hpp"
+#include "src/triaxial/test_figures.hpp"
 
 namespace triax::src {
 namespace {
@@ -58,9 +58,8 @@ void add_tests(FigureFolder& folder, const std::vector<study::TestResult>& tests
   for (const auto& test : tests) {
     auto name = file_name(test.stored.header.name);
     if (!names.insert(name).second) name += fmt::format("_{}", test.stored.id);
-    folder.add(name + "_stress_path", stress_path_figure(test));
-    folder.add(name + "_history", history_figure(test, Span::shear));
-    folder.add(name + "_onset", history_figure(test, Span::onset));
+    for (const auto& figure : test_figures(test))
+      folder.add(name + '_' + figure.name, figure.drawing);
   }
 }
 
@@ -71,9 +70,11 @@ void add_types(FigureFolder& folder, const std::vector<study::TestResult>& tests
     types[type.empty() ? "other" : type].push_back(test);
   }
   for (const auto& [type, members] : types) {
-    folder.add(file_name(type) + "_stress_paths", stress_paths_figure(members));
-    folder.add(file_name(type) + "_shear_curves", shear_curves_figure(members));
-    folder.add(file_name(type) + "_strains", strains_over_p_figure(members));
+    const auto series = study::shear_series(members);
+    folder.add(file_name(type) + "_stress_paths", stress_paths_figure(series));
+    folder.add(file_name(type) + "_shear_curves", shear_curves_figure(series));
+    folder.add(file_name(type) + "_strains",
+               strains_over_p_figure(study::shear_beginnings(members)));
   }
 }
 
@@ -85,9 +86,9 @@ std::vector<std::string> write_figures(const std::vector<study::TestResult>& tes
   FigureFolder figures(folder);
   add_tests(figures, tests);
   add_types(figures, tests);
-  figures.add("collapse_points", collapse_points_figure(tests));
+  figures.add("collapse_points", collapse_points_figure(study::collapse_points(tests)));
   figures.add("stress_increments",
-              stress_increments_figure(increments, origin_of(pointers_to(tests))));
+              stress_increments_figure(increments, origin_note(study::origin_of(tests))));
   return figures.take();
 }
 

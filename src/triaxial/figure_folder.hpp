@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "src/study/triaxial/collapse_increment.hpp"
 #include "src/study/triaxial/test_result.hpp"
-#include "src/triaxial/figures/stress_increments_figure.hpp"
 
 namespace triax::src {
 
@@ -12,8 +12,8 @@ namespace triax::src {
 /// PDF:
 ///
 ///   TEST_stress_path, TEST_history, TEST_onset            of each test
-///   TYPE_stress_paths, TYPE_shear_curves, TYPE_strains    of all tests of a type (ICU, CSD,
-///   CSU...) collapse_points, stress_increments                    of all tests
+///   TYPE_stress_paths, TYPE_shear_curves, TYPE_strains    of all tests of a type (ICU, CSD...)
+///   collapse_points, stress_increments                    of all tests
 ///
 /// TEST and TYPE are their names in small letters, what is no letter and no digit being '_'; of two
 /// tests with one name the second has its id behind it. A figure without data is left out. Gives

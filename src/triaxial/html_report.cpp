@@ -7,7 +7,7 @@
 #include "src/output/markup.hpp"
 #include "src/triaxial/content.hpp"
 #include "src/triaxial/figures/collapse_points_figure.hpp"
-#include "src/triaxial/figures/test_figures.hpp"
+#include "src/triaxial/test_figures.hpp"
 
 namespace triax::src {
 namespace {
@@ -75,7 +75,7 @@ std::string test_markup(const study::TestResult& test) {
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(content.banner));
   html += facts_markup(content.facts);
   html += "<div class=\"figures\">\n";
-  for (const auto& figure : test_figures(test)) html += figure_markup(figure);
+  for (const auto& figure : test_figures(test)) html += figure_markup(figure.drawing);
   html += "</div>\n" + section("Criteria of collapse", content.criteria);
   html += section("Checks", content.checks);
   return html + "</section>\n";
@@ -89,21 +89,22 @@ std::string summary_markup(const std::vector<study::TestResult>& tests) {
   html += "<ul class=\"notes\">\n";
   for (const auto& note : summary_notes()) html += fmt::format("<li>{}</li>\n", escaped(note));
   html += "</ul>\n";
-  if (const auto points = collapse_points_figure(tests); points.plot) html += figure_markup(points);
+  if (const auto points = collapse_points_figure(study::collapse_points(tests)); points.plot)
+    html += figure_markup(points);
   return html;
 }
 
 }  // namespace
 
-std::string html_report(const std::vector<study::TestResult>& tests) {
+std::string html_report(const std::vector<study::TestResult>& tests, const std::string& more) {
   std::string html = kHead;
   html += "<h1>Triaxial tests: when and why they became unstable</h1>\n";
-  if (tests.empty()) html += "<p>The database holds no test.</p>\n";
+  if (tests.empty() && more.empty()) html += "<p>The database holds no test.</p>\n";
   if (const auto banner = summary_banner(tests); !banner.empty())
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(banner));
   if (!tests.empty()) html += summary_markup(tests);
   for (const auto& test : tests) html += test_markup(test);
-  return html + "</body>\n</html>\n";
+  return html + more + "</body>\n</html>\n";
 }
 
 }  // namespace triax::src

@@ -6,7 +6,7 @@
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 #include "src/study/json_parts.hpp"
-#include "src/triaxial/run_away_fact.hpp"
+#include "src/study/triaxial/runaway_balance.hpp"
 
 namespace triax::src {
 namespace {
@@ -111,18 +111,16 @@ study::Json run_aways_json(const std::vector<lab::RunAwayTruth>& run_aways) {
                     {"largest_at_s", plain(run_away.largest_at_s)},
                     {"kinetic_energy_J", plain(run_away.kinetic_energy_j)},
                     {"second_order_work_J", plain(run_away.second_order_work_j)},
-                    {"kinetic_energy_over_half_work", plain(kinetic_energy_ratio(run_away))},
+                    {"kinetic_energy_over_half_work", plain(study::balance_of(run_away).ratio)},
                     {"expected_ratio", plain(run_away.expected_ratio)},
                     {"end_s", plain(run_away.end_s)},
-                    {"ending", text(run_away.end)}});
+                    {"ending", text(std::string(to_string(run_away.end)))}});
   return list;
 }
 
 study::Json truth_json(const std::optional<lab::Truth>& truth) {
   if (!truth) return nullptr;
-  lab::Instant at;
-  at.q_pa = truth->q_pa;
-  at.p_eff_pa = truth->p_eff_pa;
+  const lab::Instant at = study::true_instant(*truth);
   return {{"lost_sustainability", truth->lost_sustainability},
           {"time_s", plain(truth->time_s)},
           {"axial_strain", plain(truth->axial_strain)},
@@ -166,7 +164,7 @@ study::Json collapse_json(const db::StoredTest& test) {
 study::Json checks_json(const std::vector<lab::Check>& checks) {
   study::Json list = study::Json::array();
   for (const auto& check : checks)
-    list.push_back({{"name", check.name},
+    list.push_back({{"name", to_string(check.kind)},
                     {"measured", plain(check.measured)},
                     {"limit", plain(check.limit)},
                     {"ok", check.ok},

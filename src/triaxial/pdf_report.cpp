@@ -9,7 +9,7 @@
 #include "src/plot/pages.hpp"
 #include "src/triaxial/content.hpp"
 #include "src/triaxial/figures/collapse_points_figure.hpp"
-#include "src/triaxial/figures/test_figures.hpp"
+#include "src/triaxial/test_figures.hpp"
 
 namespace triax::src {
 namespace {
@@ -44,7 +44,7 @@ PageSection summary_section(const std::vector<study::TestResult>& tests) {
   section.markup += banner_markup(summary_banner(tests)) + table_markup(summary_table(tests));
   for (const auto& note : summary_notes())
     section.markup += fmt::format("<div class=\"notes\">{}</div>\n", escaped(note));
-  if (auto points = collapse_points_figure(tests); points.plot)
+  if (auto points = collapse_points_figure(study::collapse_points(tests)); points.plot)
     add_figure(section, std::move(points));
   return section;
 }
@@ -56,19 +56,21 @@ PageSection test_section(const study::TestResult& test) {
   section.markup += banner_markup(content.banner) + facts_markup(content.facts);
   add_table(section, "Criteria of collapse", content.criteria);
   add_table(section, "Checks", content.checks);
-  for (auto& figure : test_figures(test)) add_figure(section, std::move(figure));
+  for (auto& figure : test_figures(test)) add_figure(section, std::move(figure.drawing));
   return section;
 }
 
 }  // namespace
 
-void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path) {
+void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path,
+                const std::vector<PageSection>& more) {
   need_drawing();
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   Pages pages(buffer, kTitle);
-  pages.add(summary_section(tests));
+  if (!tests.empty() || more.empty()) pages.add(summary_section(tests));
   for (const auto& test : tests) pages.add(test_section(test));
+  for (const auto& section : more) pages.add(section);
   pages.finish();
   write_file(path, {buffer.data().constData(), static_cast<std::size_t>(buffer.data().size())});
 }

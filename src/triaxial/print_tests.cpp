@@ -22,7 +22,8 @@ void print_tests(const std::string& db, const std::vector<std::int64_t>& ids, bo
   const db::Store store(db);
   std::vector<study::TestResult> tests;
   tests.reserve(ids.size());
-  for (const auto id : ids) tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
+  for (const auto id : ids)
+    tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   print(json ? json_report(tests) : text_for_people(std::move(tests)));
 }
 

@@ -18,9 +18,8 @@
 namespace triax::src {
 namespace {
 
-void show_progress(lab::Session& session, ProgressBar& bar) {
-  QObject::connect(&session, &lab::Session::progressed,
-                   [&bar](double fraction) { bar.show(fraction); });
+lab::SessionListener shown_on(ProgressBar& bar) {
+  return {.progressed = [&bar](double fraction) { bar.show(fraction); }};
 }
 
 struct Options {
@@ -64,8 +63,7 @@ void run(const Options& o) {
       const auto rig = i < rigs.size() ? std::move(rigs[i]) : lab::open_record(path, record);
       ProgressBar bar(std::filesystem::path(path).filename().string());
       ids.push_back(
-          study::run_test(*rig, {.reduction = reduction, .speed = o.speed}, o.db,
-                          [&bar](lab::Session& session) { show_progress(session, bar); }));
+          study::run_test(*rig, {.reduction = reduction, .speed = o.speed}, o.db, {shown_on(bar)}));
     }
   } catch (const lab::BadInput&) {
     // The tests before are done and kept: what they came to is not lost for the one that is bad.

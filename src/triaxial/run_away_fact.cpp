@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/output/words.hpp"
+#include "src/study/triaxial/runaway_balance.hpp"
 
 namespace triax::src {
 namespace {
@@ -17,42 +18,38 @@ std::string lapse(double seconds) {
   return std::abs(seconds) < 1000 ? fmt::format("{:.3g} s", seconds) : duration(seconds);
 }
 
-std::string energy_balance(const lab::RunAwayTruth& run_away) {
-  if (!run_away.kinetic_energy_j || !run_away.second_order_work_j) return "Eq. (5) is not resolved";
-  const double half_work = -*run_away.second_order_work_j / 2;
+std::string energy_balance(const lab::RunAwayTruth& run_away,
+                           const study::RunawayBalance& balance) {
+  if (!balance.half_work_j) return "Eq. (5) is not resolved";
   auto line = fmt::format("Eq. (5) at its start: E_c {} against −W₂/2 {}",
-                          joules(run_away.kinetic_energy_j), joules(half_work));
-  if (const auto ratio = kinetic_energy_ratio(run_away))
-    line += fmt::format(", ratio {}", number(ratio, 3));
-  if (run_away.expected_ratio)
-    line +=
-        fmt::format(" where {} is expected ({})", number(run_away.expected_ratio, 3),
-                    *run_away.expected_ratio < 0.8 ? "from a limit point, where the third order governs"
-                                                   : "past the peak");
+                          joules(run_away.kinetic_energy_j), joules(balance.half_work_j));
+  if (balance.ratio) line += fmt::format(", ratio {}", number(balance.ratio, 3));
+  if (balance.start)
+    line += fmt::format(" where {} is expected ({})", number(run_away.expected_ratio, 3),
+                        *balance.start == study::RunawayStart::limit_point
+                            ? "from a limit point, where the third order governs"
+                            : "past the peak");
   return line;
 }
 
-std::string ending(const lab::RunAwayTruth& run_away) {
-  if (!run_away.end_s) return "still moving when the test ended";
-  std::string how = run_away.end.empty() ? "ended" : run_away.end;
-  if (how == "end of travel") how = "travel limit reached";
-  return fmt::format("{} after {}", how, lapse(*run_away.end_s - run_away.start_s));
+std::string ending(const lab::RunAwayTruth& run_away, const study::RunawayBalance& balance) {
+  if (!balance.duration_s) return "still moving when the test ended";
+  const auto how = run_away.end == lab::RunAwayEnd::none ? std::string("ended")
+                   : run_away.end == lab::RunAwayEnd::end_of_travel
+                       ? std::string("travel limit reached")
+                       : std::string(to_string(run_away.end));
+  return fmt::format("{} after {}", how, lapse(*balance.duration_s));
 }
 
 std::string line_of(const lab::RunAwayTruth& run_away) {
+  const auto balance = study::balance_of(run_away);
   return fmt::format("at {}, largest kinetic energy {} after {}; {}; {}",
                      duration(run_away.start_s), joules(run_away.largest_kinetic_energy_j),
-                     lapse(run_away.largest_at_s - run_away.start_s), energy_balance(run_away),
-                     ending(run_away));
+                     lapse(balance.rise_s), energy_balance(run_away, balance),
+                     ending(run_away, balance));
 }
 
 }  // namespace
-
-std::optional<double> kinetic_energy_ratio(const lab::RunAwayTruth& run_away) {
-  if (!run_away.kinetic_energy_j || !run_away.second_order_work_j) return std::nullopt;
-  const double ratio = -2 * *run_away.kinetic_energy_j / *run_away.second_order_work_j;
-  return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
-}
 
 std::string joules(std::optional<double> j) {
   if (!j || !std::isfinite(*j)) return kUnknown;

@@ -22,9 +22,8 @@
 namespace triax::src {
 namespace {
 
-void show_progress(lab::Session& session, ProgressBar& bar) {
-  QObject::connect(&session, &lab::Session::progressed,
-                   [&bar](double fraction) { bar.show(fraction); });
+lab::SessionListener shown_on(ProgressBar& bar) {
+  return {.progressed = [&bar](double fraction) { bar.show(fraction); }};
 }
 
 struct Options {
@@ -67,14 +66,14 @@ void run_test_of(const Options& o) {
   if (!o.record.empty()) writer.emplace(o.record, rig.header());
   const Interruption interruption;
   ProgressBar bar(rig.header().name);
+  lab::SessionListeners also = {shown_on(bar)};
+  if (writer)
+    also.push_back({.scanned = [&writer](const lab::Reading& reading, const lab::State&) {
+      writer->write(reading);
+    }});
   const auto id = study::run_test(
       rig, {.reduction = {}, .speed = o.speed, .stop = [&] { return interruption.requested(); }},
-      o.db, [&](lab::Session& session) {
-        show_progress(session, bar);
-        if (!writer) return;
-        QObject::connect(&session, &lab::Session::scanned,
-                         [&writer](const lab::Reading& reading) { writer->write(reading); });
-      });
+      o.db, also);
   if (writer) {
     writer->finish(rig.truth());
     record.is_there();

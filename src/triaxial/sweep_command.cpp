@@ -13,6 +13,7 @@
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/output.hpp"
+#include "src/study/triaxial/sweep_summary.hpp"
 #include "src/triaxial/sweep_progress.hpp"
 #include "src/triaxial/sweep_results.hpp"
 
@@ -61,16 +62,12 @@ std::vector<study::SweepMember> run_all(const study::SweepJob& job) {
 void complain_of_failures(const lab::Sweep& sweep, const std::vector<study::SweepMember>& members) {
   for (const std::string& text : sweep_failures(sweep, members))
     std::fprintf(stderr, "triax: %s\n", text.c_str());
-  const auto total = static_cast<std::int64_t>(members.size());
-  const auto failed = std::count_if(members.begin(), members.end(),
-                                    [](const study::SweepMember& m) { return !m.failure.empty(); });
-  const auto stored = std::count_if(members.begin(), members.end(),
-                                    [](const study::SweepMember& m) { return m.id.has_value(); });
-  if (stored + failed < total)
+  const auto sum = study::summary_of(members);
+  if (sum.not_run > 0)
     throw lab::WorkFailed(fmt::format(
-        "the sweep was stopped by the operator: {} of {} tests are stored", stored, total));
-  if (failed > 0)
-    throw lab::WorkFailed(fmt::format("{} of {} tests of the sweep failed", failed, total));
+        "the sweep was stopped by the operator: {} of {} tests are stored", sum.stored, sum.tests));
+  if (sum.failed > 0)
+    throw lab::WorkFailed(fmt::format("{} of {} tests of the sweep failed", sum.failed, sum.tests));
 }
 
 }  // namespace

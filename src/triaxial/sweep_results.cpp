@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "db/store.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
+#include "src/study/triaxial/sweep_summary.hpp"
 #include "src/triaxial/json_report.hpp"
 
 namespace triax::src {
@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::size_t kMostLines = 40;
 constexpr std::size_t kMostFailures = 10;
-
-bool detected(const study::SweepMember& m) { return m.judged && m.kind != lab::CollapseKind::none; }
 
 std::string finding(const study::SweepMember& m) {
   if (!m.failure.empty()) return "failed";
@@ -43,61 +41,26 @@ Table lines(const lab::Sweep& sweep, const std::vector<study::SweepMember>& memb
   return table;
 }
 
-/// Mean, extremes and standard deviation (n − 1) of some values.
-struct Spread {
-  std::vector<double> values;
-
-  void add(std::optional<double> value) {
-    if (value && std::isfinite(*value)) values.push_back(*value);
-  }
-  std::string text() const {
-    if (values.empty()) return kUnknown;
-    const auto n = static_cast<double>(values.size());
-    double mean = 0, squares = 0;
-    for (const double v : values) mean += v / n;
-    for (const double v : values) squares += (v - mean) * (v - mean);
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const auto deviation =
-        values.size() > 1 ? std::optional(std::sqrt(squares / (n - 1))) : std::nullopt;
-    return fmt::format("mean {}, minimum {}, maximum {}, standard deviation {}", number(mean, 4),
-                       number(*least, 4), number(*most, 4), number(deviation, 4));
-  }
-};
-
-std::int64_t count(const std::vector<study::SweepMember>& members,
-                   bool (*is_so)(const study::SweepMember&)) {
-  return std::count_if(members.begin(), members.end(), is_so);
+std::string spread_text(const std::optional<study::Spread>& spread) {
+  if (!spread) return kUnknown;
+  return fmt::format("mean {}, minimum {}, maximum {}, standard deviation {}",
+                     number(spread->mean, 4), number(spread->smallest, 4),
+                     number(spread->largest, 4), number(spread->standard_deviation, 4));
 }
 
-std::string counts_text(const std::vector<study::SweepMember>& members) {
-  const auto failed =
-      count(members, [](const study::SweepMember& m) { return !m.failure.empty(); });
-  const auto not_run =
-      count(members, [](const study::SweepMember& m) { return !m.id && m.failure.empty(); });
-  const auto judged = count(members, [](const study::SweepMember& m) { return m.judged; });
-  std::string text = fmt::format("{} tests", members.size());
-  if (failed > 0) text += fmt::format(", {} failed", failed);
-  if (not_run > 0) text += fmt::format(", {} not run", not_run);
-  return text +
-         fmt::format(", {} judged, {} collapses detected\n", judged, count(members, detected));
+std::string counts_text(const study::SweepSummary& sum) {
+  std::string text = fmt::format("{} tests", sum.tests);
+  if (sum.failed > 0) text += fmt::format(", {} failed", sum.failed);
+  if (sum.not_run > 0) text += fmt::format(", {} not run", sum.not_run);
+  return text + fmt::format(", {} judged, {} collapses detected\n", sum.judged, sum.detected);
 }
 
-std::string truth_text(const std::vector<study::SweepMember>& members) {
-  const auto lost =
-      count(members, [](const study::SweepMember& m) { return m.id && m.truly_lost; });
-  const auto found =
-      count(members, [](const study::SweepMember& m) { return m.truly_lost && detected(m); });
-  const auto invented =
-      count(members, [](const study::SweepMember& m) { return !m.truly_lost && detected(m); });
-  Spread eta, error;
-  for (const study::SweepMember& m : members) {
-    eta.add(m.true_eta);
-    if (m.eta && m.true_eta) error.add(*m.eta - *m.true_eta);
-  }
+std::string truth_text(const study::SweepSummary& sum) {
   return fmt::format(
       "true onset (model): {} became unstable, {} of them detected; {} detected that remained stable\n"
       "η at the true onset: {}\nη found minus true η: {}\n",
-      lost, found, invented, eta.text(), error.text());
+      sum.truly_lost, sum.truly_lost_detected, sum.false_alarms, spread_text(sum.true_eta),
+      spread_text(sum.eta_error));
 }
 
 }  // namespace
@@ -108,10 +71,9 @@ std::string sweep_text(const lab::Sweep& sweep, const std::vector<study::SweepMe
   if (members.size() > kMostLines)
     text += fmt::format("... and {} more; `triax query sweep` lists all\n",
                         members.size() - kMostLines);
-  Spread eta;
-  for (const study::SweepMember& m : members) eta.add(m.eta);
-  text += '\n' + counts_text(members) + "η at collapse: " + eta.text() + '\n';
-  return without_controls(text + truth_text(members));
+  const auto sum = study::summary_of(members);
+  text += '\n' + counts_text(sum) + "η at collapse: " + spread_text(sum.eta) + '\n';
+  return without_controls(text + truth_text(sum));
 }
 
 std::vector<std::string> sweep_failures(const lab::Sweep& sweep,

@@ -56,6 +56,36 @@ TEST_CASE("grains: report, document, files and database tell the same run") {
   CHECK(works("triax.db") == works("b.db"));
 }
 
+TEST_CASE("grains: report tells a run from the database as grains told it") {
+  const Workplace here;
+  write(here / "g.toml", kSmallGrains);
+  const Outcome told = here.triax("grains g.toml --output out");
+  REQUIRE(told.status == 0);
+  const Outcome again = here.triax("report grains:1");
+  CHECK(again.status == 0);
+  CHECK_THAT(again.out, Catch::EndsWith(told.out));
+  CHECK(here.triax("report small").out == again.out);
+  CHECK(here.triax("report").out == again.out);
+
+  json document = json::parse(here.triax("report small --format json").out);
+  CHECK(document["id"] == 1);
+  CHECK(document["status"] == "complete");
+  for (const char* of_the_database : {"id", "name", "status", "recorded_at", "stored_whole"})
+    document.erase(of_the_database);
+  CHECK(document == json::parse(content(here / "out.json")));
+
+  CHECK(here.triax("report small --figures pictures").status == 0);
+  CHECK(content(here / "pictures/small_drained.svg") == content(here / "out_drained.svg"));
+  REQUIRE(here.triax("report small --format html --output r.html").status == 0);
+  CHECK_THAT(content(here / "r.html"), Catch::Contains("<section id=\"grains-1\">") &&
+                                           Catch::Contains("SIMULATED") && Catch::Contains("<svg"));
+  REQUIRE(here.triax("report small --format pdf --output r.pdf").status == 0);
+  CHECK_THAT(content(here / "r.pdf"), Catch::StartsWith("%PDF"));
+  const Outcome none = here.triax("report grains:2");
+  CHECK(none.status == 2);
+  CHECK_THAT(none.err, Catch::Contains("no run of grains with the id or name '2'"));
+}
+
 TEST_CASE("grains: a saved state goes on in another programme; --set changes a value") {
   const Workplace here;
   write(here / "g.toml",

@@ -149,5 +149,5 @@ TEST_CASE("wrong usage is one line and status 2") {
         outcome.err.substr(outcome.err.rfind('\n', outcome.err.size() - 2) + 1);
     CHECK(last.rfind("triax: ", 0) == 0);
   }
-  CHECK(here.triax("--version").out == "triax 0.1.0\n");
+  CHECK(here.triax("--version").out == "triax " TRIAX_VERSION "\n");
 }

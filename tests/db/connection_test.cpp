@@ -103,6 +103,39 @@ TEST_CASE("tests of the schema before the apparatus keep their stages, verdicts 
   CHECK(read_int(database, "SELECT count(*) FROM stages") == 0);
 }
 
+TEST_CASE("of an old record without time, no strain stays under the name of a time") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  {
+    SQLite::Database old(path, kCreate);
+    db::migrate(old, path, 5);
+    old.exec(
+        "INSERT INTO tests (id, name, origin, status, recorded_at, has_time, columns, writer_pid, "
+        "writer_started, writer_host) VALUES "
+        "(1, 'timed', 'recorded', 'complete', '', 1, '', 1, 1, 'h'),"
+        "(2, 'untimed', 'recorded', 'complete', '', 0, '', 1, 1, 'h');"
+        "INSERT INTO work_points VALUES ((1 << 32) + 7, 0.5, 1, 2, 3, 0.9, 0.1, 51),"
+        "((2 << 32) + 7, 0.0125, 4, 5, 6, 0.8, 0.1, 51);"
+        "INSERT INTO events VALUES (1, 1, 7, 0.5, 'k', 'd'), (2, 2, 7, 0.0125, 'k', 'd');"
+        "INSERT INTO instants VALUES (1, 'onset', 7, 0.5, 0.01, 1, 1, 1),"
+        "(2, 'onset', 7, 0.0125, 0.01, 1, 1, 1);"
+        "INSERT INTO criteria VALUES (1, 1, 'c', 1, 7, 0.5, 0.6, ''),"
+        "(2, 2, 'c', 1, 7, 0.0125, 0.6, '')");
+  }
+  SQLite::Database database = db::open_for_reading(path);
+  const auto text = [&](const char* sql) { return database.execAndGet(sql).getString(); };
+  CHECK(text("SELECT group_concat(test || ' ' || axis) FROM tests") ==
+        "timed time,untimed axial_strain");
+  CHECK(text("SELECT json_group_array(json_array(axis, time_s, axial_strain_path, "
+             "eulerian_Pa_per_s2, eulerian_Pa_per_strain2, normalised)) "
+             "FROM second_order_work") ==
+        R"([["time",0.5,null,2.0,null,0.9],["axial_strain",null,0.0125,null,5.0,0.8]])");
+  for (const char* table : {"events", "instants", "criteria"})
+    CHECK(text(("SELECT json_group_array(time_s) FROM (SELECT time_s FROM " + std::string(table) +
+                " ORDER BY test_id)")
+                   .c_str()) == "[0.5,null]");
+}
+
 TEST_CASE("a migration that fails leaves the database as it was") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
@@ -136,7 +169,8 @@ TEST_CASE("what is no database of ours is refused and not touched") {
   }
 }
 
-TEST_CASE("two threads make the same new database, and neither takes it for a foreign one") {
+TEST_CASE("two threads make the same new database, and neither takes it for a foreign one",
+          "[threads]") {
   TemporaryFolder folder;
   for (int round = 0; round < 200; ++round) {
     const std::string path = folder.file(std::to_string(round) + ".db");
@@ -161,7 +195,7 @@ TEST_CASE("two threads make the same new database, and neither takes it for a fo
   }
 }
 
-TEST_CASE("a database that another thread is making is empty or ours to a reader") {
+TEST_CASE("a database that another thread is making is empty or ours to a reader", "[threads]") {
   TemporaryFolder folder;
   for (int round = 0; round < 50; ++round) {
     const std::string path = folder.file(std::to_string(round) + ".db");

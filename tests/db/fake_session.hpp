@@ -1,6 +1,6 @@
 #pragma once
-// A session whose signals the test sends itself.
-#include "lab/rig/session.hpp"
+// What a session would tell, told by the test itself.
+#include "lab/rig/session_listener.hpp"
 #include "tests/db/scans.hpp"
 
 namespace triax::testing {
@@ -22,11 +22,12 @@ inline lab::RecordHeader raw_header(const std::string& name) {
 }
 
 /// Sends `count` plausible scans from number `first` on.
-inline void send_scans(lab::Session& session, std::int64_t first, std::int64_t count) {
+inline void send_scans(const lab::SessionListener& listener, std::int64_t first,
+                       std::int64_t count) {
   std::mt19937_64 random(static_cast<std::uint64_t>(first));
   for (std::int64_t number = first; number < first + count; ++number) {
     const auto [reading, state] = raw_scan(random, number);
-    emit session.scanned(reading, state);
+    listener.scanned(reading, state);
   }
 }
 

@@ -32,9 +32,11 @@ const Ran& ran() {
     Ran r;
     lab::GrainListener listener;
     listener.made = [&](const lab::GrainsMade& made) { r.made = made; };
-    listener.ends = [&](const lab::GrainStage&, const sim::GrainState&,
-                        const lab::GrainStageResult& result) { r.results.push_back(result); };
-    lab::run_grains(small(), 1, listener);
+    listener.stage_ended = [&](const lab::GrainStage&, const sim::GrainState&,
+                               const lab::GrainStageResult& result) {
+      r.results.push_back(result);
+    };
+    lab::run_grains(small(), {}, {listener});
     return r;
   }();
   return all;
@@ -53,8 +55,9 @@ TEST_CASE("a run of grains is in the database with every value it came to") {
   testing::TemporaryFolder folder;
   db::GrainRecorder recorder(folder.file("t.db"), small());
   CHECK(folder.is_empty());
-  recorder.made(ran().made);
-  for (const auto& result : ran().results) recorder.ended(result);
+  const lab::GrainListener listener = recorder.listener();
+  listener.made(ran().made);
+  for (const auto& result : ran().results) listener.stage_ended(*result.stage, {}, result);
   CHECK(recorder.finish() == 1);
 
   SQLite::Database d = db::open_for_reading(folder.file("t.db"));

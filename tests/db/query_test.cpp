@@ -35,14 +35,13 @@ db::Value answer(const std::string& path, const std::string& question) {
 /// Test 26 of the database, collapsed, with scans that the tests can compute.
 std::string record_collapse(const TemporaryFolder& folder, lab::Origin origin) {
   const std::string path = folder.file("t.db");
-  lab::Session session;
   db::Recorder recorder(path);
-  recorder.listen(session);
+  const lab::SessionListener listener = recorder.listener();
   lab::RecordHeader header = testing::raw_header("26");
   header.programme = "CSU";
   header.origin = origin;
-  emit session.started(header);
-  testing::send_scans(session, 0, 100);
+  listener.started(header);
+  testing::send_scans(listener, 0, 100);
   lab::TestSummary summary;
   summary.consolidation = {300e3, 0.97, 0.871, {}, {}};
   summary.collapse.kind = lab::CollapseKind::flow;

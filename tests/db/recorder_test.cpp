@@ -25,14 +25,14 @@ using testing::TemporaryFolder;
 
 namespace {
 
-/// A session with its recorder, listening and started.
+/// A recorder and what a session tells it, which has started.
 struct Recording {
-  Recording(const std::string& path, const std::string& name) : recorder(path) {
-    recorder.listen(session);
-    emit session.started(testing::raw_header(name));
+  Recording(const std::string& path, const std::string& name)
+      : recorder(path), listener(recorder.listener()) {
+    listener.started(testing::raw_header(name));
   }
-  lab::Session session;
   db::Recorder recorder;
+  const lab::SessionListener listener;
 };
 
 std::string content(const std::string& path) {
@@ -72,20 +72,22 @@ bool comes_true(const Condition& condition) {
 
 }  // namespace
 
-TEST_CASE("nothing is on disk before a batch is due, and a short test is written at its end") {
+TEST_CASE("nothing is on disk before a batch is due, and a short test is written at its end",
+          "[threads]") {
   TemporaryFolder folder;
   Recording recording(folder.file("t.db"), "a");
-  testing::send_scans(recording.session, 0, 100);
+  testing::send_scans(recording.listener, 0, 100);
   CHECK(folder.is_empty());
   CHECK(recording.recorder.finish({}) == 1);
   CHECK(db::Store(folder.file("t.db")).scan_count(1) == 100);
 }
 
-TEST_CASE("what was scanned is on disk within the second although no further reading comes") {
+TEST_CASE("what was scanned is on disk within the second although no further reading comes",
+          "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   Recording recording(path, "a");
-  testing::send_scans(recording.session, 0, 100);
+  testing::send_scans(recording.listener, 0, 100);
   const auto sent = std::chrono::steady_clock::now();
   REQUIRE(comes_true([&] { return std::filesystem::exists(path) && has_tests(path); }));
   const db::Store store(path);
@@ -95,17 +97,17 @@ TEST_CASE("what was scanned is on disk within the second although no further rea
   CHECK(test.status == db::TestStatus::running);
   CHECK(test.summary.readings == 100);
   // The same reader sees what comes later: read while written.
-  testing::send_scans(recording.session, 100, 100);
+  testing::send_scans(recording.listener, 100, 100);
   CHECK(comes_true([&] { return store.scan_count(1) == 200; }));
   recording.recorder.finish({});
   CHECK(store.load(1).status == db::TestStatus::complete);
 }
 
-TEST_CASE("many batches arrive complete and in order") {
+TEST_CASE("many batches arrive complete and in order", "[threads]") {
   TemporaryFolder folder;
   Recording recording(folder.file("t.db"), "a");
   constexpr std::int64_t kCount = 123457;
-  testing::send_scans(recording.session, 0, kCount);
+  testing::send_scans(recording.listener, 0, kCount);
   recording.recorder.finish({});
   const db::Store store(folder.file("t.db"));
   std::int64_t expected = 0;
@@ -115,23 +117,23 @@ TEST_CASE("many batches arrive complete and in order") {
   CHECK(expected == kCount);
 }
 
-TEST_CASE("a recorder that goes away unfinished leaves an interrupted test") {
+TEST_CASE("a recorder that goes away unfinished leaves an interrupted test", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   {
     Recording recording(path, "a");
-    testing::send_scans(recording.session, 0, 10);
+    testing::send_scans(recording.listener, 0, 10);
   }
   const db::Store store(path);
   CHECK(store.load(1).status == db::TestStatus::interrupted);
   CHECK(store.load(1).summary.readings == 10);
 }
 
-TEST_CASE("discard leaves no file behind where there was none") {
+TEST_CASE("discard leaves no file behind where there was none", "[threads]") {
   TemporaryFolder folder;
   for (const std::int64_t scans : {0, 10, 30000}) {
     Recording recording(folder.file("t.db"), "a");
-    testing::send_scans(recording.session, 0, scans);
+    testing::send_scans(recording.listener, 0, scans);
     if (scans > 20000)
       REQUIRE(comes_true([&] { return std::filesystem::exists(folder.file("t.db")); }));
     recording.recorder.discard();
@@ -144,27 +146,27 @@ TEST_CASE("discard leaves the content of a database as it was") {
   const std::string path = folder.file("t.db");
   {
     Recording first(path, "first");
-    testing::send_scans(first.session, 0, 50);
+    testing::send_scans(first.listener, 0, 50);
     first.recorder.finish({});
   }
   const std::string before = content(path);
   Recording second(path, "second");
-  emit second.session.happened({1, 0.1, "collapse", "a sentence"});
-  testing::send_scans(second.session, 0, 30000);
+  second.listener.happened({1, 0.1, lab::EventKind::limit_surface, "a sentence"});
+  testing::send_scans(second.listener, 0, 30000);
   REQUIRE(comes_true([&] { return content(path).size() > 2 * before.size(); }));
   second.recorder.discard();
   CHECK(content(path) == before);
   CHECK(db::Store(path).find({}).size() == 1);
 }
 
-TEST_CASE("discard keeps a database that another recorder uses by now") {
+TEST_CASE("discard keeps a database that another recorder uses by now", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   Recording first(path, "first");
-  testing::send_scans(first.session, 0, 10000);
+  testing::send_scans(first.listener, 0, 10000);
   REQUIRE(comes_true([&] { return std::filesystem::exists(path); }));
   Recording second(path, "second");
-  testing::send_scans(second.session, 0, 20);
+  testing::send_scans(second.listener, 0, 20);
   second.recorder.finish({});
   first.recorder.discard();
   const db::Store store(path);
@@ -187,7 +189,7 @@ TEST_CASE("a test killed at any instant keeps all but its last second and is mar
       // Half of the rounds slowly, as an instrument scans; half as fast as it goes.
       for (std::int64_t number = 0;; ++number) {
         const auto [reading, state] = testing::raw_scan(numbers, number);
-        emit recording.session.scanned(reading, state);
+        recording.listener.scanned(reading, state);
         if (round % 2 == 0) std::this_thread::sleep_for(1ms);
         if (round % 2 == 0 || number % 1000 == 0) {
           const auto now = std::chrono::steady_clock::now() - start;
@@ -231,7 +233,7 @@ TEST_CASE("two processes record into a new database at the same time") {
   const std::string path = folder.file("t.db");
   const auto record = [&](const char* name) {
     Recording recording(path, name);
-    testing::send_scans(recording.session, 0, 60000);
+    testing::send_scans(recording.listener, 0, 60000);
     recording.recorder.finish({});
   };
   const pid_t child = fork();
@@ -255,7 +257,7 @@ TEST_CASE("two processes record into a new database at the same time") {
   CHECK(integrity(path) == "ok");
 }
 
-TEST_CASE("a path that cannot be written fails at the end, and while scans come") {
+TEST_CASE("a path that cannot be written fails at the end, and while scans come", "[threads]") {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("d"));
   std::ofstream(folder.file("text")) << std::string(5000, 'x');
@@ -263,11 +265,11 @@ TEST_CASE("a path that cannot be written fails at the end, and while scans come"
        {folder.file("none/t.db"), folder.file("d"), folder.file("text")}) {
     INFO(path);
     Recording at_end(path, "a");
-    testing::send_scans(at_end.session, 0, 10);
+    testing::send_scans(at_end.listener, 0, 10);
     CHECK_THROWS_AS(at_end.recorder.finish({}), lab::BadInput);
     CHECK_NOTHROW(at_end.recorder.discard());
     Recording meanwhile(path, "a");
-    CHECK_THROWS_WITH(testing::send_scans(meanwhile.session, 0, 200000), Contains(path));
+    CHECK_THROWS_WITH(testing::send_scans(meanwhile.listener, 0, 200000), Contains(path));
   }
 }
 
@@ -276,7 +278,7 @@ TEST_CASE("a disk that is full is reported and leaves a sound database without t
   const std::string path = folder.file("t.db");
   {
     Recording first(path, "first");
-    testing::send_scans(first.session, 0, 50);
+    testing::send_scans(first.listener, 0, 50);
     first.recorder.finish({});
   }
   // The limit on the size of files stands in for the disk.
@@ -288,7 +290,7 @@ TEST_CASE("a disk that is full is reported and leaves a sound database without t
     int outcome = 1;
     Recording second(path, "second");
     try {
-      testing::send_scans(second.session, 0, 500000);
+      testing::send_scans(second.listener, 0, 500000);
     } catch (const lab::WorkFailed&) {
       outcome = 0;
       try {
@@ -310,13 +312,13 @@ TEST_CASE("a disk that is full is reported and leaves a sound database without t
   CHECK(store.load(1).status == db::TestStatus::complete);
 }
 
-TEST_CASE("a recorder serves one test, which has to have begun") {
+TEST_CASE("a recorder serves one test, which has to have begun", "[threads]") {
   TemporaryFolder folder;
   db::Recorder idle(folder.file("t.db"));
   CHECK_THROWS_AS(idle.finish({}), lab::WorkFailed);
   CHECK_NOTHROW(idle.discard());
   Recording recording(folder.file("t.db"), "a");
-  CHECK_THROWS_AS(recording.session.started(testing::raw_header("b")), lab::WorkFailed);
+  CHECK_THROWS_AS(recording.listener.started(testing::raw_header("b")), lab::WorkFailed);
   recording.recorder.discard();
   CHECK(folder.is_empty());
 }
@@ -324,6 +326,6 @@ TEST_CASE("a recorder serves one test, which has to have begun") {
 TEST_CASE("a reading number beyond the key is refused") {
   TemporaryFolder folder;
   Recording recording(folder.file("t.db"), "a");
-  testing::send_scans(recording.session, 0x1'0000'0000, 1);
+  testing::send_scans(recording.listener, 0x1'0000'0000, 1);
   CHECK_THROWS_WITH(recording.recorder.finish({}), Contains("4294967296 cannot be stored"));
 }

@@ -54,5 +54,6 @@ TEST_CASE("batches land under the test's key, one reference a stage, no detail f
   SECTION("points of second-order work have the key of their reading") {
     writer.write({1200, 120.0, {-1, -2, -3, -0.5}, 0.1, 51});
     CHECK(count("second_order_work WHERE reading = 1200 AND normalised = -0.5") == 1);
+    CHECK(count("second_order_work WHERE time_s = 120 AND axial_strain_path IS NULL") == 1);
   }
 }

@@ -41,11 +41,10 @@ TEST_CASE("a recorded test comes back bit for bit, raw, reduced and unruly scans
     if (i % 13 == 0) scan.first.time_s = scan.second.time_s = lab::kMissing;
     sent.push_back(scan);
   }
-  lab::Session session;
   db::Recorder recorder(folder.file("t.db"));
-  recorder.listen(session);
-  emit session.started(testing::raw_header("a"));
-  for (const auto& [reading, state] : sent) emit session.scanned(reading, state);
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(testing::raw_header("a"));
+  for (const auto& [reading, state] : sent) listener.scanned(reading, state);
   const std::int64_t id = recorder.finish({});
 
   const db::Store store(folder.file("t.db"));
@@ -89,21 +88,23 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.collapse.criteria = {{"second_order_work", true, 5, 0.5, 0.58, "fell to -0.4"},
                                {"loss_of_control", false, {}, {}, {}, ""}};
   summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt, {}};
-  summary.truth->run_aways = {{0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, "new equilibrium"},
-                              {0.8, 4e-3, 0.9, {}, {}, {}, {}, ""}};
+  summary.truth->run_aways = {
+      {0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, lab::RunAwayEnd::new_equilibrium},
+      {0.8, 4e-3, 0.9, {}, {}, {}, {}, ""}};
   summary.collapse.judged_until = 7;
   summary.collapse.judged_until_reason = "the pore-pressure transducer is dead";
-  summary.checks = {{"b_value", 0.97, 0.95, true, "B is high enough"}, {"rate", {}, {}, false, ""}};
+  summary.checks = {{lab::CheckKind::b_value, 0.97, 0.95, true, "B is high enough"},
+                    {lab::CheckKind::rate, {}, {}, false, ""}};
   summary.warnings = {{0, "no limit surface"}};
   summary.readings = 10;
 
-  lab::Session session;
   db::Recorder recorder(folder.file("t.db"));
-  recorder.listen(session);
-  emit session.started(header);
-  testing::send_scans(session, 0, 10);
-  emit session.happened({5, 0.5, "collapse", "q fell"});
-  emit session.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(header);
+  testing::send_scans(listener, 0, 10);
+  listener.happened({5, 0.5, lab::EventKind::limit_surface, "q fell"});
+  listener.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
+  listener.second_order_work({4, lab::kMissing, {1.5, 1.4, 1.3, 0.9}, 0.02, 51, 0.0125});
   const std::int64_t id = recorder.finish(summary);
 
   const db::Store store(folder.file("t.db"));
@@ -163,7 +164,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.truth->run_aways[0].second_order_work_j == -3e-6);
   CHECK(back.truth->run_aways[0].expected_ratio == 0.7);
   CHECK(back.truth->run_aways[0].end_s == 0.75);
-  CHECK(back.truth->run_aways[0].end == "new equilibrium");
+  CHECK(back.truth->run_aways[0].end == lab::RunAwayEnd::new_equilibrium);
   CHECK_FALSE(back.truth->run_aways[1].kinetic_energy_j);
   CHECK_FALSE(back.truth->run_aways[1].end_s);
   CHECK(back.collapse.judged_until == 7);
@@ -176,10 +177,14 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.warnings[0].line == 0);
   CHECK(back.readings == 10);
   REQUIRE(test.events.size() == 1);
-  CHECK(test.events[0].kind == "collapse");
+  CHECK(test.events[0].kind == lab::EventKind::limit_surface);
   const auto work = store.second_order_work(id);
-  REQUIRE(work.size() == 1);
+  REQUIRE(work.size() == 2);
   CHECK(work[0].reading == 3);
+  CHECK(work[0].time_s == 0.3);
+  CHECK(std::isnan(work[0].axial_strain_path));
+  CHECK(std::isnan(work[1].time_s));
+  CHECK(work[1].axial_strain_path == 0.0125);
   CHECK(work[0].work.eulerian == 1.4);
   CHECK(work[0].window_readings == 51);
 }
@@ -188,11 +193,10 @@ namespace {
 
 void record_tests(const std::string& path, const std::vector<std::string>& names) {
   for (const auto& name : names) {
-    lab::Session session;
     db::Recorder recorder(path);
-    recorder.listen(session);
-    emit session.started(testing::raw_header(name));
-    testing::send_scans(session, 0, 2);
+    const lab::SessionListener listener = recorder.listener();
+    listener.started(testing::raw_header(name));
+    testing::send_scans(listener, 0, 2);
     recorder.finish({});
   }
 }

@@ -14,7 +14,8 @@
 using namespace triax;
 using testing::TemporaryFolder;
 
-TEST_CASE("two hundred tests of a sweep on several threads get ids in its order, one fails") {
+TEST_CASE("two hundred tests of a sweep on several threads get ids in its order, one fails",
+          "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   constexpr std::int64_t kTests = 200, kBad = 77;
@@ -27,14 +28,13 @@ TEST_CASE("two hundred tests of a sweep on several threads get ids in its order,
       threads.emplace_back([&] {
         for (auto place = next++; place <= kTests; place = next++) {
           try {
-            lab::Session session;
             db::Recorder recorder(path);
             recorder.belongs_to({"s", place, {{"seed", std::to_string(place)}, {"word", "x"}}},
                                 turns);
-            recorder.listen(session);
+            const lab::SessionListener listener = recorder.listener();
             if (place == kBad) throw lab::BadInput("made to fail");
-            emit session.started(testing::raw_header("test " + std::to_string(place)));
-            testing::send_scans(session, 0, 200 + place % 7 * 300);
+            listener.started(testing::raw_header("test " + std::to_string(place)));
+            testing::send_scans(listener, 0, 200 + place % 7 * 300);
             recorder.finish({});
           } catch (...) {
             ++failures;
@@ -70,18 +70,17 @@ TEST_CASE("two hundred tests of a sweep on several threads get ids in its order,
             .getInt() == 9);
 }
 
-TEST_CASE("tests of a sweep stand in its order although their ids do not") {
+TEST_CASE("tests of a sweep stand in its order although their ids do not", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   for (const auto& [name, place] : {std::pair("alone", 0), std::pair("third", 3),
                                     std::pair("first", 1), std::pair("later", 0)}) {
-    lab::Session session;
     db::Recorder recorder(path);
     db::Turns turns;
     for (int before = 1; before < place; ++before) turns.over(before);
     if (place > 0) recorder.belongs_to({"s", place, {{"seed", "1"}}}, turns);
-    recorder.listen(session);
-    emit session.started(testing::raw_header(name));
+    const lab::SessionListener listener = recorder.listener();
+    listener.started(testing::raw_header(name));
     recorder.finish({});
   }
   CHECK(db::Store(path).find({}) == std::vector<std::int64_t>{1, 3, 2, 4});

@@ -30,3 +30,13 @@ TEST_CASE("a test without summary reads as one of which nothing is known") {
   CHECK(test.summary.checks.empty());
   CHECK_THROWS_AS(db::read_test(database, 2), lab::BadInput);
 }
+
+TEST_CASE("a kind of event that this version does not know is said, not guessed") {
+  testing::TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  const auto id = db::insert_test(database, testing::raw_header("a"), "now");
+  db::insert_event(database, id, {3, 0.3, lab::EventKind::run_away, "it ran"});
+  CHECK(db::read_test(database, id).events[0].kind == lab::EventKind::run_away);
+  database.exec("UPDATE events SET kind = 'earthquake'");
+  CHECK_THROWS_WITH(db::read_test(database, id), Catch::Contains("'earthquake'"));
+}

@@ -22,7 +22,7 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
   const std::vector<db::Scan> scans(1);
   writer.write(scans);
   db::insert_sweep(database, id, {"s", 1, {{"seed", "1"}}});
-  db::insert_event(database, id, {0, {}, "collapse", "a sentence"});
+  db::insert_event(database, id, {0, {}, lab::EventKind::limit_surface, "a sentence"});
   lab::TestSummary summary;
   summary.peak = lab::Instant{};
   summary.collapse.criteria = {{}};

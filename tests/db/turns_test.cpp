@@ -7,7 +7,7 @@
 
 using triax::db::Turns;
 
-TEST_CASE("turns are taken in order, whichever thread comes first") {
+TEST_CASE("turns are taken in order, whichever thread comes first", "[threads]") {
   Turns turns;
   std::vector<int> order;
   {

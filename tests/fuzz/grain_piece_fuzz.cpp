@@ -10,12 +10,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace triax;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const triax::study::GrainPiece piece = triax::study::read_grain_piece(text, "fuzz.json");
+    const study::GrainPiece piece = study::read_grain_piece(text, "fuzz.json");
     // What was read can be written, and is then the same.
-    const std::string again = triax::study::grain_piece_json(piece);
-    if (triax::study::grain_piece_json(triax::study::read_grain_piece(again, "again.json")) != again)
+    const std::string again = study::grain_piece_json(piece);
+    if (study::grain_piece_json(study::read_grain_piece(again, "again.json")) != again)
       __builtin_trap();
-    if (piece.count == 1 && triax::study::merged({piece}).rose.probes.size() + 1 != piece.probes.size())
+    if (piece.count == 1 && study::merged({piece}).rose.probes.size() + 1 != piece.probes.size())
       __builtin_trap();
   } catch (const lab::BadInput&) {
   }

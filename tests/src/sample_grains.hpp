@@ -3,11 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "db/grain_store.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
-#include "src/study/grains/grain_report.hpp"
 
 namespace triax::src::test {
-using namespace triax::study;
 
 /// ε₁ and σ₁ − σ₃/R (Pa) of a point on the path dε₁ + 2R dε₃ = 0 at σ₃.
 inline sim::GrainPathPoint path_point(double axial_strain, double path_stress, double R,
@@ -134,16 +133,17 @@ inline lab::GrainProgramme sample_programme() {
 }
 
 /// Two strain paths, one with marks, a rose, two perturbations, a drained and an isotropic path and
-/// a rest, all told with add().
-inline GrainReport sample_run() {
-  GrainReport report = grain_report(sample_programme());
-  add(report, four_grains());
+/// a rest.
+inline lab::GrainReport sample_run() {
+  const lab::GrainProgramme programme = sample_programme();
+  lab::GrainReport report{
+      programme.name, programme.source, lab::reported(programme.grains, four_grains()), {}};
   const auto tell = [&](lab::GrainStage what, auto work, auto outcome) {
     what.work = work;
     lab::GrainStageResult result;
     result.stage = &what;
     result.outcome = std::move(outcome);
-    add(report, result);
+    report.stages.push_back(lab::reported(result));
   };
   const auto follow = [&](const char* name, const char* action, const sim::GrainPath& path,
                           std::vector<sim::GrainPathPoint> points, sim::GrainPathEnd end) {
@@ -184,9 +184,14 @@ inline GrainReport sample_run() {
   tell(stage("load b", "perturbation", "ES_b"), load, collapsed);
   tell(stage("energy b", "perturbation", "ES_b"), energy, collapsed);
   // As if they had been taken out on the way: a mark passed and one that never was.
-  auto& path = std::get<ReportedGrainPath>(report.stages[2].came);
+  auto& path = std::get<lab::ReportedGrainPath>(report.stages[2].came);
   path.marks = {{"ES_a", path.points[10]}, {"never", {}}};
   return report;
+}
+
+/// As if the database had given it.
+inline db::StoredGrainRun stored(lab::GrainReport report) {
+  return {3, db::TestStatus::complete, "2026-01-01T00:00:00Z", std::move(report)};
 }
 
 }  // namespace triax::src::test

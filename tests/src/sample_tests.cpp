@@ -78,8 +78,9 @@ TestResult flow_test() {
        "negative beyond 3 standard errors for 40 readings"},
       {"loss_of_control", true, 320, 32.0, 0.61, "the axial strain rate grew 12 times"},
       {"control_peak", false, std::nullopt, std::nullopt, std::nullopt, ""}};
-  summary.checks = {{"b_value", 0.97, 0.95, true, "saturated enough"},
-                    {"rate", std::nullopt, std::nullopt, false, "no time in the B check"}};
+  summary.checks = {
+      {lab::CheckKind::b_value, 0.97, 0.95, true, "saturated enough"},
+      {lab::CheckKind::rate, std::nullopt, std::nullopt, false, "no time in the B check"}};
   summary.warnings = {{12, "missing cell in pore_pressure_kPa"}, {0, "rate not checked"}};
   return test;
 }

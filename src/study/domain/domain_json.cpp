@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/stability/domain_criteria.hpp"
 #include "src/study/json_parts.hpp"
 
 namespace triax::study {
@@ -53,12 +54,12 @@ Json material_json(const DomainSettings::Material& m) {
 }
 
 Json grid_json(const DomainSettings::Grid& g) {
-  return {{"p_from_kPa", g.p_from_kPa},    {"p_to_kPa", g.p_to_kPa},
-          {"columns", g.columns},          {"q_from_kPa", g.q_from_kPa},
-          {"q_to_kPa", g.q_to_kPa},        {"rows", g.rows},
-          {"void_ratio", g.void_ratio},    {"plane", g.plane},
-          {"directions", g.directions},    {"determinant", g.determinant},
-          {"localisation", g.localisation}};
+  Json out = {{"p_from_kPa", g.p_from_kPa}, {"p_to_kPa", g.p_to_kPa}, {"columns", g.columns},
+              {"q_from_kPa", g.q_from_kPa}, {"q_to_kPa", g.q_to_kPa}, {"rows", g.rows},
+              {"void_ratio", g.void_ratio}, {"plane", g.plane},       {"directions", g.directions}};
+  for (const auto& kind : sim::domain_criterion_kinds())
+    out[std::string(kind.name)] = g.looks_for(kind.name);
+  return out;
 }
 
 Json mark_json(const std::optional<DomainMark>& mark) {
@@ -68,7 +69,7 @@ Json mark_json(const std::optional<DomainMark>& mark) {
 
 Json boundary_json(const ReportedBoundary& boundary) {
   Json out = Json::object();
-  for (const BoundaryKey& one : kBoundaryKeys) out[one.key] = mark_json(boundary.*one.mark);
+  for (const std::string& key : boundary_keys()) out[key] = mark_json(boundary.mark(key));
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "src/study/domain/domain_json.hpp"
 #include "src/study/pieces.hpp"
+#include "src/study/version.hpp"
 
 namespace triax::study {
 namespace {
@@ -46,10 +47,10 @@ std::string difference(const DomainPiece& a, const DomainPiece& b) {
 
 std::string piece_json(const ReportedDomain& columns, int index, int count) {
   std::string out = fmt::format(
-      "{{\n\"format\": \"{}\",\n\"version\": {},\n\"program\": \"" TRIAX_VERSION
-      "\",\n\"origin\": \"simulated\",\n\"piece\": {},\n\"material\": {},\n\"grid\": "
+      "{{\n\"format\": \"{}\",\n\"version\": {},\n\"program\": \"{}\",\n\"origin\": "
+      "\"simulated\",\n\"piece\": {},\n\"material\": {},\n\"grid\": "
       "{},\n\"warnings\": {},\n\"columns\": [",
-      kPieceFormat, kPieceVersion, dumped({{"index", index}, {"count", count}}),
+      kPieceFormat, kPieceVersion, version(), dumped({{"index", index}, {"count", count}}),
       dumped(material_json(columns.settings.material)), dumped(grid_json(columns.settings.grid)),
       dumped(Json(columns.settings.warnings)));
   for (std::size_t i = 0; i < columns.columns.size(); ++i)

@@ -8,6 +8,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/paths/path_reader.hpp"
+#include "sim/stability/domain_criteria.hpp"
 #include "sim/stability/domain_run.hpp"
 #include "src/study/document_part.hpp"
 #include "src/study/domain/domain_json.hpp"
@@ -54,8 +55,9 @@ DomainSettings::Grid read_grid(const Part& part, const std::string& file) {
                          .void_ratio = part.number("void_ratio"),
                          .plane = part.text("plane"),
                          .directions = count(part, "directions", 8, kMostDirections),
-                         .determinant = part.flag("determinant"),
-                         .localisation = part.flag("localisation")};
+                         .criteria = {}};
+  for (const auto& kind : sim::domain_criterion_kinds())
+    if (const std::string name(kind.name); part.flag(name.c_str())) g.criteria.push_back(name);
   check_grid(g, file + ": grid");
   return g;
 }
@@ -68,7 +70,8 @@ std::optional<DomainMark> read_mark(const Part& boundary, const char* key) {
 
 ReportedBoundary read_boundary(const Part& part) {
   ReportedBoundary boundary;
-  for (const BoundaryKey& one : kBoundaryKeys) boundary.*one.mark = read_mark(part, one.key);
+  for (const std::string& key : boundary_keys())
+    boundary.set_mark(key, read_mark(part, key.c_str()));
   return boundary;
 }
 

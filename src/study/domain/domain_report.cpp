@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "sim/stability/domain_criteria.hpp"
 #include "src/study/domain/domain_inputs.hpp"
 
 namespace triax::study {
@@ -23,8 +25,12 @@ std::optional<DomainMark> mark(const std::optional<double>& q, double p,
 }
 
 ReportedBoundary reported(const sim::DomainBoundary& b, double p) {
-  return {mark(b.first_unstable_q, p, b.first_unstable_angle), mark(b.isotropic_unloading_q, p),
-          mark(b.determinant_q, p), mark(b.localisation_q, p), mark(b.limit_q, p)};
+  ReportedBoundary out{mark(b.first_unstable_q, p, b.first_unstable_angle),
+                       mark(b.isotropic_unloading_q, p),
+                       mark(b.limit_q, p),
+                       {}};
+  for (const auto& [name, value] : b.others_q) out.others.emplace(name, *mark(value, p));
+  return out;
 }
 
 ReportedDomainState reported(const sim::DomainState& state) {
@@ -46,13 +52,15 @@ sim::DomainBoundary in_si(const ReportedBoundary& b) {
   const auto q = [](const std::optional<DomainMark>& mark) {
     return mark ? std::optional(mark->q_kPa * kPa) : std::nullopt;
   };
-  return {.first_unstable_q = q(b.first_unstable),
-          .first_unstable_angle =
-              b.first_unstable ? in_radians(b.first_unstable->alpha_deg) : std::nullopt,
-          .isotropic_unloading_q = q(b.isotropic_unloading),
-          .determinant_q = q(b.determinant),
-          .localisation_q = q(b.localisation),
-          .limit_q = q(b.limit)};
+  sim::DomainBoundary out{.first_unstable_q = q(b.first_unstable),
+                          .first_unstable_angle = b.first_unstable
+                                                      ? in_radians(b.first_unstable->alpha_deg)
+                                                      : std::nullopt,
+                          .isotropic_unloading_q = q(b.isotropic_unloading),
+                          .limit_q = q(b.limit),
+                          .others_q = {}};
+  for (const auto& [name, mark] : b.others) out.others_q.emplace(name, *q(mark));
+  return out;
 }
 
 sim::DomainColumn in_si(const ReportedColumn& column) {
@@ -93,6 +101,41 @@ std::vector<std::string> range_warnings(const lab::MaterialSet& material,
 }
 
 }  // namespace
+
+const std::vector<std::string>& boundary_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all = {"first_unstable", "isotropic_unloading"};
+    for (const auto& kind : sim::domain_criterion_kinds()) all.emplace_back(kind.name);
+    all.emplace_back("limit");
+    return all;
+  }();
+  return keys;
+}
+
+bool DomainSettings::Grid::looks_for(std::string_view criterion) const {
+  return std::ranges::find(criteria, criterion) != criteria.end();
+}
+
+std::optional<DomainMark> ReportedBoundary::mark(std::string_view key) const {
+  if (key == "first_unstable") return first_unstable;
+  if (key == "isotropic_unloading") return isotropic_unloading;
+  if (key == "limit") return limit;
+  const auto found = others.find(key);
+  return found == others.end() ? std::nullopt : std::optional(found->second);
+}
+
+void ReportedBoundary::set_mark(std::string_view key, const std::optional<DomainMark>& mark) {
+  if (key == "first_unstable")
+    first_unstable = mark;
+  else if (key == "isotropic_unloading")
+    isotropic_unloading = mark;
+  else if (key == "limit")
+    limit = mark;
+  else if (mark)
+    others.insert_or_assign(std::string(key), *mark);
+  else
+    others.erase(std::string(key));
+}
 
 DomainSettings domain_settings(const lab::MaterialSet& m, const DomainSettings::Grid& grid) {
   return {{m.name, m.law->name, m.material.based_on, m.description, m.source, m.range,

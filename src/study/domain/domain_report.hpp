@@ -1,8 +1,10 @@
 #pragma once
 // A bifurcation domain as it is reported. Values stand here in the units of the files, so that
 // what was written, read and written again is the same to the byte.
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,8 +27,9 @@ struct DomainSettings {
     double void_ratio = 0;
     std::string plane;  ///< "axisymmetric", "plane-strain"
     int directions = 0;
-    bool determinant = false;   ///< whether this criterion was looked for
-    bool localisation = false;  ///< whether that one was
+    /// Criteria of sim::domain_criterion_kinds() that were looked for, in its order.
+    std::vector<std::string> criteria;
+    bool looks_for(std::string_view criterion) const;
     bool operator==(const Grid&) const = default;
   } grid;
   std::vector<std::string> warnings;
@@ -40,8 +43,15 @@ struct DomainMark {
 };
 
 struct ReportedBoundary {
-  std::optional<DomainMark> first_unstable, isotropic_unloading, determinant, localisation, limit;
+  std::optional<DomainMark> first_unstable, isotropic_unloading, limit;
+  /// Of the criteria of sim::domain_criterion_kinds() those that are met, by name.
+  std::map<std::string, DomainMark, std::less<>> others;
+  /// By its key; empty where it is not met.
+  std::optional<DomainMark> mark(std::string_view key) const;
+  void set_mark(std::string_view key, const std::optional<DomainMark>& mark);
 };
+/// "first_unstable", "isotropic_unloading", the criteria of the list, "limit": as files hold them.
+const std::vector<std::string>& boundary_keys();
 
 struct ReportedDomainState {
   double q_kPa = 0;

@@ -26,6 +26,7 @@ std::optional<GrainPeak> peak_of(const Points& points, double sense, const Value
 }
 
 std::optional<std::size_t> first_negative(const sim::GrainPath& path, const Points& points) {
+  if (path.samples <= 0) return {};
   const std::size_t window = work_window(path.samples);
   if (points.size() <= window) return {};
   const std::size_t count = points.size() - window;

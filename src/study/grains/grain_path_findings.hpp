@@ -31,7 +31,8 @@ struct GrainPathFindings {
   std::optional<GrainPeak> eta;          ///< of the points with p above kLeastP of the first one's
   std::optional<GrainPeak> path_stress;  ///< σ₁ − σ₃/R; of strain paths only
   /// Where W₂ of the increment over work_window() points is first negative and stays so for as many
-  /// increments of that length more (half as many at the end): the point in its middle.
+  /// increments of that length more (half as many at the end): the point in its middle. Empty too
+  /// where the path's samples are not known (0).
   std::optional<std::size_t> first_negative;
   double most_kinetic_j = 0;
 };

@@ -7,6 +7,7 @@
 #include "src/study/domain/domain_json.hpp"
 #include "src/study/grains/grain_piece_values.hpp"
 #include "src/study/pieces.hpp"
+#include "src/study/version.hpp"
 
 namespace triax::study {
 namespace {
@@ -66,10 +67,10 @@ ProbedGrains probed_grains(const sim::GrainState& state, const std::string& prog
 std::string grain_piece_json(const GrainPiece& piece) {
   const auto numbers = sim::numbers_of_piece(piece.specimen.directions, piece.index, piece.count);
   std::string out = fmt::format(
-      "{{\n\"format\": \"{}\",\n\"version\": {},\n\"program\": \"" TRIAX_VERSION
-      "\",\n\"origin\": \"simulated\",\n\"piece\": {},\n\"specimen\": {},\n\"probing\": "
+      "{{\n\"format\": \"{}\",\n\"version\": {},\n\"program\": \"{}\",\n\"origin\": "
+      "\"simulated\",\n\"piece\": {},\n\"specimen\": {},\n\"probing\": "
       "{},\n\"probes\": [",
-      kGrainPieceFormat, kGrainPieceVersion,
+      kGrainPieceFormat, kGrainPieceVersion, version(),
       dumped({{"index", piece.index}, {"count", piece.count}}),
       dumped(specimen_json(piece.specimen)), dumped(probing_json(piece.specimen)));
   for (std::size_t k = 0; k < piece.probes.size(); ++k) {

@@ -106,4 +106,20 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
   return found;
 }
 
+sim::Circle circle_of(const sim::ProbeRose& rose, double norm_pa) {
+  sim::Circle circle;
+  for (const auto& probe : rose.probes) {
+    if (probe.stopped) continue;
+    sim::Probe one;
+    one.angle = probe.angle;
+    one.answered = probe.settled;
+    one.stress = norm_pa * sim::unit_direction(probe.angle);
+    one.strain = {std::numbers::sqrt2 * probe.strain.radial, probe.strain.axial};
+    one.second_order_work = probe.work.lagrangian;
+    one.normalised = probe.work.lagrangian / (norm_pa * strain_norm(probe));
+    circle.probes.push_back(one);
+  }
+  return circle;
+}
+
 }  // namespace triax::study

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/grains/probes/grain_probe.hpp"
+#include "sim/stability/cones.hpp"
 
 namespace triax::study {
 
@@ -55,5 +56,9 @@ inline constexpr double kIrreversible = 0.01;  ///< of the contacts at the start
 inline constexpr double kDynamic = 100;
 
 GrainRoseFindings rose_findings(const sim::ProbeRose& rose);
+
+/// The probes that were made, as probes of a law are told: the direction of norm `norm_pa`, the
+/// strains in the Rendulic plane and W₂ (Eq. 7); one that did not come to rest is not answered.
+sim::Circle circle_of(const sim::ProbeRose& rose, double norm_pa);
 
 }  // namespace triax::study

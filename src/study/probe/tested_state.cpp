@@ -101,4 +101,13 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
   return result;
 }
 
+std::vector<TestedState> tested_states(const std::string& db, const std::vector<std::string>& tests,
+                                       const std::string& at,
+                                       const std::optional<double>& void_ratio) {
+  std::vector<TestedState> states;
+  const db::Store store(db);
+  for (const auto& name : tests) states.push_back(tested_state(store, name, at, void_ratio));
+  return states;
+}
+
 }  // namespace triax::study

@@ -28,4 +28,9 @@ struct TestedState {
 TestedState tested_state(const db::Store& store, const std::string& test, const std::string& at,
                          const std::optional<double>& void_ratio);
 
+/// The same of several tests of the database in this file.
+std::vector<TestedState> tested_states(const std::string& db, const std::vector<std::string>& tests,
+                                       const std::string& at,
+                                       const std::optional<double>& void_ratio);
+
 }  // namespace triax::study

@@ -1,18 +1,11 @@
 #pragma once
-#include <string>
+#include <cstdint>
 #include <vector>
 
 #include "db/store.hpp"
+#include "src/study/triaxial/collapse_increment.hpp"
 
 namespace triax::study {
-
-/// The effective stress of a test where collapse set in, and the direction it was moving in. SI.
-struct CollapseIncrement {
-  std::string test;       ///< its name
-  std::string programme;  ///< "ICU", "CSD"...; empty: unknown
-  double p_pa = 0, q_pa = 0;
-  double dp = 0, dq = 0;  ///< in any one unit; only their ratio and their signs are drawn
-};
 
 /// What each test that collapsed was going through when collapse set in, in the order of `ids`,
 /// from the readings up to the onset: the measured increment of

@@ -12,7 +12,9 @@
 #include "db/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
+#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
 namespace {
@@ -26,12 +28,9 @@ void take_findings(SweepMember& member, const lab::TestSummary& summary) {
     member.eta = collapse.onset->eta();
   }
   if (!summary.truth) return;
-  lab::Instant truly;
-  truly.q_pa = summary.truth->q_pa;
-  truly.p_eff_pa = summary.truth->p_eff_pa;
   member.truly_lost = summary.truth->lost_sustainability;
   member.true_time_s = summary.truth->time_s;
-  member.true_eta = truly.eta();
+  member.true_eta = true_instant(*summary.truth).eta();
 }
 
 /// Tests are taken from one counter, results have places of their own.
@@ -80,13 +79,11 @@ class SweepRun {
     programme.changes = job_.edits;
     programme.name += fmt::format(" [{}]", job_.sweep.label(member.place));
     lab::VirtualRig rig(programme);
-    lab::Session session;
     db::Recorder recorder(job_.db);
     recorder.belongs_to({job_.name, member.place, job_.sweep.values(member.place)}, turns_);
-    recorder.listen(session);
     try {
-      const lab::TestSummary summary =
-          session.run(rig, {.reduction = {}, .speed = job_.speed, .stop = stop_});
+      const lab::TestSummary summary = lab::run_session(
+          rig, {.reduction = {}, .speed = job_.speed, .stop = stop_}, {recorder.listener()});
       if (stop_()) return recorder.discard();
       member.id = recorder.finish(summary);
       take_findings(member, summary);

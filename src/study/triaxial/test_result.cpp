@@ -31,6 +31,16 @@ std::optional<lab::Instant> failure_onset(const db::StoredTest& test) {
   return has_verdict(test) && !collapse.detected() ? collapse.onset : std::nullopt;
 }
 
+lab::Instant true_instant(const lab::Truth& truth) {
+  lab::Instant instant;
+  instant.time_s = truth.time_s;
+  instant.axial_strain = truth.axial_strain;
+  instant.q_pa = truth.q_pa;
+  instant.p_eff_pa = truth.p_eff_pa;
+  instant.pore_pressure_pa = truth.pore_pressure_pa;
+  return instant;
+}
+
 std::optional<double> void_ratio(const db::StoredTest& test) {
   if (test.summary.consolidation.void_ratio) return test.summary.consolidation.void_ratio;
   const auto& specimen = test.header.specimen;
@@ -42,6 +52,16 @@ std::vector<std::string> agreeing_criteria(const db::StoredTest& test) {
   for (const auto& criterion : test.summary.collapse.criteria)
     if (criterion.detected) names.push_back(criterion.name);
   return names;
+}
+
+TestCounts counts_of(const std::vector<TestResult>& tests) {
+  TestCounts counts;
+  for (const auto& [test, curves] : tests) {
+    ++counts.tests;
+    if (test.header.origin == lab::Origin::simulated) ++counts.simulated;
+    if (test.status == db::TestStatus::interrupted) ++counts.interrupted;
+  }
+  return counts;
 }
 
 std::vector<std::string> warnings(const db::StoredTest& test) {

@@ -1,5 +1,6 @@
 #pragma once
 // One test as a report needs it: what was stored, and its curves thinned for drawing.
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,22 @@ std::optional<lab::Instant> collapse_onset(const db::StoredTest& test);
 /// Where strength was lost without a collapse: the onset that lies on the limit surface.
 std::optional<lab::Instant> failure_onset(const db::StoredTest& test);
 
+/// When and at what stress the specimen of a simulation itself lost sustainability, as an instant
+/// without a reading: no instrument sees it. Empty where it did not.
+lab::Instant true_instant(const lab::Truth& truth);
+
 /// Void ratio at the start of shear, else as the laboratory gives it, else as built.
 std::optional<double> void_ratio(const db::StoredTest& test);
 
 /// Names of the criteria that detected a collapse, and how many were asked.
 std::vector<std::string> agreeing_criteria(const db::StoredTest& test);
+
+struct TestCounts {
+  std::int64_t tests = 0;
+  std::int64_t simulated = 0;
+  std::int64_t interrupted = 0;
+};
+TestCounts counts_of(const std::vector<TestResult>& tests);
 
 /// Warnings of the record and of what followed, each once, "line 12: ..." where a line is meant.
 std::vector<std::string> warnings(const db::StoredTest& test);

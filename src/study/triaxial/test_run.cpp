@@ -6,13 +6,11 @@
 namespace triax::study {
 
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, const std::function<void(lab::Session&)>& also) {
-  lab::Session session;
+                      const std::string& db, lab::SessionListeners also) {
   db::Recorder recorder(db);
-  recorder.listen(session);
-  if (also) also(session);
+  also.insert(also.begin(), recorder.listener());
   try {
-    return recorder.finish(session.run(back_end, options));
+    return recorder.finish(lab::run_session(back_end, options, also));
   } catch (const lab::BadInput&) {
     recorder.discard();
     throw;

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <string>
 
 #include "lab/rig/session.hpp"
@@ -9,8 +8,8 @@ namespace triax::study {
 
 /// Runs one back end through the session into the database;
 /// gives the test's id. Bad input takes out again what was stored of this test; any other failure
-/// leaves it there, marked as interrupted. `also` may connect further listeners before the start.
+/// leaves it there, marked as interrupted. `also` listen beside the database.
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, const std::function<void(lab::Session&)>& also = {});
+                      const std::string& db, lab::SessionListeners also = {});
 
 }  // namespace triax::study

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 #include "src/plot/plot_style.hpp"
@@ -18,43 +17,12 @@ namespace {
 constexpr int kWidth = 720;
 constexpr int kHeight = 520 + kNoteHeight;
 
-struct CollapsePoint {
-  double p_kPa, q_kPa;
-  std::string test, programme;
-  bool simulated;
-};
-
-std::vector<CollapsePoint> collapse_points(const std::vector<study::TestResult>& tests) {
-  std::vector<CollapsePoint> points;
-  for (const auto& [test, curves] : tests) {
-    const auto onset = study::collapse_onset(test);
-    if (!onset || !onset->eta()) continue;
-    points.push_back({*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3, test.header.name,
-                      test.header.programme.empty() ? "other" : test.header.programme,
-                      test.header.origin == lab::Origin::simulated});
-  }
-  return points;
+QPointF place(const study::CollapsePoint& point) {
+  return {point.stress.p_pa * 1e-3, point.stress.q_pa * 1e-3};
 }
 
-std::vector<const study::TestResult*> with_points(const std::vector<study::TestResult>& tests) {
-  std::vector<const study::TestResult*> kept;
-  for (const auto& test : tests)
-    if (const auto onset = study::collapse_onset(test.stored); onset && onset->eta())
-      kept.push_back(&test);
-  return kept;
-}
-
-std::optional<double> slope(const std::vector<CollapsePoint>& points) {
-  double qp = 0, pp = 0;
-  for (const auto& point : points) {
-    qp += point.q_kPa * point.p_kPa;
-    pp += point.p_kPa * point.p_kPa;
-  }
-  return pp > 0 ? std::optional(qp / pp) : std::nullopt;
-}
-
-void draw_points(QCustomPlot& plot, const std::vector<CollapsePoint>& points,
-                 const std::string& origin) {
+void draw_points(QCustomPlot& plot, const study::CollapsePoints& found) {
+  const auto& points = found.points;
   std::vector<std::string> programmes;
   for (const auto& point : points) programmes.push_back(point.programme);
   const ProgrammeLooks looks(programmes);
@@ -66,50 +34,35 @@ void draw_points(QCustomPlot& plot, const std::vector<CollapsePoint>& points,
     if (group == nullptr)
       group =
           draw_markers(*plot.axisRect(), {}, looks.marker(point.programme, point.simulated), name);
-    group->addData(point.p_kPa, point.q_kPa);
-    labels.push_back({point.p_kPa, point.q_kPa, point.test, kInk});
+    const QPointF at = place(point);
+    group->addData(at.x(), at.y());
+    labels.push_back({at.x(), at.y(), point.test, kInk});
   }
   legend_below(plot, 2);
-  note_below(plot, origin);
+  note_below(plot, origin_note(found.origin));
   place_labels(plot, labels);
 }
 
 }  // namespace
 
-std::vector<double> limits_of(const std::vector<study::TestResult>& tests) {
-  std::map<std::int64_t, double> by_rounded;
-  for (const auto& test : tests)
-    if (const auto& m = test.stored.summary.collapse.limit_stress_ratio;
-        m && std::isfinite(*m) && study::collapse_onset(test.stored))
-      by_rounded.emplace(std::llround(*m * 100), *m);
-  std::vector<double> values;
-  values.reserve(by_rounded.size());
-  for (const auto& [rounded, m] : by_rounded) values.push_back(m);
-  return values;
-}
-
-std::optional<double> fitted_instability_line(const std::vector<study::TestResult>& tests) {
-  return slope(collapse_points(tests));
-}
-
-Drawing collapse_points_figure(const std::vector<study::TestResult>& tests) {
-  const auto points = collapse_points(tests);
-  const auto eta = slope(points);
+Drawing collapse_points_figure(const study::CollapsePoints& found) {
+  const auto& points = found.points;
+  const auto eta = found.instability_line;
   if (!eta) return {};
   RangeOf p_range, q_range;
   p_range.add(0);
   q_range.add(0);
   for (const auto& point : points) {
-    p_range.add(point.p_kPa);
-    q_range.add(point.q_kPa);
+    p_range.add(place(point).x());
+    q_range.add(place(point).y());
   }
   auto plot = make_plot(kWidth, kHeight);
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(p_range.with_margin(0.12, true));
   plot->yAxis->setRange(q_range.with_margin(0.35, true));
-  draw_mohr_coulomb_lines(*plot, limits_of(tests));
+  draw_mohr_coulomb_lines(*plot, found.limit_stress_ratios);
   draw_instability_line(*plot, *eta);
-  draw_points(*plot, points, origin_of(with_points(tests)));
+  draw_points(*plot, found);
   return {
       std::move(plot),
       fmt::format("Collapse points of {} test{} and the one instability line that fits them best "

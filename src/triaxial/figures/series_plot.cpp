@@ -1,6 +1,7 @@
 #include "src/triaxial/figures/series_plot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/plot/plot_style.hpp"
 #include "src/plot/polyline.hpp"
@@ -11,12 +12,22 @@ QCPScatterStyle onset_marker() {
   return {QCPScatterStyle::ssCircle, line(kVermilion, 1.6), QBrush(Qt::white), 8};
 }
 
-void name_series(QCPAxisRect& rect, const std::vector<study::TestResult>& tests) {
-  for (std::size_t i = 0; i < tests.size(); ++i)
-    draw_curve(rect, {}, curve_pen(i), tests[i].stored.header.name);
+void name_series(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests) {
+  for (std::size_t i = 0; i < tests.size(); ++i) draw_curve(rect, {}, curve_pen(i), tests[i].name);
   if (std::any_of(tests.begin(), tests.end(),
-                  [](const auto& test) { return study::collapse_onset(test.stored).has_value(); }))
+                  [](const auto& test) { return test.onset.has_value(); }))
     draw_markers(rect, {}, onset_marker(), "onset of collapse");
+}
+
+Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue y, double x_most) {
+  Points points;
+  for (const auto& state : states) {
+    const QPointF point(x(state), y(state));
+    if (!std::isfinite(point.x()) || !std::isfinite(point.y())) continue;
+    if (point.x() > x_most) break;
+    points.push_back(point);
+  }
+  return points;
 }
 
 void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number) {
@@ -29,21 +40,11 @@ void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number) {
   draw_curve(rect, kept, curve_pen(number));
 }
 
-QCPRange from_zero(const QCPRange& range) {
-  return {range.lower < 0 && range.lower > -range.size() / 8 ? 0 : range.lower, range.upper};
-}
-
-std::string names_of(const std::vector<study::TestResult>& tests) {
+std::string names_of(const std::vector<study::SeriesTest>& tests) {
   std::string names;
   for (std::size_t i = 0; i < tests.size(); ++i)
-    names += (i == 0 ? "" : i + 1 == tests.size() ? " and " : ", ") + tests[i].stored.header.name;
+    names += (i == 0 ? "" : i + 1 == tests.size() ? " and " : ", ") + tests[i].name;
   return names;
-}
-
-std::vector<const study::TestResult*> pointers_to(const std::vector<study::TestResult>& tests) {
-  std::vector<const study::TestResult*> pointers;
-  for (const auto& test : tests) pointers.push_back(&test);
-  return pointers;
 }
 
 }  // namespace triax::src

@@ -2,11 +2,13 @@
 // Curves of several tests in one plane: one look a test, a common mark at the onset of collapse.
 #include <qcustomplot.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "src/plot/from_zero.hpp"
 #include "src/plot/shapes.hpp"
-#include "src/study/triaxial/test_result.hpp"
+#include "src/study/triaxial/shear_series.hpp"
 
 namespace triax::src {
 
@@ -14,20 +16,21 @@ namespace triax::src {
 QCPScatterStyle onset_marker();
 
 /// Entries of the legend: a curve a test, and the onset if any test has one.
-void name_series(QCPAxisRect& rect, const std::vector<study::TestResult>& tests);
+void name_series(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests);
+
+/// What an axis shows of a state, in the unit of the axis; NaN where it is not known.
+using StateValue = double (*)(const lab::State&);
+
+/// States as points of a plane, in order, up to the first beyond `x_most` (what an axis would cut
+/// off on a screen, an SVG shows); those not known in both are left out.
+Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue y,
+                 double x_most = std::numeric_limits<double>::infinity());
 
 /// The curve of the test with this number, thinned to what the eye can see. Ranges of the axes must
 /// be final.
 void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number);
 
-/// The range from 0 where only the noise of a quantity that is never negative, and the margin that
-/// this brought about, lie below (an eighth of the range at most).
-QCPRange from_zero(const QCPRange& range);
-
 /// "ICU 6, ICU 42 and ICU 7".
-std::string names_of(const std::vector<study::TestResult>& tests);
-
-/// All of them, for what is said of their origin.
-std::vector<const study::TestResult*> pointers_to(const std::vector<study::TestResult>& tests);
+std::string names_of(const std::vector<study::SeriesTest>& tests);
 
 }  // namespace triax::src

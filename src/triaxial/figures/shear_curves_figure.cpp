@@ -8,7 +8,6 @@
 #include "src/plot/plot_style.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
 #include "src/triaxial/figures/series_plot.hpp"
-#include "src/triaxial/figures/shear_states.hpp"
 
 namespace triax::src {
 namespace {
@@ -20,55 +19,45 @@ constexpr double kOnsets = 3;
 double strain_pct(const lab::State& state) { return state.strain.axial * 100; }
 double q_kPa(const lab::State& state) { return state.q * 1e-3; }
 
-/// Largest axial strain at an onset, %; 0 where there is none.
-double largest_at_onset(const std::vector<study::TestResult>& tests) {
-  double largest = 0;
-  for (const auto& test : tests)
-    if (const auto onset = study::collapse_onset(test.stored); onset && onset->axial_strain)
-      largest = std::max(largest, *onset->axial_strain * 100);
-  return largest;
-}
-
-Points onsets_of(const std::vector<study::TestResult>& tests) {
+Points onsets_of(const study::ShearSeries& series) {
   Points onsets;
-  for (const auto& test : tests)
-    if (const auto onset = study::collapse_onset(test.stored); onset && onset->axial_strain && onset->q_pa)
+  for (const auto& test : series.tests)
+    if (const auto& onset = test.onset; onset && onset->axial_strain && onset->q_pa)
       onsets.emplace_back(*onset->axial_strain * 100, *onset->q_pa * 1e-3);
   return onsets;
 }
 
-void fill(QCPAxisRect& rect, const std::vector<study::TestResult>& tests, double strain_most) {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < tests.size(); ++i)
-    draw_series(rect, shear_points_within(tests[i], strain_pct, q_kPa, strain_most, kAny), i);
-  draw_markers(rect, onsets_of(tests), onset_marker());
+void fill(QCPAxisRect& rect, const study::ShearSeries& series, double strain_most) {
+  for (std::size_t i = 0; i < series.tests.size(); ++i)
+    draw_series(rect, points_of(series.tests[i].states, strain_pct, q_kPa, strain_most), i);
+  draw_markers(rect, onsets_of(series), onset_marker());
 }
 
 }  // namespace
 
-Drawing shear_curves_figure(const std::vector<study::TestResult>& tests) {
+Drawing shear_curves_figure(const study::ShearSeries& series) {
   RangeOf strain, q;
   strain.add(0);
   q.add(0);
   bool any = false;
-  for (const auto& test : tests)
-    for (const auto& point : shear_points(test, strain_pct, q_kPa)) {
+  for (const auto& test : series.tests)
+    for (const auto& point : points_of(test.states, strain_pct, q_kPa)) {
       strain.add(point.x());
       q.add(point.y());
       any = true;
     }
   if (!any) return {};
   const auto whole = from_zero(strain.with_margin(0.04, true));
-  const double close = std::min(kOnsets * largest_at_onset(tests), whole.upper);
+  const double close = std::min(kOnsets * (series.strain_at_onset * 100), whole.upper);
 
   auto plot = make_plot(kWidth, kHeight);
   auto& left = *plot->axisRect();
   auto* right = close > 0 ? &add_axes_beside(*plot) : nullptr;
   style_axes(left, "axial strain ε₁ (%)", "deviator stress q (kPa)");
   if (right != nullptr) style_axes(*right, "axial strain ε₁ (%), detail", "q (kPa)");
-  name_series(left, tests);
+  name_series(left, series.tests);
   legend_below(*plot, 5);
-  note_below(*plot, origin_of(pointers_to(tests)));
+  note_below(*plot, origin_note(series.origin));
   left.axis(QCPAxis::atBottom)->setRange(whole);
   left.axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   if (right != nullptr) {
@@ -76,10 +65,10 @@ Drawing shear_curves_figure(const std::vector<study::TestResult>& tests) {
     right->axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   }
   plot->replot();
-  fill(left, tests, whole.upper);
-  if (right != nullptr) fill(*right, tests, close);
+  fill(left, series, whole.upper);
+  if (right != nullptr) fill(*right, series, close);
   return {std::move(plot),
-          fmt::format("Deviator stress over axial strain in shear of {}.", names_of(tests))};
+          fmt::format("Deviator stress over axial strain in shear of {}.", names_of(series.tests))};
 }
 
 }  // namespace triax::src

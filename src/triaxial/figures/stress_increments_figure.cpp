@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "sim/mechanics/units.hpp"
 #include "src/plot/axes.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/point_labels.hpp"
@@ -21,21 +19,12 @@ constexpr double kArrow = 30;  // px
 
 QPointF place(const study::CollapseIncrement& at) { return {at.p_pa * 1e-3, at.q_pa * 1e-3}; }
 
-/// From the p′ axis, in (−180°, 180°].
-double degrees_of(const study::CollapseIncrement& at) {
-  return sim::degrees(std::atan2(at.dq, at.dp));
-}
-
 std::string caption(const std::vector<study::CollapseIncrement>& increments) {
-  // Isotropic unloading lies at 180°: turned about, no direction near it jumps.
-  const auto turned = [](const auto& at) { return std::remainder(degrees_of(at) - 180, 360); };
-  const auto [low, high] =
-      std::minmax_element(increments.begin(), increments.end(),
-                          [&](const auto& a, const auto& b) { return turned(a) < turned(b); });
+  const auto [lowest, highest] = study::direction_range(increments);
   return fmt::format(
       "Stress increments of {} test{} at collapse. Isotropic unloading, dq = 0 and dp′ < 0, points "
       "to the left; these lie between {:.0f}° and {:+.0f}° of it.",
-      increments.size(), increments.size() == 1 ? "" : "s", turned(*low), turned(*high));
+      increments.size(), increments.size() == 1 ? "" : "s", lowest, highest);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "src/plot/drawing.hpp"
-#include "src/study/triaxial/collapse_increments.hpp"
+#include "src/study/triaxial/collapse_increment.hpp"
 
 namespace triax::src {
 

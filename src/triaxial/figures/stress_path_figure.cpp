@@ -7,9 +7,9 @@
 #include "src/plot/plot_style.hpp"
 #include "src/plot/point_labels.hpp"
 #include "src/plot/polyline.hpp"
+#include "src/plot/shapes.hpp"
 #include "src/plot/stress_lines.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
-#include "src/triaxial/figures/shear_states.hpp"
 
 namespace triax::src {
 namespace {
@@ -17,15 +17,25 @@ namespace {
 constexpr int kWidth = 620;
 constexpr int kHeight = 460 + kNoteHeight;
 
-using Path = std::vector<QPointF>;  // p′ and q in kPa
+QPointF place(const study::StressPoint& point) { return {point.p_pa * 1e-3, point.q_pa * 1e-3}; }
 
-void add(Path& path, const lab::State& state) {
-  if (std::isfinite(state.p_eff) && std::isfinite(state.q))
-    path.emplace_back(state.p_eff * 1e-3, state.q * 1e-3);
+/// Those that are known, in kPa.
+Points known(const std::vector<study::StressPoint>& path) {
+  Points points;
+  for (const auto& point : path)
+    if (std::isfinite(point.p_pa) && std::isfinite(point.q_pa)) points.push_back(place(point));
+  return points;
+}
+
+void add(RangeOf& p_range, RangeOf& q_range, const std::vector<study::StressPoint>& path) {
+  for (const auto& point : path) {
+    p_range.add(place(point).x());
+    q_range.add(place(point).y());
+  }
 }
 
 // The axes' ranges must be final.
-void draw_path(QCustomPlot& plot, const Path& path, const std::string& name, const QPen& pen) {
+void draw_path(QCustomPlot& plot, const Points& path, const std::string& name, const QPen& pen) {
   if (path.empty()) return;
   auto pixels = path;
   for (auto& point : pixels)
@@ -37,10 +47,10 @@ void draw_path(QCustomPlot& plot, const Path& path, const std::string& name, con
   curve->setName(QString::fromStdString(name));
 }
 
-void mark(QCustomPlot& plot, double p_pa, double q_pa, QCPScatterStyle::ScatterShape shape,
+void mark(QCustomPlot& plot, const QPointF& at, QCPScatterStyle::ScatterShape shape,
           const QColor& colour, const std::string& name) {
   auto* point = new QCPCurve(plot.xAxis, plot.yAxis);
-  point->addData(p_pa * 1e-3, q_pa * 1e-3);
+  point->addData(at.x(), at.y());
   point->setLineStyle(QCPCurve::lsNone);
   point->setScatterStyle(QCPScatterStyle(shape, line(colour, 1.8), QBrush(Qt::white), 10));
   point->setName(QString::fromStdString(name));
@@ -48,53 +58,44 @@ void mark(QCustomPlot& plot, double p_pa, double q_pa, QCPScatterStyle::ScatterS
 
 }  // namespace
 
-Drawing stress_path_figure(const study::TestResult& test) {
-  Path before, shear;
+Drawing stress_path_figure(const study::StressPath& path) {
+  const Points before = known(path.before), shear = known(path.shear);
+  if (before.empty() && shear.empty()) return {};
   RangeOf p_range, q_range;
   p_range.add(0);
   q_range.add(0);
-  for (const auto& state : test.curves.states) {
-    add(is_shear(test.stored.header, state.stage) ? shear : before, state);
-    p_range.add(state.p_eff * 1e-3);
-    q_range.add(state.q * 1e-3);
-  }
-  if (before.empty() && shear.empty()) return {};
+  add(p_range, q_range, path.before);
+  add(p_range, q_range, path.shear);
 
   auto plot = make_plot(kWidth, kHeight);
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(p_range.with_margin(0.06, true));
   plot->yAxis->setRange(q_range.with_margin(0.10, true));
 
-  const auto& summary = test.stored.summary;
-  const auto onset = study::collapse_onset(test.stored);
-  const auto eta = onset ? onset->eta() : std::nullopt;
-  if (summary.collapse.limit_stress_ratio)
-    draw_mohr_coulomb_line(*plot, *summary.collapse.limit_stress_ratio);
-  if (eta) draw_instability_line(*plot, *eta);
+  if (path.limit_stress_ratio) draw_mohr_coulomb_line(*plot, *path.limit_stress_ratio);
+  if (path.onset) draw_instability_line(*plot, path.onset->eta());
   draw_path(*plot, before, "before shear", line(kGrey, 1.2));
   draw_path(*plot, shear, before.empty() ? "stress path" : "stress path in shear",
             line(kBlue, 1.8));
   std::vector<PointLabel> labels;
-  if (eta) {
-    mark(*plot, *onset->p_eff_pa, *onset->q_pa, QCPScatterStyle::ssCircle, kVermilion,
-         "onset of collapse");
-    labels.push_back({*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3, fmt::format("η = {:.2f}", *eta),
-                      kVermilion});
+  if (path.onset) {
+    const QPointF at = place(*path.onset);
+    mark(*plot, at, QCPScatterStyle::ssCircle, kVermilion, "onset of collapse");
+    labels.push_back({at.x(), at.y(), fmt::format("η = {:.2f}", path.onset->eta()), kVermilion});
   }
-  if (const auto failure = study::failure_onset(test.stored); failure && failure->eta())
-    mark(*plot, *failure->p_eff_pa, *failure->q_pa, QCPScatterStyle::ssSquare, kGrey,
+  if (path.failure)
+    mark(*plot, place(*path.failure), QCPScatterStyle::ssSquare, kGrey,
          "failure on the limit surface");
-  if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)
-    mark(*plot, *truth->p_eff_pa, *truth->q_pa, QCPScatterStyle::ssCross, kInk,
+  if (path.true_onset)
+    mark(*plot, place(*path.true_onset), QCPScatterStyle::ssCross, kInk,
          "true onset (model)");
   legend_below(*plot, 2);
-  note_below(*plot, origin_of({&test}));
+  note_below(*plot, origin_note(path.origin));
   place_labels(*plot, labels);
   auto caption =
-      eta ? fmt::format("Effective stress path of test {}; collapse sets in at η = {:.2f}.",
-                        test.stored.header.name, *eta)
-          : fmt::format("Effective stress path of test {}; no collapse point.",
-                        test.stored.header.name);
+      path.onset ? fmt::format("Effective stress path of test {}; collapse sets in at η = {:.2f}.",
+                               path.test, path.onset->eta())
+                 : fmt::format("Effective stress path of test {}; no collapse point.", path.test);
   return {std::move(plot), std::move(caption)};
 }
 

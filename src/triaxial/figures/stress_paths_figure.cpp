@@ -4,10 +4,9 @@
 
 #include "src/plot/plot_style.hpp"
 #include "src/plot/stress_lines.hpp"
-#include "src/triaxial/figures/collapse_points_figure.hpp"
+#include "src/study/triaxial/stress_path.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
 #include "src/triaxial/figures/series_plot.hpp"
-#include "src/triaxial/figures/shear_states.hpp"
 
 namespace triax::src {
 namespace {
@@ -19,14 +18,14 @@ double q_kPa(const lab::State& state) { return state.q * 1e-3; }
 
 }  // namespace
 
-Drawing stress_paths_figure(const std::vector<study::TestResult>& tests) {
+Drawing stress_paths_figure(const study::ShearSeries& series) {
   std::vector<Points> paths;
   RangeOf p_range, q_range;
   p_range.add(0);
   q_range.add(0);
   bool any = false;
-  for (const auto& test : tests) {
-    paths.push_back(shear_points(test, p_kPa, q_kPa));
+  for (const auto& test : series.tests) {
+    paths.push_back(points_of(test.states, p_kPa, q_kPa));
     for (const auto& point : paths.back()) {
       p_range.add(point.x());
       q_range.add(point.y());
@@ -40,21 +39,21 @@ Drawing stress_paths_figure(const std::vector<study::TestResult>& tests) {
   style_axes(rect, "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(from_zero(p_range.with_margin(0.06, true)));
   plot->yAxis->setRange(from_zero(q_range.with_margin(0.10, true)));
-  draw_mohr_coulomb_lines(*plot, limits_of(tests));
-  const auto eta = fitted_instability_line(tests);
+  draw_mohr_coulomb_lines(*plot, series.limit_stress_ratios);
+  const auto eta = series.instability_line;
   if (eta) draw_instability_line(*plot, *eta);
-  name_series(rect, tests);
+  name_series(rect, series.tests);
   legend_below(*plot, 3);
-  note_below(*plot, origin_of(pointers_to(tests)));
+  note_below(*plot, origin_note(series.origin));
   plot->replot();  // the layout gives pixels their meaning
-  for (std::size_t i = 0; i < tests.size(); ++i) draw_series(rect, paths[i], i);
+  for (std::size_t i = 0; i < paths.size(); ++i) draw_series(rect, paths[i], i);
   Points onsets;
-  for (const auto& test : tests)
-    if (const auto onset = study::collapse_onset(test.stored); onset && onset->eta())
-      onsets.emplace_back(*onset->p_eff_pa * 1e-3, *onset->q_pa * 1e-3);
+  for (const auto& test : series.tests)
+    if (const auto onset = study::stress_at(test.onset))
+      onsets.emplace_back(onset->p_pa * 1e-3, onset->q_pa * 1e-3);
   draw_markers(rect, onsets, onset_marker());
   return {std::move(plot),
-          fmt::format("Effective stress paths in shear of {}{}.", names_of(tests),
+          fmt::format("Effective stress paths in shear of {}{}.", names_of(series.tests),
                       eta ? fmt::format(", with the instability line through their collapse points "
                                         "(η = {:.2f})",
                                         *eta)

@@ -23,12 +23,12 @@ TEST_CASE("of several peaks of q the one that cost most is kept") {
   ControlPeak peak;
   peak.start_stage(nullptr);
   int reading = 0;
-  for (const double q : {50e3, 100e3, 80e3}) peak.add(point(reading++, q), true);
+  for (const double q : {50e3, 100e3, 80e3}) peak.add_point(point(reading++, q), true);
   REQUIRE(peak.finding());
   CHECK(peak.finding()->instant.reading == 1);
-  for (const double q : {120e3, 30e3}) peak.add(point(reading++, q), true);
+  for (const double q : {120e3, 30e3}) peak.add_point(point(reading++, q), true);
   CHECK(peak.finding()->instant.reading == 3);
-  for (const double q : {150e3, 130e3}) peak.add(point(reading++, q), true);
+  for (const double q : {150e3, 130e3}) peak.add_point(point(reading++, q), true);
   CHECK(peak.finding()->instant.reading == 3);
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("less than a tenth is no peak") {
   ControlPeak peak;
   peak.start_stage(nullptr);
   int reading = 0;
-  for (const double q : {50e3, 100e3, 91e3, 95e3}) peak.add(point(reading++, q), true);
+  for (const double q : {50e3, 100e3, 91e3, 95e3}) peak.add_point(point(reading++, q), true);
   CHECK_FALSE(peak.finding());
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("at constant q, drained, the turn to contraction under falling p' is f
     p.axial_rate = 1e-6;
     p.volumetric_rate = (i - 200) * 5e-9 + noise(rng);  // swells before, contracts after
     p.volumetric_rate_error = 1e-7;
-    peak.add(p, true);
+    peak.add_point(p, true);
   }
   REQUIRE(peak.finding());
   CHECK(std::abs(peak.finding()->instant.reading - 200) < 25);
@@ -71,7 +71,7 @@ TEST_CASE("contraction while p' does not fall is consolidation, no collapse") {
     p.p_rate_error = 2;
     p.volumetric_rate = 1e-6;
     p.volumetric_rate_error = 1e-8;
-    peak.add(p, true);
+    peak.add_point(p, true);
   }
   CHECK_FALSE(peak.finding());
 }
@@ -89,7 +89,7 @@ TEST_CASE("at constant q with the valve closed the minimum of u under falling p'
     p.p_rate_error = 1;
     p.pore_rate = (i - 200) * 0.1 + noise(rng);
     p.pore_rate_error = 2;
-    peak.add(p, true);
+    peak.add_point(p, true);
   }
   REQUIRE(peak.finding());
   CHECK(std::abs(peak.finding()->instant.reading - 200) < 30);
@@ -103,7 +103,7 @@ TEST_CASE("noise around q = 0 is no peak") {
   for (int i = 0; i < 500; ++i) {
     PathPoint p = point(i, 10.0 * i + noise(rng));
     p.stress_variance = 200.0 * 200.0;
-    peak.add(p, true);
+    peak.add_point(p, true);
     REQUIRE_FALSE(peak.finding());
   }
 }
@@ -130,8 +130,8 @@ TEST_CASE("on a strain path the peak is that of σ₁' − σ₃'/R, while q sti
   with_R.start_stage(&stage);
   with_q.start_stage(nullptr);
   for (int i = 0; i < 200; ++i) {
-    with_R.add(on_path(i, 1.5), true);
-    with_q.add(on_path(i, 1.5), true);
+    with_R.add_point(on_path(i, 1.5), true);
+    with_q.add_point(on_path(i, 1.5), true);
   }
   REQUIRE(with_R.finding());
   CHECK(with_R.finding()->instant.reading == 100);
@@ -150,7 +150,7 @@ TEST_CASE("with the valve closed, a pore pressure that only rises places the tur
     p.p_rate_error = 1;
     p.pore_rate = 10 + 0.1 * i;
     p.pore_rate_error = 1;
-    peak.add(p, true);
+    peak.add_point(p, true);
   }
   REQUIRE(peak.finding());
   CHECK(peak.finding()->instant.reading == 0);

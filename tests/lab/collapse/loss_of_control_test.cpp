@@ -30,10 +30,10 @@ TEST_CASE("a held q that falls is loss of control; its noise is not") {
   std::normal_distribution<double> noise(0, 500);
   LossOfControl control;
   control.start_stage(&kHeld);
-  for (int i = 0; i < 2000; ++i) control.add(at(i, 60e3 + noise(rng), i * 1e-6), true);
+  for (int i = 0; i < 2000; ++i) control.add_state(at(i, 60e3 + noise(rng), i * 1e-6), true);
   CHECK_FALSE(control.finding());
   for (int i = 2000; i < 2050; ++i)
-    control.add(at(i, 60e3 - (i - 2000) * 1e3 + noise(rng), i * 1e-6), true);
+    control.add_state(at(i, 60e3 - (i - 2000) * 1e3 + noise(rng), i * 1e-6), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading > 2000);
   CHECK(control.finding()->instant.reading < 2010);
@@ -44,9 +44,9 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   load.control = AxialControl::load;
   LossOfControl control;
   control.start_stage(&load);
-  for (int i = 0; i < 300; ++i) control.add(at(i, 50e3, i * 1e-5), true);
+  for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
   CHECK_FALSE(control.finding());
-  control.add(at(300, 5e3, 0.15), true);
+  control.add_state(at(300, 5e3, 0.15), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading == 299);
   CHECK(control.sudden());
@@ -60,11 +60,11 @@ TEST_CASE("a specimen that falls before the stage has shown a rate has lost cont
     displacement.control = AxialControl::displacement;
     LossOfControl control;
     control.start_stage(&displacement);
-    for (int i = 0; i < 100 - standing; ++i) control.add(at(i, 40e3, i * 1e-5), true);
+    for (int i = 0; i < 100 - standing; ++i) control.add_state(at(i, 40e3, i * 1e-5), true);
     control.start_stage(&load);
-    for (int i = 100 - standing; i < 100; ++i) control.add(at(i, 40e3, 1e-3), true);
+    for (int i = 100 - standing; i < 100; ++i) control.add_state(at(i, 40e3, 1e-3), true);
     CHECK_FALSE(control.finding());
-    control.add(after, true);
+    control.add_state(after, true);
     CHECK_FALSE(control.sudden());
     return control.finding();
   };
@@ -86,11 +86,11 @@ TEST_CASE("a specimen that falls before the stage has shown a rate has lost cont
 TEST_CASE("what creeps faster before a fall is not yet the fall") {
   LossOfControl control;
   control.start_stage(&kHeld);
-  for (int i = 0; i < 300; ++i) control.add(at(i, 60e3, i * 1e-6), true);
+  for (int i = 0; i < 300; ++i) control.add_state(at(i, 60e3, i * 1e-6), true);
   double strain = 299e-6;
-  for (int i = 300; i < 304; ++i) control.add(at(i, 60e3, strain += 2e-5), true);
+  for (int i = 300; i < 304; ++i) control.add_state(at(i, 60e3, strain += 2e-5), true);
   CHECK_FALSE(control.finding());
-  control.add(at(304, 1e3, 0.15), true);
+  control.add_state(at(304, 1e3, 0.15), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading == 303);
   CHECK(control.sudden());
@@ -99,8 +99,8 @@ TEST_CASE("what creeps faster before a fall is not yet the fall") {
 TEST_CASE("a burst over many readings is no fall") {
   LossOfControl control;
   control.start_stage(&kHeld);
-  for (int i = 0; i < 300; ++i) control.add(at(i, 60e3, i * 1e-6), true);
-  for (int i = 300; i < 320; ++i) control.add(at(i, 60e3, 3e-4 + (i - 299) * 5e-4), true);
+  for (int i = 0; i < 300; ++i) control.add_state(at(i, 60e3, i * 1e-6), true);
+  for (int i = 300; i < 320; ++i) control.add_state(at(i, 60e3, 3e-4 + (i - 299) * 5e-4), true);
   REQUIRE(control.finding());
   CHECK_FALSE(control.sudden());
 }
@@ -110,8 +110,8 @@ TEST_CASE("a prescribed displacement is never lost") {
   displacement.control = AxialControl::displacement;
   LossOfControl control;
   control.start_stage(&displacement);
-  for (int i = 0; i < 300; ++i) control.add(at(i, 50e3, i * 1e-5), true);
-  control.add(at(300, 5e3, 0.15), true);
+  for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
+  control.add_state(at(300, 5e3, 0.15), true);
   CHECK_FALSE(control.finding());
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("a logger that slows down makes no burst of a steady creep") {
     s.reading = i;
     s.time_s += i < 300 ? 1 : 120;
     s.strain.axial = 1e-5 * s.time_s;
-    control.add(s, true);
+    control.add_state(s, true);
   }
   CHECK_FALSE(control.finding());
 }
@@ -143,7 +143,7 @@ std::optional<Finding> pore_finding(Drainage drainage, int readings, Pore pore, 
     State s = at(i, 60e3, i * 1e-6);
     s.pore_pressure = pore(i);
     s.effective_stress = {cell(i) - pore(i) + 60e3, cell(i) - pore(i)};
-    control.add(s, true);
+    control.add_state(s, true);
   }
   return control.finding();
 }

@@ -111,6 +111,32 @@ TEST_CASE("a record without time runs along its strain and finds the same onset"
   CHECK_FALSE(c.onset->time_s);
 }
 
+TEST_CASE("a point of second-order work lies at a time, or on the way along the axial strain") {
+  for (const bool has_time : {true, false}) {
+    RecordHeader header = undrained_header();
+    header.has_time = has_time;
+    SyntheticPath path;
+    int points = 0;
+    CollapseListener listener;
+    listener.second_order_work = [&](const SecondOrderWorkPoint& p) {
+      ++points;
+      const int i = static_cast<int>(p.reading);
+      const State at = path.state(i), next = path.state(i + 1);  // points lie between readings
+      CHECK(std::isnan(p.time_s) == !has_time);
+      CHECK(std::isnan(p.axial_strain_path) == has_time);
+      if (has_time)
+        CHECK(p.time_s == Approx(at.time_s).margin(next.time_s - at.time_s));
+      else
+        CHECK(p.axial_strain_path ==
+              Approx(at.strain.axial).margin(next.strain.axial - at.strain.axial));
+    };
+    CollapseMonitor monitor(header, {listener});
+    for (int i = 0; i < 2000; ++i) monitor.watch(path.state(i));
+    monitor.finish();
+    CHECK(points > 10);
+  }
+}
+
 TEST_CASE("nothing but consolidation is not judged") {
   RecordHeader header = undrained_header();
   header.stages[0].role = StageRole::consolidation;

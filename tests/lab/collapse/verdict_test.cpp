@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/collapse/criteria.hpp"
+#include "lab/collapse/second_order_work.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 using namespace triax::lab;
@@ -26,6 +28,17 @@ LimitSurface sand() {
   return LimitSurface(specimen);
 }
 
+/// With the criteria as they would stand beside that evidence.
+Collapse verdict(const Evidence& e) {
+  std::vector<Criterion> criteria;
+  for (const CriterionRow& row : collapse_criteria())
+    criteria.push_back(criterion_of(row, std::nullopt));
+  criteria[0].detected = e.worst || e.at_held_q;
+  criteria[1] = criterion_of(collapse_criteria()[1], e.loss_of_control);
+  criteria[2] = criterion_of(collapse_criteria()[2], e.control_peak);
+  return triax::lab::verdict(e, std::move(criteria));
+}
+
 CollapseKind kind(const Descent& d) {
   const LimitSurface limit = sand();
   return verdict({.worst = d, .points = 50, .limit = limit}).kind;
@@ -48,6 +61,7 @@ TEST_CASE("on the limit surface nothing is a diffuse collapse") {
   CHECK(c.kind == CollapseKind::none);
   CHECK(c.inside_limit_surface == false);
   CHECK_FALSE(c.criteria[0].detected);
+  CHECK(c.criteria[0].evidence.find("a failure on the limit surface") != std::string::npos);
 }
 
 TEST_CASE("yielding at held q is a flow unless the specimen catches itself with its q") {

@@ -32,18 +32,18 @@ Told told_by(const GrainProgramme& programme, int threads = 1) {
   Told told;
   GrainListener listener;
   listener.made = [&](const GrainsMade& made) { told.made = made; };
-  listener.begins = [&](const GrainStage& stage, const sim::GrainState& state) {
+  listener.stage_started = [&](const GrainStage& stage, const sim::GrainState& state) {
     told.begun.push_back(stage.name);
     told.starts[stage.name] = state;
   };
-  listener.point = [&](const GrainStage& stage, const sim::GrainState&,
-                       const sim::GrainPathPoint&) { ++told.points[stage.name]; };
-  listener.ends = [&](const GrainStage& stage, const sim::GrainState& state,
-                      const GrainStageResult& result) {
+  listener.point_kept = [&](const GrainStage& stage, const sim::GrainState&,
+                            const sim::GrainPathPoint&) { ++told.points[stage.name]; };
+  listener.stage_ended = [&](const GrainStage& stage, const sim::GrainState& state,
+                             const GrainStageResult& result) {
     told.ends[stage.name] = state;
     told.results[stage.name] = result;
   };
-  told.whole = run_grains(programme, threads, listener);
+  told.whole = run_grains(programme, {.threads = threads}, {listener});
   return told;
 }
 
@@ -146,15 +146,16 @@ TEST_CASE("a run that is stopped says so, and tells nothing of the stage under w
     std::string begun;
     bool asked = false;
     GrainListener listener;
-    listener.begins = [&](const GrainStage& stage, const sim::GrainState&) { begun = stage.name; };
-    listener.ends = [&](const GrainStage& stage, const sim::GrainState&, const GrainStageResult&) {
-      ended.push_back(stage.name);
+    listener.stage_started = [&](const GrainStage& stage, const sim::GrainState&) {
+      begun = stage.name;
     };
-    listener.progress = [&](double, const std::string& what) {
+    listener.stage_ended = [&](const GrainStage& stage, const sim::GrainState&,
+                               const GrainStageResult&) { ended.push_back(stage.name); };
+    const auto progress = [&](double, const std::string& what) {
       asked = asked || what == at;
       return !asked;
     };
-    CHECK_FALSE(run_grains(small(), 1, listener));
+    CHECK_FALSE(run_grains(small(), {1, progress}, {listener}));
     CHECK(asked);
     CHECK(std::find(ended.begin(), ended.end(), begun) == ended.end());
   }

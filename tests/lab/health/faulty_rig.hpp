@@ -70,8 +70,7 @@ class FaultyRig : public BackEnd {
 
 inline TestSummary judge(const DrawnTest& test, std::vector<Break> breaks = {}) {
   FaultyRig rig(test, std::move(breaks));
-  Session session;
-  return session.run(rig, {});
+  return run_session(rig, {});
 }
 
 /// The channel keeps the value it had at reading `from`.

@@ -178,7 +178,8 @@ TEMPLATE_TEST_CASE("every law: where mechanics is clear, the right culprit is na
   }
 }
 
-TEST_CASE("every law, every control: a path beyond the limit ends in words and finite numbers") {
+TEST_CASE("every law, every control: a path beyond the limit ends in words and finite numbers",
+          "[slow]") {
   for (const Limit& limit : limits()) {
     INFO(limit.name);
     each_law<Axisymmetric>([&](const lab::MaterialSet&, const Law<Axisymmetric>& law) {
@@ -194,7 +195,8 @@ TEST_CASE("every law, every control: a path beyond the limit ends in words and f
   }
 }
 
-TEST_CASE("every law: plane strain, simple shear and a lone shear stress end in words too") {
+TEST_CASE("every law: plane strain, simple shear and a lone shear stress end in words too",
+          "[slow]") {
   each_law<Tensor>([&](const lab::MaterialSet&, const Law<Tensor>& law) {
     for (const double size : {0.05, -0.05}) {
       Vector<Tensor> strain = Vector<Tensor>::Zero();

@@ -78,7 +78,7 @@ TEST_CASE("the sample programmes run to their end and lose sustainability where 
     if (!by_load) continue;
     // Under load it ends on the stop.
     REQUIRE_FALSE(truth.run_aways.empty());
-    CHECK(truth.run_aways.back().end == "end of travel");
+    CHECK(truth.run_aways.back().end == lab::RunAwayEnd::end_of_travel);
     REQUIRE(rig.header().warnings.size() == 1);
     CHECK_THAT(rig.header().warnings[0].text, Catch::Contains("reached"));
     if (rig.header().programme != "CSU") continue;

@@ -23,9 +23,12 @@ struct Join {
 TEST_CASE("a counter set to zero between stages is joined, and the size of the jump is said") {
   Join join;
   CHECK(join.pass(back_volume, 8058e-9, 4, true) == 8058e-9);
+  CHECK_FALSE(join.counters.joined(back_volume));
   CHECK(join.pass(back_volume, 0, 5, true) == 8058e-9);
   CHECK(join.pass(back_volume, 10e-9, 5, false) == Approx(8068e-9));
   REQUIRE(join.warnings.size() == 1);
+  CHECK(join.counters.joined(back_volume));
+  CHECK_FALSE(join.counters.joined(axial_displacement));
   CHECK(join.warnings[0].line == 7);
   CHECK_THAT(join.warnings[0].text, Catch::Contains("from 8058 to 0 mm3 where stage 5 begins"));
 }
@@ -54,4 +57,5 @@ TEST_CASE("a load cell set to zero is reported but keeps its reading") {
   join.pass(axial_force, -14, 4, true);
   CHECK(join.pass(axial_force, 1, 5, true) == 1);
   CHECK(join.warnings.size() == 1);
+  CHECK_FALSE(join.counters.joined(axial_force));
 }

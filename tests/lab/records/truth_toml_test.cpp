@@ -21,8 +21,9 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   truth.lost_sustainability = true;
   truth.time_s = 12.25;
   truth.q_pa = triax::sim::to_si(56.49, *triax::sim::find_unit("kPa"));
-  truth.run_aways = {{12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, "new \"equilibrium\""},
-                     {40, 2, 41, {}, {}, {}, {}, ""}};
+  truth.run_aways = {
+      {12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, RunAwayEnd::new_equilibrium},
+      {40, 2, 41, {}, {}, {}, {}, RunAwayEnd::none}};
   const Truth found = read(truth_toml(truth));
   CHECK(found.time_s == 12.25);
   CHECK(found.q_pa == truth.q_pa);
@@ -35,10 +36,10 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   CHECK(found.run_aways[0].second_order_work_j == -3.1e-6);
   CHECK(found.run_aways[0].expected_ratio == 0.67);
   CHECK(found.run_aways[0].end_s == 12.75);
-  CHECK(found.run_aways[0].end == "new \"equilibrium\"");
+  CHECK(found.run_aways[0].end == RunAwayEnd::new_equilibrium);
   CHECK_FALSE(found.run_aways[1].kinetic_energy_j);
   CHECK_FALSE(found.run_aways[1].end_s);
-  CHECK(found.run_aways[1].end.empty());
+  CHECK(found.run_aways[1].end == RunAwayEnd::none);
 }
 
 TEST_CASE("a run-away that cannot be is refused at its line") {
@@ -48,6 +49,8 @@ TEST_CASE("a run-away that cannot be is refused at its line") {
   CHECK(read(good).run_aways.size() == 1);
   CHECK_THROWS_WITH(read(good + "end_s = 4\n"),
                     Catch::StartsWith("m:6: ") && Catch::Contains("before start_s"));
+  CHECK_THROWS_WITH(read(good + "ending = \"a bang\"\n"),
+                    Catch::StartsWith("m:6: ") && Catch::Contains("new equilibrium"));
   CHECK_THROWS_WITH(read(good + "energy_J = 1\n"), Catch::Contains("unknown key 'energy_J'"));
   CHECK_THROWS_WITH(read(good + "end_s = inf\n"), Catch::Contains("end_s"));
   CHECK_THROWS_WITH(read("[truth]\n[[truth.run_aways]]\nlargest_at_s = 6\n"),

@@ -26,10 +26,10 @@ ConsolidationEnd consolidated(int seconds, const std::function<double(double)>& 
   return end;
 }
 
-const Check& named(const std::vector<Check>& checks, const std::string& name) {
+const Check& of_kind(const std::vector<Check>& checks, CheckKind kind) {
   for (const Check& c : checks)
-    if (c.name == name) return c;
-  FAIL("no check " << name);
+    if (c.kind == kind) return c;
+  FAIL("no check " << to_string(kind));
   return checks.front();
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("a steady outflow gives its rate, in percent of the volume per hour") 
   // 1 mm³/s is 3600 mm³/h of 500 000 mm³
   const auto end = consolidated(
       20000, [](double t) { return -t; }, [](double) { return 0.0; });
-  const Check rate = named(end.checks(), "consolidation");
+  const Check rate = of_kind(end.checks(), CheckKind::consolidation);
   CHECK(*rate.measured == Approx(0.72).epsilon(1e-9));
   CHECK_FALSE(rate.ok);
 }
@@ -48,7 +48,7 @@ TEST_CASE("consolidation that has died out passes; cut short it does not") {
   const auto volume = [](double t) { return -5000 * (1 - std::exp(-t / 600)); };
   const auto excess = [](double t) { return 30 * std::exp(-t / 600); };
   for (const Check& check : consolidated(8000, volume, excess).checks()) {
-    INFO(check.name << ' ' << *check.measured);
+    INFO(to_string(check.kind) << ' ' << *check.measured);
     CHECK(check.ok);
   }
   for (const Check& check : consolidated(900, volume, excess).checks()) CHECK_FALSE(check.ok);
@@ -58,7 +58,7 @@ TEST_CASE("at rest the difference of the two transducers is that of their zeros"
   const auto end = consolidated(
       600, [](double) { return -100.0; }, [](double) { return -4.0; });
   CHECK(*end.difference() == Approx(-4e3));
-  const Check zero = named(end.checks(), "zero_difference");
+  const Check zero = of_kind(end.checks(), CheckKind::zero_difference);
   CHECK(*zero.measured == Approx(0.04));
   CHECK_FALSE(zero.ok);
   CHECK(zero.note.find("4.00 kPa below the back pressure") != std::string::npos);
@@ -73,7 +73,7 @@ TEST_CASE("a new stage starts afresh; no stage and no time, no check") {
     end.add(triax::lab::testing::reading({i < 200 ? 1 : 2, 0, 0, 400, 300, volume}, i), s, true,
             kVolume_m3);
   }
-  CHECK(*named(end.checks(), "consolidation").measured == Approx(0));
+  CHECK(*of_kind(end.checks(), CheckKind::consolidation).measured == Approx(0));
   CHECK(ConsolidationEnd().checks().empty());
   CHECK_FALSE(ConsolidationEnd().difference());
 }

@@ -8,9 +8,9 @@ using namespace triax::lab;
 
 namespace {
 
-std::vector<std::string> names(const std::vector<Check>& checks) {
-  std::vector<std::string> all;
-  for (const Check& c : checks) all.push_back(c.name);
+std::vector<CheckKind> kinds(const std::vector<Check>& checks) {
+  std::vector<CheckKind> all;
+  for (const Check& c : checks) all.push_back(c.kind);
   return all;
 }
 
@@ -36,15 +36,16 @@ CrossChecks checked(Drainage shear, double lag_kPa, std::optional<double> strain
 }  // namespace
 
 TEST_CASE("drained shear is checked for its rate, undrained for its valve") {
-  CHECK(names(checked(Drainage::open, 0).checks({})) ==
-        std::vector<std::string>{"consolidation", "zero_difference", "rate"});
-  CHECK(names(checked(Drainage::closed, 0).checks({})) ==
-        std::vector<std::string>{"consolidation", "zero_difference", "undrained_volume"});
+  CHECK(kinds(checked(Drainage::open, 0).checks({})) ==
+        std::vector{CheckKind::consolidation, CheckKind::zero_difference, CheckKind::rate});
+  CHECK(kinds(checked(Drainage::closed, 0).checks({})) == std::vector{CheckKind::consolidation,
+                                                                      CheckKind::zero_difference,
+                                                                      CheckKind::undrained_volume});
 }
 
 TEST_CASE("where the controller drives the volume, u need not stay near u_b") {
-  CHECK(names(checked(Drainage::open, 9, 0.7).checks({})) ==
-        std::vector<std::string>{"consolidation", "zero_difference"});
+  CHECK(kinds(checked(Drainage::open, 9, 0.7).checks({})) ==
+        std::vector{CheckKind::consolidation, CheckKind::zero_difference});
 }
 
 TEST_CASE("what failed becomes a warning, what came after the onset does not") {

@@ -14,6 +14,11 @@ TEST_CASE("names of roles, drainages and controls read back as what they name") 
                              AxialControl::constant_q})
     CHECK(axial_control_from(to_string(control)) == control);
   CHECK_FALSE(stage_role_from("Shear"));
+  CHECK(run_away_end_from("") == RunAwayEnd::none);
+  CHECK(run_away_end_from("new equilibrium") == RunAwayEnd::new_equilibrium);
+  CHECK(run_away_end_from("end of travel") == RunAwayEnd::end_of_travel);
+  CHECK(to_string(RunAwayEnd::end_of_travel) == "end of travel");
+  CHECK_FALSE(run_away_end_from("travel"));
 }
 
 TEST_CASE("a record is raw with displacement, force and cell pressure together") {

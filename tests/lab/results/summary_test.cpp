@@ -16,6 +16,28 @@ TEST_CASE("kinds of collapse read back as what they are called") {
   CHECK(collapse.detected());
 }
 
+// The texts stand in databases and documents of others: they may not change.
+TEST_CASE("kinds of events and checks read back as what they are called") {
+  for (const char* text :
+       {"stage_started", "loss_of_sustainability", "limit_surface", "sensor_fault", "device_fault",
+        "held", "resumed", "aborted", "safe_state", "run_away"}) {
+    INFO(text);
+    REQUIRE(event_kind_from(text));
+    CHECK(to_string(*event_kind_from(text)) == text);
+  }
+  CHECK_FALSE(event_kind_from("collapse"));
+  for (const char* text :
+       {"b_value", "consolidation", "zero_difference", "rate", "undrained_volume",
+        "closure_deviator_stress", "closure_mean_effective_stress",
+        "closure_effective_axial_stress", "closure_effective_radial_stress", "closure_axial_strain",
+        "closure_volumetric_strain", "closure_void_ratio", "closure_current_area"}) {
+    INFO(text);
+    REQUIRE(check_kind_from(text));
+    CHECK(to_string(*check_kind_from(text)) == text);
+  }
+  CHECK_FALSE(check_kind_from("closure_"));
+}
+
 TEST_CASE("an instant has a stress ratio and an angle where they exist") {
   Instant instant;
   CHECK_FALSE(instant.eta());

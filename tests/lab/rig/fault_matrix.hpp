@@ -183,19 +183,20 @@ struct Outcome {
 inline Outcome run_with(Programme programme, std::vector<Fault> faults) {
   programme.faults = std::move(faults);
   VirtualRig rig(programme);
-  Session session;
   Outcome out;
-  QObject::connect(&session, &Session::happened, [&](const Event& event) {
+  SessionListener listener;
+  listener.happened = [&](const Event& event) {
     out.events.push_back(event);
-    const bool collapse = event.kind == "loss_of_sustainability" || event.kind == "limit_surface";
+    const bool collapse =
+        event.kind == EventKind::loss_of_sustainability || event.kind == EventKind::limit_surface;
     if (collapse && !out.told_s) out.told_s = out.last_time_s;
-  });
-  QObject::connect(&session, &Session::scanned, [&](const Reading& reading, const State&) {
+  };
+  listener.scanned = [&](const Reading& reading, const State&) {
     out.last_time_s = reading.time_s;
     if (!out.shear_from_s && rig.header().stage(reading.stage)->role == StageRole::shear)
       out.shear_from_s = reading.time_s;
-  });
-  out.summary = session.run(rig, {});
+  };
+  out.summary = run_session(rig, {}, {listener});
   return out;
 }
 

@@ -47,10 +47,9 @@ TEST_CASE("loose grains flow in an undrained test, as the verdict and the truth 
   CHECK(rig.header().specimen.material == "500 spheres, loose.grains");
   CHECK(rig.header().origin == Origin::simulated);
   RecordWriter writer(folder / "loose.csv", rig.header());
-  Session session;
-  QObject::connect(&session, &Session::scanned,
-                   [&](const Reading& reading) { writer.write(reading); });
-  const TestSummary summary = session.run(rig, {});
+  const SessionListener to_record = {
+      .scanned = [&](const Reading& reading, const State&) { writer.write(reading); }};
+  const TestSummary summary = run_session(rig, {}, {to_record});
   const auto truth = rig.truth();
   writer.finish(truth);
   CHECK(summary.collapse.kind == CollapseKind::flow);
@@ -61,8 +60,7 @@ TEST_CASE("loose grains flow in an undrained test, as the verdict and the truth 
   CHECK(rig.specimen_state().material.p() < 20e3);
 
   const auto record = open_record(folder / "loose.csv", {});
-  Session again;
-  const TestSummary replayed = again.run(*record, {});
+  const TestSummary replayed = run_session(*record, {});
   CHECK(replayed.collapse.kind == CollapseKind::flow);
   REQUIRE(replayed.collapse.onset);
   CHECK(replayed.collapse.onset->eta() == summary.collapse.onset->eta());
@@ -75,8 +73,7 @@ TEST_CASE("dense grains do not flow in a drained test, and hold the cell pressur
       folder, "dense.grains",
       shear_stage("open", "displacement", "axial_rate_mm_per_min = 1.5\ntime_limit_min = 60.0",
                   "\"axial_strain_pct\", above = 1.0")));
-  Session session;
-  const TestSummary summary = session.run(rig, {});
+  const TestSummary summary = run_session(rig, {});
   CHECK(summary.collapse.kind != CollapseKind::flow);
   const auto& state = rig.specimen_state();
   CHECK(state.cell_pressure - state.pore_pressure == Approx(110e3).margin(8e3));

@@ -62,7 +62,7 @@ TEST_CASE("past the peak a dead load runs away, and Eq. 5 holds for what it sets
   CHECK(fall.largest_kinetic_energy_j > 0.1);
   CHECK(*fall.second_order_work_j < 0);
   CHECK(2 * *fall.kinetic_energy_j / -*fall.second_order_work_j == Approx(1).margin(0.05));
-  CHECK(fall.end == "end of travel");
+  CHECK(fall.end == RunAwayEnd::end_of_travel);
   CHECK(*fall.end_s > fall.start_s);
   CHECK(readings.back()[Quantity::axial_displacement] == Approx(0.02).epsilon(1e-9));
 }
@@ -92,9 +92,9 @@ TEST_CASE("a blow settles before the peak of q and ends the test after it") {
   CHECK(std::fabs(before.back()[Quantity::axial_displacement] -
                   before.front()[Quantity::axial_displacement]) < 1e-4);
   REQUIRE(truth.run_aways.size() == 2);
-  CHECK(truth.run_aways[0].end == "new equilibrium");
+  CHECK(truth.run_aways[0].end == RunAwayEnd::new_equilibrium);
   CHECK(truth.run_aways[0].start_s < before.back().time_s);
-  CHECK(truth.run_aways[1].end == "end of travel");
+  CHECK(truth.run_aways[1].end == RunAwayEnd::end_of_travel);
   CHECK(truth.run_aways[1].start_s > before.back().time_s);
   CHECK(truth.run_aways[1].largest_kinetic_energy_j >
         100 * truth.run_aways[0].largest_kinetic_energy_j);

@@ -31,8 +31,8 @@ void same_without_pause(const std::string& stage) {
   CHECK(with.size() == without.size() + 120);
   REQUIRE(run.size() == without.size());
   for (std::size_t i = 0; i < run.size(); ++i)
-    for (std::size_t k = 0; k < kRawQuantityCount; ++k)
-      REQUIRE(run[i].si[k] == Approx(without[i].si[k]).epsilon(1e-9).margin(1e-9));
+    for (const Quantity q : plain.header().columns)
+      REQUIRE(run[i][q] == Approx(without[i][q]).epsilon(1e-9).margin(1e-9));
   CHECK(run.back().time_s == Approx(without.back().time_s + 30));
 }
 
@@ -53,12 +53,12 @@ TEST_CASE("while held the crosshead is locked, the pressures stay, and the heade
   CHECK(rig.header().stage(2)->role == StageRole::hold);
   CHECK_FALSE(rig.header().stage(2)->name.empty());
   for (const Reading& r : held)
-    for (std::size_t k = 0; k < kRawQuantityCount; ++k)
-      CHECK(r.si[k] == Approx(held.front().si[k]).epsilon(1e-12).margin(1e-15));
+    for (const Quantity q : rig.header().columns)
+      CHECK(r[q] == Approx(held.front()[q]).epsilon(1e-12).margin(1e-15));
   CHECK(rig.header().warnings.empty());
-  std::vector<std::string> kinds;
+  std::vector<EventKind> kinds;
   for (const Event& event : rig.events()) kinds.push_back(event.kind);
-  CHECK(kinds == std::vector<std::string>{"held", "resumed"});
+  CHECK(kinds == std::vector{EventKind::held, EventKind::resumed});
 }
 
 TEST_CASE("hold and resume from outside do what the operator's do") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "lab/rig/virtual_rig.hpp"
 #include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax;
@@ -31,11 +32,26 @@ TEST_CASE("perfect instruments say what is true, of every channel") {
   const Plant plant(programme);
   Instruments instruments(programme, 1);
   const Reading reading = at(instruments, plant, 0);
-  for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
-    const Quantity channel = quantities()[i].quantity;
+  for (const QuantityInfo& row : raw_channels()) {
+    const Quantity channel = row.quantity;
+    if (!programme.fitted[index(channel)]) continue;
     CHECK(reading[channel] == Approx(plant.true_value(channel)).epsilon(1e-12).margin(1e-15));
     CHECK_FALSE(instruments.saturated(channel));
   }
+}
+
+TEST_CASE("a rig without a channel neither reads it nor takes its silence for a fault") {
+  Programme programme = with_transducers("");
+  programme.fitted[index(Quantity::cell_volume)] = false;
+  VirtualRig rig(programme);
+  CHECK_FALSE(rig.header().has(Quantity::cell_volume));
+  CHECK(rig.header().has(Quantity::back_volume));
+  for (const Reading& reading : all_readings(rig)) {
+    CHECK_FALSE(reading.has(Quantity::cell_volume));
+    CHECK(reading.has(Quantity::back_volume));
+  }
+  CHECK(rig.header().warnings.empty());
+  for (const Event& event : rig.events()) CHECK(event.kind != "device_fault");
 }
 
 TEST_CASE("an offset is that of its own channel, and a range ends where it ends") {

@@ -14,8 +14,7 @@ namespace {
 
 TestSummary run(const std::string& programme, std::uint64_t seed) {
   VirtualRig rig(load_programme("samples/programmes/" + programme + ".toml"), seed);
-  Session session;
-  return session.run(rig, {});
+  return run_session(rig, {});
 }
 
 }  // namespace

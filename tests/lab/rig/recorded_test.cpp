@@ -1,8 +1,6 @@
 #include "lab/rig/recorded.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <filesystem>
 
 #include "lab/base/bad_input.hpp"
 
@@ -20,21 +18,6 @@ std::vector<Reading> all_readings(RecordedRig& rig) {
   Reading reading;
   while (rig.next(reading)) readings.push_back(reading);
   return readings;
-}
-
-bool warns(const RecordHeader& header, std::int64_t line, const std::string& text) {
-  return std::ranges::any_of(header.warnings, [&](const Warning& warning) {
-    return warning.line == line && warning.text.find(text) != std::string::npos;
-  });
-}
-
-// A file of the shared real records; empty, with a word in the output, where it is missing.
-std::string shared(const std::string& name) {
-  const char* folder = std::getenv("TRIAX_SHARED_DATA");
-  const auto path = std::filesystem::path(folder ? folder : "../shared/data") / name;
-  if (std::filesystem::exists(path)) return path.string();
-  WARN("skipped: " << path.string() << " is missing");
-  return {};
 }
 
 const std::string kHeadings = "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n";
@@ -126,110 +109,6 @@ TEST_CASE("a simulated record is never changed") {
       "stage,time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n"
       "1,0,5,0,1\n2,1,0,0,1\n");
   CHECK(all_readings(*rig)[1][axial_displacement] == 0);
-}
-
-TEST_CASE("GDSLab: five stages, joined counters, the typed-in height") {
-  const auto path = shared("gds/2023-1-2.gds");
-  if (path.empty()) return;
-  const auto rig = open_record(path, {});
-  const RecordHeader& header = rig->header();
-  CHECK(header.dialect == "gdslab");
-  CHECK(*header.specimen.height_m == Approx(0.1));
-  CHECK(*header.specimen.diameter_m == Approx(0.05));
-  CHECK(*header.specimen.specific_gravity == 2.55);
-  CHECK(*header.specimen.membrane_thickness_m == Approx(0.4e-3));
-  CHECK(*header.specimen.consolidated_height_m == Approx(0.0978).epsilon(1e-6));
-  const StageRole roles[] = {StageRole::saturation, StageRole::saturation, StageRole::b_check,
-                             StageRole::consolidation, StageRole::shear};
-  REQUIRE(header.stages.size() == 5);
-  for (std::size_t i = 0; i < 5; ++i) CHECK(header.stages[i].role == roles[i]);
-  CHECK(header.stages[4].drainage == Drainage::closed);
-  CHECK(header.stages[4].control == AxialControl::displacement);
-
-  const auto readings = all_readings(*rig);
-  REQUIRE(readings.size() == 4501);
-  for (std::size_t i = 1; i < readings.size(); ++i)
-    REQUIRE(readings[i].time_s > readings[i - 1].time_s);
-  CHECK(readings.back().time_s == Approx(86100 + 48889));
-  const auto first_of_shear =
-      std::ranges::find_if(readings, [](const Reading& r) { return r.stage == 5; });
-  CHECK((*first_of_shear)[back_volume] == Approx(8058e-9));
-  CHECK((*first_of_shear)[axial_displacement] == Approx(2.968e-3));
-  CHECK(readings.back()[axial_displacement] == Approx((2.968 + 24.45) * 1e-3));
-  CHECK(readings.back()[deviator_stress] == Approx(72.8158e3));
-  CHECK(warns(header, 2901, "97.80 mm"));
-  CHECK(warns(header, 2901, "back_volume jumps from 8058 to 0 mm3"));
-  CHECK(warns(header, 42, "stage 2 begins at 300 s"));
-}
-
-TEST_CASE("Karlsruhe: undrained and drained tables") {
-  const auto undrained = shared("kfs/TMU-MT1.dat");
-  const auto drained = shared("kfs/TMD3.dat");
-  if (undrained.empty() || drained.empty()) return;
-  const auto rig = open_record(undrained, {});
-  CHECK(rig->header().dialect == "karlsruhe");
-  CHECK_FALSE(rig->header().has_time);
-  CHECK(rig->header().stages[0].drainage == Drainage::closed);
-  const auto readings = all_readings(*rig);
-  const auto peak =
-      std::ranges::max_element(readings, {}, [](const Reading& r) { return r[deviator_stress]; });
-  CHECK((*peak)[deviator_stress] == Approx(56.491e3));
-  CHECK((*peak)[axial_strain] == Approx(0.005135));
-  CHECK((*peak)[effective_axial_stress] - (*peak)[effective_radial_stress] ==
-        Approx((*peak)[deviator_stress]).margin(2));
-
-  const auto other = open_record(drained, {});
-  CHECK(other->header().stages[0].drainage == Drainage::open);
-  Reading first;
-  REQUIRE(other->next(first));
-  CHECK(first[void_ratio] == 0.97513162);
-  CHECK(first[mean_effective_stress] == Approx(201.81e3));
-}
-
-TEST_CASE("Nerlerk: the columns agree with each other and with p and q") {
-  const auto path = shared("nerlerk/Nerlerk270_CIU_G101.csv");
-  if (path.empty()) return;
-  const auto rig = open_record(path, {});
-  CHECK(rig->header().name == "CIU_G101");
-  CHECK(rig->header().programme == "CIU");
-  CHECK(rig->header().specimen.material == "NERLERK SAND");
-  CHECK(*rig->header().specimen.void_ratio == 0.883);
-  CHECK(*rig->header().specimen.consolidated_void_ratio == 0.804);
-  CHECK(rig->header().stages[0].drainage == Drainage::closed);
-  for (const Reading& reading : all_readings(*rig)) {
-    const double axial = reading[effective_axial_stress];
-    const double radial = reading[effective_radial_stress];
-    CHECK(reading[deviator_stress] == Approx(axial - radial).margin(1));
-    CHECK(reading[mean_effective_stress] == Approx((axial + 2 * radial) / 3).margin(1));
-    CHECK(reading[volumetric_strain] == 0);
-  }
-}
-
-TEST_CASE("cyclic: the last state, with p' below zero, comes through") {
-  const auto path = shared("cyclic/SJT-07.csv");
-  if (path.empty()) return;
-  const auto rig = open_record(path, {});
-  CHECK(rig->header().dialect == "cyclic");
-  CHECK(rig->header().stages[0].control == AxialControl::load);
-  const auto readings = all_readings(*rig);
-  CHECK(readings.size() == 341);
-  CHECK(readings.back()[mean_effective_stress] == Approx(-930).epsilon(1e-6));
-  CHECK(readings.back()[axial_strain] == Approx(0.1576684));
-}
-
-TEST_CASE("stress path: stages with clocks of their own become one time") {
-  const auto path = shared("stress_path/Triax-p-q_01__Versuch01.csv");
-  if (path.empty()) return;
-  const auto rig = open_record(path, {});
-  CHECK(rig->header().dialect == "stress_path");
-  CHECK(rig->header().is_raw());
-  const auto readings = all_readings(*rig);
-  REQUIRE(readings.size() == 79);
-  for (std::size_t i = 1; i < readings.size(); ++i)
-    CHECK(readings[i].time_s > readings[i - 1].time_s);
-  CHECK(rig->header().stage(7)->role == StageRole::shear);
-  CHECK(rig->header().stage(7)->drainage == Drainage::open);
-  CHECK(warns(rig->header(), 84, "78 more, the last in line 162"));
 }
 
 TEST_CASE("--set does not say where a record came from") {

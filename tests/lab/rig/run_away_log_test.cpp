@@ -34,7 +34,7 @@ TEST_CASE("a run-away is told at its start and at its end, with what it came to"
   CHECK(*truth.kinetic_energy_j == Approx(1e-4));
   CHECK(*truth.expected_ratio == Approx(1));
   CHECK(*truth.second_order_work_j == -2e-4);
-  CHECK(truth.end == "new equilibrium");
+  CHECK(truth.end == lab::RunAwayEnd::new_equilibrium);
   CHECK(log.watch(21, state).empty());
   state.run_away.count = 2;
   CHECK_THAT(log.watch(30, state), Contains("ran away"));

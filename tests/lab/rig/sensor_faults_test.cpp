@@ -28,8 +28,8 @@ bool speaks_of(const TestSummary& s, Quantity q) {
       s.warnings, [&](const Warning& w) { return w.text.find(name) != std::string::npos; });
 }
 
-const Check* check(const TestSummary& s, const std::string& name) {
-  const auto found = std::ranges::find(s.checks, name, &Check::name);
+const Check* check(const TestSummary& s, CheckKind kind) {
+  const auto found = std::ranges::find(s.checks, kind, &Check::kind);
   return found == s.checks.end() ? nullptr : &*found;
 }
 
@@ -69,8 +69,8 @@ constexpr std::int64_t kReadingsToTell = 60;
 
 /// What is true of the programmes themselves: B, a slow drain in CSD 51, a rest cut short.
 bool of_the_test_not_its_sensors(const Check& c) {
-  return c.name.starts_with("b_value") || c.name.starts_with("rate") ||
-         c.name.starts_with("consolidation");
+  return c.kind == CheckKind::b_value || c.kind == CheckKind::rate ||
+         c.kind == CheckKind::consolidation;
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ TEST_CASE("sound sensors, real or perfect: nothing is found and everything is ju
       CHECK_FALSE(s.collapse.judged_until);
       CHECK(s.collapse.judged_until_reason.empty());
       for (const Check& c : s.checks) {
-        INFO(c.name << ": " << c.note);
+        INFO(to_string(c.kind) << ": " << c.note);
         CHECK((c.ok || of_the_test_not_its_sensors(c)));
       }
     }
@@ -192,20 +192,20 @@ TEST_CASE("two sensors at once: both are spoken of, dense sand does not collapse
 TEST_CASE("slow faults show where one sensor is held against another") {
   const DrawnTest& drained = drawn("csd_51");
   const Break drift = [](Reading& r) { r[Quantity::pore_pressure] += 2.0 * r.time_s; };
-  CHECK_FALSE(check(judge(drained, {drift}), "rate")->ok);
+  CHECK_FALSE(check(judge(drained, {drift}), CheckKind::rate)->ok);
   const Break offset = [](Reading& r) { r[Quantity::pore_pressure] += 5e3; };
   const TestSummary shifted = judge(drained, {offset});
-  CHECK_FALSE(check(shifted, "zero_difference")->ok);
+  CHECK_FALSE(check(shifted, CheckKind::zero_difference)->ok);
   // It is the same at rest and in shear.
-  CHECK(check(shifted, "rate")->ok == check(judge(drained), "rate")->ok);
+  CHECK(check(shifted, CheckKind::rate)->ok == check(judge(drained), CheckKind::rate)->ok);
 
   const DrawnTest& closed = drawn("icu_6");
   const Break leak = [](Reading& r) { r[Quantity::back_volume] -= 2e-10 * r.time_s; };
   const TestSummary leaking = judge(closed, {leak});
-  CHECK_FALSE(check(leaking, "undrained_volume")->ok);
-  CHECK_FALSE(check(leaking, "consolidation")->ok);
+  CHECK_FALSE(check(leaking, CheckKind::undrained_volume)->ok);
+  CHECK_FALSE(check(leaking, CheckKind::consolidation)->ok);
   const Break unsaid = [](Reading&) {};
-  CHECK(check(judge(closed, {unsaid}), "undrained_volume")->ok);
+  CHECK(check(judge(closed, {unsaid}), CheckKind::undrained_volume)->ok);
 }
 
 TEST_CASE("a transducer that leaps beyond the specimen's height ends no test") {
@@ -224,7 +224,7 @@ TEST_CASE("nothing measured with a dead sensor is reported as measured") {
   REQUIRE(sound.consolidation.b_value);
   const TestSummary pore = judge(test, {constant(Quantity::pore_pressure, 1e6, 55)});
   CHECK_FALSE(pore.consolidation.b_value);
-  CHECK_FALSE(check(pore, "b_value"));
+  CHECK_FALSE(check(pore, CheckKind::b_value));
   CHECK_FALSE(pore.consolidation.p_eff_pa);
   CHECK(pore.consolidation.height_m);
   CHECK_FALSE(pore.collapse.judged);
@@ -283,8 +283,7 @@ TEST_CASE("along a strain path without flow (R = 1) a collapse is judged") {
   Programme programme = load_programme("samples/programmes/strain_path_070.toml");
   programme.stages.back().strain_path_R = 1.0;
   VirtualRig rig(programme);
-  Session session;
-  const TestSummary s = session.run(rig, {});
+  const TestSummary s = run_session(rig, {});
   std::string said;
   for (const Warning& w : s.warnings) said += w.text + '\n';
   INFO(said);
@@ -293,7 +292,7 @@ TEST_CASE("along a strain path without flow (R = 1) a collapse is judged") {
   CHECK(s.collapse.detected());
   CHECK(s.collapse.judged_until_reason.empty());
   CHECK_FALSE(speaks_of(s, Quantity::back_volume));
-  CHECK_FALSE(check(s, "rate"));
+  CHECK_FALSE(check(s, CheckKind::rate));
   REQUIRE(s.collapse.onset);
   CHECK(std::fabs(*s.collapse.onset->time_s - *s.truth->time_s) < 60);
 }

@@ -30,7 +30,10 @@ class FakeRig : public BackEnd {
     return true;
   }
   double progress() const override { return double(i_) / readings_; }
-  void abort(const std::string& reason) override { aborted_for = reason; }
+  bool abort(const std::string& reason) override {
+    aborted_for = reason;
+    return false;
+  }
 
   std::string aborted_for;
 
@@ -41,23 +44,36 @@ class FakeRig : public BackEnd {
 
 }  // namespace
 
-TEST_CASE("signals carry every reading in order, and the summary says what they came to") {
+TEST_CASE("listeners are told of every reading in order, and the summary says what they came to") {
   FakeRig rig(3000);
-  Session session;
-  std::int64_t scans = 0, points = 0;
-  std::vector<std::string> events;
-  QObject::connect(&session, &Session::scanned, [&](const Reading& r, const State& s) {
+  std::int64_t scans = 0, points = 0, heard_by_second = 0;
+  std::vector<EventKind> events;
+  SessionListener listener;
+  listener.scanned = [&](const Reading& r, const State& s) {
     REQUIRE(r.number == scans);
     REQUIRE(s.reading == scans);
     ++scans;
-  });
-  QObject::connect(&session, &Session::second_order_work, [&] { ++points; });
-  QObject::connect(&session, &Session::happened, [&](const Event& e) { events.push_back(e.kind); });
-  const TestSummary summary = session.run(rig, {});
+  };
+  listener.second_order_work = [&](const SecondOrderWorkPoint&) { ++points; };
+  listener.happened = [&](const Event& e) { events.push_back(e.kind); };
+  double progress = -1;
+  const SessionListener second = {.scanned =
+                                      [&](const Reading&, const State&) {
+                                        ++heard_by_second;
+                                        CHECK(heard_by_second == scans);
+                                      },
+                                  .progressed =
+                                      [&](double share) {
+                                        CHECK(share >= progress);
+                                        progress = share;
+                                      }};
+  const TestSummary summary = run_session(rig, {}, {listener, second});
+  CHECK(heard_by_second == 3000);
+  CHECK(progress == 1);
   CHECK(scans == 3000);
   CHECK(summary.readings == 3000);
   CHECK(points > 100);
-  CHECK(events == std::vector<std::string>{"stage_started", "loss_of_sustainability"});
+  CHECK(events == std::vector{EventKind::stage_started, EventKind::loss_of_sustainability});
   CHECK(summary.collapse.kind == CollapseKind::flow);
   CHECK(std::abs(summary.collapse.onset->reading - 400) < 8);
   CHECK(std::abs(summary.peak->reading - 400) < 8);
@@ -66,12 +82,11 @@ TEST_CASE("signals carry every reading in order, and the summary says what they 
 TEST_CASE("speed changes nothing but the time it takes") {
   const auto run = [](double speed) {
     FakeRig rig(1000);
-    Session session;
     std::vector<double> states;
-    QObject::connect(&session, &Session::scanned, [&](const Reading&, const State& s) {
+    const SessionListener listener = {.scanned = [&](const Reading&, const State& s) {
       states.insert(states.end(), {s.q, s.p_eff, s.strain.axial});
-    });
-    session.run(rig, {.speed = speed});
+    }};
+    run_session(rig, {.speed = speed}, {listener});
     return states;
   };
   CHECK(run(0) == run(5000));
@@ -79,10 +94,9 @@ TEST_CASE("speed changes nothing but the time it takes") {
 
 TEST_CASE("a test that is stopped is judged as far as it went and says when") {
   FakeRig rig(3000);
-  Session session;
   std::int64_t scans = 0;
-  QObject::connect(&session, &Session::scanned, [&] { ++scans; });
-  const TestSummary summary = session.run(rig, {.stop = [&] { return scans == 1500; }});
+  const SessionListener listener = {.scanned = [&](const Reading&, const State&) { ++scans; }};
+  const TestSummary summary = run_session(rig, {.stop = [&] { return scans == 1500; }}, {listener});
   CHECK(scans == 1500);
   CHECK(summary.readings == 1500);
   CHECK(summary.collapse.kind == CollapseKind::flow);
@@ -93,20 +107,28 @@ TEST_CASE("a test that is stopped is judged as far as it went and says when") {
 
 TEST_CASE("a stop is heard while the clock is waited for") {
   FakeRig rig(1000);
-  Session session;
   const auto start = std::chrono::steady_clock::now();
   const auto since = [&] { return std::chrono::steady_clock::now() - start; };
-  const TestSummary summary = session.run(
+  const TestSummary summary = run_session(
       rig, {.speed = 0.01, .stop = [&] { return since() > std::chrono::milliseconds(250); }});
   CHECK(since() < std::chrono::seconds(5));
   CHECK(summary.readings < 10);
 }
 
-TEST_CASE("a back end that fails leaves the signalled readings standing") {
+TEST_CASE("a back end that fails leaves the readings that were told standing") {
   FakeRig rig(1000, 500);
-  Session session;
   int scans = 0;
-  QObject::connect(&session, &Session::scanned, [&] { ++scans; });
-  CHECK_THROWS_AS(session.run(rig, {}), BadInput);
+  const SessionListener listener = {.scanned = [&](const Reading&, const State&) { ++scans; }};
+  CHECK_THROWS_AS(run_session(rig, {}, {listener}), BadInput);
   CHECK(scans == 500);
+}
+
+TEST_CASE("what a listener throws ends the test and reaches who runs it") {
+  FakeRig rig(1000);
+  int scans = 0;
+  const SessionListener full = {.scanned = [&](const Reading&, const State&) {
+    if (++scans == 7) throw WorkFailed("the disk is full");
+  }};
+  CHECK_THROWS_AS(run_session(rig, {}, {full}), WorkFailed);
+  CHECK(scans == 7);
 }

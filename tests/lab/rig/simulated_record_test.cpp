@@ -65,7 +65,7 @@ std::vector<std::string> verdict(const TestSummary& s) {
     lines.push_back(fmt::format("{} {} {} {} {} {}", one.name, one.detected, exact(one.reading),
                                 exact(one.time_s), exact(one.eta), one.evidence));
   for (const Check& one : s.checks)
-    lines.push_back(fmt::format("{} {} {}", one.name, exact(one.measured), one.ok));
+    lines.push_back(fmt::format("{} {} {}", to_string(one.kind), exact(one.measured), one.ok));
   return lines;
 }
 
@@ -77,8 +77,8 @@ struct Run {
 
 Run run(BackEnd& rig, double speed = 0) {
   Run result;
-  Session session;
-  QObject::connect(&session, &Session::scanned, [&](const Reading& r, const State& s) {
+  SessionListener listener;
+  listener.scanned = [&](const Reading& r, const State& s) {
     auto& readings = result.readings;
     readings.insert(readings.end(), {static_cast<double>(r.number), r.time_s, double(r.stage)});
     readings.insert(readings.end(), r.si.begin(), r.si.end());
@@ -86,11 +86,11 @@ Run run(BackEnd& rig, double speed = 0) {
         result.states.end(),
         {s.time_s, s.strain.axial, s.strain.radial, s.volumetric_strain, s.void_ratio, s.area_m2,
          s.effective_stress.axial, s.effective_stress.radial, s.pore_pressure, s.p_eff, s.q});
-  });
-  QObject::connect(&session, &Session::happened, [&](const Event& e) {
-    result.events.push_back(fmt::format("{} {} {}", e.reading, e.kind, e.detail));
-  });
-  result.summary = session.run(rig, {.reduction = {}, .speed = speed});
+  };
+  listener.happened = [&](const Event& e) {
+    result.events.push_back(fmt::format("{} {} {}", e.reading, to_string(e.kind), e.detail));
+  };
+  result.summary = run_session(rig, {.reduction = {}, .speed = speed}, {listener});
   result.verdict = verdict(result.summary);
   return result;
 }

@@ -23,8 +23,7 @@ TEST_CASE("the benchmark's record collapses near the true peak of q, through its
   const auto rig = lab::open_record(
       lab::open_memory("record.csv", text),
       {.dialect = {}, .sets = {{"specimen.height_mm", "140"}, {"specimen.diameter_mm", "70"}}});
-  lab::Session session;
-  const lab::TestSummary s = session.run(*rig, {});
+  const lab::TestSummary s = lab::run_session(*rig, {});
   CHECK(s.readings == kRows);
   REQUIRE(s.collapse.kind == lab::CollapseKind::flow);
   const double peak_strain = 12.0 / 140 * double(record.peak_row()) / double(kRows - 1);

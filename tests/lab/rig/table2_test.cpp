@@ -94,14 +94,13 @@ struct Run {
 
 Run run(const Programme& programme) {
   VirtualRig rig(programme);
-  Session session;
   Run result;
   int stage = 0;
-  QObject::connect(&session, &Session::scanned, [&](const Reading&, const State& state) {
+  const SessionListener listener = {.scanned = [&](const Reading&, const State& state) {
     if (std::exchange(stage, state.stage) != state.stage) result.last_stage.start_again();
     result.last_stage.add(state);
-  });
-  result.summary = session.run(rig, {});
+  }};
+  result.summary = run_session(rig, {}, {listener});
   return result;
 }
 

@@ -74,9 +74,9 @@ TEST_CASE("with every imperfection zero the readings are those of the bare mater
 TEST_CASE("a reading is a number of the field, bit for bit") {
   lab::VirtualRig rig(noisy());
   for (const auto& r : run(rig))
-    for (const auto& row : lab::quantities().first(lab::kRawQuantityCount)) {
-      const sim::Unit unit = *sim::find_unit(row.unit);
-      const double si = r[row.quantity];
+    for (const Quantity channel : rig.header().columns) {
+      const sim::Unit unit = *sim::find_unit(lab::info(channel).unit);
+      const double si = r[channel];
       REQUIRE(std::isfinite(si));
       REQUIRE(sim::to_si(sim::to_field(si, unit), unit) == si);
     }
@@ -90,7 +90,7 @@ TEST_CASE("the same seed gives the same readings, another seed others of the sam
   bool differs = false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     CHECK(a[i].time_s == static_cast<double>(i) * 1.0);
-    for (std::size_t k = 0; k < lab::kRawQuantityCount; ++k) CHECK(a[i].si[k] == b[i].si[k]);
+    for (const Quantity q : first.header().columns) CHECK(a[i][q] == b[i][q]);
     differs = differs || a[i][Quantity::axial_force] != c[i][Quantity::axial_force];
   }
   CHECK(differs);
@@ -134,7 +134,7 @@ end = [{quantity = "axial_force_N", above = 5000.0}]
   REQUIRE(truth.run_aways.size() == 1);
   const lab::RunAwayTruth& fall = truth.run_aways[0];
   CHECK(fall.start_s == Approx(collapse_s).margin(0.5));
-  CHECK(fall.end == "end of travel");
+  CHECK(fall.end == lab::RunAwayEnd::end_of_travel);
   CHECK(*fall.end_s - fall.start_s < 2);
   CHECK(fall.largest_kinetic_energy_j > 0.1);
   CHECK(fall.largest_at_s == Approx(*fall.end_s).margin(0.01));

@@ -1,5 +1,6 @@
 #include "sim/stability/domain_criteria.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/sim/stability/domain_laws.hpp"
@@ -31,15 +32,32 @@ TEST_CASE("the determinant changes sign where the probing finds the first unstab
       const DomainCriteria criteria = domain_criteria(material, g);
       const DomainBoundary found = domain_column(material, g, 1).compression;
       const double q = *found.first_unstable_q;
-      CHECK(*criteria.determinant(120e3, q * (1 - 1e-5)) > 0);
-      CHECK(*criteria.determinant(120e3, q * (1 + 1e-5)) < 0);
+      REQUIRE(criteria.size() == 1);
+      CHECK(criteria[0].name == "determinant");
+      CHECK(*criteria[0].witness(120e3, q * (1 - 1e-5)) > 0);
+      CHECK(*criteria[0].witness(120e3, q * (1 + 1e-5)) < 0);
     }
 }
 
 TEST_CASE("beyond its limit a law has no determinant; without a law there is no criterion") {
   const Material material = interpolated(Interpolation::inl2, kInl2);
   const DomainCriteria criteria = domain_criteria(material, grid(ProbePlane::axisymmetric));
-  CHECK(criteria.determinant(100e3, 20e3));
-  CHECK_FALSE(criteria.determinant(100e3, 200e3));
-  CHECK_FALSE(domain_criteria({}, grid(ProbePlane::axisymmetric)).determinant);
+  REQUIRE(criteria.size() == 1);
+  CHECK(criteria[0].witness(100e3, 20e3));
+  CHECK_FALSE(criteria[0].witness(100e3, 200e3));
+  CHECK(domain_criteria({}, grid(ProbePlane::axisymmetric)).empty());
+}
+
+TEST_CASE("a criterion that takes long is looked for where it is asked for, in fewer states") {
+  const Material material = interpolated(Interpolation::octolinear, kOcto);
+  const DomainGrid g = grid(ProbePlane::plane_strain);
+  for (const DomainCriterionKind& kind : domain_criterion_kinds()) {
+    INFO(kind.name);
+    const auto has = [&](const DomainCriteria& criteria) {
+      return std::ranges::find(criteria, kind.name, &DomainCriterion::name) != criteria.end();
+    };
+    CHECK(has(domain_criteria(material, g)) == !kind.on_request());
+    CHECK(has(domain_criteria(material, g, {std::string(kind.name)})));
+    CHECK((kind.most_rows < 200) == kind.on_request());
+  }
 }

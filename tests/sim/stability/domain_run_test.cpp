@@ -35,7 +35,7 @@ std::vector<std::optional<double>> numbers(const DomainColumn& c) {
   std::vector<std::optional<double>> all{static_cast<double>(c.column), c.p};
   for (const DomainBoundary& b : {c.compression, c.extension})
     all.insert(all.end(), {b.first_unstable_q, b.first_unstable_angle, b.isotropic_unloading_q,
-                           b.determinant_q, b.localisation_q, b.limit_q});
+                           b.other_q("determinant"), b.other_q("localisation"), b.limit_q});
   for (const DomainState& s : c.states) {
     all.insert(all.end(), {s.q, static_cast<double>(s.kind), s.least_work, s.least_angle,
                            static_cast<double>(s.refused_directions)});
@@ -56,12 +56,12 @@ class Failing : public Interpolated<Axisymmetric> {
 
 }  // namespace
 
-TEST_CASE("the number of threads does not show in a single bit") {
+TEST_CASE("the number of threads does not show in a single bit", "[threads]") {
   const auto run = [](int threads) {
     return run_domain(kGrid, all_columns(),
                       [] {
                         DomainWorker worker{interpolated(Interpolation::inl2, kInl2), {}};
-                        worker.criteria = domain_criteria(worker.material, kGrid, true);
+                        worker.criteria = domain_criteria(worker.material, kGrid, {"localisation"});
                         return worker;
                       },
                       {.threads = threads, .progress = {}});
@@ -76,11 +76,12 @@ TEST_CASE("the number of threads does not show in a single bit") {
   // And every column is what it is alone.
   const Material alone = interpolated(Interpolation::inl2, kInl2);
   CHECK(numbers(one[4]) ==
-        numbers(domain_column(alone, kGrid, 4, domain_criteria(alone, kGrid, true))));
-  CHECK(one[4].compression.determinant_q);
+        numbers(domain_column(alone, kGrid, 4, domain_criteria(alone, kGrid, {"localisation"}))));
+  CHECK(one[4].compression.other_q("determinant"));
 }
 
-TEST_CASE("each thread gets a material of its own, and no more threads than columns are started") {
+TEST_CASE("each thread gets a material of its own, and no more threads than columns are started",
+          "[threads]") {
   int made = 0;
   const auto factory = [&made] {
     ++made;
@@ -94,13 +95,13 @@ TEST_CASE("each thread gets a material of its own, and no more threads than colu
   CHECK(run_domain(kGrid, {}, factory, {.threads = 8, .progress = {}}).empty());
 }
 
-TEST_CASE("an error of a column reaches the caller") {
+TEST_CASE("an error of a column reaches the caller", "[threads]") {
   const auto factory = [] { return DomainWorker{{std::make_shared<Failing>(), {}, {}, {}}, {}}; };
   CHECK_THROWS_WITH(run_domain(kGrid, all_columns(), factory, {.threads = 3, .progress = {}}),
                     "no such state");
 }
 
-TEST_CASE("a run can be ended on the way, and tells how far it is") {
+TEST_CASE("a run can be ended on the way, and tells how far it is", "[threads]") {
   DomainGrid large = kGrid;
   large.rows = 4000;
   std::vector<double> shares;

@@ -155,14 +155,14 @@ TEST_CASE("the determinant of octolinear and of INL2 vanishes at the first unsta
     const Material octolinear = interpolated(Interpolation::octolinear, kOcto);
     const DomainGrid g = grid(0, 130, 40, plane);
     const auto column = domain_column(octolinear, g, 1, domain_criteria(octolinear, g));
-    REQUIRE(column.compression.determinant_q);
-    CHECK(*column.compression.determinant_q ==
+    REQUIRE(column.compression.other_q("determinant"));
+    CHECK(*column.compression.other_q("determinant") ==
           Approx(*column.compression.first_unstable_q).epsilon(1e-8));
   }
   const Material nonlinear{std::make_shared<Interpolated<Axisymmetric>>(inl2()), {}, {}, {}};
   const DomainGrid g = grid(0, 130, 40);
   const auto column = domain_column(nonlinear, g, 1, domain_criteria(nonlinear, g));
-  CHECK(*column.compression.determinant_q ==
+  CHECK(*column.compression.other_q("determinant") ==
         Approx(*column.compression.first_unstable_q).epsilon(1e-7));
 }
 
@@ -283,12 +283,12 @@ TEST_CASE("a criterion that is met only where the limit is, is not met before it
   const auto met_at = [](double eta) {
     return [eta](double p, double q) { return std::optional(eta * p - q); };
   };
-  criteria.determinant = met_at(0.47 * (1 - 1e-7));
-  criteria.localisation = met_at(0.46);
+  criteria.push_back({"late", met_at(0.47 * (1 - 1e-7))});
+  criteria.push_back({"early", met_at(0.46)});
   const auto column = domain_column(Islands(), grid(0, 150, 16), 1, criteria).compression;
   REQUIRE(column.limit_q);
-  CHECK_FALSE(column.determinant_q);
-  CHECK(column.localisation_q.has_value());
+  CHECK_FALSE(column.other_q("late"));
+  CHECK(column.other_q("early").has_value());
 }
 
 TEST_CASE("an objection that the isotropic state raises too is not that of the limit") {
@@ -328,14 +328,14 @@ TEST_CASE("what a law refuses is told as that, with its words, and ends the sear
 TEST_CASE("criteria of other kinds are isolated too, and silence is not meeting them") {
   const auto law = inl2();
   DomainCriteria criteria;
-  criteria.localisation = [](double p, double q) -> std::optional<double> {
-    if (q < 0.2 * p) return std::nullopt;
-    return 0.4321 * p - q;
-  };
+  criteria.push_back({"some", [](double p, double q) -> std::optional<double> {
+                        if (q < 0.2 * p) return std::nullopt;
+                        return 0.4321 * p - q;
+                      }});
   const auto column = domain_column(law, grid(-60, 130, 39), 1, criteria);
-  CHECK(*column.compression.localisation_q == Approx(0.4321 * column.p).epsilon(1e-9));
-  CHECK_FALSE(column.extension.localisation_q);
-  CHECK_FALSE(column.compression.determinant_q);
+  CHECK(*column.compression.other_q("some") == Approx(0.4321 * column.p).epsilon(1e-9));
+  CHECK_FALSE(column.extension.other_q("some"));
+  CHECK(column.compression.others_q.size() == 1);
 }
 
 TEST_CASE("a material without a form for the plane is refused in words") {

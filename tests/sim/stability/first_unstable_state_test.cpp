@@ -101,9 +101,9 @@ TEST_CASE("a proportional strain path loses W2 where the probe of its mode does"
     for (const double R : {0.8, 0.9, 1.0, 1.1}) {
       CAPTURE(name, R);
       const auto lost = loss_on_strain_path(*law, R);
-      const auto work = [&](double eta) {
-        const auto state = state_at(*law, lost.p / 1e3, eta, lost.void_ratio);
-        return std::optional(stress_prober<Axisymmetric>(*law, state)(mode(R)).normalised);
+      const auto work = [&, &unstable = *law](double eta) {  // clang 14 captures no part of a pair
+        const auto state = state_at(unstable, lost.p / 1e3, eta, lost.void_ratio);
+        return std::optional(stress_prober<Axisymmetric>(unstable, state)(mode(R)).normalised);
       };
       const auto probed_eta = first_loss(work, 0.3, 1.0, kLine);
       REQUIRE(probed_eta);

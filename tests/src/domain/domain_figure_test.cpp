@@ -150,7 +150,9 @@ TEST_CASE("the scale ends at round values beyond the largest, and its steps at t
 
 TEST_CASE("the determinant is dots on the line of the first unstable direction, so both are seen") {
   auto all = columns();
-  for (auto& column : all) column.compression.determinant_q = column.compression.first_unstable_q;
+  for (auto& column : all)
+    if (const auto q = column.compression.first_unstable_q)
+      column.compression.others_q["determinant"] = *q;
   const Drawing drawing = domain_figure(grid(), all, subject());
   CHECK(test::in_legend(*drawing.plot, "vanishing determinant"));
   int dots = 0;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "src/study/domain/domain_cones.hpp"
 #include "tests/src/plot/plot_contents.hpp"
 #include "tests/src/sample_domain.hpp"
 
@@ -11,7 +12,7 @@ using namespace triax::study;
 
 TEST_CASE("cones of a domain: its limit and its instability lines are those of its columns") {
   const ReportedDomain domain = sample_domain();
-  const auto figures = domain_cones(domain, {});
+  const auto figures = domain_cones(domain, cones_picture(domain, {}));
   REQUIRE(figures.size() == 2);
   CHECK(figures[0].name == "cones_pq");
   const QCustomPlot& plot = *figures[0].drawing.plot;

@@ -64,10 +64,10 @@ TEST_CASE("a piece goes to a file") {
 TEST_CASE("the grid says which criteria were looked for, and refuses what a law cannot give") {
   DomainOptions o = loose();
   const auto inl2 = lab::find_material("inl2/S28-general");
-  CHECK(chosen_grid(o, inl2).determinant);
-  CHECK_FALSE(chosen_grid(o, inl2).localisation);
-  o.localisation = true;
-  CHECK(chosen_grid(o, inl2).localisation);
+  CHECK(chosen_grid(o, inl2).looks_for("determinant"));
+  CHECK_FALSE(chosen_grid(o, inl2).looks_for("localisation"));
+  o.criteria = {"localisation"};
+  CHECK(chosen_grid(o, inl2).looks_for("localisation"));
   CHECK_THROWS_WITH(chosen_grid(o, lab::find_material("norsand/S28-MT")),
                     Contains("--localisation needs the full tensor"));
   o.p = "50:60/3";

@@ -27,7 +27,7 @@ void check_rows(const FigureData& data, std::size_t count) {
 }  // namespace
 
 TEST_CASE("the data of paths hold all points, with the work of each increment") {
-  const GrainReport report = test::sample_run();
+  const lab::GrainReport report = test::sample_run();
   const FigureData data = paths_data(report, {&report.stages[2], &report.stages[3]});
   check_rows(data, 82);
   CHECK(*data.rows[0][column(data, "stage")] == 3);
@@ -41,8 +41,8 @@ TEST_CASE("the data of paths hold all points, with the work of each increment") 
 }
 
 TEST_CASE("the data of a rose hold every probe and the null probe without a direction") {
-  GrainReport report = test::sample_run();
-  std::get<ReportedGrainRose>(report.stages[5].came).made.rose.probes[2].stopped = true;
+  lab::GrainReport report = test::sample_run();
+  std::get<lab::ReportedGrainRose>(report.stages[5].came).made.rose.probes[2].stopped = true;
   const FigureData data = rose_data(report, report.stages[5]);
   check_rows(data, 37);
   CHECK(*data.rows[9][column(data, "alpha_deg")] == Approx(90));
@@ -55,8 +55,8 @@ TEST_CASE("the data of a rose hold every probe and the null probe without a dire
 }
 
 TEST_CASE("each stage but a rest has a file, named after it, with full digits") {
-  GrainReport report = test::sample_run();
-  std::get<ReportedGrainPath>(report.stages[2].came).points[1].strain.axial = 1.0 / 3;
+  lab::GrainReport report = test::sample_run();
+  std::get<lab::ReportedGrainPath>(report.stages[2].came).points[1].strain.axial = 1.0 / 3;
   const auto files = grain_csvs(report);
   REQUIRE(files.size() == 8);
   CHECK(files[2].suffix == "_R-0.8_points.csv");
@@ -68,7 +68,7 @@ TEST_CASE("each stage but a rest has a file, named after it, with full digits") 
 }
 
 TEST_CASE("the data of perturbations hold all points") {
-  const GrainReport report = test::sample_run();
+  const lab::GrainReport report = test::sample_run();
   const FigureData data = perturbations_data(report, {&report.stages[6], &report.stages[7]});
   check_rows(data, 22);
   CHECK(*data.rows[21][column(data, "chi")] == Approx(0.05));

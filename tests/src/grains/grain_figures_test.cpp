@@ -36,7 +36,7 @@ TEST_CASE("a run has the figures of the paper, each with the word simulated and 
 }
 
 TEST_CASE("paths are named by R, perturbations by where they start and how they end") {
-  GrainReport report = test::sample_run();
+  lab::GrainReport report = test::sample_run();
   auto figures = grain_figures(report);
   CHECK(test::in_legend(*figure(figures, "strain_paths").drawing.plot, "R = 0.8"));
   CHECK(test::in_legend(*figure(figures, "drained").drawing.plot, "shear"));
@@ -51,22 +51,23 @@ TEST_CASE("paths are named by R, perturbations by where they start and how they 
 }
 
 TEST_CASE("a peak that was not passed is not marked") {
-  GrainReport report = test::sample_run();
+  lab::GrainReport report = test::sample_run();
   for (const int stage : {2, 3})
-    std::get<ReportedGrainPath>(report.stages[stage].came).points.resize(20);
+    std::get<lab::ReportedGrainPath>(report.stages[stage].came).points.resize(20);
   const auto figures = grain_figures(report);
   CHECK_FALSE(test::in_legend(*figure(figures, "strain_paths").drawing.plot, "peak"));
   CHECK(test::contains(figure(figures, "strain_paths").drawing.caption, "on 0 of 2 paths"));
 }
 
 TEST_CASE("without stages there are no figures; a stage without points has none") {
-  GrainReport report = grain_report(test::sample_programme());
+  lab::GrainReport report{"sample", "sample.toml", {}, {}};
   CHECK(grain_figures(report).empty());
   report = test::sample_run();
   for (auto& stage : report.stages) {
-    if (auto* path = std::get_if<ReportedGrainPath>(&stage.came)) *path = {path->path, {}, {}, {}};
-    if (auto* one = std::get_if<ReportedPerturbation>(&stage.came)) one->points.clear();
-    if (auto* rose = std::get_if<ReportedGrainRose>(&stage.came))
+    if (auto* path = std::get_if<lab::ReportedGrainPath>(&stage.came))
+      *path = {path->path, {}, {}, {}};
+    if (auto* one = std::get_if<lab::ReportedPerturbation>(&stage.came)) one->points.clear();
+    if (auto* rose = std::get_if<lab::ReportedGrainRose>(&stage.came))
       for (auto& probe : rose->made.rose.probes) probe.stopped = true;
   }
   CHECK(grain_figures(report).empty());

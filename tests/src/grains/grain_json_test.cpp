@@ -83,13 +83,13 @@ TEST_CASE("a perturbation and a rest tell how they ended") {
 }
 
 TEST_CASE("what is unknown is null: no specimen yet, a stopped probe, a value that is no number") {
-  auto report = study::grain_report(src::test::sample_programme());
+  lab::GrainReport report{"sample", "sample.toml", {}, {}};
   CHECK(json::parse(src::grain_json(report))["specimen"].is_null());
   report = src::test::sample_run();
-  auto& rose = std::get<study::ReportedGrainRose>(report.stages[5].came).made.rose;
+  auto& rose = std::get<lab::ReportedGrainRose>(report.stages[5].came).made.rose;
   rose.probes[0].stopped = true;
   rose.probes[1].strain.axial = std::nan("");
-  auto& path = std::get<study::ReportedGrainPath>(report.stages[2].came);
+  auto& path = std::get<lab::ReportedGrainPath>(report.stages[2].came);
   path.points[3].p_pa = 0;
   const json d = json::parse(src::grain_json(report));
   CHECK_FALSE(d["stages"][5]["probes"][0].contains("strain"));

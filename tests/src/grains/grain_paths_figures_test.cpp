@@ -13,8 +13,8 @@ namespace {
 
 Subject subject() { return {"sample", "from p = 100 kPa"}; }
 
-DrawnGrainPath path(const std::string& label, double R) {
-  DrawnGrainPath drawn{label, test::rising_and_falling(R), 20, 22, {}};
+GrainCurve path(const std::string& label, double R) {
+  GrainCurve drawn{label, test::rising_and_falling(R), 20, 22, {}};
   drawn.marks.push_back({"ES_a", drawn.points[10]});
   return drawn;
 }
@@ -44,7 +44,7 @@ TEST_CASE("Fig. 16: q over p and the control stress over strain, with labels and
 }
 
 TEST_CASE("nothing is marked, nor in the legend, where nothing was found") {
-  DrawnGrainPath bare = path("R = 1", 1);
+  GrainCurve bare = path("R = 1", 1);
   bare.peak = bare.first_negative = std::nullopt;
   bare.marks.clear();
   const Drawing drawing = grain_strain_paths_figure({bare}, subject());

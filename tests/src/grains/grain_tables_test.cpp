@@ -18,7 +18,7 @@ void check_widths(const Table& table) {
 }  // namespace
 
 TEST_CASE("every table has a row each of its kind, as wide as its headings") {
-  const GrainReport report = test::sample_run();
+  const lab::GrainReport report = test::sample_run();
   CHECK(stages_table(report).rows.size() == 9);
   CHECK(paths_table(report).rows.size() == 4);
   CHECK(strain_paths_table(report).rows.size() == 2);
@@ -44,7 +44,7 @@ TEST_CASE("a perturbation tells how it ended") {
 }
 
 TEST_CASE("probes have the null probe behind them, and stopped ones say nothing") {
-  ReportedGrainRose rose{{}, {{260e3, 200e3}, sim::rose_angles(), test::rose()}};
+  lab::ReportedGrainRose rose{1000, {{260e3, 200e3}, sim::rose_angles(), test::rose()}};
   rose.made.rose.probes[1].stopped = true;
   const auto [responses, work] = rose_tables(rose);
   check_widths(responses);
@@ -61,7 +61,7 @@ TEST_CASE("probes have the null probe behind them, and stopped ones say nothing"
 }
 
 TEST_CASE("a null probe that strains too much puts signs in doubt") {
-  ReportedGrainRose rose{{}, {{260e3, 200e3}, sim::rose_angles(), test::rose()}};
+  lab::ReportedGrainRose rose{1000, {{260e3, 200e3}, sim::rose_angles(), test::rose()}};
   const auto words = [&] {
     for (const auto& [label, text] : rose_facts(rose))
       if (label == "null probe") return text;

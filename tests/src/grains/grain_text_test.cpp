@@ -13,7 +13,7 @@ using namespace triax::study;
 using test::contains;
 
 TEST_CASE("the text says what is simulated, of which grains, with which contacts") {
-  const std::string text = grain_text(test::sample_run());
+  const std::string text = grain_text(test::stored(test::sample_run()));
   CHECK(text.find("Grains, sample (simulated)\n") == 0);
   CHECK(contains(text, "4, diameters 2.00 to 8.00 mm, median 4.00 mm by count"));
   CHECK(contains(text, "seed 7, compacted to 100.0 kPa with a friction of 14.00°"));
@@ -23,7 +23,7 @@ TEST_CASE("the text says what is simulated, of which grains, with which contacts
 }
 
 TEST_CASE("the text says what came of every stage") {
-  const std::string text = grain_text(test::sample_run());
+  const std::string text = grain_text(test::stored(test::sample_run()));
   CHECK(contains(text, "COLLAPSED at ε₁ = 0.40 %"));
   CHECK(contains(text, "35 of 36 probes settled"));
   CHECK(contains(text, "Eq. (7): 220° to 230°"));
@@ -33,7 +33,7 @@ TEST_CASE("the text says what came of every stage") {
 }
 
 TEST_CASE("no line is longer than a terminal is wide") {
-  std::istringstream lines(grain_text(test::sample_run()));
+  std::istringstream lines(grain_text(test::stored(test::sample_run())));
   for (std::string line; std::getline(lines, line);) {
     INFO(line);
     CHECK(display_width(line) <= 100);
@@ -41,17 +41,17 @@ TEST_CASE("no line is longer than a terminal is wide") {
 }
 
 TEST_CASE("the other reading of the stiffness and a specimen from a file are told as such") {
-  GrainReport report = test::sample_run();
+  lab::GrainReport report = test::sample_run();
   report.specimen->law.reading = sim::StiffnessReading::literal;
   report.specimen->state_file = "dense.grains";
-  const std::string text = grain_text(report);
+  const std::string text = grain_text(test::stored(report));
   CHECK(contains(text, "kn = 4 E r1 r2/(r1 + r2) (literal)"));
   CHECK(contains(text, "loaded from dense.grains"));
   CHECK_FALSE(contains(text, "compacted"));
 }
 
 TEST_CASE("before anything happened there is a head and no table") {
-  const std::string text = grain_text(grain_report(test::sample_programme()));
+  const std::string text = grain_text(test::stored({"sample", "sample.toml", {}, {}}));
   CHECK(text ==
         "Grains, sample (simulated)\n==========================\n  source      sample.toml\n");
 }

@@ -11,7 +11,7 @@ using namespace triax::src;
 
 namespace {
 
-std::unique_ptr<QCustomPlot> square_plot() {
+OwnPlot square_plot() {
   auto plot = make_plot(400, 400);
   plot->xAxis->setRange(0, 10);
   plot->yAxis->setRange(0, 10);

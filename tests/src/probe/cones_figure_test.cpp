@@ -11,9 +11,10 @@ using namespace triax::src;
 
 namespace {
 
+const Subject kSubject = test::subject();
+
 ConesPicture one_fan() {
   ConesPicture picture;
-  picture.subject = test::subject();
   picture.limit_stress_ratio = 1.2;
   picture.states = {{{100e3, 60e3}, {{sim::radians(210), sim::radians(240)}}}, {{100e3, 30e3}, {}}};
   return picture;
@@ -54,7 +55,7 @@ TEST_CASE("states in the Rendulic plane: sigma1' over sqrt2 sigma3'") {
 
 TEST_CASE("a fan's edges point along the transformed directions of its cone") {
   for (const auto plane : {StressAxes::p_q, StressAxes::rendulic}) {
-    const Drawing drawing = cones_figure(one_fan(), plane);
+    const Drawing drawing = cones_figure(one_fan(), kSubject, plane);
     REQUIRE(drawing.plot);
     const auto found = fans(*drawing.plot);
     REQUIRE(found.size() == 1);
@@ -71,7 +72,7 @@ TEST_CASE("a fan's edges point along the transformed directions of its cone") {
     CHECK(along(last, increment(sim::radians(240), plane)) == Approx(1).epsilon(1e-9));
   }
   // By hand: 210° is √2 dσ₃ = −√3/2, dσ₁ = −1/2, so dp′ = −1/6 − √6/6 and dq = −1/2 + √6/4.
-  const Drawing drawing = cones_figure(one_fan(), StressAxes::p_q);
+  const Drawing drawing = cones_figure(one_fan(), kSubject, StressAxes::p_q);
   const auto side = edge(*fans(*drawing.plot)[0], 1);
   CHECK(side.y() / side.x() ==
         Approx((-0.5 + std::sqrt(6) / 4) / (-1.0 / 6 - std::sqrt(6) / 6)).epsilon(1e-6));
@@ -79,7 +80,7 @@ TEST_CASE("a fan's edges point along the transformed directions of its cone") {
 
 TEST_CASE("both planes keep one scale on both axes and hold all states and the origin") {
   for (const auto plane : {StressAxes::p_q, StressAxes::rendulic}) {
-    const Drawing drawing = cones_figure(one_fan(), plane);
+    const Drawing drawing = cones_figure(one_fan(), kSubject, plane);
     const auto& rect = *drawing.plot->axisRect();
     const auto x = drawing.plot->xAxis->range(), y = drawing.plot->yAxis->range();
     CHECK(rect.width() / x.size() == Approx(rect.height() / y.size()).epsilon(0.01));
@@ -95,7 +96,7 @@ TEST_CASE("two cones of a state are two fans; extension lies below the axis") {
   auto picture = one_fan();
   picture.states[0].cones.push_back({sim::radians(300), sim::radians(310)});
   picture.states.push_back({{100e3, -40e3}, {}});
-  const Drawing drawing = cones_figure(picture, StressAxes::p_q);
+  const Drawing drawing = cones_figure(picture, kSubject, StressAxes::p_q);
   CHECK(fans(*drawing.plot).size() == 2);
   CHECK(drawing.plot->yAxis->range().contains(-40));
 }
@@ -104,7 +105,7 @@ TEST_CASE("arrows of tests start at their states; their names cover nothing") {
   auto picture = one_fan();
   picture.tests = {{"27", {190e3, 105e3}, sim::radians(223), false},
                    {"58", {140e3, 80e3}, sim::kIsotropicUnloading, true}};
-  const Drawing drawing = cones_figure(picture, StressAxes::p_q);
+  const Drawing drawing = cones_figure(picture, kSubject, StressAxes::p_q);
   std::vector<const QCPItemLine*> arrows;
   for (int i = 0; i < drawing.plot->itemCount(); ++i)
     if (const auto* arrow = qobject_cast<QCPItemLine*>(drawing.plot->item(i)))
@@ -121,8 +122,9 @@ TEST_CASE("arrows of tests start at their states; their names cover nothing") {
 }
 
 TEST_CASE("the caption counts the states; nothing is drawn of nothing") {
-  CHECK(test::contains(cones_figure(one_fan(), StressAxes::p_q).caption, "1 of 2 states"));
-  CHECK_FALSE(cones_figure({}, StressAxes::p_q).plot);
+  CHECK(
+      test::contains(cones_figure(one_fan(), kSubject, StressAxes::p_q).caption, "1 of 2 states"));
+  CHECK_FALSE(cones_figure({}, kSubject, StressAxes::p_q).plot);
   const auto sectors = sectors_of(test::inl2_circle(0.6));
   REQUIRE(sectors.size() == 1);
   CHECK(sim::degrees(sectors[0].from) == Approx(215).margin(0.5));
@@ -130,35 +132,37 @@ TEST_CASE("the caption counts the states; nothing is drawn of nothing") {
 
 TEST_CASE("M is of compression: named so beside extension, left out without compression") {
   auto picture = one_fan();
-  CHECK(test::in_legend(*cones_figure(picture, StressAxes::p_q).plot, "limit line, M = 1.20"));
+  CHECK(test::in_legend(*cones_figure(picture, kSubject, StressAxes::p_q).plot,
+                        "limit line, M = 1.20"));
   picture.states.push_back({{100e3, -40e3}, {}});
-  CHECK(test::in_legend(*cones_figure(picture, StressAxes::p_q).plot,
+  CHECK(test::in_legend(*cones_figure(picture, kSubject, StressAxes::p_q).plot,
                         "limit line in compression, M = 1.20"));
   picture.states = {{{100e3, -40e3}, {}}};
-  CHECK_FALSE(test::in_legend(*cones_figure(picture, StressAxes::p_q).plot, "limit line"));
+  CHECK_FALSE(
+      test::in_legend(*cones_figure(picture, kSubject, StressAxes::p_q).plot, "limit line"));
 }
 
 TEST_CASE("the law's own limit states are drawn in the place of M, and its instability line") {
   auto picture = one_fan();
   picture.limits = {{{50e3, 60e3}, {150e3, 175e3}}};
   picture.instability_lines = {{{50e3, 28e3}, {150e3, 85e3}}};
-  const Drawing drawing = cones_figure(picture, StressAxes::p_q);
+  const Drawing drawing = cones_figure(picture, kSubject, StressAxes::p_q);
   CHECK_FALSE(test::in_legend(*drawing.plot, "M ="));
   CHECK(test::in_legend(*drawing.plot, "plastic limit"));
   CHECK(test::any_has_point(*drawing.plot, 150, 175, 1e-9));
   CHECK(test::in_legend(*drawing.plot, "instability line"));
   CHECK(test::any_has_point(*drawing.plot, 150, 85, 1e-9));
-  CHECK_FALSE(test::in_legend(*cones_figure(one_fan(), StressAxes::p_q).plot, "instability"));
+  CHECK_FALSE(
+      test::in_legend(*cones_figure(one_fan(), kSubject, StressAxes::p_q).plot, "instability"));
 }
 
 TEST_CASE("names of tests stand on no ring of a state") {
   ConesPicture picture;
-  picture.subject = test::subject();
   for (int p = 1; p <= 9; ++p)
     for (int q = 0; q <= 9; ++q) picture.states.push_back({{100e3 * p, 100e3 * q}, {}});
   picture.tests = {{"CSD 58", {155e3, 90e3}, sim::kIsotropicUnloading, true},
                    {"CSU 27", {842e3, 450e3}, sim::kIsotropicUnloading, true}};
-  const Drawing drawing = cones_figure(picture, StressAxes::p_q);
+  const Drawing drawing = cones_figure(picture, kSubject, StressAxes::p_q);
   const auto words = test::words_of(*drawing.plot);
   CHECK(words.size() == 2);
   drawing.plot->replot();

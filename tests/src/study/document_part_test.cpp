@@ -5,7 +5,6 @@
 #include "lab/base/bad_input.hpp"
 
 using namespace triax;
-using namespace triax::src;
 using namespace triax::study;
 using Json = nlohmann::ordered_json;
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 
-using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("what is unknown, infinite or no number is null") {

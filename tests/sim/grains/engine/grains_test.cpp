@@ -147,7 +147,7 @@ TEST_CASE("Grains: a cluster that is moved and turned as a whole goes on the sam
   CHECK(largest < 1e-8 * speed);
 }
 
-TEST_CASE("Grains: one, two and three threads give the same bits") {
+TEST_CASE("Grains: one, two and three threads give the same bits", "[threads]") {
   Grains one = sheared(17, 1), two = sheared(17, 2), three = sheared(17, 3);
   const std::int64_t sorts = one.state().sorts;
   for (Grains* g : {&one, &two, &three}) REQUIRE(g->step(400) == 400);

@@ -6,7 +6,7 @@
 
 using namespace triax::sim;
 
-TEST_CASE("Grains: a team runs a task once in each thread, again and again") {
+TEST_CASE("Grains: a team runs a task once in each thread, again and again", "[threads]") {
   Team team(3);
   REQUIRE(team.size() == 3);
   std::array<int, 3> runs{};
@@ -14,7 +14,7 @@ TEST_CASE("Grains: a team runs a task once in each thread, again and again") {
   CHECK(runs == std::array<int, 3>{200, 200, 200});
 }
 
-TEST_CASE("Grains: nobody passes a meeting point before all are there") {
+TEST_CASE("Grains: nobody passes a meeting point before all are there", "[threads]") {
   Team team(3);
   MeetingPoint all(3);
   std::array<std::atomic<int>, 3> progress{};

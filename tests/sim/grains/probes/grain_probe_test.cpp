@@ -54,7 +54,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Grain probe: a rose does not depend on the number of threads") {
+TEST_CASE("Grain probe: a rose does not depend on the number of threads", "[threads]") {
   GrainProbing how = small_probe();
   how.unbalanced = 1e-4;
   how.stress_error_pa = 5;
@@ -79,7 +79,7 @@ TEST_CASE("Grain probe: a rose does not depend on the number of threads") {
   }
 }
 
-TEST_CASE("Grain probe: a rose that is told to stop says so") {
+TEST_CASE("Grain probe: a rose that is told to stop says so", "[threads]") {
   const ProbeRose rose = probe_rose(test::calm_state(), rose_angles(4), small_probe(), 1,
                                     [](double, const std::string&) { return false; });
   CHECK(rose.stopped);

@@ -7,7 +7,6 @@
 #include <fstream>
 
 using namespace triax;
-using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("the library of a UMAT is found beside its set, and its digest is that of its bytes") {

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("a mark that is not known is null, and its angle is where only that is not") {
@@ -16,7 +15,7 @@ TEST_CASE("a mark that is not known is null, and its angle is where only that is
 TEST_CASE("a boundary has all five criteria, each under its own name") {
   ReportedBoundary boundary;
   double q = 0;
-  for (const BoundaryKey& one : kBoundaryKeys) boundary.*one.mark = DomainMark{++q, 0, {}};
+  for (const std::string& key : boundary_keys()) boundary.set_mark(key, DomainMark{++q, 0, {}});
   const auto json = boundary_json(boundary);
   CHECK(json.size() == 5);
   CHECK(json["first_unstable"]["q_kPa"] == 1.0);

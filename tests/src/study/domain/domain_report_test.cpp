@@ -22,7 +22,7 @@ TEST_CASE("a domain in the units of the field: kPa, degrees, and eta with its si
         Approx(*computed.compression.first_unstable_angle * 180 / M_PI));
   CHECK(column.extension.limit->eta == *computed.extension.limit_q / computed.p);
   CHECK(column.extension.limit->eta < 0);
-  CHECK_FALSE(column.compression.localisation);
+  CHECK_FALSE(column.compression.mark("localisation"));
   const auto back = domain_columns(domain);
   REQUIRE(back.size() == domain.columns.size());
   CHECK(back[1].states.size() == computed.states.size());
@@ -111,7 +111,8 @@ TEST_CASE("every cone is in the table, as many columns as the widest state needs
 TEST_CASE("a criterion that was not looked for has no column, one that was not met an empty cell") {
   ReportedDomain domain = sample_domain();
   for (const bool determinant : {false, true}) {
-    domain.settings.grid.determinant = determinant;
+    domain.settings.grid.criteria.clear();
+    if (determinant) domain.settings.grid.criteria.emplace_back("determinant");
     CHECK((domain_text(domain).find("η determinant") != std::string::npos) == determinant);
     CHECK((domain_boundaries_csv(domain).find("determinant_q_kPa") != std::string::npos) ==
           determinant);

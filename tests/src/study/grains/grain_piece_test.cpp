@@ -14,7 +14,6 @@
 #include "tests/sim/grains/packings.hpp"
 
 using namespace triax;
-using namespace triax::src;
 using namespace triax::study;
 using Catch::Contains;
 using Json = nlohmann::ordered_json;

@@ -5,7 +5,6 @@
 #include <string>
 
 using namespace triax;
-using namespace triax::src;
 using namespace triax::study;
 
 namespace {

@@ -92,8 +92,8 @@ TEST_CASE("integrated increments tend to the rate") {
 TEST_CASE("elasticity has no cone in either plane, and tells its state") {
   const auto set = lab::find_material("elastic/linear");
   const auto axial = study::probe_state(set, loose<Axisymmetric>(set, 100, 0.3), {});
-  const auto plane =
-      study::probe_state(set, loose<Tensor>(set, 100, 0.3), {.plane = sim::ProbePlane::plane_strain});
+  const auto plane = study::probe_state(set, loose<Tensor>(set, 100, 0.3),
+                                        {.plane = sim::ProbePlane::plane_strain});
   for (const auto& state : {axial, plane}) {
     CHECK(state.circle.cones.empty());
     CHECK(state.circle.least.normalised > 0);
@@ -127,57 +127,22 @@ TEST_CASE("a test's own increment is probed where it goes") {
   REQUIRE(state.own);
   CHECK(state.own->angle == 4.0);
   CHECK(state.own->normalised < 0);
+  REQUIRE(state.own_place);
+  CHECK(state.own_place->inside);
+  const auto strain = study::probe_state(set, what, {.kind = sim::ProbeKind::strain, .norm = 1e-5});
+  CHECK(strain.own);
+  CHECK_FALSE(strain.own_place);
   auto tensor = loose<Tensor>(set, 70, 0.6);
   tensor.test = what.test;
   CHECK_FALSE(study::probe_state(set, tensor, {.plane = sim::ProbePlane::plane_strain}).own);
 }
 
-TEST_CASE("where an angle lies among cones") {
-  CHECK_FALSE(study::place_among({}, 1.0));
-  const std::vector<sim::Cone> cones = {{1.0, 2.0, {}}, {6.0, 6.6, {}}};
-  const auto check = [&](double angle, bool inside, std::size_t cone, double edge) {
-    INFO(angle);
-    const auto place = study::place_among(cones, angle);
-    REQUIRE(place);
-    CHECK(place->inside == inside);
-    CHECK(place->cone == cone);
-    CHECK(place->to_edge == Approx(edge));
-  };
-  check(1.1, true, 0, 0.1);
-  check(1.8, true, 0, 0.2);
-  check(2.5, false, 0, 0.5);
-  check(5.9, false, 1, 0.1);
-  check(6.1, true, 1, 0.1);
-  check(0.1, true, 1, 6.6 - 2 * std::numbers::pi - 0.1);  // beyond a turn
-  check(0.5, false, 1, 0.5 - (6.6 - 2 * std::numbers::pi));
-}
-
-TEST_CASE("the first unstable state of a path is isolated between its rows") {
+TEST_CASE("a circle alone is that of the whole study, in as many directions as are asked for") {
   const auto set = lab::find_material("inl2/S28-general");
-  const auto& law = *set.material.axisymmetric;
-  // Undrained shear by displacement, in a few coarse rows.
-  std::vector<study::PassedRow<Axisymmetric>> coarse;
-  study::PassedRow<Axisymmetric> row{loose<Axisymmetric>(set, 100, 0).state, {0, 0}};
-  for (int i = 0; i < 6; ++i) {
-    coarse.push_back(row);
-    const auto control = sim::MixedControl<Axisymmetric>::strain_path(0.002);
-    const auto step = sim::advance_point(law, row.state, control);
-    row = {step.state, row.strain + step.strain_increment};
-  }
-  const auto found = src::first_unstable(set, coarse, {});
-  REQUIRE(found);
-  CHECK(found->axial_strain > 0.0);
-  CHECK(found->eta() > 0.5);
-  CHECK(found->eta() < 0.62);
-  // A little before it no direction is unstable: integrated from the start.
-  for (const double part : {1 - 1e-5, 1 + 1e-5}) {
-    const auto step = sim::advance_point(
-        law, coarse[0].state,
-        sim::MixedControl<Axisymmetric>::strain_path(part * *found->axial_strain));
-    study::StateToProbe<Axisymmetric> there;
-    there.state = step.state;
-    CHECK(study::probe_state(set, there, {}).circle.unstable() == (part > 1));
-  }
-  coarse.resize(1);
-  CHECK_FALSE(src::first_unstable(set, coarse, {}));
+  const auto what = loose<Axisymmetric>(set, 70, 0.6);
+  const auto coarse = study::probed_circle(set, what, {}),
+             fine = study::probed_circle(set, what, {.directions = 360});
+  CHECK(fine.probes.size() >= 360);
+  CHECK(coarse.cones.at(0).from == inl2_at(0.6).circle.cones.at(0).from);
+  CHECK(fine.cones.at(0).from == Approx(coarse.cones.at(0).from).epsilon(1e-8));
 }

@@ -18,12 +18,11 @@ class StoredPath {
  public:
   explicit StoredPath(double void_ratio = 1.05, lab::CollapseKind kind = lab::CollapseKind::flow,
                       bool onset = true) {
-    lab::Session session;
     db::Recorder recorder(file());
-    recorder.listen(session);
+    const lab::SessionListener listener = recorder.listener();
     lab::RecordHeader header = lab::testing::undrained_header();
     header.name = "ICU 6";
-    emit session.started(header);
+    listener.started(header);
     lab::testing::SyntheticPath path;
     for (int i = 0; i < 1500; ++i) {
       lab::State state = path.state(i);
@@ -32,10 +31,10 @@ class StoredPath {
       lab::Reading reading;
       reading.number = i;
       reading.time_s = state.time_s;
-      emit session.scanned(reading, state);
+      listener.scanned(reading, state);
     }
     // Without any point of second-order work a test would not be judged.
-    emit session.second_order_work({600, 600, {0, 0, 0, 0}, 0.02, 7});
+    listener.second_order_work({600, 600, {0, 0, 0, 0}, 0.02, 7});
     lab::TestSummary summary;
     summary.peak = lab::Instant{.reading = 600};
     summary.collapse.kind = kind;

@@ -18,23 +18,22 @@ class StoredPath {
  public:
   explicit StoredPath(lab::CollapseKind kind, std::int64_t onset = 600,
                       lab::AxialControl control = lab::AxialControl::displacement) {
-    lab::Session session;
     db::Recorder recorder(file());
-    recorder.listen(session);
+    const lab::SessionListener listener = recorder.listener();
     lab::RecordHeader header = lab::testing::undrained_header();
     header.name = "ICU 6";
     header.programme = "ICU";
     for (auto& stage : header.stages) stage.control = control;
-    emit session.started(header);
+    listener.started(header);
     lab::testing::SyntheticPath path;
     for (int i = 0; i < 1500; ++i) {
       const lab::State state = path.state(i);
       lab::Reading reading;
       reading.number = i;
       reading.time_s = state.time_s;
-      emit session.scanned(reading, state);
+      listener.scanned(reading, state);
     }
-    emit session.second_order_work({600, 600, {0, 0, 0, 0}, 0.02, 7});
+    listener.second_order_work({600, 600, {0, 0, 0, 0}, 0.02, 7});
     lab::TestSummary summary;
     summary.collapse.kind = kind;
     summary.collapse.onset = lab::Instant{.reading = onset, .q_pa = 60e3, .p_eff_pa = 100e3};

@@ -29,7 +29,7 @@ std::vector<SweepMember> run(const lab::Sweep& sweep, const std::string& db, int
 
 }  // namespace
 
-TEST_CASE("results and ids are the same with one thread and with three") {
+TEST_CASE("results and ids are the same with one thread and with three", "[threads]") {
   testing::TemporaryFolder folder;
   const auto sweep = src::test::sweep_of({"specimen.void_ratio=1.05,1.08,1.1", "seed=1:4:1"});
   const auto one = run(sweep, folder.file("one.db"), 1);
@@ -55,7 +55,7 @@ TEST_CASE("results and ids are the same with one thread and with three") {
   CHECK(a.load(12).header.specimen.void_ratio == 1.1);
 }
 
-TEST_CASE("a test whose values make no sense says so, the others go on") {
+TEST_CASE("a test whose values make no sense says so, the others go on", "[threads]") {
   testing::TemporaryFolder folder;
   const auto sweep = src::test::sweep_of({"specimen.void_ratio=1.08,99,1.1"});
   const auto members = run(sweep, folder.file("t.db"), 2);
@@ -66,7 +66,7 @@ TEST_CASE("a test whose values make no sense says so, the others go on") {
   CHECK(members[2].id == 2);
 }
 
-TEST_CASE("a sweep that is stopped keeps the finished tests and no others") {
+TEST_CASE("a sweep that is stopped keeps the finished tests and no others", "[threads]") {
   testing::TemporaryFolder folder;
   const auto sweep = src::test::sweep_of({"seed=1:500:1"});
   std::atomic<std::int64_t> asked = 0;

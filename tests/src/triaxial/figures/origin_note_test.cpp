@@ -4,19 +4,10 @@
 
 #include "src/plot/drawing.hpp"
 #include "src/plot/plot_style.hpp"
-#include "tests/src/sample_tests.hpp"
 
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
-
-TestResult simulated_with(const std::string& name, const std::string& material) {
-  auto test = test::simulated_test();
-  test.stored.header.name = name;
-  test.stored.header.specimen.material = material;
-  return test;
-}
 
 std::string note_in(QCustomPlot& plot) {
   for (int row = 0; row < plot.plotLayout()->rowCount(); ++row)
@@ -27,29 +18,23 @@ std::string note_in(QCustomPlot& plot) {
 
 }  // namespace
 
-TEST_CASE("recorded tests have no note; simulated ones tell their materials once") {
-  const auto recorded = test::flow_test();
-  const auto a = simulated_with("A", "inl2/x"), b = simulated_with("B", "inl2/x"),
-             c = simulated_with("C", "sanisand/y");
-  CHECK(origin_of({&recorded}).empty());
-  CHECK(origin_of({}).empty());
-  CHECK(origin_of({&a, &b}) == "simulated: inl2/x");
-  CHECK(origin_of({&a, &b, &c}) == "simulated: inl2/x, sanisand/y");
+TEST_CASE("recorded tests have no note; simulated ones tell their materials") {
+  CHECK(origin_note({}).empty());
+  CHECK(origin_note({.tests = 2, .simulated = {}, .materials = {}}).empty());
+  CHECK(origin_note({2, {"A", "B"}, {"inl2/x"}}) == "simulated: inl2/x");
+  CHECK(origin_note({3, {"A", "B", "C"}, {"inl2/x", "sanisand/y"}}) ==
+        "simulated: inl2/x, sanisand/y");
 }
 
 TEST_CASE("among recorded tests the simulated ones are named") {
-  const auto recorded = test::flow_test();
-  const auto a = simulated_with("A", "inl2/x"), b = simulated_with("B", "");
-  CHECK(origin_of({&recorded, &a}) == "simulated: A, with inl2/x");
-  CHECK(origin_of({&b}) == "simulated");
+  CHECK(origin_note({2, {"A"}, {"inl2/x"}}) == "simulated: A, with inl2/x");
+  CHECK(origin_note({1, {"B"}, {}}) == "simulated");
+  CHECK(origin_note({2, {"B"}, {}}) == "simulated: B");
 }
 
 TEST_CASE("of many materials their number is told") {
-  std::vector<TestResult> tests;
-  std::vector<const TestResult*> pointers;
-  for (int i = 0; i < 4; ++i) tests.push_back(simulated_with("T", "inl2/" + std::to_string(i)));
-  for (const auto& test : tests) pointers.push_back(&test);
-  CHECK(origin_of(pointers) == "simulated: 4 sets of parameters");
+  CHECK(origin_note({4, {"a", "b", "c", "d"}, {"1", "2", "3", "4"}}) ==
+        "simulated: 4 sets of parameters");
 }
 
 TEST_CASE(

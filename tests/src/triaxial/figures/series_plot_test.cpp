@@ -2,11 +2,22 @@
 
 #include <catch2/catch.hpp>
 
+#include "src/plot/drawing.hpp"
 #include "tests/src/plot/plot_contents.hpp"
-#include "tests/src/sample_tests.hpp"
 
+using namespace triax;
 using namespace triax::src;
 using namespace triax::study;
+
+namespace {
+
+SeriesTest named(const std::string& name) {
+  SeriesTest test;
+  test.name = name;
+  return test;
+}
+
+}  // namespace
 
 TEST_CASE("a range begins at 0 where only noise and its margin lie below, not where data do") {
   CHECK(from_zero({-5, 100}).lower == 0);
@@ -16,22 +27,34 @@ TEST_CASE("a range begins at 0 where only noise and its margin lie below, not wh
 }
 
 TEST_CASE("names are joined as in a sentence") {
-  auto a = test::flow_test(), b = test::flow_test(), c = test::flow_test();
-  a.stored.header.name = "A";
-  b.stored.header.name = "B";
-  c.stored.header.name = "C";
-  CHECK(names_of({a}) == "A");
-  CHECK(names_of({a, b}) == "A and B");
-  CHECK(names_of({a, b, c}) == "A, B and C");
+  const std::vector<SeriesTest> tests = {named("A"), named("B"), named("C")};
+  CHECK(names_of({tests[0]}) == "A");
+  CHECK(names_of({tests[0], tests[1]}) == "A and B");
+  CHECK(names_of(tests) == "A, B and C");
 }
 
 TEST_CASE("the legend has an entry a test, and the onset where there is one") {
   auto collapsed = make_plot(400, 300), stable = make_plot(400, 300);
-  name_series(*collapsed->axisRect(), {test::flow_test(), test::stable_test()});
-  name_series(*stable->axisRect(), {test::stable_test()});
-  CHECK(test::legend_of(*collapsed) ==
-        std::vector<std::string>{"L<oose> 1", "stable", "onset of collapse"});
-  CHECK(test::legend_of(*stable) == std::vector<std::string>{"stable"});
+  auto test = named("loose");
+  test.onset = lab::Instant{};
+  name_series(*collapsed->axisRect(), {test, named("stable")});
+  name_series(*stable->axisRect(), {named("stable")});
+  CHECK(src::test::legend_of(*collapsed) ==
+        std::vector<std::string>{"loose", "stable", "onset of collapse"});
+  CHECK(src::test::legend_of(*stable) == std::vector<std::string>{"stable"});
+}
+
+TEST_CASE("states become points where both values are known, up to the first outside") {
+  std::vector<lab::State> states(6);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    states[i].p_eff = 1000 * static_cast<double>(i);
+    states[i].q = 2 * states[i].p_eff;
+  }
+  states[1].q = lab::kMissing;
+  const StateValue p = [](const lab::State& s) { return s.p_eff * 1e-3; };
+  const StateValue q = [](const lab::State& s) { return s.q * 1e-3; };
+  CHECK(points_of(states, p, q) == Points{{0, 0}, {2, 4}, {3, 6}, {4, 8}, {5, 10}});
+  CHECK(points_of(states, p, q, 3) == Points{{0, 0}, {2, 4}, {3, 6}});
 }
 
 TEST_CASE("a series keeps its ends and its corners, and drops what nobody sees") {
@@ -43,16 +66,9 @@ TEST_CASE("a series keeps its ends and its corners, and drops what nobody sees")
   for (int i = 0; i <= 50; ++i) points.emplace_back(i, i);
   for (int i = 51; i <= 100; ++i) points.emplace_back(i, 100 - i);
   draw_series(*plot->axisRect(), points, 0);
-  const auto curves = test::curves_of(*plot);
+  const auto curves = src::test::curves_of(*plot);
   REQUIRE(curves.size() == 1);
   CHECK(curves.front()->dataCount() < 8);
-  CHECK(test::has_point(*curves.front(), 50, 50, 1e-9));
-  CHECK(test::has_point(*curves.front(), 100, 0, 1e-9));
-}
-
-TEST_CASE("pointers lead to the tests themselves") {
-  const std::vector<TestResult> tests = {test::flow_test(), test::stable_test()};
-  const auto pointers = pointers_to(tests);
-  REQUIRE(pointers.size() == 2);
-  CHECK(pointers[1] == &tests[1]);
+  CHECK(src::test::has_point(*curves.front(), 50, 50, 1e-9));
+  CHECK(src::test::has_point(*curves.front(), 100, 0, 1e-9));
 }

@@ -9,7 +9,7 @@ using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("the whole of shear on the left, its beginning on the right") {
-  const Drawing drawing = shear_curves_figure({test::flow_test()});
+  const Drawing drawing = shear_curves_figure(shear_series({test::flow_test()}));
   REQUIRE(drawing.plot);
   REQUIRE(drawing.plot->axisRectCount() == 2);
   CHECK(test::any_has_point(*drawing.plot, 0.5, 60, 0.01));
@@ -22,7 +22,7 @@ TEST_CASE("the whole of shear on the left, its beginning on the right") {
 }
 
 TEST_CASE("without a collapse the whole is enough; without states no figure") {
-  const Drawing drawing = shear_curves_figure({test::stable_test()});
+  const Drawing drawing = shear_curves_figure(shear_series({test::stable_test()}));
   REQUIRE(drawing.plot);
   CHECK(drawing.plot->axisRectCount() == 1);
   CHECK_FALSE(shear_curves_figure({}).plot);

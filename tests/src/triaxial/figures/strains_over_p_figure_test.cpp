@@ -9,7 +9,7 @@ using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("both strains over p′, not farther than some strains at onset") {
-  const Drawing drawing = strains_over_p_figure({test::flow_test()});
+  const Drawing drawing = strains_over_p_figure(shear_beginnings({test::flow_test()}));
   REQUIRE(drawing.plot);
   REQUIRE(drawing.plot->axisRectCount() == 2);
   CHECK(test::any_has_point(*drawing.plot, 100, 0.5, 0.01));  // axial strain at onset
@@ -24,5 +24,5 @@ TEST_CASE("strains over p′ of nothing are no figure") {
   CHECK_FALSE(strains_over_p_figure({}).plot);
   auto nothing = test::flow_test();
   nothing.curves = {};
-  CHECK_FALSE(strains_over_p_figure({nothing}).plot);
+  CHECK_FALSE(strains_over_p_figure(shear_beginnings({nothing})).plot);
 }

@@ -9,8 +9,8 @@ using namespace triax::src;
 using namespace triax::study;
 
 TEST_CASE("each test has its path, each collapse its ring, and one line fits them") {
-  const Drawing drawing =
-      stress_paths_figure({test::flow_test(), test::simulated_test(), test::stable_test()});
+  const Drawing drawing = stress_paths_figure(
+      shear_series({test::flow_test(), test::simulated_test(), test::stable_test()}));
   REQUIRE(drawing.plot);
   CHECK(test::any_has_point(*drawing.plot, 140, 0, 0.5));
   CHECK(test::any_has_point(*drawing.plot, 100, 60, 0.01));
@@ -22,12 +22,12 @@ TEST_CASE("each test has its path, each collapse its ring, and one line fits the
 }
 
 TEST_CASE("without a collapse there are paths only; without states no figure") {
-  const Drawing drawing = stress_paths_figure({test::stable_test()});
+  const Drawing drawing = stress_paths_figure(shear_series({test::stable_test()}));
   REQUIRE(drawing.plot);
   CHECK_FALSE(test::in_legend(*drawing.plot, "instability"));
   CHECK(drawing.caption.find("no collapse point") != std::string::npos);
   auto nothing = test::stable_test();
   nothing.curves = {};
-  CHECK_FALSE(stress_paths_figure({nothing}).plot);
+  CHECK_FALSE(stress_paths_figure(shear_series({nothing})).plot);
   CHECK_FALSE(stress_paths_figure({}).plot);
 }

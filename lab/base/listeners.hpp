@@ -1,0 +1,27 @@
+#pragma once
+// Listening, one way for all: a listener is a plain struct of std::functions, any of which may be
+// empty; who works is given a list of them and tells each in its order, in its own thread. What a
+// listener throws goes through the work to who called it.
+#include <functional>
+#include <vector>
+
+namespace triax::lab {
+
+/// Calls `what` of every listener that has it.
+template <class Listener, class... Told, class... Given>
+void tell(const std::vector<Listener>& listeners, std::function<void(Told...)> Listener::*what,
+          const Given&... given) {
+  for (const Listener& listener : listeners)
+    if (listener.*what) (listener.*what)(given...);
+}
+
+/// Whether anybody would hear `what`.
+template <class Listener, class... Told>
+bool is_heard(const std::vector<Listener>& listeners,
+              std::function<void(Told...)> Listener::*what) {
+  for (const Listener& listener : listeners)
+    if (listener.*what) return true;
+  return false;
+}
+
+}  // namespace triax::lab

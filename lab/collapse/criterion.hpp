@@ -1,0 +1,32 @@
+#pragma once
+// One way of telling from the measured path that a specimen collapsed. The list of them is
+// criteria.cpp.
+#include <optional>
+
+#include "lab/collapse/finding.hpp"
+#include "lab/collapse/path_rates.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/state.hpp"
+
+namespace triax::lab {
+
+class CollapseCriterion {
+ public:
+  virtual ~CollapseCriterion() = default;
+
+  /// A stage begins; null where the header does not know it.
+  virtual void start_stage(const StageInfo* stage) = 0;
+  /// Every complete state in shear.
+  virtual void add_state(const State& /*state*/, bool /*has_time*/) {}
+  /// Every point at which the rates of the path, and with them second-order work, are known.
+  virtual void add_point(const PathPoint& /*point*/, bool /*has_time*/) {}
+  /// What was found so far; it may still be sharpened.
+  virtual std::optional<Finding> finding() const = 0;
+
+ protected:
+  CollapseCriterion() = default;
+  CollapseCriterion(const CollapseCriterion&) = default;
+  CollapseCriterion& operator=(const CollapseCriterion&) = default;
+};
+
+}  // namespace triax::lab

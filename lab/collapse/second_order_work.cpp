@@ -1,0 +1,63 @@
+#include "lab/collapse/second_order_work.hpp"
+
+#include <fmt/format.h>
+
+#include "lab/collapse/instant.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr double kHeldStrain = 0.01;
+
+bool is_same(const std::optional<Descent>& a, const std::optional<Descent>& b) {
+  return a && b && a->onset.reading == b->onset.reading;
+}
+
+std::string describe(const Descent& d) {
+  const auto& w = d.evidence;
+  return fmt::format(
+      "normalised second-order work {:.3f} ± {:.3f} over {} readings; {:.0f} % of q lost while it "
+      "was negative{}",
+      w.work.normalised, w.normalised_error, w.window_readings, d.strength_loss() * 100,
+      d.came_back ? ", then positive again" : "");
+}
+
+}  // namespace
+
+bool lasts_at_held_q(const Descent& descent) {
+  return !descent.came_back &&
+         descent.axial_strain_last - descent.onset.axial_strain >= kHeldStrain;
+}
+
+void SecondOrderWork::start_stage(const StageInfo* stage) {
+  descents_.start_stage();
+  held_q_ = stage && stage->control == AxialControl::constant_q;
+}
+
+void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {
+  has_time_ = has_time;
+  descents_.add(point);
+  if (!latest()) return;
+  const bool yields = held_q_ && lasts_at_held_q(*latest());
+  if (is_same(held_, latest()) || (yields && !held_)) held_ = latest();
+}
+
+bool SecondOrderWork::latest_counts() const {
+  return latest() && (latest()->strength_loss() >= Descent::kWorthALoss ||
+                      (held_q_ && lasts_at_held_q(*latest())));
+}
+
+const std::optional<Descent>& SecondOrderWork::at_held_q() const {
+  return is_same(held_, latest()) ? latest() : held_;
+}
+
+std::optional<Finding> SecondOrderWork::finding() const {
+  const auto& held = at_held_q();
+  const auto& descent = held ? held : worst();
+  if (!descent) return std::nullopt;
+  return Finding{.instant = instant_of(descent->best_onset(), has_time_),
+                 .evidence = describe(*descent),
+                 .detected = held || descent->strength_loss() >= Descent::kWorthALoss};
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "lab/results/reading.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/second_order_work_point.hpp"
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
+
+namespace triax::lab {
+
+/// What a session tells while it runs: to the recorder, a progress bar, a panel. Any may be empty.
+struct SessionListener {
+  std::function<void(const RecordHeader&)> started;  ///< once, before the first reading
+  std::function<void(const Reading&, const State&)> scanned;
+  std::function<void(const SecondOrderWorkPoint&)> second_order_work;
+  std::function<void(const Event&)> happened;
+  /// Share done, in [0, 1]; about twenty times a second of clock time at most, and 1 at the end.
+  std::function<void(double)> progressed;
+};
+using SessionListeners = std::vector<SessionListener>;
+
+}  // namespace triax::lab

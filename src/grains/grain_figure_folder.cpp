@@ -1,0 +1,28 @@
+#include "src/grains/grain_figure_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "src/grains/grain_figures.hpp"
+
+namespace triax::src {
+
+std::vector<std::string> write_grain_figures(const std::vector<db::StoredGrainRun>& runs,
+                                             const std::string& folder) {
+  std::vector<std::string> written;
+  std::set<std::string> names;
+  for (const auto& run : runs) {
+    std::string name = lab::in_file_name(run.report.programme);
+    if (!names.insert(name).second) name += fmt::format("_{}", run.id);
+    const std::string prefix = (std::filesystem::path(folder) / name).string();
+    for (const NamedFigure& figure : grain_figures(run.report)) {
+      write_named_figure(figure, prefix);
+      written.push_back(prefix + "_" + figure.name);
+    }
+  }
+  return written;
+}
+
+}  // namespace triax::src

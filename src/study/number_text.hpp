@@ -1,0 +1,10 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace triax::study {
+
+/// A plain number with so many decimals; "–" where it is unknown, never "-0.00".
+std::string number_text(std::optional<double> value, int decimals);
+
+}  // namespace triax::study

@@ -1,0 +1,35 @@
+#include "src/study/probe/strain_paths.hpp"
+
+#include <fmt/format.h>
+
+#include "lab/base/bad_input.hpp"
+
+namespace triax::study {
+
+StrainPathsResult strain_paths(const StrainPathsRequest& request) {
+  const auto& [material, p, void_ratio, R, axial_strain] = request;
+  const auto* law = material.material.axisymmetric.get();
+  if (law == nullptr)
+    throw lab::BadInput(material.name + " has no form in axisymmetry, which strain paths need");
+  const auto start = law->isotropic(p, void_ratio);
+  if (const auto objection = law->objection(start))
+    throw lab::BadInput(fmt::format("p' {:.6g} kPa, void ratio {:.6g}: out of range for {}: {}", p / 1e3,
+                                    void_ratio, material.name, *objection));
+  StrainPathsResult result{.material = material,
+                           .p = p,
+                           .void_ratio = void_ratio,
+                           .axial_strain = axial_strain,
+                           .paths = {},
+                           .warnings = {}};
+  for (const auto& words :
+       {lab::void_ratio_outside(material, void_ratio), lab::p_eff_outside(material, p)})
+    if (words) result.warnings.push_back(*words);
+  for (const double one : R) {
+    result.paths.push_back(sim::strain_path(*law, start, one, {.axial_strain = axial_strain}));
+    if (!result.paths.back().message.empty())
+      result.warnings.push_back(fmt::format("R {:g}: {}", one, result.paths.back().message));
+  }
+  return result;
+}
+
+}  // namespace triax::study

@@ -1,0 +1,52 @@
+#include "src/study/triaxial/collapse_points.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::study {
+namespace {
+
+std::optional<double> fitted_slope(const std::vector<CollapsePoint>& points) {
+  double qp = 0, pp = 0;
+  for (const auto& [stress, test, programme, simulated] : points) {
+    const double p = stress.p_pa * 1e-3, q = stress.q_pa * 1e-3;
+    qp += q * p;
+    pp += p * p;
+  }
+  return pp > 0 ? std::optional(qp / pp) : std::nullopt;
+}
+
+std::vector<double> limits_of(const std::vector<TestResult>& tests) {
+  std::map<std::int64_t, double> by_rounded;
+  for (const auto& test : tests)
+    if (const auto& m = test.stored.summary.collapse.limit_stress_ratio;
+        m && std::isfinite(*m) && collapse_onset(test.stored))
+      by_rounded.emplace(std::llround(*m * 100), *m);
+  std::vector<double> values;
+  values.reserve(by_rounded.size());
+  for (const auto& [rounded, m] : by_rounded) values.push_back(m);
+  return values;
+}
+
+}  // namespace
+
+CollapsePoints collapse_points(const std::vector<TestResult>& tests) {
+  CollapsePoints found;
+  for (const auto& [test, curves] : tests) {
+    const auto stress = stress_at(collapse_onset(test));
+    if (!stress) continue;
+    const auto& header = test.header;
+    found.points.push_back({*stress, header.name,
+                            header.programme.empty() ? "other" : header.programme,
+                            header.origin == lab::Origin::simulated});
+    found.origin.add(header);
+  }
+  found.instability_line = fitted_slope(found.points);
+  found.limit_stress_ratios = limits_of(tests);
+  return found;
+}
+
+}  // namespace triax::study

@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/study/triaxial/stress_path.hpp"
+#include "src/study/triaxial/tests_origin.hpp"
+
+namespace triax::study {
+
+struct CollapsePoint {
+  StressPoint stress;     ///< at the onset of collapse
+  std::string test;       ///< its name
+  std::string programme;  ///< "ICU", "CSD"...; "other" where unknown
+  bool simulated = false;
+};
+
+/// Where tests collapsed; those without a collapse point have no part in it but in the limits.
+struct CollapsePoints {
+  std::vector<CollapsePoint> points;
+  /// Slope of the line through the origin that fits the points best, η = Σ q p′ / Σ p′²; nothing
+  /// without points.
+  std::optional<double> instability_line;
+  /// Stress ratios of the limit surfaces of the tests that collapsed, rising; those that print
+  /// alike (to a hundredth) are one.
+  std::vector<double> limit_stress_ratios;
+  TestsOrigin origin;  ///< of the tests with a point
+};
+
+CollapsePoints collapse_points(const std::vector<TestResult>& tests);
+
+}  // namespace triax::study

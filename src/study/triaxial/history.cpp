@@ -1,0 +1,113 @@
+#include "src/study/triaxial/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::study {
+namespace {
+
+double value_of(const lab::State& state, HistoryQuantity quantity) {
+  switch (quantity) {
+    case HistoryQuantity::q:
+      return state.q;
+    case HistoryQuantity::pore_pressure:
+      return state.pore_pressure;
+    case HistoryQuantity::volumetric_strain:
+      return state.volumetric_strain;
+    case HistoryQuantity::axial_strain:
+      return state.strain.axial;
+  }
+  return lab::kMissing;
+}
+
+bool measured(const Curves& curves, HistoryQuantity quantity) {
+  return std::any_of(curves.states.begin(), curves.states.end(),
+                     [&](const auto& state) { return std::isfinite(value_of(state, quantity)); });
+}
+
+// Along the axial strain a curve of the axial strain would be a straight line.
+std::vector<HistoryQuantity> quantities_of(const Curves& curves, bool along_time) {
+  using enum HistoryQuantity;
+  std::vector<HistoryQuantity> chosen{
+      q, measured(curves, pore_pressure) ? pore_pressure : volumetric_strain};
+  if (along_time) chosen.push_back(axial_strain);
+  std::erase_if(chosen, [&](auto quantity) { return !measured(curves, quantity); });
+  return chosen;
+}
+
+HistoryCurve curve_of(const Curves& curves, HistoryQuantity quantity, const HistoryAxis& axis) {
+  HistoryCurve curve{quantity, {}, 0, 0};
+  bool any = false;
+  for (const auto& state : curves.states) {
+    const double value = value_of(state, quantity);
+    if (!std::isfinite(value)) continue;
+    curve.smallest = any ? std::min(curve.smallest, value) : value;
+    curve.largest = any ? std::max(curve.largest, value) : value;
+    any = true;
+    if (const auto at = axis.position(state.time_s, state.strain.axial))
+      curve.points.push_back({*at, value});
+  }
+  return curve;
+}
+
+// Points of second-order work know their reading and time only; along the strain the strain of that
+// reading is looked up between the states that are kept.
+double strain_at(const Curves& curves, std::int64_t reading) {
+  const auto& states = curves.states;
+  const auto next = std::lower_bound(states.begin(), states.end(), reading,
+                                     [](const auto& s, auto number) { return s.reading < number; });
+  if (next == states.end()) return lab::kMissing;
+  if (next->reading == reading || next == states.begin()) return next->strain.axial;
+  const auto before = next - 1;
+  const double part = static_cast<double>(reading - before->reading) /
+                      static_cast<double>(next->reading - before->reading);
+  return before->strain.axial + part * (next->strain.axial - before->strain.axial);
+}
+
+std::vector<HistoryWork> work_of(const Curves& curves, const HistoryAxis& axis) {
+  std::vector<HistoryWork> work;
+  for (const auto& point : curves.work) {
+    const auto at = axis.position(point.time_s, strain_at(curves, point.reading));
+    if (!at || !std::isfinite(point.work.normalised)) continue;
+    const double error = std::isfinite(point.normalised_error) ? point.normalised_error : 0;
+    work.push_back({*at, point.work.normalised, error});
+  }
+  return work;
+}
+
+std::vector<HistoryMark> marks_of(const db::StoredTest& test, const HistoryAxis& axis) {
+  std::vector<HistoryMark> marks;
+  const auto add = [&](const std::optional<lab::Instant>& instant, HistoryMarkKind kind) {
+    if (!instant) return;
+    const auto at = axis.position(instant->time_s.value_or(lab::kMissing),
+                                  instant->axial_strain.value_or(lab::kMissing));
+    if (at) marks.push_back({*at, kind});
+  };
+  add(collapse_onset(test), HistoryMarkKind::onset);
+  add(failure_onset(test), HistoryMarkKind::failure);
+  if (const auto& truth = test.summary.truth; truth && truth->lost_sustainability)
+    add(true_instant(*truth), HistoryMarkKind::true_onset);
+  return marks;
+}
+
+}  // namespace
+
+std::optional<History> history(const TestResult& test, Span span) {
+  const auto axis = history_axis(test, span);
+  if (!axis) return std::nullopt;
+  History found;
+  found.test = test.stored.header.name;
+  found.span = span;
+  found.axis = *axis;
+  for (const auto quantity : quantities_of(test.curves, axis->along_time))
+    found.curves.push_back(curve_of(test.curves, quantity, *axis));
+  if (!test.curves.work.empty()) found.work = work_of(test.curves, *axis);
+  if (found.curves.empty() && !found.work) return std::nullopt;
+  found.marks = marks_of(test.stored, *axis);
+  found.origin.add(test.stored.header);
+  return found;
+}
+
+}  // namespace triax::study

@@ -1,0 +1,29 @@
+#pragma once
+// The common axis of the histories of one test.
+#include <optional>
+
+namespace triax::study {
+
+struct TestResult;
+
+enum class Span {
+  shear,  ///< the shear stages; the whole record where no stage is known to be shear
+  onset,  ///< the neighbourhood of the onset of collapse
+};
+
+struct HistoryAxis {
+  bool along_time = true;  ///< false: no time in the record, along the axial strain
+  bool from_shear = true;  ///< 0 is the start of shear; false: of the record
+  double unit = 1;         ///< SI value of one unit of the axis: s, min, h, %
+  double origin = 0;       ///< SI value at 0 of the axis: where the span begins for a time axis
+  double begin = 0;        ///< SI
+  double end = 0;          ///< SI
+
+  /// In units of the axis, from its 0; nothing for a value outside the span or unknown.
+  std::optional<double> position(double time_s, double axial_strain) const;
+};
+
+/// Nothing where the test has no state in the span.
+std::optional<HistoryAxis> history_axis(const TestResult& test, Span span);
+
+}  // namespace triax::study

@@ -1,0 +1,84 @@
+#include "src/study/triaxial/shear_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "src/study/triaxial/collapse_points.hpp"
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::study {
+namespace {
+
+/// The beginning of shear ends at so many times the largest axial strain at onset: then the
+/// runaway is a short piece of it.
+constexpr double kOnsets = 2.5;
+
+std::vector<lab::State> states_of_shear(const TestResult& test) {
+  std::vector<lab::State> states;
+  for (const auto& state : test.curves.states)
+    if (is_shear(test.stored.header, state.stage)) states.push_back(state);
+  return states;
+}
+
+void find_state_at_onset(SeriesTest& test) {
+  test.at_onset.reset();
+  if (!test.onset || test.states.empty()) return;
+  const auto distance = [&](const lab::State& state) {
+    return std::llabs(state.reading - test.onset->reading);
+  };
+  test.at_onset =
+      *std::min_element(test.states.begin(), test.states.end(),
+                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+}
+
+double largest_axial_strain(const std::vector<TestResult>& tests) {
+  double largest = 0;
+  for (const auto& test : tests)
+    for (const auto& state : test.curves.states)
+      if (std::isfinite(state.strain.axial)) largest = std::max(largest, state.strain.axial);
+  return largest;
+}
+
+}  // namespace
+
+bool is_shear(const lab::RecordHeader& header, int stage) {
+  const auto* info = header.stage(stage);
+  return info == nullptr || info->role == lab::StageRole::shear ||
+         info->role == lab::StageRole::unknown;
+}
+
+ShearSeries shear_series(const std::vector<TestResult>& tests) {
+  ShearSeries series;
+  for (const auto& test : tests) {
+    auto& added = series.tests.emplace_back();
+    added.name = test.stored.header.name;
+    added.states = states_of_shear(test);
+    added.onset = collapse_onset(test.stored);
+    find_state_at_onset(added);
+    if (added.onset && added.onset->axial_strain)
+      series.strain_at_onset = std::max(series.strain_at_onset, *added.onset->axial_strain);
+  }
+  auto points = collapse_points(tests);
+  series.instability_line = points.instability_line;
+  series.limit_stress_ratios = std::move(points.limit_stress_ratios);
+  series.origin = origin_of(tests);
+  return series;
+}
+
+ShearBeginnings shear_beginnings(const std::vector<TestResult>& tests) {
+  ShearBeginnings beginnings{shear_series(tests), largest_axial_strain(tests)};
+  auto& series = beginnings.series;
+  double& last = beginnings.last_strain;
+  if (series.strain_at_onset > 0) last = std::min(kOnsets * series.strain_at_onset, last);
+  for (auto& test : series.tests) {
+    const auto beyond = std::find_if(test.states.begin(), test.states.end(),
+                                     [&](const auto& state) { return state.strain.axial > last; });
+    test.states.erase(beyond, test.states.end());
+    find_state_at_onset(test);
+  }
+  return beginnings;
+}
+
+}  // namespace triax::study

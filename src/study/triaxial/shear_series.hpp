@@ -1,0 +1,47 @@
+#pragma once
+// The shear of several tests, to be compared with one another.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
+#include "src/study/triaxial/tests_origin.hpp"
+
+namespace triax::study {
+
+/// True for a stage of shear, and where the record does not say what the stage was.
+bool is_shear(const lab::RecordHeader& header, int stage);
+
+struct SeriesTest {
+  std::string name;
+  std::vector<lab::State> states;     ///< of shear, in order
+  std::optional<lab::Instant> onset;  ///< of collapse
+  /// The nearest to the onset among `states`; nothing without an onset or without states.
+  std::optional<lab::State> at_onset;
+};
+
+struct ShearSeries {
+  std::vector<SeriesTest> tests;
+  /// Largest axial strain at an onset of collapse; 0 without one.
+  double strain_at_onset = 0;
+  std::optional<double> instability_line;   ///< η that fits their collapse points
+  std::vector<double> limit_stress_ratios;  ///< M, rising
+  TestsOrigin origin;
+};
+
+/// All of shear, from the curves of the tests.
+ShearSeries shear_series(const std::vector<TestResult>& tests);
+
+/// Shear up to an axial strain at which a collapse, if there is one, is well under way.
+struct ShearBeginnings {
+  ShearSeries series;
+  /// Some times the largest axial strain at an onset; at most, and without an onset, the largest
+  /// strain of all states.
+  double last_strain = 0;
+};
+
+/// Each test up to its first state beyond that strain.
+ShearBeginnings shear_beginnings(const std::vector<TestResult>& tests);
+
+}  // namespace triax::study

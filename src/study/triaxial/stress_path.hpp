@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/results/summary.hpp"
+#include "src/study/triaxial/tests_origin.hpp"
+
+namespace triax::study {
+
+struct StressPoint {
+  double p_pa = 0, q_pa = 0;  ///< p′ and q; NaN where not known
+
+  double eta() const { return q_pa / p_pa; }
+};
+
+/// The effective stress of this instant; nothing unless its stress ratio is known.
+std::optional<StressPoint> stress_at(const std::optional<lab::Instant>& instant);
+
+/// The effective stress path of one test, each part in order.
+struct StressPath {
+  std::string test;                 ///< its name
+  std::vector<StressPoint> before;  ///< in stages that are said not to be shear
+  std::vector<StressPoint> shear;
+  std::optional<StressPoint> onset;          ///< of collapse
+  std::optional<StressPoint> failure;        ///< on the limit surface, which is no collapse
+  std::optional<StressPoint> true_onset;     ///< of a simulated specimen itself
+  std::optional<double> limit_stress_ratio;  ///< M of the limit surface
+  TestsOrigin origin;
+};
+
+/// From the curves of the test: without them a path without points.
+StressPath stress_path(const TestResult& test);
+
+}  // namespace triax::study

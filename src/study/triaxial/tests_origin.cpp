@@ -1,0 +1,25 @@
+#include "src/study/triaxial/tests_origin.hpp"
+
+#include <algorithm>
+
+#include "src/study/triaxial/test_result.hpp"
+
+namespace triax::study {
+
+void TestsOrigin::add(const lab::RecordHeader& header) {
+  ++tests;
+  if (header.origin != lab::Origin::simulated) return;
+  simulated.push_back(header.name);
+  const auto& material = header.specimen.material;
+  if (!material.empty() &&
+      std::find(materials.begin(), materials.end(), material) == materials.end())
+    materials.push_back(material);
+}
+
+TestsOrigin origin_of(const std::vector<TestResult>& tests) {
+  TestsOrigin origin;
+  for (const auto& test : tests) origin.add(test.stored.header);
+  return origin;
+}
+
+}  // namespace triax::study

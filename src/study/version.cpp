@@ -1,0 +1,7 @@
+#include "src/study/version.hpp"
+
+namespace triax::study {
+
+std::string_view version() { return TRIAX_VERSION; }
+
+}  // namespace triax::study

@@ -1,0 +1,45 @@
+#include "src/study/domain/domain_run.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "src/study/domain/domain_piece.hpp"
+#include "tests/src/sample_domain.hpp"
+
+using namespace triax;
+
+namespace {
+
+study::DomainRequest sample_request() {
+  return {.material = src::sample_material(),
+          .grid = src::sample_domain({}).settings.grid,
+          .threads = 1};
+}
+
+}  // namespace
+
+TEST_CASE("a domain run has the columns of its grid, whatever the number of threads") {
+  auto request = sample_request();
+  double told = 0;
+  const auto one = study::run_domain(request, [&](const std::string& what, double share) {
+    CHECK(what == "domain");
+    told = share;
+  });
+  CHECK(told == 1);
+  CHECK(one.columns.size() == 3);
+  CHECK(study::domain_json(one) == study::domain_json(src::sample_domain()));
+  request.threads = 3;
+  CHECK(study::domain_json(study::run_domain(request)) == study::domain_json(one));
+}
+
+TEST_CASE("a piece of a domain run has every N-th column from its own on") {
+  auto request = sample_request();
+  request.piece = 2;
+  request.pieces = 2;
+  const auto second = study::run_domain(request);
+  REQUIRE(second.columns.size() == 1);
+  CHECK(second.columns[0].column == 1);
+  request.piece = 1;
+  const auto first = study::run_domain(request);
+  REQUIRE(first.columns.size() == 2);
+  CHECK(first.columns[1].column == 2);
+}

@@ -1,0 +1,34 @@
+#include "src/study/domain/usual_grid.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/src/sample_domain.hpp"
+
+using namespace triax;
+
+TEST_CASE("the usual grid stays within what a set is for, up to its limit surface") {
+  auto material = lab::find_material("inl2/S28-general");
+  material.p_eff_range_kPa = lab::ValidRange{50, 200};
+  const auto p = study::usual_p(material);
+  CHECK(p.from == 50);
+  CHECK(p.to == 200);
+  CHECK(p.count == 200);
+  const auto q = study::usual_q(material, p);
+  CHECK(q.from == 0);
+  const double M = material.material.axisymmetric->limit_stress_ratio().value();
+  CHECK(q.to >= M * 200);
+  CHECK(q.to < M * 200 + 10);
+  material.p_eff_range_kPa.reset();
+  CHECK(study::usual_p(material).from == 10);
+  CHECK(study::usual_p(material).to == 300);
+}
+
+TEST_CASE("localisation is possible for a law with tangents of the full tensor, where asked for") {
+  auto grid = src::sample_domain({}).settings.grid;
+  const auto inl2 = lab::find_material("inl2/S28-general");
+  CHECK(study::possible_criteria(inl2, grid).determinant);
+  CHECK_FALSE(study::possible_criteria(inl2, grid).localisation);
+  grid.localisation = true;
+  CHECK(study::possible_criteria(inl2, grid).localisation);
+  CHECK_FALSE(study::possible_criteria(lab::find_material("norsand/S28-MT"), grid).localisation);
+}

@@ -1,0 +1,46 @@
+#include "src/study/triaxial/collapse_points.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "src/study/triaxial/test_result.hpp"
+#include "tests/src/sample_tests.hpp"
+
+using namespace triax;
+using namespace triax::study;
+namespace sample = triax::src::test;
+
+TEST_CASE("each collapse is a point, and one line through the origin fits them") {
+  const auto found =
+      collapse_points({sample::flow_test(), sample::simulated_test(), sample::stable_test()});
+  REQUIRE(found.points.size() == 2);
+  CHECK(found.points[0].test == "L<oose> 1");
+  CHECK(found.points[0].programme == "ICU");
+  CHECK_FALSE(found.points[0].simulated);
+  CHECK(found.points[1].stress.p_pa == 200e3);
+  CHECK(found.points[1].simulated);
+  CHECK(*found.instability_line == Approx((60.0 * 100 + 110 * 200) / (100 * 100 + 200 * 200.0)));
+  CHECK(found.origin.tests == 2);
+  CHECK(found.origin.simulated == std::vector<std::string>{"sim-26"});
+}
+
+TEST_CASE("a failure on the limit surface is no collapse point, nor is a test without a verdict") {
+  auto surface = sample::flow_test();
+  surface.stored.summary.collapse.kind = lab::CollapseKind::none;
+  auto unjudged = sample::flow_test();
+  unjudged.stored.summary.collapse.judged = false;
+  const auto found = collapse_points({surface, unjudged, sample::interrupted_test()});
+  CHECK(found.points.empty());
+  CHECK_FALSE(found.instability_line);
+  CHECK(found.limit_stress_ratios.empty());
+}
+
+TEST_CASE("limits rise, and those that print alike are one; a type without a name is other") {
+  std::vector<TestResult> tests(3, sample::flow_test());
+  tests[0].stored.summary.collapse.limit_stress_ratio = 1.301;
+  tests[1].stored.summary.collapse.limit_stress_ratio = 1.2;
+  tests[2].stored.summary.collapse.limit_stress_ratio = 1.299;
+  tests[2].stored.header.programme.clear();
+  const auto found = collapse_points(tests);
+  CHECK(found.limit_stress_ratios == std::vector<double>{1.2, 1.301});
+  CHECK(found.points[2].programme == "other");
+}

@@ -1,0 +1,90 @@
+#include "src/study/triaxial/history.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "src/study/triaxial/test_result.hpp"
+#include "tests/src/sample_tests.hpp"
+
+using namespace triax;
+using namespace triax::study;
+namespace sample = triax::src::test;
+
+namespace {
+
+std::vector<HistoryQuantity> quantities_of(const History& history) {
+  std::vector<HistoryQuantity> quantities;
+  for (const auto& curve : history.curves) quantities.push_back(curve.quantity);
+  return quantities;
+}
+
+}  // namespace
+
+TEST_CASE("a history has q, pore pressure and axial strain, volumetric strain in place of u") {
+  using enum HistoryQuantity;
+  auto test = sample::flow_test();
+  CHECK(quantities_of(*history(test, Span::shear)) == std::vector{q, pore_pressure, axial_strain});
+  for (auto& state : test.curves.states) state.pore_pressure = lab::kMissing;
+  CHECK(quantities_of(*history(test, Span::shear)) ==
+        std::vector{q, volumetric_strain, axial_strain});
+  for (auto& state : test.curves.states) state.volumetric_strain = lab::kMissing;
+  CHECK(quantities_of(*history(test, Span::shear)) == std::vector{q, axial_strain});
+  CHECK(quantities_of(*history(sample::stable_test(), Span::shear)) ==
+        std::vector{q, volumetric_strain});
+}
+
+TEST_CASE("curves hold the span, their extremes the whole test") {
+  auto test = sample::flow_test();
+  test.curves.states[295].q = lab::kMissing;
+  const auto found = history(test, Span::onset);
+  REQUIRE(found);
+  const auto& q = found->curves.front();
+  CHECK(q.points.front().at == Approx(27.3).margin(0.11));
+  CHECK(q.points.back().at == Approx(34.5).margin(0.11));
+  CHECK(std::none_of(q.points.begin(), q.points.end(),
+                     [](const auto& point) { return point.at == Approx(29.5); }));
+  CHECK(q.smallest == 0);
+  CHECK(q.largest == Approx(60e3));
+}
+
+TEST_CASE("second-order work is placed by time, without time by the strain of its reading") {
+  const auto timed = history(sample::flow_test(), Span::shear);
+  REQUIRE(timed->work);
+  CHECK(timed->work->front().at == Approx(1.5));
+  CHECK(timed->work->front().error == 0.05);
+  auto test = sample::stable_test();
+  std::erase_if(test.curves.states, [](const auto& s) { return s.reading % 10 != 0; });
+  const auto along_strain = history(test, Span::shear);
+  CHECK(along_strain->work->front().at == Approx(100 * 0.15 * 15 / 500));  // between 10 and 20
+  test.curves.work.clear();
+  CHECK_FALSE(history(test, Span::shear)->work);
+}
+
+TEST_CASE("onset, true onset and failure are marked where they lie in the span") {
+  auto test = sample::simulated_test();
+  auto found = history(test, Span::shear);
+  REQUIRE(found->marks.size() == 2);
+  CHECK(found->marks[0].kind == HistoryMarkKind::onset);
+  CHECK(found->marks[0].at == Approx(30));
+  CHECK(found->marks[1].kind == HistoryMarkKind::true_onset);
+  CHECK(found->marks[1].at == Approx(29.95));
+  test.stored.summary.truth->time_s = 3;
+  CHECK(history(test, Span::onset)->marks.size() == 1);
+  test.stored.summary.truth->lost_sustainability = false;
+  test.stored.summary.collapse.kind = lab::CollapseKind::none;
+  found = history(test, Span::shear);
+  REQUIRE(found->marks.size() == 1);
+  CHECK(found->marks[0].kind == HistoryMarkKind::failure);
+}
+
+TEST_CASE("a test without states or without anything measured has no history") {
+  auto nothing = sample::stable_test();
+  for (auto& state : nothing.curves.states) {
+    state.q = lab::kMissing;
+    state.volumetric_strain = lab::kMissing;
+  }
+  nothing.curves.work.clear();
+  CHECK_FALSE(history(nothing, Span::shear));
+  nothing.curves = {};
+  CHECK_FALSE(history(nothing, Span::shear));
+}

@@ -1,0 +1,77 @@
+#include "src/study/triaxial/shear_series.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/src/sample_tests.hpp"
+
+using namespace triax;
+using namespace triax::study;
+namespace sample = triax::src::test;
+
+TEST_CASE("a stage counts as shear where it is said, and where nothing is said of it") {
+  lab::RecordHeader header;
+  CHECK(is_shear(header, 1));
+  header.stages = {{.number = 1, .name = "c", .role = lab::StageRole::consolidation},
+                   {.number = 2, .name = "s", .role = lab::StageRole::shear},
+                   {.number = 3, .name = "?", .role = lab::StageRole::unknown}};
+  CHECK_FALSE(is_shear(header, 1));
+  CHECK(is_shear(header, 2));
+  CHECK(is_shear(header, 3));
+}
+
+TEST_CASE("a series leaves out other stages than shear") {
+  auto test = sample::flow_test();
+  test.stored.header.stages.push_back(
+      {.number = 2, .name = "c", .role = lab::StageRole::consolidation});
+  test.curves.states[7].stage = 2;
+  const auto series = shear_series({test, sample::stable_test()});
+  REQUIRE(series.tests.size() == 2);
+  CHECK(series.tests[0].name == "L<oose> 1");
+  CHECK(series.tests[0].states.size() == test.curves.states.size() - 1);
+  CHECK(series.tests[0].states[7].reading == 8);
+  CHECK(series.tests[1].states.size() == 501);
+}
+
+TEST_CASE("a series knows its onsets, its instability line, its limits and its origin") {
+  const auto series =
+      shear_series({sample::flow_test(), sample::simulated_test(), sample::stable_test()});
+  CHECK(series.tests[0].onset->reading == 300);
+  CHECK_FALSE(series.tests[2].onset);
+  CHECK(series.strain_at_onset == 0.005);
+  CHECK(*series.instability_line == Approx((60. * 100 + 110 * 200) / (100 * 100 + 200 * 200)));
+  CHECK(series.limit_stress_ratios == std::vector<double>{1.25});
+  CHECK(series.origin.tests == 3);
+  CHECK(series.origin.simulated == std::vector<std::string>{"sim-26"});
+  CHECK(shear_series({sample::stable_test()}).strain_at_onset == 0);
+}
+
+TEST_CASE("the state at the onset is the nearest that was kept") {
+  auto test = sample::flow_test();
+  CHECK(shear_series({test}).tests[0].at_onset->reading == 300);
+  std::erase_if(test.curves.states, [](const auto& s) { return s.reading % 7 != 0; });
+  CHECK(shear_series({test}).tests[0].at_onset->reading == 301);
+  test.curves = {};
+  CHECK_FALSE(shear_series({test}).tests[0].at_onset);
+  CHECK_FALSE(shear_series({sample::stable_test()}).tests[0].at_onset);
+}
+
+TEST_CASE("the beginning of shear ends some strains behind the largest at an onset") {
+  const auto [series, last_strain] = shear_beginnings({sample::flow_test(), sample::stable_test()});
+  CHECK(last_strain == Approx(2.5 * 0.005));
+  for (const auto& test : series.tests) {
+    REQUIRE(test.states.size() > 10);
+    CHECK(test.states.back().strain.axial <= last_strain);
+    CHECK(test.states.back().strain.axial > 0.95 * last_strain);
+  }
+  CHECK(series.tests[0].at_onset->reading == 300);
+}
+
+TEST_CASE("without an onset, and where it comes late, the beginning is all of shear") {
+  const auto stable = shear_beginnings({sample::stable_test()});
+  CHECK(stable.last_strain == Approx(0.15));
+  CHECK(stable.series.tests[0].states.size() == 501);
+  auto late = sample::flow_test();
+  late.stored.summary.collapse.onset->axial_strain = 0.09;
+  const double largest = late.curves.states.back().strain.axial;
+  CHECK(shear_beginnings({late}).last_strain == largest);
+}
