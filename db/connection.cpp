@@ -47,7 +47,7 @@ void check_ours(SQLite::Database& database, const std::string& path) {
   const int id = read_int(database, "PRAGMA application_id");
   if (id != kApplicationId && (id != 0 || !empty))
     throw lab::BadInput(path, 0,
-                        "this SQLite database was made by another program; name a triax database, "
+                        "this SQLite database is of another program; name a triax database, "
                         "or a file that does not exist yet");
   const int version = read_int(database, "PRAGMA user_version");
   if (version > newest_schema())
@@ -160,7 +160,7 @@ SQLite::Database open_for_reading(const std::string& path) {
   check_path(path);
   if (!fs::exists(path))
     throw lab::BadInput(
-        path, 0, "there is no such database; `triax replay`, `simulate` and `grains` make one");
+        path, 0, "no such database; `triax replay`, `simulate` and `grains` create one");
   tidy_up(path);
   const auto checked = [&](SQLite::Database database) {
     check_ours(database, path);

@@ -118,7 +118,7 @@ class StageReader {
       came.rest = found.front().rest;
     } else {
       came.strain_held = stage.told.action == "equilibrium";
-      came.rest.settling.steps = stage.told.steps;
+      came.rest.settling.steps = lab::kNotStored;
       came.rest.settling.unbalanced = came.rest.settling.stress_error_pa =
           came.rest.path_stress_pa = kNaN;
     }

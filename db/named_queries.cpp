@@ -9,9 +9,9 @@ const std::vector<NamedQuery>& named_queries() {
        "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
        "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed "
        "FROM tests t ORDER BY t.id"},
-      {"collapse_points", "the tests that collapsed, as in a table of a paper: p'0, e, phi, eta",
+      {"collapse_points", "the tests that collapsed, as in tables of papers: p'0, e, phi, eta",
        "SELECT * FROM collapse_points ORDER BY type_of_test, test_id"},
-      {"collapses", "the verdict on every test, with state and second-order work at onset",
+      {"collapses", "the result of every test, with state and second-order work at onset",
        "SELECT * FROM collapses ORDER BY test_id"},
       {"criteria", "what each criterion found, with its evidence",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS criterion, c.detected, "
@@ -23,19 +23,19 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT type_of_test, origin, kind, count(*) AS tests, avg(eta) AS eta_mean, "
        "min(eta) AS eta_min, max(eta) AS eta_max, avg(phi_mob_deg) AS phi_mob_mean_deg "
        "FROM collapse_points WHERE eta IS NOT NULL GROUP BY type_of_test, origin, kind"},
-      {"truths", "where simulated specimens lost sustainability themselves, and where it was found",
+      {"truths", "true onset (model) of simulated specimens, and the onset that was found",
        "SELECT t.id AS test_id, t.name AS test, t.programme, u.lost_sustainability, "
        "u.time_s AS true_time_s, u.q_kPa / u.p_eff_kPa AS true_eta, c.kind AS found, "
        "c.time_s AS found_time_s, c.eta AS found_eta "
        "FROM truths u JOIN tests t ON t.id = u.test_id "
        "LEFT JOIN collapses c ON c.test_id = t.id ORDER BY t.id"},
-      {"run_aways", "what the moving mass did while simulated specimens could not carry their load",
+      {"run_aways", "runaways of simulated specimens: motion and kinetic energy",
        "SELECT t.id AS test_id, t.name AS test, t.origin, r.number, r.start_s, "
        "r.largest_kinetic_energy_J, r.largest_at_s, r.kinetic_energy_J, r.second_order_work_J, "
        "-2 * r.kinetic_energy_J / r.second_order_work_J AS kinetic_energy_over_half_work, "
        "r.end_s, r.ending "
        "FROM run_aways r JOIN tests t ON t.id = r.test_id ORDER BY t.id, r.number"},
-      {"sweep", "the tests of every sweep: each swept key with its value, and what was found",
+      {"sweep", "the tests of every sweep: each varied key with its value, and the result",
        "SELECT r.* FROM sweep_results r JOIN sweep_members m ON m.test_id = r.test_id "
        "AND m.key = r.key ORDER BY r.sweep, r.place, m.position"},
       {"grain_runs", "the runs of specimens of grains: how they were made, what they are",
@@ -73,14 +73,14 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT t.id AS test_id, t.name AS test, t.origin, s.number, s.name AS stage, s.role, "
        "s.drainage, s.control "
        "FROM stages s JOIN tests t ON t.id = s.test_id ORDER BY t.id, s.number"},
-      {"events", "what happened when, in the order it was seen",
+      {"events", "events, in order of detection",
        "SELECT t.id AS test_id, t.name AS test, t.origin, e.reading, e.time_s, e.kind, e.detail "
        "FROM events e JOIN tests t ON t.id = e.test_id ORDER BY t.id, e.id"},
-      {"checks", "measured values held against what is acceptable",
+      {"checks", "measured values compared with acceptable limits",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS check_name, c.measured, "
        "c.limit_value, c.ok, c.note "
        "FROM checks c JOIN tests t ON t.id = c.test_id ORDER BY t.id, c.id"},
-      {"warnings", "what was changed, joined or missing in the records",
+      {"warnings", "warnings: warnings: what was changed, joined or missing in the records",
        "SELECT DISTINCT t.id AS test_id, t.name AS test, t.origin, w.line, w.text "
        "FROM warnings w JOIN tests t ON t.id = w.test_id ORDER BY t.id, w.line"},
       {"unfinished_tests", "tests that still run or were interrupted",

@@ -8,6 +8,7 @@
 
 #include "db/connection.hpp"
 #include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::db {
 namespace {
@@ -45,12 +46,18 @@ int authorize(void*, int action, const char* first, const char* second, const ch
   }
 }
 
+std::vector<std::string> query_names() {
+  std::vector<std::string> names;
+  for (const NamedQuery& query : named_queries()) names.emplace_back(query.name);
+  return names;
+}
+
 std::string sql_for(const std::string& name_or_sql) {
   for (const NamedQuery& query : named_queries())
     if (query.name == name_or_sql) return std::string(query.sql);
   if (name_or_sql.find_first_of(" \t\n\r;(") == std::string::npos)
-    throw lab::BadInput("there is no query named '" + name_or_sql +
-                        "'; `triax query --list` shows them, or write SQL");
+    throw lab::BadInput("unknown query " + lab::excerpt(name_or_sql) + "; " +
+                        lab::suggestion(name_or_sql, query_names()) + "; SQL is accepted too");
   return name_or_sql;
 }
 
@@ -66,9 +73,9 @@ void check_single(sqlite3* database, const std::string& sql) {
     sqlite3_finalize(statement);
     if (outcome != SQLITE_OK && statements == 1) throw SQLite::Exception(database);
     if (statements > 1)
-      throw lab::BadInput("the SQL holds more than one statement; one query runs at a time");
+      throw lab::BadInput("the SQL has more than one statement; one query runs at a time");
   }
-  if (statements == 0) throw lab::BadInput("the SQL holds no statement; write a SELECT");
+  if (statements == 0) throw lab::BadInput("the SQL has no statement; write a SELECT");
 }
 
 /// The database, not the question, is at fault: disk, lock, memory, damage.
@@ -125,7 +132,11 @@ void query(const std::string& path, const std::string& name_or_sql,
     }
   } catch (const SQLite::Exception& error) {
     if (is_failure_of_work(error)) throw lab::WorkFailed(path + ": " + error.what());
-    throw lab::BadInput("SQLite refuses the query: " + std::string(error.what()));
+    if ((error.getErrorCode() & 0xff) == SQLITE_AUTH ||
+        (error.getErrorCode() & 0xff) == SQLITE_READONLY)
+      throw lab::BadInput(
+          "SQL: this statement would change something; the database is read-only here");
+    throw lab::BadInput("SQL: " + std::string(error.what()));
   }
 }
 

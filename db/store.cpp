@@ -100,6 +100,8 @@ struct Store::Impl {
 
   std::int64_t find_one(const std::string& name) const;
   std::int64_t find_by_short_name(const std::string& name) const;
+  /// For messages: of the last twenty tests.
+  std::vector<std::string> latest_names() const;
 
   std::string path;
   SQLite::Database database;
@@ -128,8 +130,8 @@ std::int64_t Store::Impl::find_by_short_name(const std::string& name) const {
     const std::string other = select.getColumn(1).getString();
     if (latest != 0 && other != called)
       throw lab::BadInput(path, 0,
-                          fmt::format("'{}' may be the test '{}' or '{}'; give the whole name or "
-                                      "the id",
+                          fmt::format("'{}' fits the tests '{}' and '{}'; give the full name or "
+                                      "the number",
                                       name, called, other));
     if (latest == 0) latest = select.getColumn(0).getInt64();
     called = other;
@@ -137,8 +139,16 @@ std::int64_t Store::Impl::find_by_short_name(const std::string& name) const {
   if (latest == 0)
     throw lab::BadInput(
         path, 0,
-        "there is no test with the id or name '" + name + "'; `triax query tests` lists them");
+        fmt::format("unknown test {}; {}", lab::excerpt(name),
+                    lab::suggestion(name, latest_names())));
   return latest;
+}
+
+std::vector<std::string> Store::Impl::latest_names() const {
+  Statement select(database, "SELECT name FROM tests GROUP BY name ORDER BY max(id) DESC LIMIT 20");
+  std::vector<std::string> names;
+  while (select.executeStep()) names.push_back(select.getColumn(0).getString());
+  return names;
 }
 
 Store::Store(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}

@@ -1,50 +1,78 @@
 #include <fmt/format.h>
 
 #include <CLI/Error.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "lab/base/bad_input.hpp"
 #include "src/cli/application.hpp"
+#include "src/cli/candidates.hpp"
 #include "src/cli/manual.hpp"
+#include "src/cli/renamed_options.hpp"
+#include "src/cli/usage_error.hpp"
 #include "src/commands.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
+#include "src/output/terminal.hpp"
+#include "src/output/written_files.hpp"
 
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
 
+// A closed standard error must not turn a clear status into an abort, as an exception here would.
 int complain(const std::string& message, int status) {
-  // A closed standard error must not turn a clear status into an abort, as an exception here would.
-  std::fprintf(stderr, "triax: %s\n", triax::src::on_one_line(message).c_str());
+  std::fprintf(stderr, "%s %s\n", triax::src::alarming("triax:", stderr).c_str(),
+               triax::src::on_one_line(message).c_str());
   return status;
+}
+
+/// What was written is said whether or not the command succeeded, before the error if it did not.
+void announce() {
+  if (const std::string text = triax::src::take_announcement(); !text.empty())
+    std::fprintf(stderr, "triax: %s\n", triax::src::on_one_line(text).c_str());
+}
+
+/// For the build, which installs the manual, and for the shells' completion; no command for users.
+bool run_hidden(const triax::src::Application& application,
+                const std::vector<std::string>& arguments) {
+  using namespace triax;
+  if (arguments.size() < 2) return false;
+  if (arguments[0] == "--write-manual") {
+    src::write_manual(*application.app, src::commands(), arguments[1]);
+  } else if (arguments[0] == "--complete") {
+    src::print(src::candidates(arguments[1], arguments.size() > 2 ? arguments[2] : "triax.db"));
+  } else {
+    return false;
+  }
+  static_cast<void>(src::take_announcement());
+  return true;
 }
 
 int run(int argc, char** argv) {
   using namespace triax;
   const src::Application application = src::make_application(src::commands());
-  // For the build, which installs what this writes; not part of what users are told.
-  if (argc == 3 && std::strcmp(argv[1], "--write-manual") == 0) {
-    src::write_manual(*application.app, src::commands(), argv[2]);
-    return kDone;
-  }
+  const auto arguments = src::with_names_of_today({argv + std::min(1, argc), argv + argc});
+  if (run_hidden(application, arguments)) return kDone;
   try {
-    application.app->parse(argc, argv);
+    // The library takes them from the last to the first.
+    application.app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& success) {
     std::ostringstream text;
     const int status = application.app->exit(success, text, text);
     src::print(text.str());
     return status;
   } catch (const CLI::ParseError& error) {
-    return complain(fmt::format("{} (see triax --help)", error.what()), kBadInput);
+    return complain(src::usage_message(*application.app, error, arguments), kBadInput);
   }
   if (!*application.run) {
     std::fputs(application.app->help().c_str(), stderr);
-    return complain("a command is wanted", kBadInput);
+    return complain(src::missing_command(*application.app), kBadInput);
   }
   (*application.run)();
   return kDone;
@@ -53,12 +81,19 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error that we can tell, not a silent death
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is for us to see, not a death amid a transaction
   try {
-    return run(argc, argv);
+    const int status = run(argc, argv);
+    announce();
+    return status;
+  } catch (const triax::src::ClosedPipe&) {
+    announce();
+    return kDone;
   } catch (const triax::lab::BadInput& error) {
+    announce();
     return complain(error.what(), kBadInput);
   } catch (const std::exception& error) {
+    announce();
     return complain(error.what(), kFailed);
   }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bench/grains/reference.sh --state FILE[.gz] [--axis x|y|z] [--threads N] [--keep FOLDER]
+# bench/grains/reference.sh --state FILE[.gz] [--axis x|y|z] [--jobs N] [--keep FOLDER]
 # The dense specimen of another code, from its own packing at 100 kPa: isotropic to 200 kPa, drained to eta = 0.77,
 # 36 probes of 1 kPa and a null probe, and drained to 4 % of axial strain. What comes of it stands beside what yade
 # 2023.02a gave from the same packing (same law, damping 0.2, density 3000): porosity, strains, peak, probes.
@@ -10,7 +10,7 @@ while (($#)); do
   case $1 in
     --state) state=$2 ;;
     --axis) axis=$2 ;;
-    --threads) threads=$2 ;;
+    --jobs) threads=$2 ;;
     --keep) keep=$2 ;;
     *) echo "reference.sh: unknown option $1" >&2; exit 2 ;;
   esac
@@ -70,7 +70,7 @@ strain_rate_per_s = 0.8
 end_axial_strain_pct = 4.0
 TOML
 cd "$scratch"
-"$triax" grains dense.toml --threads "$threads" --output dense >report.txt
+"$triax" grains dense.toml --jobs "$threads" --output dense >report.txt
 ask() { "$triax" query "$1"; }
 ask "WITH yade(what, yade) AS (VALUES ('porosity at 200 kPa', 0.38497), ('eps_1 at eta 0.77, %', 0.286),
        ('eps_v at eta 0.77, %', 0.144), ('peak eta at 0.8/s', 1.061), ('eps_1 at the peak, %', 1.06),

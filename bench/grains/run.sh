@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bench/grains/run.sh [--state FILE[.gz]] [--peers FOLDER] [--threads "1 2"] [--steps N]
+# bench/grains/run.sh [--state FILE[.gz]] [--peers FOLDER] [--jobs "1 2"] [--steps N]
 # Particle-steps per second of the discrete element engine, as "triax THREADS PARTICLE_STEPS_PER_S", and those of
 # yade and LAMMPS where they are installed and FOLDER holds run_yade.sh and run_lammps.sh, which take
 # "NUMBER_OF_GRAINS THREADS" and print such lines. Then the ratios.
@@ -11,7 +11,7 @@ while (($#)); do
   case $1 in
     --state) state=$2 ;;
     --peers) peers=$2 ;;
-    --threads) threads=$2 ;;
+    --jobs) threads=$2 ;;
     --steps) steps=$2 ;;
     *) echo "run.sh: unknown option $1" >&2; exit 2 ;;
   esac

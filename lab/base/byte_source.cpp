@@ -22,7 +22,7 @@ class FileSource : public ByteSource {
     if (S_ISDIR(status.st_mode))
       throw BadInput(path, 0, "this is a folder; give the file of one record");
     if (!S_ISREG(status.st_mode))
-      throw BadInput(path, 0, "this is no regular file; a record is read from a file on disk");
+      throw BadInput(path, 0, "not a regular file; expected a record in a file on disk");
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) cannot_open();
     size_ = static_cast<std::uint64_t>(status.st_size);
@@ -40,7 +40,7 @@ class FileSource : public ByteSource {
     do {
       count = ::read(descriptor_, into.data(), into.size());
     } while (count < 0 && errno == EINTR);
-    if (count < 0) throw WorkFailed(name_ + ": cannot be read: " + std::strerror(errno));
+    if (count < 0) throw WorkFailed(name_ + ": cannot read: " + std::strerror(errno));
     return static_cast<std::size_t>(count);
   }
   void rewind() override { ::lseek(descriptor_, 0, SEEK_SET); }

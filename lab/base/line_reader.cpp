@@ -35,7 +35,7 @@ bool LineReader::fill() {
   const auto count = source_.read({buffer_.data() + end_, block_});
   if (std::memchr(buffer_.data() + end_, 0, count) != nullptr)
     throw BadInput(source_.name(), line_number_ + 1,
-                   "NUL bytes found at or after this line: this is no plain text (save the record "
+                   "NUL bytes found at or after this line: this is not plain text (save the record "
                    "as UTF-8 or Windows-1252 text)");
   end_ += count;
   return count > 0;

@@ -36,7 +36,7 @@ class Editor {
   toml::node& item(toml::array& list, const std::string& part) const {
     const auto number = whole_text_as<std::uint64_t>(part);
     if (!number || *number < 1 || *number > list.size())
-      fail(fmt::format("{} is none of the {} of {}; they count from 1", excerpt(part), list.size(),
+      fail(fmt::format("{} is not one of the {} of {}; they count from 1", excerpt(part), list.size(),
                        way_));
     return list[*number - 1];
   }
@@ -44,7 +44,7 @@ class Editor {
   toml::node& below(toml::node& at, const std::string& part) const {
     if (auto* list = at.as_array()) return item(*list, part);
     auto* table = at.as_table();
-    if (table == nullptr) fail(fmt::format("{} is a value, no table", way_));
+    if (table == nullptr) fail(fmt::format("{} is a value, not a table", way_));
     if (!table->contains(part)) table->insert(part, toml::table{});
     return *table->get(part);
   }
@@ -58,7 +58,7 @@ class Editor {
       return;
     }
     auto* table = at.as_table();
-    if (table == nullptr) fail(fmt::format("{} is a value, no table", way_));
+    if (table == nullptr) fail(fmt::format("{} is a value, not a table", way_));
     const auto* old = table->get(part);
     if (old && (old->is_table() || old->is_array())) fail("is a table; name one of its keys");
     with_value(old && old->is_string(),

@@ -103,7 +103,7 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& file, std::
                            const std::vector<TomlEdit>& edits) {
   if (too_deep(text))
     throw BadInput(file, first_line,
-                   "this is no description: a line has more than 200 dots outside texts");
+                   "not a description: a line has more than 200 dots outside texts");
   auto impl = std::make_shared<Impl>();
   impl->file = file;
   impl->line_offset = first_line - 1;
@@ -113,7 +113,7 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& file, std::
     impl->document = std::move(document);
   } catch (const toml::parse_error& error) {
     const auto line = static_cast<std::int64_t>(error.source().begin.line) + impl->line_offset;
-    throw BadInput(file, line, "this is no valid TOML: " + std::string(error.description()));
+    throw BadInput(file, line, "invalid TOML: " + std::string(error.description()));
   }
   impl->table = impl->document.get();
   return TomlTable(std::move(impl));
@@ -140,7 +140,7 @@ TomlTable TomlTable::read(const std::string& path) { return parse(read_text_file
 std::optional<double> TomlTable::number(std::string_view key, const Bounds& bounds) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
-  if (!node->is_number()) fail(key, "a number without quotes is wanted");
+  if (!node->is_number()) fail(key, "expected a number, without quotes");
   const double value = node->value<double>().value_or(NAN);
   if (!bounds.hold(value)) fail(key, "is " + fmt::to_string(value) + ", must be " + wanted(bounds));
   return value;
@@ -151,7 +151,7 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
   const auto* whole = node->as_integer();
-  if (!whole) fail(key, "a whole number is wanted");
+  if (!whole) fail(key, "expected a whole number");
   if (whole->get() < lowest || whole->get() > highest)
     fail(key, "is " + std::to_string(whole->get()) + ", must be " + std::to_string(lowest) +
                   " to " + std::to_string(highest));
@@ -161,14 +161,14 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_
 std::optional<std::string> TomlTable::text(std::string_view key) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
-  if (!node->is_string()) fail(key, "a text in quotes is wanted");
+  if (!node->is_string()) fail(key, "expected a text in quotes");
   return node->value<std::string>();
 }
 
 std::optional<bool> TomlTable::flag(std::string_view key) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
-  if (!node->is_boolean()) fail(key, "true or false is wanted");
+  if (!node->is_boolean()) fail(key, "expected true or false");
   return node->value<bool>();
 }
 
@@ -179,7 +179,7 @@ std::optional<std::string> TomlTable::scalar(std::string_view key) const {
   if (const auto* whole = node->as_integer()) return std::to_string(whole->get());
   if (const auto* number = node->as_floating_point()) return fmt::to_string(number->get());
   if (const auto* truth = node->as_boolean()) return truth->get() ? "true" : "false";
-  fail(key, "one value is wanted");
+  fail(key, "expected one value");
 }
 
 std::vector<std::string> TomlTable::texts(std::string_view key) const {
@@ -187,11 +187,11 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
   if (!node) return {};
   if (const auto* text = node->as_string()) return {text->get()};
   const auto* array = node->as_array();
-  if (!array) fail(key, "a text or a list of texts is wanted");
+  if (!array) fail(key, "expected a text or a list of texts");
   std::vector<std::string> out;
   for (const auto& item : *array) {
     const auto* text = item.as_string();
-    if (!text) fail(key, "a list of texts is wanted");
+    if (!text) fail(key, "expected a list of texts");
     out.push_back(text->get());
   }
   return out;
@@ -201,12 +201,12 @@ std::vector<double> TomlTable::numbers(std::string_view key) const {
   const auto* node = impl_->ask(key);
   if (!node) return {};
   const auto* array = node->as_array();
-  if (!array) fail(key, "a list of numbers is wanted");
+  if (!array) fail(key, "expected a list of numbers");
   std::vector<double> out;
   for (const auto& item : *array) {
     const auto number = item.value<double>();
     if (!item.is_number() || !number || !std::isfinite(*number))
-      fail(key, "a list of finite numbers is wanted");
+      fail(key, "expected a list of finite numbers");
     out.push_back(*number);
   }
   return out;
@@ -216,7 +216,7 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
   const auto* inner = node->as_table();
-  if (!inner) fail(key, "a table is wanted: [" + std::string(key) + "]");
+  if (!inner) fail(key, "expected a table: [" + std::string(key) + "]");
   return TomlTable(impl_->child(*inner, key));
 }
 
@@ -224,11 +224,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   const auto* node = impl_->ask(key);
   if (!node) return {};
   const auto* array = node->as_array();
-  if (!array) fail(key, "a list of tables is wanted: [[" + std::string(key) + "]]");
+  if (!array) fail(key, "expected a list of tables: [[" + std::string(key) + "]]");
   std::vector<TomlTable> out;
   for (const auto& item : *array) {
     const auto* inner = item.as_table();
-    if (!inner) fail(key, "a list of tables is wanted: [[" + std::string(key) + "]]");
+    if (!inner) fail(key, "expected a list of tables: [[" + std::string(key) + "]]");
     const auto number = std::to_string(out.size() + 1);
     out.push_back(TomlTable(impl_->child(*inner, std::string(key) + " " + number)));
   }
@@ -304,7 +304,7 @@ void TomlTable::missing(std::string_view key) const {
   });
   const auto near = nearest(key, strangers);
   fail("",
-       std::string(key) + " is missing" + (near.empty() ? "" : "; is it meant by '" + near + "'?"));
+       std::string(key) + " is missing" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
 std::string toml_quoted(std::string_view text) {

@@ -69,7 +69,7 @@ WholeFile::~WholeFile() {
 }
 
 void WholeFile::fail() const {
-  throw WorkFailed(path_ + ": cannot be written: " + std::strerror(errno));
+  throw WorkFailed(path_ + ": cannot write: " + std::strerror(errno));
 }
 
 bool WholeFile::open_nameless() {

@@ -93,8 +93,8 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
       drained_ ? fmt::format("the volume turned to contraction while p' fell (ε_v {:.4f} %, ",
                              before_->volumetric_strain * 100)
                : fmt::format(
-                     "the pore pressure, gauge of the volume while the valve is closed, turned "
-                     "to rise while p' fell (u {:.2f} kPa, ",
+                     "the pore pressure (measure of the volume change while the valve is closed) "
+                     "started started to rise while p' fell (u {:.2f} kPa, ",
                      before_->pore_pressure / 1e3);
   finding_ = Finding{instant_of(*before_, has_time),
                      what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3)};

@@ -16,9 +16,9 @@ std::unique_ptr<CollapseCriterion> make() {
 
 constexpr auto kCriteria = std::to_array<CriterionRow>({
     {"second_order_work", "nowhere negative with statistical significance", make<SecondOrderWork>},
-    {"loss_of_control", "the programme could be maintained, as far as it is known",
+    {"loss_of_control", "no loss of control detected",
      make<LossOfControl>},
-    {"control_peak", "the control variable passed no peak", make<ControlPeak>},
+    {"control_peak", "no peak of the control variable", make<ControlPeak>},
 });
 
 }  // namespace

@@ -17,8 +17,8 @@ std::optional<FallWork> work_of_fall(const State& before, const State& after,
                                2 * of_a_reading * near.strain_variance);
   if (!(work.normalised < -3 * work.error)) return std::nullopt;
   work.evidence = fmt::format(
-      "normalised second-order work {:.3f} ± {:.3f} of the increment from reading {} to {}, in "
-      "which the specimen fell",
+      "normalised second-order work {:.3f} ± {:.3f} of the increment from reading {} to {}, during "
+      "which q fell",
       work.normalised, work.error, before.reading, after.reading);
   return work;
 }

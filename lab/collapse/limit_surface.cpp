@@ -28,7 +28,7 @@ std::optional<double> LimitSurface::stress_ratio() const {
 }
 
 std::string LimitSurface::source() const {
-  if (given_angle_) return "friction angle given for the specimen";
+  if (given_angle_) return "friction angle of the specimen";
   return largest_angle_ ? "largest stress ratio mobilised in this test" : "unknown";
 }
 

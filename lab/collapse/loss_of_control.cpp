@@ -11,6 +11,10 @@
 namespace triax::lab {
 namespace {
 
+std::string in_readings(std::size_t count) {
+  return count == 1 ? "one reading" : fmt::format("{} readings", count);
+}
+
 constexpr double kBurst = 10;    ///< times the rate of the stage so far
 constexpr double kFall = 0.01;   ///< axial strain between two readings
 constexpr double kLostQ = 0.05;  ///< share of the q that was
@@ -98,7 +102,7 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
   if (!next || !(leap >= kFall) || !(q_left < 1 - kLostQ)) return;
   finding_ =
       Finding{instant_of(before, has_time),
-              fmt::format("axial strain leapt from {:.3f} % to {:.3f} % between two readings "
+              fmt::format("axial strain jumped from {:.3f} % to {:.3f} % between two readings "
                           "and q fell from {:.2f} kPa to {:.2f} kPa",
                           before.strain.axial * 100, state.strain.axial * 100, before.q / 1e3,
                           state.q / 1e3)};
@@ -125,12 +129,12 @@ void LossOfControl::check_strain_burst(bool has_time) {
   if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
     fall_ = Fall{recent_[start], last};
   finding_ = Finding{instant_of(recent_[start], has_time),
-                     fmt::format("axial strain ran from {:.3f} % to {:.3f} % within {} readings{}",
+                     fmt::format("axial strain rose from {:.3f} % to {:.3f} % within {}{}",
                                  recent_[start].strain.axial * 100, last.strain.axial * 100,
-                                 static_cast<std::int64_t>(kRecent - 1 - start),
+                                 in_readings(kRecent - 1 - start),
                                  mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before",
                                                               burst / mean_rate_)
-                                                : ", where nothing had moved before")};
+                                                : ", with no movement before")};
 }
 
 void LossOfControl::check_pore_burst(bool has_time) {
@@ -146,8 +150,8 @@ void LossOfControl::check_pore_burst(bool has_time) {
     ++start;
   finding_ =
       Finding{instant_of(recent_[start], has_time),
-              fmt::format("pore pressure ran from {:.2f} kPa to {:.2f} kPa within {} readings, "
-                          "{:.2f} kPa more than the programme asks",
+              fmt::format("pore pressure rose from {:.2f} kPa to {:.2f} kPa within {} readings, "
+                          "{:.2f} kPa more than prescribed",
                           recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
                           static_cast<std::int64_t>(kRecent - 1 - start),
                           pore_excess(recent_[start], last) / 1e3)};

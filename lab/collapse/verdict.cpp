@@ -40,7 +40,7 @@ Collapse not_judged(const Evidence& e) {
   c.judged = false;
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
-  c.criteria = no_criteria(fmt::format("not judged: {} complete states in shear, {} are needed",
+  c.criteria = no_criteria(fmt::format("not judged: too few readings in shear, {} complete states of the {} needed",
                                        e.states, static_cast<int>(BlockPyramid::kBlocks)));
   return c;
 }

@@ -12,7 +12,7 @@ enum class FaultKind {
   stuck,         ///< a channel repeats its last value; a controller's piston, the frame stand still
   open_circuit,  ///< a channel reads the end of its range
   spike,         ///< single readings of a channel are off by ± size
-  drop_out,      ///< a channel gives nothing
+  drop_out,      ///< a channel gives no readings
   drift,         ///< a channel's zero runs away at `size` per second
   latency,       ///< a channel's readings come `size` seconds late
   full,          ///< a controller takes no more water

@@ -39,7 +39,7 @@ class FaultyChannel {
   };
 
   /// All `faults` are those of this channel. An open circuit needs a transducer with a range;
-  /// without one it gives nothing (NaN). `seed` and `stream` as for look(): spikes are independent
+  /// without one it gives no readings (NaN). `seed` and `stream` as for look(): spikes are independent
   /// of the noise.
   FaultyChannel(std::vector<Fault> faults, const Transducer& transducer, std::uint64_t seed,
                 std::uint64_t stream);

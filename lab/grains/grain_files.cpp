@@ -24,9 +24,9 @@ sim::GrainState load_state(const std::string& path) {
   std::error_code none;
   const auto status = std::filesystem::status(path, none);
   if (!std::filesystem::exists(status))
-    throw BadInput(path, 0, "no such file; a state that triax grains saved is wanted");
+    throw BadInput(path, 0, "no such file; expected a state saved by triax grains");
   if (!std::filesystem::is_regular_file(status))
-    throw BadInput(path, 0, "is no file; a state that triax grains saved is wanted");
+    throw BadInput(path, 0, "is not a file; expected a state saved by triax grains");
   const std::uintmax_t size = std::filesystem::file_size(path, none);
   if (none || size > kLargestStateFile)
     throw BadInput(path, 0, "is larger than 4 GiB; states of grains up to that size can be read");
@@ -38,7 +38,7 @@ sim::GrainState load_state(const std::string& path) {
     return sim::load_grains(bytes);
   } catch (const std::invalid_argument& error) {
     throw BadInput(path, 0,
-                   std::string(error.what()) + "; a state that triax grains saved is wanted");
+                   std::string(error.what()) + "; expected a state saved by triax grains");
   }
 }
 

@@ -69,10 +69,10 @@ GrainPacking read_packing(std::string_view text, const std::string& file, int ax
   NumberLines lines(text, file);
   const auto head = lines.next<7>("N x0 x1 y0 y1 z0 z1");
   if (!head)
-    throw BadInput(file, 0, "is empty; 'N x0 x1 y0 y1 z0 z1' and a line a grain are wanted");
+    throw BadInput(file, 0, "is empty; expected 'N x0 x1 y0 y1 z0 z1' and a line for each grain");
   const double count = (*head)[0];
   if (count < 1 || count > kMostGrains || count != std::floor(count))
-    lines.fail(fmt::format("{:g} is no number of grains from 1 to {}", count, kMostGrains));
+    lines.fail(fmt::format("{:g} is not a number of grains from 1 to {}", count, kMostGrains));
   const auto from = [axis](int to) { return (axis + 1 + to) % 3; };
   GrainPacking packing;
   for (int to = 0; to < 3; ++to) {

@@ -22,12 +22,12 @@ sim::GradingCurve read_grading(const TomlTable& table) {
   sim::GradingCurve curve;
   for (const double size : table.numbers("diameter_mm")) {
     if (!Bounds{.at_least = 0.01, .at_most = 1000}.hold(size))
-      table.fail("diameter_mm", fmt::format("{:g} mm is no size of a grain; 0.01 to 1000", size));
+      table.fail("diameter_mm", fmt::format("{:g} mm is out of range; expected a grain size from 0.01 to 1000", size));
     curve.diameter_m.push_back(1e-3 * size);
   }
   for (const double share : table.numbers("share_pct")) curve.share.push_back(1e-2 * share);
   if (!curve.share.empty() && curve.share.back() != 1)
-    table.fail("share_pct", fmt::format("ends at {:g} %; 100 is wanted", 100 * curve.share.back()));
+    table.fail("share_pct", fmt::format("ends at {:g} %; expected 100", 100 * curve.share.back()));
   table.finish();
   try {
     check(curve);
@@ -70,7 +70,7 @@ void read_source(const TomlTable& table, GrainProgramme& programme) {
     source.packing_file = beside(*packing);
     const std::string axis = table.text("packing_axis").value_or("z");
     if (axis != "x" && axis != "y" && axis != "z")
-      table.fail("packing_axis", fmt::format("{} is none; x, y or z", excerpt(axis)));
+      table.fail("packing_axis", fmt::format("{} is not valid; expected x, y or z", excerpt(axis)));
     source.packing_axis = axis[0] - 'x';
     return table.finish();
   }
@@ -94,7 +94,7 @@ sim::ContactLaw read_law(const TomlTable& table) {
   if (reading == "literal")
     law.reading = sim::StiffnessReading::literal;
   else if (reading != "in_series")
-    table.fail("stiffness_reading", fmt::format("{} is none; {}", excerpt(reading),
+    table.fail("stiffness_reading", fmt::format("{} is not valid; {}", excerpt(reading),
                                                 suggestion(reading, {"in_series", "literal"})));
   const auto number = [&](std::string_view key, const Bounds& bounds, double otherwise) {
     return table.number(key, bounds).value_or(otherwise);
@@ -114,10 +114,10 @@ class Names {
  public:
   void take(const TomlTable& table, const std::string& name) {
     if (name == kAsMade)
-      table.fail("name", fmt::format("'{}' stands for the specimen as it was made", kAsMade));
+      table.fail("name", fmt::format("'{}' is the name of the specimen as made", kAsMade));
     const auto [at, is_new] = files_.emplace(in_file_name(name), name);
     if (!is_new)
-      table.fail("name", fmt::format("{} and {} cannot be told apart in the names of files",
+      table.fail("name", fmt::format("{} and {} give the same file names",
                                      excerpt(name), excerpt(at->second)));
     known_.push_back(name);
   }
@@ -126,7 +126,7 @@ class Names {
     if (stage.from == kAsMade ||
         std::find(known_.begin(), known_.end(), stage.from) != known_.end())
       return;
-    table.fail("from", fmt::format("{} is no stage or mark before this one; {}",
+    table.fail("from", fmt::format("{} is not a stage or mark before this one; {}",
                                    excerpt(stage.from), suggestion(stage.from, with_start())));
   }
 

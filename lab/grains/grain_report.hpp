@@ -31,7 +31,7 @@ struct ReportedGrains {
   sim::GrainMeasures measures;
 };
 
-/// A state kept on the way of a path; empty where it was never passed.
+/// A state kept on the way of a path; empty where it was never reached.
 struct ReportedGrainMark {
   std::string name;
   std::optional<sim::GrainPathPoint> at;  ///< strains and time since the start of the path

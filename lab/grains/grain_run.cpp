@@ -27,10 +27,10 @@ sim::Compacted made_to_porosity(const GrainSource& source, const sim::Cloud& clo
   made.trials = found.trials;
   if (found.best.stopped || found.reached) return std::move(found.best);
   const std::string why =
-      found.below_bracket   ? "it is denser than any friction of compaction makes this specimen"
-      : found.above_bracket ? "it is looser than any friction of compaction makes this specimen"
+      found.below_bracket   ? "denser than this specimen becomes with any friction of compaction"
+      : found.above_bracket ? "looser than this specimen becomes with any friction of compaction"
       : !found.best.calm    ? "the compaction did not come to rest; more most_steps may help"
-                            : fmt::format("{} trials did not suffice", found.trials);
+                            : fmt::format("{} trials were not enough", found.trials);
   throw WorkFailed(
       fmt::format("a porosity of {:g} within {:g} was not reached, the nearest is "
                   "{:.5f}: {}",
@@ -111,7 +111,7 @@ class Stages {
     const auto from = states_.find(stage.from);
     if (from == states_.end())
       throw WorkFailed(
-          fmt::format("stage '{}': its start '{}' was never passed", stage.name, stage.from));
+          fmt::format("stage '{}': its start '{}' was never reached", stage.name, stage.from));
     const sim::GrainState start = from->second;
     tell(listeners_, &GrainListener::stage_started, stage, start);
     GrainStageResult result;

@@ -49,7 +49,7 @@ void read_mark(const TomlTable& table, GrainPathStage& stage) {
     if (candidate.word == word) found = &candidate;
   }
   if (found == nullptr)
-    table.fail("quantity", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
+    table.fail("quantity", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
   sim::PathMark mark;
   mark.quantity = found->quantity;
   mark.value = found->scale * table.required_number("value");
@@ -66,8 +66,8 @@ void read_course(const TomlTable& table, GrainPathStage& stage) {
   const char* key = load ? "load_rate_kPa_per_s" : "strain_rate_per_s";
   if (strain.has_value() == load.has_value())
     table.fail(strain ? key : "",
-               "axis 1 goes by strain_rate_per_s or load_rate_kPa_per_s; give one of the two");
-  if (strain.value_or(0) == 0 && load.value_or(0) == 0) table.fail(key, "is 0: nothing would move");
+               "axis 1 moves by strain_rate_per_s or load_rate_kPa_per_s; give one of the two");
+  if (strain.value_or(0) == 0 && load.value_or(0) == 0) table.fail(key, "is 0: nothing would happen");
   path.strain_rate_per_s = strain.value_or(0);
   path.load_rate_pa_per_s = 1e3 * load.value_or(0);
   path.axial_strain =
@@ -147,7 +147,7 @@ GrainPerturbationStage read_perturbation(const TomlTable& table) {
   const auto load = table.number("load_step_Pa", {.at_least = -1e7, .at_most = 1e7});
   const auto energy = table.number("kinetic_energy_J", {.at_least = 0, .at_most = 1e3});
   if (!load && !energy)
-    table.fail("", "a perturbation is load_step_Pa, kinetic_energy_J or both; 0 leaves it alone");
+    table.fail("", "expected load_step_Pa, kinetic_energy_J or both; 0 is no perturbation");
   how.load_step_pa = load.value_or(0);
   how.kinetic_energy_j = energy.value_or(0);
   take(table, "floating_share", kPositive, 1, how.floating_share);
@@ -156,7 +156,7 @@ GrainPerturbationStage read_perturbation(const TomlTable& table) {
   take(table, "stress_error_Pa", {.above = 0, .at_most = 1e7}, 1, how.stress_error_pa);
   if (how.load_step_pa != 0 && how.stress_error_pa >= 0.5 * std::abs(how.load_step_pa))
     table.fail("stress_error_Pa",
-               fmt::format("{:g} Pa is no bound for a step of {:g} Pa: below half of it is wanted",
+               fmt::format("{:g} Pa is out of range; expected less than half of the step of {:g} Pa",
                            how.stress_error_pa, how.load_step_pa));
   take(table, "longest_s", {.above = 0, .at_most = 1e4}, 1, how.longest_s);
   take(table, "collapse_share", {.at_least = 0, .at_most = 0.99}, 1, how.collapse_share);
@@ -190,7 +190,7 @@ GrainStage read_grain_stage(const TomlTable& table) {
     stage.work = read_path(table, action);
   else
     table.fail("action",
-               fmt::format("{} is none; {}", excerpt(action), suggestion(action, grain_actions())));
+               fmt::format("{} is not valid; {}", excerpt(action), suggestion(action, grain_actions())));
   table.finish();
   return stage;
 }

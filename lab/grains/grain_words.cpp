@@ -64,10 +64,10 @@ std::string ending(const GrainStageResult& result) {
   struct {
     std::string operator()(const sim::GrainPathResult& r) const { return word(r.end); }
     std::string operator()(const GrainRest& r) const {
-      return r.settled ? "settled" : "not settled";
+      return r.settled ? "settled" : "not at rest";
     }
     std::string operator()(const GrainRose& r) const {
-      return all_settled(r.rose) ? "all settled" : "some not settled";
+      return all_settled(r.rose) ? "all at rest" : "some not at rest";
     }
     std::string operator()(const sim::PerturbationResult& r) const { return word(r.end); }
   } const of;

@@ -16,8 +16,8 @@ std::string word(sim::GrainPathEnd end);
 /// "settled", "collapsed", "undecided", "stopped"
 std::string word(sim::PerturbationEnd end);
 
-/// How a stage ended: a word of the above, "settled" or "not settled" of a rest, and of a rose
-/// "all settled" or "some not settled".
+/// How a stage ended: a word of the above, "settled" or "not at rest" of a rest, and of a rose
+/// "all at rest" or "some not at rest".
 std::string ending(const GrainStageResult& result);
 
 /// Whether it came to rest where it had to; empty for a path that is not isotropic.

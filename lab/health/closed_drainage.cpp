@@ -87,7 +87,7 @@ void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t n
       back_from_ && number - *back_from_ >= std::max(kLeastRest, *back_from_ - turned_);
   if (!is_silent_near(size, total_p) && !rests) return;
   conclude(turned_,
-           fmt::format("the pore pressure came back to the back pressure, from {:.1f} kPa off, and "
+           fmt::format("the pore pressure returned to the back pressure, from {:.1f} kPa away, and "
                        "stays there: the valve is open",
                        largest_ / 1e3));
 }

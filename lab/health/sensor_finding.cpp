@@ -49,7 +49,7 @@ std::string sensor_name(Quantity channel) {
 std::string reason(const SensorFinding& f) {
   switch (f.fault) {
     case SensorFault::missing:
-      return sensor_name(f.channel) + " gives nothing";
+      return sensor_name(f.channel) + " gives no readings";
     case SensorFault::saturated:
       return sensor_name(f.channel) + " is saturated";
     case SensorFault::stuck:
@@ -65,7 +65,7 @@ std::string describe(const SensorFinding& f) {
     case SensorFault::missing:
       return fmt::format("{} {}", reason(f), when(f));
     case SensorFault::saturated:
-      return fmt::format("{}: it jumped to {} and stays there, open circuit or overload, {}",
+      return fmt::format("{}: jumped to {} and stays there, open circuit or overload, {}",
                          reason(f), value_in_field_units(f), when(f));
     case SensorFault::stuck:
       return fmt::format("{} at {} {}", reason(f), value_in_field_units(f), when(f));

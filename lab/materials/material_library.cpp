@@ -84,7 +84,7 @@ const sim::LawDescription& read_law(const TomlTable& root) {
   if (const auto* law = sim::find_law(name)) return *law;
   std::vector<std::string> known;
   for (const auto& law : sim::laws()) known.push_back(law.name);
-  root.fail("law", fmt::format("{} is no law; {}", excerpt(name), suggestion(name, known)));
+  root.fail("law", fmt::format("unknown law {}; {}", excerpt(name), suggestion(name, known)));
 }
 
 std::vector<MaterialSet> read_file(std::string_view toml_text, const std::string& file,
@@ -97,7 +97,7 @@ std::vector<MaterialSet> read_file(std::string_view toml_text, const std::string
   std::vector<MaterialSet> found;
   for (const std::string& key : sets.keys())
     found.push_back(read_set(sets.required_table(key), law, key, folder, others));
-  if (found.empty()) throw BadInput(file, 0, "holds no set; write [sets.NAME]");
+  if (found.empty()) throw BadInput(file, 0, "has no set; write [sets.NAME]");
   return found;
 }
 
@@ -143,7 +143,7 @@ MaterialSet find_material(std::string_view name, const std::vector<MaterialSet>&
     if (set.name == name) return set;
     names.push_back(set.name);
   }
-  throw BadInput(fmt::format("no material {}; {}", excerpt(name), suggestion(name, names)));
+  throw BadInput(fmt::format("unknown material {}; {}", excerpt(name), suggestion(name, names)));
 }
 
 MaterialSet find_material(std::string_view name) {
@@ -178,7 +178,7 @@ MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
   } else {
     const auto number = whole_text_as<double>(value);
     if (!number || found->kind != sim::ParameterKind::number)
-      throw BadInput(fmt::format("{}={}: must be one number", key, excerpt(value)));
+      throw BadInput(fmt::format("{}={}: expected one number", key, excerpt(value)));
     changed.parameters.numbers[key] = *number;
   }
   changed.name += fmt::format(" ({} = {})", key, value);

@@ -107,7 +107,7 @@ class Scanner {
     if (at_end() || !(text_[at_] == '.' || (text_[at_] >= '0' && text_[at_] <= '9'))) return false;
     const char* const begin = text_.data() + at_;
     const auto [stopped, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (error == std::errc::result_out_of_range) fail(at_, "a number beyond all bounds");
+    if (error == std::errc::result_out_of_range) fail(at_, "a number out of range");
     if (error != std::errc()) return false;
     at_ += static_cast<std::size_t>(stopped - begin);
     return true;
@@ -140,10 +140,10 @@ void read_term(Scanner& scanner, double sign, Combination<Space>& to) {
   const std::size_t column = scanner.column();
   const std::string_view name = scanner.name();
   if (name.empty())
-    fail(column, fmt::format("the name of an increment is wanted, {} was found; known: {}",
+    fail(column, fmt::format("expected the name of an increment, found {}; known: {}",
                              scanner.found(), joined(increment_names<Space>())));
   if (!add(name, sign * factor, to))
-    fail(column, fmt::format("no increment is called {}; {}", excerpt(name),
+    fail(column, fmt::format("unknown increment {}; {}", excerpt(name),
                              suggestion(name, increment_names<Space>())));
 }
 
@@ -202,7 +202,7 @@ Combination<Space> read_combination(std::string_view text) {
   Scanner scanner(text);
   auto left = read_left<Space>(scanner);
   if (!scanner.at_end())
-    fail(scanner.column(), fmt::format("{} was not expected", scanner.found()));
+    fail(scanner.column(), fmt::format("unexpected {}", scanner.found()));
   return left;
 }
 
@@ -212,17 +212,17 @@ Condition<Space> read_condition(std::string_view text) {
   Condition<Space> condition{.left = read_left<Space>(scanner)};
   if (scanner.at_end() || !scanner.take('='))
     fail(scanner.column(),
-         fmt::format("'= TOTAL' is wanted behind the increments, {} was found", scanner.found()));
+         fmt::format("expected '= TOTAL' after the increments, found {}", scanner.found()));
   condition.label = tidied(text.substr(0, scanner.column() - 1));
   const double sign = scanner.take('-') ? -1 : 1;
   if (sign > 0) scanner.take('+');
   if (!scanner.number(condition.total))
     fail(scanner.column(),
-         fmt::format("the total increment is wanted as a number, {} was found", scanner.found()));
+         fmt::format("expected the total increment as a number, found {}", scanner.found()));
   condition.total *= sign;
   if (!scanner.at_end())
     fail(scanner.column(),
-         fmt::format("{} was not expected; the unit is part of the name", scanner.found()));
+         fmt::format("unexpected {}; the unit is part of the name", scanner.found()));
   check_total(condition.left, condition.total);
   return condition;
 }
@@ -233,7 +233,7 @@ void check_total(const Combination<Space>& left, double total) {
       kLargestStress * left.stress.cwiseAbs().sum() + kLargestStrain * left.strain.cwiseAbs().sum();
   if (!(std::abs(total) <= most))
     throw std::invalid_argument(
-        fmt::format("the total {:g} is beyond what a test can have (a strain of {:g}, a stress of "
+        fmt::format("the total {:g} is out of range (a strain of {:g}, a stress of "
                     "{:g} kPa)",
                     total, kLargestStrain, kLargestStress / 1e3));
 }

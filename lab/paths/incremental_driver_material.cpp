@@ -43,7 +43,7 @@ class Translator {
     for (const auto& law : sim::laws())
       if (law.name != "umat") known.push_back(law.name);
     fail(
-        fmt::format("{} with {} numbers is no law of triax (known: {}); the library with its "
+        fmt::format("{} with {} numbers is not a law of triax (known: {}); the library with its "
                     "UMAT can be given: umat=libNAME.so",
                     excerpt(inp_.name), inp_.properties.size(), joined(known)));
   }
@@ -186,7 +186,7 @@ InpMaterial read_inp_material(InpLines& parameters, InpLines& start) {
     if (!line) break;  // what is not given is 0
     const auto words = inp_words(*line);
     const auto number = fortran_number(words.empty() ? "" : words[0]);
-    if (!number) start.fail(fmt::format("{} is no state variable", excerpt(*line)));
+    if (!number) start.fail(fmt::format("{} is not a state variable", excerpt(*line)));
     value = *number;
   }
   return inp;
@@ -216,7 +216,7 @@ InpStart start_from_inp(const InpMaterial& inp, const IncrementalDriverSettings&
   start.memory = std::move(t.memory);
   MaterialSet& set = start.material;
   set.law = sim::find_law(t.law);
-  if (set.law == nullptr) throw BadInput(where, 0, fmt::format("there is no law {}", t.law));
+  if (set.law == nullptr) throw BadInput(where, 0, fmt::format("unknown law {}", t.law));
   const auto words = inp_words(inp.name);
   set.name = fmt::format("{}/{}", t.law, words.empty() ? "unnamed" : words[0]);
   set.description = "as the files of an incrementalDriver have it";

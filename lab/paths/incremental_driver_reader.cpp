@@ -105,13 +105,13 @@ IncrementalDriverTest load_incremental_driver(const std::string& path,
   const bool is_folder = fs::is_directory(path, none);
   if (is_folder && !fs::exists(fs::path(path) / "test.inp", none))
     throw BadInput(path, 0,
-                   "is a folder without a test.inp; a path file (.toml) or a folder of "
-                   "incrementalDriver files is wanted");
+                   "is a folder without a test.inp; expected a path file (.toml) or a folder of "
+                   "incrementalDriver files");
   const fs::path folder = is_folder ? fs::path(path) : fs::path(path).parent_path();
   const std::string test = is_folder ? "test.inp" : fs::path(path).filename().string();
   if (const std::string name = folded(test); name == kParameters || name == kStart)
     throw BadInput(path, 0,
-                   "holds no path; give the folder that it is in, or the test.inp beside it");
+                   "has no path; give its folder, or the test.inp in that folder");
   return read([&](const std::string& name) { return text_of_file((folder / name).string()); }, test,
               folder.string(), settings);
 }

@@ -77,11 +77,11 @@ std::vector<double> InpLines::numbers(std::size_t count, std::string_view what) 
   for (const std::string& word : words) {
     if (values.size() == count) break;
     const auto value = fortran_number(word);
-    if (!value) fail(fmt::format("{} is no number; {} must stand here", excerpt(word), what));
+    if (!value) fail(fmt::format("{} is not a number; expected {}", excerpt(word), what));
     values.push_back(*value);
   }
   if (values.size() < count)
-    fail(fmt::format("{} of {} numbers; {} must stand here", values.size(), count, what));
+    fail(fmt::format("{} of {} numbers; expected {}", values.size(), count, what));
   return values;
 }
 

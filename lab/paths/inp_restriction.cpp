@@ -50,7 +50,7 @@ Term take_term(std::string_view& rest, const InpLines& lines) {
   if (star != std::string_view::npos) {
     const auto factor = fortran_number(text.substr(0, star));
     if (!factor)
-      lines.fail(fmt::format("{} is no factor of a term", excerpt(text.substr(0, star))));
+      lines.fail(fmt::format("{} is not a factor of a term", excerpt(text.substr(0, star))));
     term.factor *= *factor;
     text.remove_prefix(star + 1);
   }
@@ -72,16 +72,16 @@ void read_inp_restriction(std::string_view line, int row, const InpLines& lines,
   const std::string text = without_blanks(line.substr(0, line.find_first_of("!#")));
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
-    lines.fail(fmt::format("{} is no restriction; one is: sd1 + 2*sd2 = -10", excerpt(line)));
+    lines.fail(fmt::format("{} is not a restriction; expected one like sd1 + 2*sd2 = -10", excerpt(line)));
   std::string_view rest(text.data(), equals);
-  if (rest.empty()) lines.fail("the restriction has nothing left of its =");
+  if (rest.empty()) lines.fail("the restriction has nothing on the left of its =");
   while (!rest.empty()) {
     const Term term = take_term(rest, lines);
     const std::string name = folded(term.name);
     const bool known = name.size() == 3 && (name[0] == 's' || name[0] == 'e') && name[1] == 'd' &&
                        name[2] >= '1' && name[2] <= '6';
     if (!known)
-      lines.fail(fmt::format("{} is not known; known: sd1 to sd6, ed1 to ed6", excerpt(term.name)));
+      lines.fail(fmt::format("unknown {}; known: sd1 to sd6, ed1 to ed6", excerpt(term.name)));
     const int component = name[2] - '1';
     if (name[0] == 's')
       conditions.stress.row(row) += term.factor * inp_stress_row(component);
@@ -90,7 +90,7 @@ void read_inp_restriction(std::string_view line, int row, const InpLines& lines,
   }
   const auto total = fortran_number(std::string_view(text).substr(equals + 1));
   if (!total)
-    lines.fail(fmt::format("{} right of the = is no number",
+    lines.fail(fmt::format("{} on the right of the = is not a number",
                            excerpt(std::string_view(text).substr(equals + 1))));
   conditions.increment(row) = *total;
 }
@@ -117,11 +117,11 @@ sim::PathEnd read_inp_end(std::string_view condition, const InpLines& lines,
   const std::string text = without_blanks(condition);
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos)
-    lines.fail(fmt::format("{} is no condition; one is: ? s1 < -200", excerpt(condition)));
+    lines.fail(fmt::format("{} is not a condition; expected one like ? s1 < -200", excerpt(condition)));
   std::string_view left(text.data(), sign);
   const auto bound = fortran_number(std::string_view(text).substr(sign + 1));
   if (!bound)
-    lines.fail(fmt::format("{} is no number to compare with",
+    lines.fail(fmt::format("{} is not a number to compare with",
                            excerpt(std::string_view(text).substr(sign + 1))));
   const Term term = take_term(left, lines);
   if (!left.empty())

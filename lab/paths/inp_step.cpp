@@ -46,7 +46,7 @@ void read_commons(InpLines& lines, InpStep& step) {
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto value = i < words.size() ? fortran_number(words[i]) : std::nullopt;
-    if (!value) lines.fail(fmt::format("{}: {} must stand here", excerpt(line), kWhat));
+    if (!value) lines.fail(fmt::format("{}: expected {}", excerpt(line), kWhat));
     values[i] = *value;
   }
   step.increments = lines.as_whole(values[0], "the number of increments", 1, kMostIncrements);
@@ -54,15 +54,15 @@ void read_commons(InpLines& lines, InpStep& step) {
   if (colon == std::string::npos) return;
   const auto every = inp_words(std::string_view(line).substr(colon + 1));
   const auto value = every.empty() ? std::nullopt : fortran_number(every[0]);
-  if (!value) lines.fail(fmt::format("{}: a number must stand behind the colon", excerpt(line)));
+  if (!value) lines.fail(fmt::format("{}: expected a number after the colon", excerpt(line)));
   step.every = lines.as_whole(std::clamp(*value, 1.0, static_cast<double>(step.increments)),
-                              "the number behind the colon", 1, kMostIncrements);
+                              "the number after the colon", 1, kMostIncrements);
 }
 
 InpFrame read_frame(InpLines& lines) {
   const std::string line = lines.required("a frame, *Cartesian or *Roscoe");
   if (auto frame = find_inp_frame(inp_before(line, "#!"))) return *frame;
-  lines.fail(fmt::format("{} is no frame; {}", excerpt(line),
+  lines.fail(fmt::format("unknown frame {}; {}", excerpt(line),
                          suggestion(inp_before(line, "#!"),
                                     {"*Cartesian", "*Roscoe", "*RoscoeIsomorph", "*Rendulic"})));
 }
@@ -121,13 +121,13 @@ std::vector<std::vector<double>> read_imported(InpLines& table, std::size_t colu
     for (std::size_t i = 0; i < columns; ++i) {
       const auto value = i < words.size() ? fortran_number(words[i]) : std::nullopt;
       if (!value)
-        table.fail(fmt::format("column {} holds no number, {} columns are read", i + 1, columns));
+        table.fail(fmt::format("column {} is not a number; {} columns are read", i + 1, columns));
       row.push_back(*value);
     }
     rows.push_back(std::move(row));
     if (rows.size() > kMostImported) table.fail(fmt::format("more than {} rows", kMostImported));
   }
-  if (rows.size() < 2) table.fail("two rows of numbers are needed at least");
+  if (rows.size() < 2) table.fail("at least two rows of numbers are needed");
   return rows;
 }
 
@@ -137,10 +137,10 @@ void read_import(std::string_view rest, InpLines& lines, InpStep& step, const In
   const auto count =
       bar == std::string_view::npos ? std::vector<std::string>{} : inp_words(rest.substr(bar + 1));
   const auto columns = count.empty() ? std::nullopt : fortran_number(count[0]);
-  if (!columns) lines.fail("*ImportFile must go on as: NAME | number of columns");
+  if (!columns) lines.fail("*ImportFile: expected NAME | number of columns");
   const int column_count = lines.as_whole(*columns, "the number of columns", 1, 100);
   const std::string name(trimmed(rest.substr(0, bar)));
-  if (name.empty()) lines.fail("*ImportFile must go on as: NAME | number of columns");
+  if (name.empty()) lines.fail("*ImportFile: expected NAME | number of columns");
   if (!step.end.empty()) lines.fail("an end condition of *ImportFile has no equivalent here");
   read_commons(lines, step);
   const InpFrame frame = read_frame(lines);
@@ -159,7 +159,7 @@ void read_import(std::string_view rest, InpLines& lines, InpStep& step, const In
     const auto scale = scale_words.empty() ? std::nullopt : fortran_number(scale_words[0]);
     if (!which || !place || !scale)
       lines.fail(fmt::format(
-          "{}: 1 for stress or 0 for strain, a column and perhaps * a factor must stand here",
+          "{}: expected 1 for stress or 0 for strain, a column and optionally * a factor",
           excerpt(line)));
     give(step, frame, i, read_which(*which, lines), 0);
     column[u] = lines.as_whole(*place, "the column", 0, column_count);
@@ -193,7 +193,7 @@ bool read_shorthand(const std::string& keyword, InpLines& lines, InpStep& step,
          i == found->driven ? total : 0);
   if (found->driven < 0)
     warnings.push_back(fmt::format(
-        "{}:{}: {} needs a law with viscosity; laws here know no time, so nothing moves",
+        "{}:{}: {} needs a law with viscosity; laws here have no time, so nothing moves",
         lines.name(), lines.line_number(), step.keyword));
   return true;
 }
@@ -226,12 +226,12 @@ InpStep read_inp_step(const std::string& keyword_line, InpLines& lines, const In
     read_commons(lines, step);
     read_restrictions(lines, step);
   } else if (keyword == "*deformationgradient") {
-    lines.fail("*DeformationGradient turns the specimen: that is no set of linear conditions");
+    lines.fail("*DeformationGradient rotates the specimen: that is not a set of linear conditions");
   } else if (keyword == "*perturbationss" || keyword == "*perturbationse") {
     lines.fail(
-        fmt::format("{} takes every increment back: that is a probe and no path", step.keyword));
+        fmt::format("{} reverses every increment: that is a probe, not a path", step.keyword));
   } else {
-    lines.fail(fmt::format("{} is no keyword of a step; {}", excerpt(step.keyword),
+    lines.fail(fmt::format("unknown keyword of a step {}; {}", excerpt(step.keyword),
                            suggestion(step.keyword, kKnown)));
   }
   return step;

@@ -35,7 +35,7 @@ void check(const PathDescription& description, const sim::Path<Space>& path) {
     refuse(fmt::format("{} cannot follow this path: {}", description.material.name,
                        Space::kSize == 6 && !description.material.material.no_tensor.empty()
                            ? description.material.material.no_tensor
-                           : "it has no form for its frame"));
+                           : "it is not formulated for its frame"));
   const auto start = law->start(path.stress, path.void_ratio);
   const auto wanted = static_cast<std::size_t>(start.memory.size());
   if (!path.memory.empty() && path.memory.size() != wanted)
@@ -45,7 +45,7 @@ void check(const PathDescription& description, const sim::Path<Space>& path) {
   for (std::size_t i = 0; i < path.memory.size(); ++i)
     state.memory(static_cast<Eigen::Index>(i)) = path.memory[i];
   if (auto objection = law->objection(state))
-    refuse(fmt::format("[start] {} refuses it: {}", description.material.name, *objection));
+    refuse(fmt::format("[start] out of range for {}: {}", description.material.name, *objection));
 }
 
 template <class Space>
@@ -61,13 +61,13 @@ void check_length_of(const sim::Path<Space>& path, const std::string& source) {
   }
   if (rows > kMostRows)
     throw BadInput(source, 0,
-                   fmt::format("{:.0f} rows of output with all repetitions; {:.0f} are the most: "
+                   fmt::format("{:.0f} rows of output with all repetitions; at most {:.0f} are possible: "
                                "lower rows of the segments",
                                rows, kMostRows));
   if (parts > kMostParts)
     throw BadInput(source, 0,
                    fmt::format("{:.0f} parts of segments with all repetitions, each of them at "
-                               "least one increment; {:.0f} are the most: lower parts (or rows) of "
+                               "least one increment; at most {:.0f} are possible: lower parts (or rows) of "
                                "the segments, or repeat",
                                parts, kMostParts));
 }
@@ -81,7 +81,7 @@ void change_parameter(PathDescription& description, const std::string& key,
     found = found || parameter.key == key;
   }
   if (!found)
-    throw BadInput(fmt::format("there is no setting {}; {}", excerpt(key), suggestion(key, known)));
+    throw BadInput(fmt::format("unknown setting {}; {}", excerpt(key), suggestion(key, known)));
   description.material = with_parameter(description.material, key, value);
   description.parameters.emplace_back(key, value);
 }

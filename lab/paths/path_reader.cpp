@@ -73,7 +73,7 @@ sim::Vector<Space> read_stress(const TomlTable& table) {
   const auto p = table.number(
       "p_eff_kPa", {.at_least = kSmallestPathStress_kPa, .at_most = kLargestPressure_kPa});
   if (p && table.has("stress_kPa"))
-    table.fail("stress_kPa", "p_eff_kPa says it already; give one of the two");
+    table.fail("stress_kPa", "p_eff_kPa gives the stress too; give one of the two");
   if (p) return stress_from<Space>(1e3 * *p, 1e3 * *p);
   if (!table.has("stress_kPa"))
     table.fail("",
@@ -89,7 +89,7 @@ sim::Vector<Space> read_stress(const TomlTable& table) {
   const auto values = table.numbers("stress_kPa");
   if (values.size() != 6 ||
       !std::ranges::all_of(values, [&](double value) { return kStress.hold(value); }))
-    table.fail("stress_kPa", "six components 11, 22, 33, 12, 13, 23 within 100000 kPa are wanted");
+    table.fail("stress_kPa", "expected six components 11, 22, 33, 12, 13, 23 within 100000 kPa");
   if constexpr (Space::kSize == 6) {
     sim::Vector<Space> stress;
     for (int i = 0; i < 6; ++i)
@@ -123,7 +123,7 @@ sim::PathEnd read_end(const TomlTable& table) {
     if (candidate.key == word) key = &candidate;
   }
   if (key == nullptr)
-    table.fail("quantity", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
+    table.fail("quantity", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
   const auto above = table.number("above", bounds), below = table.number("below", bounds);
   table.finish();
@@ -142,18 +142,18 @@ sim::Segment<Space> read_rest(const TomlTable& table, const std::vector<std::str
   sim::Segment<Space> segment;
   segment.name = table.required_text("name");
   if (std::ranges::find(names, segment.name) != names.end())
-    table.fail("name", fmt::format("{} is the name of a segment before", excerpt(segment.name)));
+    table.fail("name", fmt::format("{} is the name of an earlier segment", excerpt(segment.name)));
   const std::string drainage = table.required_text("drainage");
   if (drainage != "drained" && drainage != "undrained")
-    table.fail("drainage", fmt::format("{} is neither drained nor undrained", excerpt(drainage)));
+    table.fail("drainage", fmt::format("{} is not valid; expected drained or undrained", excerpt(drainage)));
   segment.undrained = drainage == "undrained";
   segment.repeat = static_cast<int>(table.integer("repeat", 1, 100000).value_or(1));
   segment.repeat_from = names.size();
   if (const auto from = table.text("repeat_from")) {
-    if (!table.has("repeat")) table.fail("repeat_from", "needs repeat beside it");
+    if (!table.has("repeat")) table.fail("repeat_from", "needs repeat");
     const auto found = std::ranges::find(names, *from);
     if (found == names.end() && *from != segment.name)
-      table.fail("repeat_from", fmt::format("{} is no segment up to here; {}", excerpt(*from),
+      table.fail("repeat_from", fmt::format("{} is not a segment up to here; {}", excerpt(*from),
                                             suggestion(*from, names)));
     segment.repeat_from = static_cast<std::size_t>(found - names.begin());
   }
@@ -165,7 +165,7 @@ template <class Space>
 void set_conditions(const TomlTable& table, std::string_view key,
                     const std::vector<Condition<Space>>& conditions, sim::Segment<Space>& segment) {
   if (conditions.size() != static_cast<std::size_t>(Space::kSize))
-    table.fail(key, fmt::format("{} conditions are given, {} are wanted in the frame {}",
+    table.fail(key, fmt::format("{} conditions are given; expected {} in the frame {}",
                                 conditions.size(), static_cast<std::size_t>(Space::kSize),
                                 table.text("frame").value_or("triaxial")));
   for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -262,7 +262,7 @@ std::vector<sim::Segment<Space>> read_segment(const TomlTable& table,
 bool is_cartesian(const TomlTable& table) {
   const std::string frame = table.text("frame").value_or("triaxial");
   if (std::ranges::find(kFrames, frame) == kFrames.end())
-    table.fail("frame", fmt::format("{} is none; {}", excerpt(frame), suggestion(frame, kFrames)));
+    table.fail("frame", fmt::format("{} is not valid; {}", excerpt(frame), suggestion(frame, kFrames)));
   return frame == "cartesian";
 }
 

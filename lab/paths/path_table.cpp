@@ -31,16 +31,16 @@ PathTable read_path_table(const std::string& path) {
       throw BadInput(path, lines.line_number(), message);
     };
     if (cells.size() != table.headings.size())
-      fail(fmt::format("{} cells, but the headings are {}", cells.size(), table.headings.size()));
+      fail(fmt::format("{} cells, but {} headings", cells.size(), table.headings.size()));
     if (table.rows.size() == kMostRows) fail(fmt::format("more than {} rows", kMostRows));
     auto& row = table.rows.emplace_back(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (parse_cell(trimmed(cells[i]), mark, row[i]) != CellKind::number)
-        fail(fmt::format("column {}: {} is no number", excerpt(table.headings[i]),
+        fail(fmt::format("column {}: {} is not a number", excerpt(table.headings[i]),
                          excerpt(cells[i])));
     table.lines.push_back(lines.line_number());
   }
-  if (table.rows.empty()) throw BadInput(path, 0, "holds no row of numbers below its headings");
+  if (table.rows.empty()) throw BadInput(path, 0, "has no row of numbers below its headings");
   return table;
 }
 

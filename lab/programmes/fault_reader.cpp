@@ -18,7 +18,7 @@ std::string read_device(const TomlTable& table) {
   std::string word = table.required_text("device");
   if (possible_faults(word).empty())
     table.fail("device",
-               fmt::format("{} is none; {}", excerpt(word), suggestion(word, fault_devices())));
+               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, fault_devices())));
   return word;
 }
 
@@ -29,7 +29,7 @@ FaultKind read_kind(const TomlTable& table, const std::string& device) {
     if (to_string(kind) == word) return kind;
     known.emplace_back(to_string(kind));
   }
-  table.fail("kind", fmt::format("{} is no fault of {}; {}", excerpt(word), device,
+  table.fail("kind", fmt::format("{} is not a fault of {}; {}", excerpt(word), device,
                                  suggestion(word, known)));
 }
 
@@ -79,7 +79,7 @@ Fault read_fault(const TomlTable& table, const Programme& programme) {
   if (!from) table.fail("", "from_min or from_s is missing: the test time at which it begins");
   fault.from_s = *from;
   if (fault.until_s && *fault.until_s <= fault.from_s)
-    table.fail(table.has("until_s") ? "until_s" : "until_min", "is not after the fault's begin");
+    table.fail(table.has("until_s") ? "until_s" : "until_min", "is not after the fault's start");
   if (fault.kind == FaultKind::open_circuit) {
     const Quantity channel = *find_quantity(fault.device);
     if (programme.transducers[index(channel)].range == 0)

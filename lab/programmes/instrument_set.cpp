@@ -18,7 +18,7 @@ TomlTable find_instruments(std::string_view name) {
     known.emplace_back(file.name);
   }
   throw BadInput(
-      fmt::format("no set of instruments {}; {}", excerpt(name), suggestion(name, known)));
+      fmt::format("unknown set of instruments {}; {}", excerpt(name), suggestion(name, known)));
 }
 
 }  // namespace triax::lab

@@ -15,7 +15,7 @@ Kind read_kind(const TomlTable& table) {
   if (word == "hold") return Kind::hold;
   if (word == "resume") return Kind::resume;
   if (word == "abort") return Kind::abort;
-  table.fail("action", fmt::format("{} is none; known: hold, resume, abort", excerpt(word)));
+  table.fail("action", fmt::format("{} is not valid; known: hold, resume, abort", excerpt(word)));
 }
 
 }  // namespace
@@ -33,9 +33,9 @@ std::vector<OperatorAction> read_operator(const std::vector<TomlTable>& tables) 
     if (!actions.empty() && actions.back().kind == Kind::abort)
       table.fail("action", "comes after an abort, which ends the test");
     if (action.kind == Kind::resume && !holding)
-      table.fail("action", "nothing is held that could be resumed");
+      table.fail("action", "no hold to resume");
     if (action.kind == Kind::hold && holding)
-      table.fail("action", "holds a test that is held already: resume it first");
+      table.fail("action", "the test is on hold already: resume it first");
     actions.push_back(action);
   }
   if (!actions.empty() && actions.back().kind == Kind::hold)

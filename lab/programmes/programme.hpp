@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/base/toml_reader.hpp"
 #include "lab/devices/fault.hpp"
 #include "lab/devices/loading_frame.hpp"
 #include "lab/devices/pressure_controller.hpp"
@@ -64,6 +65,7 @@ struct Programme {
   std::string type;                ///< "ICU", "CSD", "CSU"...
   std::string source;              ///< file it was read from
   std::vector<std::string> files;  ///< that one, and the user's own of materials or grains
+  std::vector<TomlEdit> changes;   ///< keys given for this run, instead of the file's values
   std::uint64_t seed = 0;
   Logging logging;  ///< of the test, where a stage has none of its own
 

@@ -35,7 +35,7 @@ void read_membrane(const TomlTable& table, sim::SpecimenProperties& specimen) {
     table.fail(thickness ? "membrane_thickness_mm" : "membrane_modulus_kPa",
                std::string("needs ") +
                    (thickness ? "membrane_modulus_kPa" : "membrane_thickness_mm") +
-                   " beside it: the membrane's stiffness is their product");
+                   " as well: the membrane's stiffness is their product");
   specimen.membrane_thickness_m = 1e-3 * thickness.value_or(0);
   specimen.membrane_young_modulus_pa = 1e3 * modulus.value_or(0);
   specimen.membrane_penetration_m =
@@ -68,7 +68,7 @@ void read_grains(const TomlTable& table, const std::string& name, Programme& pro
        {"material", "material_file", "void_ratio", "initial_effective_stress_kPa"})
     if (table.has(key))
       table.fail(key,
-                 "beside grains: material, void ratio and stress are those of the grains; "
+                 "excluded by grains: material, void ratio and stress are those of the grains; "
                  "leave it out");
   const auto path = (std::filesystem::path(programme.source).parent_path() / name).string();
   sim::GrainDriving how;
@@ -126,8 +126,10 @@ Programme read_programme(std::string_view toml_text, const std::string& file,
   return programme;
 }
 
-Programme load_programme(const std::string& path) {
-  return read_programme(read_text_file(path), path);
+Programme load_programme(const std::string& path, const std::vector<TomlEdit>& changes) {
+  Programme programme = read_programme(read_text_file(path), path, changes);
+  programme.changes = changes;
+  return programme;
 }
 
 }  // namespace triax::lab

@@ -15,6 +15,7 @@ Programme read_programme(std::string_view toml_text, const std::string& file,
                          const std::vector<TomlEdit>& edits = {});
 
 /// The same from a file on disk; throws BadInput if it cannot be read.
-Programme load_programme(const std::string& path);
+/// `changes` are edits that the programme remembers, so that the test it makes says so.
+Programme load_programme(const std::string& path, const std::vector<TomlEdit>& changes = {});
 
 }  // namespace triax::lab

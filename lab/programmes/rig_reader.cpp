@@ -60,10 +60,10 @@ PressureController read_controller(const std::optional<TomlTable>& base,
     table.fail("pressure_resolution_kPa", "is coarser than the range");
   if (c.volume_rate_limit_m3_per_s > 0 && c.fluid_compliance_m3_per_pa == 0)
     table.fail("volume_rate_limit_mm3_per_s",
-               "needs fluid_compliance_mm3_per_kPa beside it: without it the pressure is held "
+               "needs fluid_compliance_mm3_per_kPa as well: without it the pressure is held "
                "against any flow");
   if (c.start_volume_m3 && c.capacity_m3 == 0)
-    table.fail("start_volume_cm3", "needs capacity_cm3 beside it");
+    table.fail("start_volume_cm3", "needs capacity_cm3 as well");
   if (c.start_volume_m3 && *c.start_volume_m3 > c.capacity_m3)
     table.fail("start_volume_cm3",
                fmt::format("is more than the capacity of {:g} cm3", c.capacity_m3 * 1e6));

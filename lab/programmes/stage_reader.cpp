@@ -21,7 +21,7 @@ const AxialWay& read_way(const TomlTable& table) {
     if (way.word == word) return way;
     known.emplace_back(way.word);
   }
-  table.fail("axial", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
+  table.fail("axial", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
 }
 
 void read_perturbation(const TomlTable& table, Stage& stage) {
@@ -45,7 +45,7 @@ PressureDemand read_demand(const TomlTable& table, const std::string& name,
   const auto target =
       table.number(target_key, {.at_least = 0, .at_most = controller.range_pa / 1e3});
   if (!rate) {
-    if (target) table.fail(target_key, fmt::format("needs {} beside it", rate_key));
+    if (target) table.fail(target_key, fmt::format("needs {} as well", rate_key));
     return demand;
   }
   if (*rate == 0) table.fail(rate_key, "is 0; leave it out to hold the pressure");
@@ -100,7 +100,7 @@ EndCondition read_end(const TomlTable& table) {
     if (candidate.key == word) key = &candidate;
   }
   if (key == nullptr)
-    table.fail("quantity", fmt::format("{} is none; {}", excerpt(word), suggestion(word, known)));
+    table.fail("quantity", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
   EndCondition end;
   end.quantity = key->quantity;
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
@@ -110,7 +110,7 @@ EndCondition read_end(const TomlTable& table) {
   if (end.above.has_value() == end.below.has_value())
     table.fail("", "an end condition needs exactly one of above and below");
   if (end.quantity == EndQuantity::time && (end.below || *end.above <= 0))
-    table.fail("quantity", "time only grows: write above, greater than 0");
+    table.fail("quantity", "time only increases: use above, greater than 0");
   return end;
 }
 
@@ -121,11 +121,11 @@ void check_ends(const TomlTable& table, const Stage& stage, const Programme& pro
     const bool back = end.quantity == EndQuantity::back_pressure;
     if ((cell && !reachable(end, stage.cell, cell_pa, programme.cell_controller)) ||
         (back && !reachable(end, stage.back, back_pa, programme.back_controller)))
-      table.fail("end", fmt::format("the {} pressure never comes to {:g} kPa in this stage",
+      table.fail("end", fmt::format("the {} pressure never reaches {:g} kPa in this stage",
                                     cell ? "cell" : "back",
                                     end.above.value_or(end.below.value_or(0)) / 1e3));
     if (end.quantity == EndQuantity::time && *end.above > stage.time_limit_s)
-      table.fail("end", fmt::format("the time never comes: time_limit_min is {:g}",
+      table.fail("end", fmt::format("this time is never reached: time_limit_min is {:g}",
                                     stage.time_limit_s / 60));
     const double direction = stage.axial_rate_m_per_s;
     const double travel = programme.frame.travel_m;
@@ -134,7 +134,7 @@ void check_ends(const TomlTable& table, const Stage& stage, const Programme& pro
     if (end.quantity == EndQuantity::axial_strain && stage.end.size() == 1 &&
         ((end.above && *end.above > 0 && direction < 0) ||
          (end.below && *end.below < 0 && direction > 0)))
-      table.fail("end", "the axis moves away from this strain");
+      table.fail("end", "the axis moves in the other direction");
   }
 }
 
@@ -163,12 +163,12 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   const auto known_role = stage_role_from(role);
   if (!known_role || *known_role == StageRole::unknown)
     table.fail("role",
-               fmt::format("{} is none; known: saturation, b_check, consolidation, shear, hold",
+               fmt::format("{} is not valid; known: saturation, b_check, consolidation, shear, hold",
                            excerpt(role)));
   stage.role = *known_role;
   const std::string drainage = table.required_text("drainage");
   if (drainage != "open" && drainage != "closed")
-    table.fail("drainage", fmt::format("{} is neither open nor closed", excerpt(drainage)));
+    table.fail("drainage", fmt::format("{} is not valid; expected open or closed", excerpt(drainage)));
   stage.valve_open = drainage == "open";
   read_axis(table, programme.frame, stage);
   stage.cell = read_demand(table, "cell", programme.cell_controller, cell_pa);

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/range.hpp"
 #include "lab/base/text.hpp"
 
 namespace triax::lab {
@@ -22,7 +23,7 @@ class ValueReader {
   void read(std::string_view item) {
     if (item.empty()) fail("a value is empty; write KEY=1,2,3");
     if (item.find("..") != std::string_view::npos) return read_whole_range(item);
-    if (item.find(':') != std::string_view::npos) return read_linear_range(item);
+    if (looks_like_range(item)) return read_range_of(item);
     add(std::string(item));
   }
 
@@ -37,12 +38,13 @@ class ValueReader {
     axis_.values.push_back(std::move(value));
   }
 
+  /// FROM..TO, as ranges of seeds were written once; it takes numbers that no double holds.
   void read_whole_range(std::string_view item) {
     const auto dots = item.find("..");
     const auto from = whole_text_as<std::int64_t>(item.substr(0, dots));
     const auto to = whole_text_as<std::int64_t>(item.substr(dots + 2));
     if (!from || !to)
-      fail(fmt::format("{} is no range of whole numbers; write 1..200, or 1.0:1.2:0.02 for others",
+      fail(fmt::format("{} is not a range of whole numbers; expected FROM:TO:STEP, as in 1:200:1",
                        excerpt(item)));
     if (*to < *from) fail(fmt::format("the range {} runs backwards", excerpt(item)));
     for (std::int64_t value = *from;; ++value) {
@@ -51,43 +53,11 @@ class ValueReader {
     }
   }
 
-  void read_linear_range(std::string_view item) {
-    const auto first = item.find(':'), second = item.find(':', first + 1);
-    if (second == std::string_view::npos || item.find(':', second + 1) != std::string_view::npos)
-      fail(
-          fmt::format("{} is no linear range; write FROM:TO:STEP, as 1.0:1.2:0.02", excerpt(item)));
-    const auto from_text = item.substr(0, first), step_text = item.substr(second + 1);
-    const double from = number(from_text), step = number(step_text);
-    const double to = number(item.substr(first + 1, second - first - 1));
-    const double steps = (to - from) / step;
-    if (!(steps >= 0) || !std::isfinite(steps))
-      fail(fmt::format("the step of {} never comes from {:g} to {:g}", excerpt(item), from, to));
-    if (steps >= static_cast<double>(kMostSweepTests))
-      fail(fmt::format("{} has more than {} values", excerpt(item), kMostSweepTests));
-    const int digits = std::max(decimals(from_text), decimals(step_text));
-    // What rounding leaves of the last step must not lose the end.
-    const auto last = static_cast<std::int64_t>(std::floor(steps + 1e-9));
-    for (std::int64_t i = 0; i <= last; ++i)
-      add(written(from + static_cast<double>(i) * step, digits));
-  }
-
-  double number(std::string_view text) const {
-    const auto value = whole_text_as<double>(text);
-    if (!value || !std::isfinite(*value)) fail(fmt::format("{} is no number", excerpt(text)));
-    return *value;
-  }
-
-  /// Digits behind the point; very many for a number with an exponent.
-  static int decimals(std::string_view text) {
-    if (text.find_first_of("eE") != std::string_view::npos) return 100;
-    const auto point = text.find('.');
-    return point == std::string_view::npos ? 0 : static_cast<int>(text.size() - point - 1);
-  }
-
-  /// With the digits that the range was written with: 1.06, not 1.0600000000000001.
-  static std::string written(double value, int digits) {
-    constexpr int kMostDigits = 15;
-    return digits > kMostDigits ? fmt::format("{}", value) : fmt::format("{:.{}f}", value, digits);
+  void read_range_of(std::string_view item) try {
+    for (std::string& value : written_values(read_range(item, kMostSweepTests)))
+      add(std::move(value));
+  } catch (const std::invalid_argument& error) {
+    fail(error.what());
   }
 
   SweepAxis& axis_;
@@ -111,7 +81,7 @@ SweepAxis read_sweep_axis(std::string_view text) {
   const auto equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0)
     throw BadInput(
-        fmt::format("--sweep {}: KEY=VALUES is wanted, as in seed=1..200", excerpt(text)));
+        fmt::format("--sweep {}: expected KEY=VALUES, as in seed=1:200:1", excerpt(text)));
   SweepAxis axis{std::string(trimmed(text.substr(0, equals))), {}};
   if (axis.key == kSeedInFile) axis.key = kSeed;
   ValueReader reader(axis);

@@ -19,9 +19,8 @@ struct SweepAxis {
 /// No sweep has more tests than this.
 inline constexpr std::int64_t kMostSweepTests = 100'000;
 
-/// Reads "KEY=VALUES". Values are separated by commas; each is a value as the file holds it, a
-/// range of whole numbers "1..200", or a linear range "1.0:1.2:0.02" from, to (included where the
-/// step meets it) and step. Throws BadInput, which says what was found and what would be right.
+/// Reads "KEY=VALUES". Values are separated by commas; each is a value as the file holds it, or a
+/// range of numbers, FROM:TO:STEP or FROM:TO/COUNT (lab/base/range.hpp). Throws BadInput, which says what was found and what would be right.
 SweepAxis read_sweep_axis(std::string_view text);
 
 /// The Cartesian product of some axes; the last runs fastest. Constant once built.

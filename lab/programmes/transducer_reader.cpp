@@ -74,7 +74,7 @@ void read_over(Sheet& sheet, const TomlTable& table) {
 void check(const Sheet& sheet, const TomlTable& table) {
   const std::string& unit = sheet.unit;
   const auto needs = [&](bool given, bool there, const std::string& key, const std::string& other) {
-    if (given && !there) table.fail(key, fmt::format("needs {} beside it", other));
+    if (given && !there) table.fail(key, fmt::format("needs {} as well", other));
   };
   const bool ranged = sheet.range > 0;
   const std::string range = "range_" + unit;

@@ -110,13 +110,13 @@ class Planner {
     std::vector<std::string> known{"time_s", "stage"};
     for (const QuantityInfo& row : quantities()) known.push_back(lab::heading(row.quantity));
     const auto near = nearest(heading, known);
-    unknown_.push_back(fmt::format("column {} is not known and left out{}", excerpt(heading),
+    unknown_.push_back(fmt::format("unknown column {} is ignored{}", excerpt(heading),
                                    near.empty() ? "" : "; did you mean '" + near + "'?"));
     findings_.note("unknown column " + std::string(heading), layout_.heading_line, unknown_.back());
   }
 
   [[noreturn]] void two_columns(std::size_t a, std::size_t b) const {
-    fail(fmt::format("two columns hold the same: {} (column {}) and {} (column {}); keep one",
+    fail(fmt::format("two columns are the same: {} (column {}) and {} (column {}); keep one",
                      excerpt(cells_[a]), a + 1, excerpt(cells_[b]), b + 1));
   }
 
@@ -154,10 +154,10 @@ class Planner {
     }
     const auto unit = sim::find_unit(*text);
     if (!unit)
-      fail(fmt::format("column {} is in {}, which is no known unit; {} would be right",
+      fail(fmt::format("column {} is in {}, an unknown unit; expected {}",
                        excerpt(name), excerpt(*text), wanted.empty() ? "%" : wanted));
     if (unit->dimension != sim::find_unit(wanted)->dimension)
-      fail(fmt::format("column {} is in {}; {} would be right", excerpt(name), excerpt(*text),
+      fail(fmt::format("column {} is in {}; expected {}", excerpt(name), excerpt(*text),
                        wanted.empty() ? "a plain number or %" : wanted));
     return unit->scale;
   }

@@ -28,7 +28,7 @@ Separator read_separator(const TomlTable& table, const char* key) {
   if (text == " " || text == "blanks") return Separator::blanks;
   if (text == "wide blanks") return Separator::wide_blanks;
   table.fail(key, excerpt(text) +
-                      " is no separator; it can be auto, comma, semicolon, tab, blanks or 'wide "
+                      " is not a separator; expected auto, comma, semicolon, tab, blanks or 'wide "
                       "blanks' (two or more)");
 }
 
@@ -37,7 +37,7 @@ DecimalMark read_decimal(const TomlTable& table) {
   if (text == "auto") return DecimalMark::open;
   if (text == ".") return DecimalMark::point;
   if (text == ",") return DecimalMark::comma;
-  table.fail("decimal", excerpt(text) + " is no decimal mark; it can be auto, . or ,");
+  table.fail("decimal", excerpt(text) + " is not a decimal mark; expected auto, . or ,");
 }
 
 void check_unit(const TomlTable& table, const char* key, const std::string& unit,
@@ -48,7 +48,7 @@ void check_unit(const TomlTable& table, const char* key, const std::string& unit
                           ? sim::find_unit(info(column.quantity).unit)->dimension
                           : sim::Dimension::time;
   const auto found = sim::find_unit(unit);
-  if (!found) table.fail(key, excerpt(unit) + " is no known unit");
+  if (!found) table.fail(key, excerpt(unit) + " is an unknown unit");
   if (found->dimension != wanted) table.fail(key, excerpt(unit) + " does not fit this column");
 }
 
@@ -75,7 +75,7 @@ DialectColumn read_column(const TomlTable& columns, const std::string& key) {
     column.sign = table.number("sign").value_or(1);
     check_unit(table, "unit", column.unit, column);
     check_unit(table, "true_unit", column.true_unit, column);
-    if (column.sign != 1 && column.sign != -1) table.fail("sign", "it can be 1 or -1");
+    if (column.sign != 1 && column.sign != -1) table.fail("sign", "expected 1 or -1");
     if (table.has("true_unit") && column.true_unit.empty()) column.true_unit.assign(1, '-');
     table.finish();
   } else {
@@ -180,7 +180,7 @@ Dialect find_dialect(const std::string& name_or_file) {
     names.push_back(dialect.name);
   }
   throw BadInput(
-      fmt::format("--dialect {}: there is no such dialect; {}; or give the path of a .toml file",
+      fmt::format("--dialect {}: unknown dialect; {}; or give the path of a .toml file",
                   name_or_file, suggestion(name_or_file, names)));
 }
 

@@ -21,7 +21,7 @@ double parse_number(const std::string& where, std::string_view key, std::string_
   const auto value = whole_text_as<double>(text);
   if (!value || !std::isfinite(*value))
     throw BadInput(
-        fmt::format("{}: {} = {} is no number (write it like 12.5)", where, key, excerpt(text)));
+        fmt::format("{}: {} = {} is not a number (write it like 12.5)", where, key, excerpt(text)));
   return *value;
 }
 
@@ -34,7 +34,7 @@ Value one_of(const std::string& where, std::string_view key, std::string_view te
              std::optional<Value> found, std::initializer_list<std::string_view> allowed) {
   if (found) return *found;
   throw BadInput(
-      fmt::format("{}: {} = {}; it can be {}", where, key, excerpt(text), names_of(allowed)));
+      fmt::format("{}: {} = {} is not valid; expected {}", where, key, excerpt(text), names_of(allowed)));
 }
 
 [[noreturn]] void unknown_key(const std::string& where, std::string_view key) {
@@ -57,7 +57,7 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
   } else if (name == "seed") {
     const auto seed = whole_text_as<std::uint64_t>(value);
     if (!seed || *seed > kLargestSeed)
-      throw BadInput(fmt::format("{}: {} = {} is no whole number from 0 to {}", where, key,
+      throw BadInput(fmt::format("{}: {} = {} is not a whole number from 0 to {}", where, key,
                                  excerpt(value), kLargestSeed));
     header.seed = seed;
   } else {
@@ -85,7 +85,7 @@ void set_specimen(SpecimenInfo& specimen, const std::string& where, std::string_
       return sim::to_field(sim::to_si(field, *sim::find_unit(row.unit)), unit);
     };
     if (!(number >= bound(row.lowest) && number <= bound(row.highest)))
-      throw BadInput(fmt::format("{}: {} = {} cannot be; {:g} to {:g}{}{} would be right", where,
+      throw BadInput(fmt::format("{}: {} = {} is out of range; expected {:g} to {:g}{}{}", where,
                                  key, number, bound(row.lowest), bound(row.highest),
                                  unit.name.empty() ? "" : " ", unit.name));
     specimen.*row.member = si;

@@ -56,7 +56,7 @@ void take_label(RecordHeader& header, const TableLayout& layout, std::size_t lin
                  text ? std::string(*value) : number_text(*value));
   } catch (const BadInput&) {
     findings.note("preamble " + key.key, number,
-                  fmt::format("{} = {} is no value for {} and left out", excerpt(label),
+                  fmt::format("{} = {} is not valid for {} and ignored", excerpt(label),
                               excerpt(*value), key.key));
   }
 }
@@ -79,7 +79,7 @@ void describe_record(RecordHeader& header, const TableLayout& layout, Findings& 
   }
   if (!header.has_time)
     findings.note("no time", layout.heading_line,
-                  "there is no time column: rates and derivatives run along the axial strain");
+                  "no time column: rates and derivatives are taken along the axial strain");
 }
 
 std::string toml_preamble(const TableLayout& layout) {

@@ -33,7 +33,7 @@ std::string as_comment(std::string_view toml) {
 std::string origin_remark(const RecordHeader& header) {
   if (header.origin != Origin::simulated || !header.dialect.empty() || !header.seed) return {};
   const auto programme = std::filesystem::path(header.source).filename().string();
-  return fmt::format("## a simulation, no laboratory test: triax simulate {} --seed {}\n",
+  return fmt::format("## simulated, not measured: triax simulate {} --seed {}\n",
                      toml_quoted(programme), *header.seed);
 }
 

@@ -14,12 +14,12 @@ int StageNumbers::of(double value, std::int64_t line, Findings& findings) {
   const double tenfold = std::round(10 * value);
   const bool whole = fits && value == std::floor(value);
   if (!whole && (!fits || std::abs(10 * value - tenfold) > 1e-6))
-    throw BadInput(file_, line, fmt::format("{} is no number of a stage", value));
+    throw BadInput(file_, line, fmt::format("{} is not a stage number", value));
   const int number = static_cast<int>(whole ? value : tenfold);
   const double other = seen_.try_emplace(number, value).first->second;
   if (other != value)
     throw BadInput(file_, line,
-                   fmt::format("stage {} would be called {}, which stands for stage {} already; "
+                   fmt::format("stage {} would be called {}, the number of stage {} already; "
                                "give one of them another number",
                                value, number, other));
   if (!whole)

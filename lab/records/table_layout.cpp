@@ -48,7 +48,7 @@ Head read_head(ByteSource& source, Findings& findings) {
     const auto first =
         std::ranges::find_if(head.lines, [](const auto& one) { return !is_utf8(one); });
     findings.note("encoding", first - head.lines.begin() + 1,
-                  "no UTF-8: the text is read as Windows-1252");
+                  "not UTF-8: read as Windows-1252");
     for (auto& one : head.lines) one = utf8_from_cp1252(one);
   }
   return head;
@@ -250,7 +250,7 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
   }
   if (row >= lines.size() && head.whole_file)
     throw BadInput(layout.file, layout.heading_line,
-                   "headings but no row of readings below them; nothing was recorded");
+                   "headings without a row of readings; nothing was recorded");
   const auto unknown = plan_columns(layout, lines[best->line], units, findings);
   layout.separator = row_separator(layout, row < lines.size() ? lines[row] : std::string());
   if (const auto missing = missing_channels(layout.quantities()); !missing.empty())

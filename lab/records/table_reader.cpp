@@ -57,7 +57,7 @@ bool TableReader::next(Row& row) {
     if (!plain && (skipped(line) || !parse_general(line))) continue;
     if (blank_line_ > 0) {
       if (row.line > 0)
-        findings_.note("blank lines", blank_line_, "a blank line inside the table is left out");
+        findings_.note("blank lines", blank_line_, "a blank line inside the table is ignored");
       blank_line_ = 0;
     }
     if (lines_.cut_off())
@@ -126,7 +126,7 @@ void TableReader::keep_comment(std::string_view line) {
 bool TableReader::parse_general(std::string_view line) {
   split_cells(line, layout_.separator, cells_);
   if (std::ranges::all_of(cells_, &std::string_view::empty)) {
-    findings_.note("empty rows", lines_.line_number(), "a line of empty cells is left out");
+    findings_.note("empty rows", lines_.line_number(), "a line of empty cells is ignored");
     return false;
   }
   check_cell_count(line);
@@ -159,13 +159,13 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
   const auto kind = parse_cell(cell, decimal_, value);
   if (before != decimal_ && decimal_ == DecimalMark::comma)
     findings_.note("decimal comma", lines_.line_number(),
-                   "the decimal mark is a comma: " + excerpt(cell) + " is read so");
+                   "the decimal mark is a comma: " + excerpt(cell) + " is read that way");
   const auto& heading = plan.column->heading;
   const bool empty_only = !layout_.dialect.missing_words;
   const char* remedy = empty_only ? "; leave the cell empty if the reading is missing" : "";
   if (kind == CellKind::missing && empty_only && !cell.empty())
     throw BadInput(layout_.file, lines_.line_number(),
-                   fmt::format("column {} holds {}, which is no number{}", excerpt(heading),
+                   fmt::format("column {} has {}, which is not a number{}", excerpt(heading),
                                excerpt(cell), remedy));
   if (kind == CellKind::missing) {
     values_[plan.slot] = kMissing;
@@ -177,7 +177,7 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
   if (kind == CellKind::text)
     throw BadInput(
         layout_.file, lines_.line_number(),
-        fmt::format("column {} holds {}, which is no number{}", excerpt(heading), excerpt(cell),
+        fmt::format("column {} has {}, which is not a number{}", excerpt(heading), excerpt(cell),
                     decimal_ == DecimalMark::open
                         ? ""
                         : fmt::format(" (the decimal mark of this table is '{}')",
@@ -185,7 +185,7 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
   values_[plan.slot] = value * plan.scale;
   if (kind == CellKind::infinite || !std::isfinite(values_[plan.slot]))
     throw BadInput(layout_.file, lines_.line_number(),
-                   fmt::format("column {} holds {}: no instrument can have measured that{}",
+                   fmt::format("column {} has {}: no instrument can have measured that{}",
                                excerpt(heading), excerpt(cell), remedy));
   check_limit(cell, plan);
 }
@@ -194,7 +194,7 @@ void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
   if (!(std::abs(values_[plan.slot]) > plan.limit)) return;
   const Quantity quantity = plan.column->quantity;
   throw BadInput(layout_.file, lines_.line_number(),
-                 fmt::format("column {} holds {}, beyond {:g} {}: no apparatus measures that; "
+                 fmt::format("column {} has {}, beyond {:g} {}: no apparatus measures that; "
                              "check the unit of the column",
                              excerpt(plan.column->heading), excerpt(cell),
                              info(quantity).raw.absurd, info(quantity).unit));

@@ -21,7 +21,7 @@ double TimeLine::next(double test_time_s, double stage_time_s, int stage, bool s
   const double raw = has_stage_time_ ? stage_time_s : test_time_s;
   double time = stamp(test_time_s, stage_time_s, stage, stage_begins, line, findings);
   if (std::isnan(raw)) {
-    findings.note("time missing", line, "no time in this row: it is set right behind the last one");
+    findings.note("time missing", line, "no time in this row: it is set just after the last one");
     time = rows_ == 0 ? 0 : last_ + least_step();
   } else if (rows_ > 0) {
     repair(time, line, findings);
@@ -78,14 +78,14 @@ void TimeLine::repair(double& time, std::int64_t line, Findings& findings) {
   const double behind = last_ + least_step();
   if (shifted == last_) {
     findings.note("time repeated", line, [&] {
-      return fmt::format("the time {:g} s stands twice: the second is set {:g} s later", time,
+      return fmt::format("the time {:g} s appears twice: the second is set {:g} s later", time,
                          behind - last_);
     });
   } else {
     findings.note("time back", line, [&] {
       return fmt::format(
           "the time runs back from {:g} s to {:g} s: it is shifted by {:g} s "
-          "from here on, until it is ahead by itself",
+          "from here on, until it increases by itself",
           last_, time, behind - time);
     });
     offset_ = behind - time;

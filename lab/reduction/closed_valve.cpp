@@ -21,7 +21,7 @@ void ClosedValve::add(const Reading& reading, bool undrained_shear, double volum
 std::optional<Check> ClosedValve::check() const {
   if (!largest_) return std::nullopt;
   const bool ok = *largest_ <= kLimit;
-  std::string note = "with the drainage closed the back volume stood still";
+  std::string note = "with the drainage closed the back volume did not change";
   if (!ok)
     note = fmt::format(
         "with the drainage closed {:.0f} mm3 ran {} the specimen's side by reading {}: the valve "

@@ -81,7 +81,7 @@ std::string Closure::area_as_cause(double difference, double start_area,
   const double area_ratio = area_ratio_sum_ / static_cast<double>(area_count_);
   if (std::fabs(1 / area_ratio - 1 + difference) > 0.01) return {};
   std::string cause = fmt::format(
-      ", because of the area: at the start of shear the file takes {:.1f} mm2, ours is {:.1f} mm2",
+      ", because of the area: at the start of shear the file has {:.1f} mm2, we have {:.1f} mm2",
       *their_start_area_ * 1e6, start_area * 1e6);
   if (back_volume_joined)
     cause +=

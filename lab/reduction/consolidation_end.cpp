@@ -71,7 +71,7 @@ std::vector<Check> ConsolidationEnd::checks() const {
          .ok = ok,
          .note = fmt::format(
              "at the end of consolidation the volume changed by {:.3g} % per hour{}", *rate,
-             ok ? "" : ": it was not over, or the back-pressure controller leaks")});
+             ok ? "" : ": it was not complete, or the back-pressure controller leaks")});
   }
   if (differences_ > 0 && p_eff_ > 0) {
     const double ratio = std::fabs(difference_) / p_eff_;
@@ -81,7 +81,7 @@ std::vector<Check> ConsolidationEnd::checks() const {
                    .limit = kDifferenceLimit,
                    .ok = ok,
                    .note = fmt::format(
-                       "at the end of consolidation the pore pressure stood {:.2f} kPa {} the back "
+                       "at the end of consolidation the pore pressure was {:.2f} kPa {} the back "
                        "pressure{}",
                        std::fabs(difference_) / 1e3, difference_ < 0 ? "below" : "above",
                        ok ? ""

@@ -49,9 +49,9 @@ RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& o
              "specimen.membrane_modulus_kPa");
   }
   if (!header.has(Quantity::back_volume))
-    warnings_.push_back({0, "no back-volume channel: the specimen's volume is taken as constant"});
+    warnings_.push_back({0, "no back-volume channel: the volume of the specimen is taken as constant"});
   if (!header.has(Quantity::pore_pressure) && header.has(Quantity::back_pressure))
-    warnings_.push_back({0, "no pore-pressure channel: the back pressure stands in for it"});
+    warnings_.push_back({0, "no pore-pressure channel: the back pressure is used instead"});
 }
 
 void RawReduction::start_stage(const Reading& reading) {

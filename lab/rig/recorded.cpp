@@ -93,7 +93,7 @@ TomlTable RecordedRig::Impl::parse_preamble(const std::string& toml) const {
     return TomlTable::parse(toml, layout.file);
   } catch (const BadInput& error) {
     throw BadInput(std::string(error.what()) +
-                   " (lines behind # hold TOML; begin a free remark with ##)");
+                   " (lines after # are TOML; begin a free remark with ##)");
   }
 }
 
@@ -111,7 +111,7 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
     // Whether soil or a program gave the readings is for the record to say, not for its reader.
     if (key == "test.origin" || key == "test.seed")
       throw BadInput(where + ": " + key +
-                     " is what the record itself says of where it came from; " +
+                     " says where the record came from; " +
                      "it cannot be set");
     if (key.starts_with("stages.") == stages) set_metadata(header, where, key, value);
   }

@@ -46,13 +46,13 @@ std::string RunAwayLog::watch(double time_s, const sim::SpecimenState& state) {
   }
   const double start_s = time_s - now.elapsed_s;
   if (now.under_way)
-    return began ? fmt::format("equilibrium lost at {:.4f} s: the cap runs away", start_s) : "";
+    return began ? fmt::format("equilibrium lost at {:.4f} s: runaway of the cap", start_s) : "";
   running_ = false;
   if (follows_) {
     all_.back().end_s = all_.back().start_s + now.elapsed_s;
     all_.back().end = ending(now.end);
   }
-  return fmt::format("the cap ran away for {:.4f} s, kinetic energy up to {:.3g} J: {}",
+  return fmt::format("runaway of the cap for {:.4f} s, kinetic energy up to {:.3g} J: {}",
                      now.elapsed_s, now.largest_kinetic_energy_j, to_string(ending(now.end)));
 }
 

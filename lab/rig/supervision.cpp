@@ -142,7 +142,7 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const Instrumen
     if (silent_s_[i] < (misleads ? 1.5 * dt_s : kDeaf_s)) continue;
     const std::string what =
         fmt::format("{} {}", name_of(channel),
-                    missing ? "gives no readings" : "stands at the end of its range");
+                    missing ? "gives no readings" : "is at the end of its range");
     if (needs(channel)) return what;
     if (!std::exchange(told_[i], true))
       notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i] + dt_s));
@@ -165,7 +165,7 @@ std::optional<std::string> Supervision::astray(const Seen& seen, const Asked& as
     const bool off = loop.active && std::fabs(loop.seen - loop.asked) > allowed;
     loop.off_s = off ? loop.off_s + dt_s : 0;
     if (loop.off_s >= kAstray_s)
-      return fmt::format("the {} pressure reads {:.1f} kPa where {:.1f} kPa were asked for",
+      return fmt::format("the {} pressure reads {:.1f} kPa instead of the {:.1f} kPa prescribed",
                          loop.name, loop.seen / 1e3, loop.asked / 1e3);
   }
   return std::nullopt;
@@ -181,7 +181,7 @@ std::optional<std::string> Supervision::stuck(const Reading& raw) {
     const auto& dead = health_[i].dead();
     if (!dead || !needs(channel) || dead->fault == SensorFault::missing) continue;
     const sim::Unit unit = spoken_unit(channel);
-    reason = fmt::format("{} has stood at {:g} {} as no live transducer would", name_of(channel),
+    reason = fmt::format("{} has been at exactly {:g} {}: stuck, since a working transducer has noise", name_of(channel),
                          sim::to_field(raw[channel], unit), unit.name);
   }
   return reason;
@@ -198,7 +198,7 @@ std::optional<std::string> Supervision::force_astray(const Seen& seen, const Ask
   const bool stands = std::fabs(displacement - *force_off_at_) < 0.2e-3;
   if (force_off_s_ < kAstray_s / 4 || !stands) return std::nullopt;
   return fmt::format(
-      "the load cell reads {:.1f} N where {:.1f} N were asked for, and the cap stands",
+      "the load cell reads {:.1f} N instead of the {:.1f} N prescribed, and the cap does not move",
       seen[Quantity::axial_force], *asked.force_n);
 }
 
@@ -243,7 +243,7 @@ void Supervision::watch_closed_valve(const Seen& seen, const Asked& asked, doubl
   if (asked.valve_open) return back_water_.moves(volume);
   if (const auto flowed = back_water_.rests(volume, kShare * volume_m3_, dt_s))
     notes_.push_back(
-        fmt::format("water flows although the valve is closed ({:.0f} mm3 since it was): "
+        fmt::format("water flows although the valve is closed ({:.0f} mm3 since then): "
                     "it does not close, or there is a leak",
                     *flowed * 1e9));
 }
@@ -255,8 +255,8 @@ void Supervision::watch_cell(const Seen& seen, const Asked& asked, double dt_s) 
   if (asked.valve_open || ramps) return cell_water_.moves(volume);
   if (const auto flowed = cell_water_.rests(volume, kShare * volume_m3_, dt_s))
     notes_.push_back(
-        fmt::format("the cell takes water although its pressure and the specimen's volume rest "
-                    "({:.0f} mm3 since they do): cell or controller leaks",
+        fmt::format("the cell takes water although its pressure and the specimen's volume are constant "
+                    "({:.0f} mm3 meanwhile): cell or controller leaks",
                     *flowed * 1e9));
 }
 
@@ -273,7 +273,7 @@ void Supervision::watch_open_valve(const Seen& seen, const Asked& asked, double 
   no_flow_s_ += dt_s;
   if (no_flow_s_ < kAstray_s || std::exchange(no_flow_told_, true)) return;
   notes_.push_back(fmt::format(
-      "the valve is open and the pore pressure is {:.1f} kPa off the back pressure, but "
+      "the valve is open and the pore pressure differs by {:.1f} kPa from the back pressure, but "
       "no water flows: it does not open, or one of the transducers is wrong",
       lag / 1e3));
 }

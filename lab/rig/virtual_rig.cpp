@@ -167,7 +167,7 @@ bool VirtualRig::Impl::stage_over() {
     return false;
   }
   if (seen.stage_time_s() < stage().time_limit_s) return false;
-  warn(fmt::format("stage \"{}\" did not reach its end within {:g} min; the test ended there",
+  warn(fmt::format("stage \"{}\" did not reach its end within {:g} min; the test was ended",
                    stage().name, stage().time_limit_s / 60));
   return true;
 }
@@ -238,17 +238,17 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
     if (!step.law_ended || number <= 0)
       throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source,
                                    stage().name, time_s, step.message));
-    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law goes no further: {}", stage().name,
+    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}", stage().name,
                      time_s, step.message));
     return false;
   }
   if (step.outcome == sim::StepOutcome::inaccurate)
     warn_once(accuracy_warned, fmt::format("from {:.6g} s on the integration of the law is less "
-                                           "accurate than asked for",
+                                           "accurate than specified",
                                            time_s));
   if (step.outcome == sim::StepOutcome::lost_control) {
     warn(
-        fmt::format("stage \"{}\" ended at {:.6g} s: the specimen does not allow what was asked "
+        fmt::format("stage \"{}\" ended at {:.6g} s: the specimen cannot follow what is prescribed "
                     "(q = {:.4g} kPa, p' = {:.4g} kPa)",
                     stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
                     step.state.material.p() / 1e3));
@@ -290,7 +290,7 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
   if (programme.specimen.height_m - step.state.height_m < travel * kRoundOff) return true;
-  warn(fmt::format("stage \"{}\" ended at {:.6g} s: the frame's travel of {:g} mm is used up",
+  warn(fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached",
                    stage().name, time_s, travel * 1e3));
   const bool fell = step.at_stop && mode == Mode::running;
   if (fell) mode = Mode::fallen;

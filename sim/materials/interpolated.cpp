@@ -83,7 +83,7 @@ std::string unfit(const Material& base) {
 Material on_law(Interpolation kind, const std::string& name, const MaterialFinder& find) {
   const Material base = find(name);
   if (const std::string reason = unfit(base); !reason.empty())
-    throw std::invalid_argument("base is " + name + ", which makes no base: " + reason);
+    throw std::invalid_argument("base is " + name + ", which cannot be a base: " + reason);
   // Probing SANISAND on its yield surface is its closed form.
   if (const auto* sanisand = dynamic_cast<const Sanisand<Tensor>*>(base.tensor.get())) {
     Material m = on_sanisand(kind, sanisand->parameters());
@@ -116,7 +116,7 @@ LawDescription description(Interpolation kind, std::string name, std::string tit
       return on_sanisand(kind, parameters_from(set, sanisand_table()));
     for (const auto& row : sanisand_table())
       if (set.numbers.contains(row.description.key))
-        throw std::invalid_argument(row.description.key + " has no meaning with the base " +
+        throw std::invalid_argument(row.description.key + " is not used with the base " +
                                     base->second);
     if (base->second == "table") return on_table(kind, set);
     return on_law(kind, base->second, find);

@@ -20,7 +20,7 @@ const std::vector<double>& list(const ParameterSet& set, const std::string& key,
 std::vector<double> moduli_pa(const ParameterSet& set, const std::string& key, std::size_t size) {
   std::vector<double> values = list(set, key, size);
   for (double& value : values) {
-    if (!(value > 0)) throw std::invalid_argument(key + " holds a modulus that is not above 0");
+    if (!(value > 0)) throw std::invalid_argument(key + " has a modulus that is not above 0");
     value *= 1e3;
   }
   return values;

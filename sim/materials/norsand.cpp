@@ -18,12 +18,12 @@ constexpr double kGivesWay = 0.02;
 constexpr double kDrained = 0.05;
 
 constexpr const char* kNoInstabilityLine =
-    "p' falls at constant q or inside the yield surface (CSD and the like), which NorSand does not "
+    "p' falls at constant q or inside the yield surface (CSD and the like), which NorSand cannot "
     "follow: below M_i such a fall is elastic unloading until the inner cap, and the stress ratio "
-    "there depends on the way taken, so that the law has no instability line for it; sanisand, "
+    "there depends on the path taken, so that the law has no instability line for it; sanisand, "
     "hypoplastic or inl2 can";
 constexpr const char* kIsotropicLoading =
-    "p' rises while q does not (isotropic loading), which NorSand does not follow: it stands at "
+    "p' rises while q does not (isotropic loading), which NorSand cannot follow: it stands at "
     "its "
     "pressure of consolidation from the start and would shear; start at the consolidated stress";
 constexpr const char* kExtension =
@@ -106,7 +106,7 @@ const ParameterTable<NorSandParameters>& norsand_table() {
       {{"largest_state_parameter",
         "ψ_max",
         "",
-        "state parameter from which on a state is refused",
+        "state parameter above which a state is out of range",
         {.above = 0, .at_most = 0.5},
         number,
         0.25},
@@ -123,7 +123,7 @@ LawDescription norsand_law() {
       "Jefferies and Been (2015), Soil Liquefaction";
   law.refuses =
       "constant q with falling p' (CSD): below M_i a fall of p' is elastic unloading until the "
-      "inner cap, and the stress ratio there depends on the way taken, so that there is no "
+      "inner cap, and the stress ratio there depends on the path taken, so that there is no "
       "instability line; isotropic loading; triaxial extension; undrained loading with a set for "
       "drained loading and the reverse";
   law.parameters = descriptions(norsand_table());
@@ -252,11 +252,11 @@ std::optional<std::string> NorSand::objection(const State& state) const {
   if (const double psi = state_parameter(state); psi > parameters_.largest_state_parameter)
     return "the state parameter is " + short_number(psi) + ", must be at most " +
            short_number(parameters_.largest_state_parameter) +
-           ", beyond which the image stress ratio M_i loses its meaning";
+           ", beyond which the image stress ratio M_i is not defined";
   const Image i = image(state);
   if (!(i.dilatancy > 0))
-    return "1 - λ χ/M is not above 0 at the pressure of consolidation; a smaller "
-           "state_dilatancy would be right";
+    return "1 - λ χ/M is not above 0 at the pressure of consolidation; "
+           "expected a smaller state_dilatancy";
   if (!(i.stress_ratio > 0))
     return "the image state parameter is " + short_number(i.state_parameter) +
            ", with which M_i = M - χ_i N |ψ_i| is not above 0";
@@ -264,7 +264,7 @@ std::optional<std::string> NorSand::objection(const State& state) const {
     return "inside the yield surface p' is below " +
            short_number(image_pressure(state) / i.largest_ratio / 1e3) +
            " kPa, the inner cap: a fall of p' below M_i is elastic and the stress ratio at the cap "
-           "depends on the way there, so that the law has no instability line for it (constant q "
+           "depends on the path to it, so that the law has no instability line for it (constant q "
            "with falling p' and the like)";
   return std::nullopt;
 }
@@ -307,7 +307,7 @@ std::optional<std::string> NorSand::wrong_drainage(const State& state, const Rat
 
 std::optional<std::string> NorSand::warning(const State& state) const {
   if (yield_distance(state, 0) >= -kInside) return std::nullopt;
-  return "inside the yield surface, where the law is elastic and sees no instability";
+  return "inside the yield surface, where the law is elastic and has no instability";
 }
 
 double NorSand::yield_distance(const State& state, int) const {

@@ -257,7 +257,7 @@ FiniteStep<Space> Umat<Space>::integrate(const State& from, const Vector<Space>&
   step.state = from;
   const int n = worker_->plugin().state_variables;
   if (from.memory.size() != n + kPast || !strain.allFinite()) {
-    step.failure = "the plug-in is asked for a state or a strain that is none";
+    step.failure = "the plug-in is called with a state or a strain that is not finite";
     return step;
   }
   UmatCall call;

@@ -103,7 +103,7 @@ Umat load(const UmatPlugin& plugin, UmatExchange& exchange, void*& handle) {
   if (handle == nullptr) refuse(exchange, dlerror());
   for (const char* name : {"umat_", "umat", "UMAT"})
     if (void* found = dlsym(handle, name)) return reinterpret_cast<Umat>(found);
-  refuse(exchange, "holds no subroutine UMAT (neither umat_ nor umat nor UMAT)");
+  refuse(exchange, "has no subroutine UMAT (neither umat_ nor umat nor UMAT)");
 }
 
 /// I + ε, row and column symmetric, from strains of the plug-in's convention.

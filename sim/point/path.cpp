@@ -101,11 +101,11 @@ EffectiveControl<Space> effective_control(const Segment<Space>& segment) {
       throw std::invalid_argument("the condition on " +
                                   effective.labels[static_cast<std::size_t>(row)] + " " + because);
   };
-  refuse_dependent("says nothing that the conditions before it do not say");
+  refuse_dependent("follows from the conditions before it");
   if (!segment.undrained) return effective;
   eliminate_pore_pressure(effective);
   refuse_dependent(
-      "does not go with the others and volumetric_strain = 0, which undrained implies");
+      "contradicts the others and volumetric_strain = 0, which undrained implies");
   return effective;
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t kMostWarnings = 50;
 constexpr double kVanished = 1e-6;
 constexpr const char* kLostMessage = "it cannot be held any longer";
 constexpr const char* kVanishedMessage =
-    "the effective stress has vanished, and the law knows no tension";
+    "the effective stress has vanished, and the law has no tension";
 /// Share of the mean stress that a deviator stress of round-off may have.
 constexpr double kNoDeviator = 1e-9;
 /// A strain of which small-strain theory says nothing.
@@ -205,7 +205,7 @@ class Runner {
   void note_warning() {
     if (const auto text = law_.warning(now_.state)) warn(*text);
     if (now_.strain.norm() > kLargeStrain)
-      warn("strains above 100 %: beyond what small strains can stand for");
+      warn("strains above 100 %: beyond the range of small strains");
   }
 
   void warn(const std::string& text) {

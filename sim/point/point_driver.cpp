@@ -295,7 +295,7 @@ bool PointDriver<Space>::ran_away(const PointState<Space>& from, PointStep<Space
   if (step.strain_increment.norm() < 10 * asked) return false;
   blame(from, step.strain_increment, step);
   end(step, StepOutcome::lost_control,
-      "the strain runs away, the control condition cannot be held any longer");
+      "runaway of the strain: the control condition cannot be held any longer");
   return true;
 }
 

@@ -70,7 +70,7 @@ bool QuasiStatic::require_sustained(SpecimenStep& whole) const {
   const bool can_run_away = axis.kind == AxialDrive::Kind::force && axis.mass_kg > 0;
   if (!can_run_away || implicit_.sustains(whole.state)) return true;
   whole.outcome = StepOutcome::lost_control;
-  whole.message = "the equilibrium is not sustained against a fast change of force";
+  whole.message = "the equilibrium is unstable against a fast change of force";
   return false;
 }
 

@@ -54,7 +54,7 @@ bool exhausted(SpecimenStep& whole, const SpecimenTolerance& tolerance) {
   if (whole.law_steps <= tolerance.law_steps) return false;
   whole.outcome = StepOutcome::failed;
   whole.law_ended = true;
-  whole.message = "it asks for ever shorter steps, p' = " +
+  whole.message = "it needs ever shorter steps, p' = " +
                   std::to_string(std::lround(whole.state.material.p())) + " Pa";
   return true;
 }

@@ -5,7 +5,7 @@
 // With dε₁ + 2R dε₃ = 0 held, W₂ = d(σ₁′ − σ₃′/R) dε₁ (Eq. 30, 31). What the control of R leaves
 // free where its determinant vanishes is a stress increment dσ₁ = dσ₃/R with dε₁ + 2R dε₃ = 0, so
 // that W₂ = 0: control is lost at an R whose direction is the edge of a cone. In which sense of
-// σ₁′ − σ₃′/R depends on the way the specimen fails: where the mode shortens it, dε₁ > 0, the
+// σ₁′ − σ₃′/R depends on the path the specimen fails: where the mode shortens it, dε₁ > 0, the
 // stress cannot grow (compression); where it lengthens it, the stress cannot fall (extension). For
 // a zone these R are the roots of Eqs. (34), (35) (proportional_control.hpp); for an incrementally
 // nonlinear law they are those of the tangent compliance of that direction.

@@ -145,7 +145,7 @@ class ColumnWalk {
         if (rate.culprit != kRefused) continue;
         if (const auto words = law_.refusal(response.state(), rate)) return *words;
       }
-    return "the law gives no answer in some directions";
+    return "the law gives no result in some directions";
   }
 
   Probe probe(double q, double angle) const {
@@ -325,7 +325,7 @@ template <class Space>
 DomainColumn column_of(const Law<Space>* law, const std::string& why_not, const DomainGrid& grid,
                        int column, const DomainCriteria& criteria) {
   if (law == nullptr)
-    throw std::invalid_argument(why_not.empty() ? "the law has no form for this plane" : why_not);
+    throw std::invalid_argument(why_not.empty() ? "the law is not formulated for this plane" : why_not);
   return domain_column(*law, grid, column, criteria);
 }
 

@@ -97,7 +97,7 @@ std::vector<DomainColumn> run_domain(const DomainGrid& grid, const std::vector<i
 
 std::vector<int> columns_of_piece(const DomainGrid& grid, int index, int count) {
   if (count < 1 || index < 1 || index > count)
-    throw std::invalid_argument("there is no piece " + std::to_string(index) + " of " +
+    throw std::invalid_argument("no piece " + std::to_string(index) + " of " +
                                 std::to_string(count));
   std::vector<int> columns;
   for (int column = index - 1; column < grid.columns; column += count) columns.push_back(column);

@@ -2,6 +2,7 @@
 
 #include <CLI/Config.hpp>
 
+#include "src/cli/help_formatter.hpp"
 #include "src/study/version.hpp"
 
 namespace triax::src {
@@ -20,19 +21,20 @@ Application make_application(const std::vector<Command>& commands) {
   Application application{
       std::make_unique<CLI::App>(
           "triax: a laboratory for triaxial tests. It says when, why and at what "
-          "stress ratio a specimen lost sustainability.",
+          "stress ratio a specimen became unstable.",
           "triax"),
       std::make_shared<std::function<void()>>()};
   CLI::App& app = *application.app;
   app.set_help_flag("--help,-h", "print this help and exit");
   app.set_version_flag("--version", "triax " + std::string(study::version()),
                        "print the version and exit");
-  app.get_formatter()->column_width(34);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.footer(
-      "\nExit status: 0 done, 1 failed while working, 2 wrong usage or bad input.\n"
-      "triax COMMAND --help and man triax-COMMAND tell more.");
+      "\nExit status: 0 done, 1 failed while running, 2 wrong usage or bad input.\n"
+      "See triax COMMAND --help or man triax-COMMAND for more.");
   for (const auto& command : commands) {
     CLI::App* sub = app.add_subcommand(command.name, command.purpose);
+    sub->group("Commands");
     sub->footer(help_footer(command));
     const auto run = command.set_up(*sub);
     sub->callback([slot = application.run, run] { *slot = run; });

@@ -31,6 +31,22 @@ std::vector<std::string> values(const CLI::Option& option) {
   return all;
 }
 
+/// What `triax --complete` is asked for where this option or argument takes a name of the database or
+/// of the program: "tests", "materials", "queries"; empty for others.
+std::string kind_of_names(const CLI::Option& option) {
+  const std::string name = option.get_name(), type = option.get_type_name();
+  if (name == "TEST" || type == "TEST") return "tests";
+  if (name == "NAME" || type == "LAW/SET") return "materials";
+  if (name == "NAME|SQL") return "queries";
+  return {};
+}
+
+std::string kind_of_argument(const CLI::App& app) {
+  for (const auto* option : app.get_options())
+    if (option->get_positional()) return kind_of_names(*option);
+  return {};
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : " ") + word;
@@ -39,16 +55,30 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string bash(const CLI::App& app) {
   std::vector<std::string> names;
-  std::string cases, option_values;
+  std::string cases, option_values, arguments;
   for (const auto* sub : app.get_subcommands({})) {
     names.push_back(sub->get_name());
     cases += fmt::format("    {}) words=\"{}\" ;;\n", sub->get_name(), joined(option_names(*sub)));
-    for (const auto* option : sub->get_options())
-      if (!values(*option).empty() && !option->get_lnames().empty())
-        option_values += fmt::format("    {}:--{}) words=\"{}\"; only=1 ;;\n", sub->get_name(),
-                                     option->get_lnames().front(), joined(values(*option)));
+    if (const auto kind = kind_of_argument(*sub); !kind.empty())
+      arguments += fmt::format("    {}) words=$(_triax_names {}) ;;\n", sub->get_name(), kind);
+    for (const auto* option : sub->get_options()) {
+      if (option->get_lnames().empty()) continue;
+      const auto kind = kind_of_names(*option);
+      if (values(*option).empty() && kind.empty()) continue;
+      option_values += fmt::format("    {}:--{}) words=\"{}\"; only=1 ;;\n", sub->get_name(),
+                                   option->get_lnames().front(),
+                                   kind.empty() ? joined(values(*option))
+                                                : fmt::format("$(_triax_names {})", kind));
+    }
   }
-  return fmt::format(R"(# bash completion of triax, written by triax itself
+  return fmt::format(R"bash(# bash completion of triax, written by triax itself
+_triax_names() {{  # of the database that --db names on this line
+  local i db=triax.db
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    [ "${{COMP_WORDS[i]}}" = --db ] && db=${{COMP_WORDS[i+1]}}
+  done
+  "${{COMP_WORDS[0]}}" --complete "$1" "$db" 2>/dev/null
+}}
 _triax() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words="" only=""
   if [ "$COMP_CWORD" -eq 1 ]; then
@@ -62,12 +92,16 @@ _triax() {{
   if [ -n "$only" ] || [[ $current == -* ]]; then
     COMPREPLY=($(compgen -W "$words" -- "$current"))
   else
-    COMPREPLY=($(compgen -f -- "$current"))
+    words=""
+    case ${{COMP_WORDS[1]}} in
+{}    esac
+    COMPREPLY=($(compgen -W "$words" -- "$current"))
+    [ -n "$words" ] || COMPREPLY=($(compgen -f -- "$current"))
   fi
 }}
 complete -o filenames -F _triax triax
-)",
-                     joined(names), joined(option_names(app)), cases, option_values);
+)bash",
+                     joined(names), joined(option_names(app)), cases, option_values, arguments);
 }
 
 /// Text inside single quotes of fish.
@@ -89,6 +123,9 @@ std::string zsh_escaped(const std::string& text, const std::string& special) {
   return out;
 }
 
+/// The action of _arguments that completes such names.
+std::string zsh_names(const std::string& kind) { return "{_triax_names " + kind + "}"; }
+
 std::string zsh(const CLI::App& app) {
   std::string names, cases;
   for (const auto* sub : app.get_subcommands({})) {
@@ -99,17 +136,28 @@ std::string zsh(const CLI::App& app) {
       const std::string text = zsh_escaped(option->get_description(), "[]:");
       const bool takes_value = option->get_items_expected_max() > 0;
       const auto choices = values(*option);
-      const std::string action = choices.empty() ? "_files" : "(" + joined(choices) + ")";
+      const std::string kind = kind_of_names(*option);
+      const std::string action = !kind.empty()     ? zsh_names(kind)
+                                 : choices.empty() ? "_files"
+                                                   : "(" + joined(choices) + ")";
       for (const auto& name : option->get_lnames())
         cases += fmt::format(" \\\n      '--{}[{}]{}'", name, text,
                              takes_value ? ":value:" + action : "");
     }
-    cases += " \\\n      '*:file:_files' ;;\n";
+    const std::string kind = kind_of_argument(*sub);
+    cases += fmt::format(" \\\n      '*:{}' ;;\n",
+                         kind.empty() ? "file:_files" : "name:" + zsh_names(kind));
   }
   std::string own;
   for (const auto& name : option_names(app)) own += " " + name;
-  return fmt::format(R"(#compdef triax
+  return fmt::format(R"zsh(#compdef triax
 # zsh completion of triax, written by triax itself
+_triax_names() {{  # of the database that --db names on this line
+  local db=triax.db
+  (( $words[(I)--db] )) && db=$words[$words[(I)--db]+1]
+  local -a names=(${{(f)"$(triax --complete $1 $db 2>/dev/null)"}})
+  compadd -a names
+}}
 _triax() {{
   local -a commands=(
 {}  )
@@ -125,12 +173,19 @@ _triax() {{
 {}  esac
 }}
 _triax "$@"
-)",
+)zsh",
                      names, own, cases);
 }
 
 std::string fish(const CLI::App& app) {
-  std::string text = "# fish completion of triax, written by triax itself\n";
+  std::string text = R"(# fish completion of triax, written by triax itself
+function __triax_names  # of the database that --db names on this line
+    set -l words (commandline -opc)
+    set -l db triax.db
+    set -l at (contains -i -- --db $words); and set db $words[(math $at + 1)]
+    triax --complete $argv[1] $db 2>/dev/null
+end
+)";
   for (const auto& name : option_names(app))
     text +=
         fmt::format("complete -c triax -n __fish_use_subcommand -{} {}\n",
@@ -142,12 +197,18 @@ std::string fish(const CLI::App& app) {
       for (const auto& name : option->get_lnames()) {
         text += fmt::format("complete -c triax -n '__fish_seen_subcommand_from {}' -l {} -d '{}'",
                             sub->get_name(), name, escaped(option->get_description(), "'"));
-        if (const auto choices = values(*option); !choices.empty())
+        if (const auto kind = kind_of_names(*option); !kind.empty())
+          text += fmt::format(" -x -a '(__triax_names {})'", kind);
+        else if (const auto choices = values(*option); !choices.empty())
           text += fmt::format(" -x -a '{}'", joined(choices));
         else if (option->get_items_expected_max() > 0)
           text += " -r";
         text += "\n";
       }
+    if (const auto kind = kind_of_argument(*sub); !kind.empty())
+      text += fmt::format(
+          "complete -c triax -n '__fish_seen_subcommand_from {}' -a '(__triax_names {})'\n",
+          sub->get_name(), kind);
   }
   return text;
 }
@@ -158,7 +219,7 @@ std::string completion_script(const CLI::App& app, const std::string& shell) {
   if (shell == "bash") return bash(app);
   if (shell == "zsh") return zsh(app);
   if (shell == "fish") return fish(app);
-  throw lab::BadInput(fmt::format("no completion for '{}': bash, zsh or fish", shell));
+  throw lab::BadInput(fmt::format("no completion for '{}'; known: bash, zsh, fish", shell));
 }
 
 }  // namespace triax::src

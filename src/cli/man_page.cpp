@@ -60,7 +60,7 @@ std::string synopsis(const CLI::App& sub) {
 }
 
 constexpr const char* kExitStatus =
-    ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\nfailed while working\n.TP\n2\nwrong usage or bad "
+    ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\nfailed while running\n.TP\n2\nwrong usage or bad "
     "input: one "
     "line on standard error names the file, the line or key, what was found and what would be "
     "right\n";

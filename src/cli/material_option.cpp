@@ -12,10 +12,10 @@
 namespace triax::src {
 
 void add_material(CLI::App& app, MaterialOptions& options) {
-  app.add_option("--material", options.name, "parameter set; triax materials lists them")
+  app.add_option("--material", options.name, "parameter set; listed by triax materials")
       ->type_name("LAW/SET");
   app.add_option("--materials", options.file,
-                 "take the set from this file (also one of a UMAT) instead of the shipped ones")
+                 "sets of this file (also of a UMAT) instead of the shipped ones")
       ->type_name("FILE.toml");
   app.add_option("--set", options.sets,
                  "a parameter of the law instead of the set's; may be repeated")
@@ -27,7 +27,7 @@ void add_material(CLI::App& app, MaterialOptions& options) {
 lab::MaterialSet chosen_material(const MaterialOptions& options) {
   if (options.name.empty())
     throw lab::BadInput(
-        "--material LAW/SET is missing, as in --material inl2/S28-general; triax materials lists "
+        "missing --material LAW/SET, as in --material inl2/S28-general; triax materials lists "
         "the sets");
   lab::MaterialSet material =
       options.file.empty()
@@ -43,13 +43,13 @@ double chosen_void_ratio(const MaterialOptions& options, const lab::MaterialSet&
   if (!options.void_ratio) {
     const auto& range = material.void_ratio_range;
     throw lab::BadInput(
-        "--void-ratio E is missing" +
+        "missing --void-ratio E" +
         (range ? fmt::format("; {} is for {:g} to {:g}", material.name, range->low, range->high)
                : std::string()));
   }
   const double e = *options.void_ratio;
   if (!(e >= lab::kSmallestVoidRatio && e <= lab::kLargestVoidRatio))
-    throw lab::BadInput(fmt::format("--void-ratio {:g}: must be a number, {:g} to {:g}", e,
+    throw lab::BadInput(fmt::format("--void-ratio {:g}: out of range; expected a number from {:g} to {:g}", e,
                                     lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
   return e;
 }

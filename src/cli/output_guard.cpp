@@ -39,7 +39,7 @@ void refuse_overwriting(const std::string& option, const std::string& output,
   for (const auto& file : kept)
     if (same_file(output, file))
       throw lab::BadInput(
-          fmt::format("{} {}: this is {} ({}) and would be overwritten; name another file", option,
+          fmt::format("{} {}: this is {} ({}) and would be overwritten; give another name", option,
                       output, what, file));
 }
 
@@ -58,7 +58,7 @@ void check_targets(const std::string& option, const std::string& output,
     throw lab::BadInput(fmt::format("{} {}: {}", option, output, why));
   };
   if (output.empty() || output == "-") return;
-  if (output.back() == '/') refuse("ends in '/'; a name in that folder is wanted");
+  if (output.back() == '/') refuse(fmt::format("this is a folder; expected the beginning of file names, as in {}x", output));
   for (const auto& target : targets) {
     std::error_code none;
     const fs::path file = lab::behind_links(target);
@@ -67,7 +67,7 @@ void check_targets(const std::string& option, const std::string& output,
     if (kind == fs::file_type::character || kind == fs::file_type::fifo) continue;
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     if (::access((folder / "").c_str(), W_OK | X_OK) != 0)
-      throw lab::WorkFailed(fmt::format("{}: cannot be written: {}", target, std::strerror(errno)));
+      throw lab::WorkFailed(fmt::format("{}: cannot write: {}", target, std::strerror(errno)));
   }
 }
 

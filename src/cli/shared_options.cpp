@@ -1,9 +1,14 @@
 #include "src/cli/shared_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/Config.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <thread>
 #include <utility>
 
 #include "lab/base/bad_input.hpp"
@@ -15,8 +20,45 @@ void add_db(CLI::App& app, std::string& path) {
   app.add_option("--db", path, "database of tests")->type_name("FILE")->capture_default_str();
 }
 
+namespace {
+
+void add_format_of(CLI::App& app, const std::vector<std::string>& formats,
+                   const std::function<void(const std::string&)>& chosen) {
+  const CLI::Option* format =
+      app.add_option_function<std::string>("--format", chosen,
+                                           fmt::format("form of the results [{}]", formats.front()))
+          ->check(CLI::IsMember(formats).description(""))
+          ->type_name(fmt::format("{}", fmt::join(formats, "|")));
+  app.add_flag_callback(
+      "--json",
+      [format, chosen] {
+        if (format->count() > 0 && format->as<std::string>() != "json")
+          throw CLI::ValidationError("--json", fmt::format("excludes --format {}; give one of them",
+                                                           format->as<std::string>()));
+        chosen("json");
+      },
+      "short for --format json: one JSON document, nothing else on standard output");
+}
+
+}  // namespace
+
+void add_format(CLI::App& app, std::string& format, const std::vector<std::string>& formats) {
+  format = formats.front();
+  add_format_of(app, formats, [&format](const std::string& chosen) { format = chosen; });
+}
+
 void add_json(CLI::App& app, bool& json) {
-  app.add_flag("--json", json, "print one JSON document on standard output, nothing else");
+  add_format_of(app, {"text", "json"}, [&json](const std::string& chosen) { json = chosen == "json"; });
+}
+
+void add_jobs(CLI::App& app, int& jobs, const std::string& what, int most) {
+  app.add_option("--jobs", jobs, what + " [all cores]")
+      ->check(CLI::Range(1, most).description(""))
+      ->type_name("N");
+}
+
+int chosen_jobs(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 void add_speed(CLI::App& app, double& speed) {
@@ -29,8 +71,8 @@ void add_speed(CLI::App& app, double& speed) {
            if (*end != '\0' || !(speed > 0) || !std::isfinite(speed))
              throw CLI::ValidationError(
                  "--speed",
-                 fmt::format("'{}' is neither max nor a positive number of seconds of the "
-                             "test per second of the clock",
+                 fmt::format("'{}' is not valid; expected max, or how many times faster than "
+                             "the clock, as in 60",
                              text));
          },
          "pace: as fast as possible, or N times the clock; results do not depend on it [max]")
@@ -43,7 +85,7 @@ std::vector<std::pair<std::string, std::string>> key_values(const std::vector<st
   for (const auto& set : sets) {
     const auto equals = set.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw lab::BadInput(fmt::format("--set {}: KEY=VALUE is wanted, as in {}", set, example));
+      throw lab::BadInput(fmt::format("--set {}: expected KEY=VALUE, as in {}", set, example));
     pairs.emplace_back(set.substr(0, equals), set.substr(equals + 1));
   }
   return pairs;
@@ -57,7 +99,7 @@ Piece piece_of(const std::string& text) {
       slash == std::string::npos ? std::nullopt : lab::whole_text_as<int>(text.substr(slash + 1));
   if (!index || !count || *index < 1 || *index > *count)
     throw lab::BadInput(
-        fmt::format("--piece {}: I/N with I from 1 to N is wanted, as in 3/8", lab::excerpt(text)));
+        fmt::format("--piece {}: expected I/N with I from 1 to N, as in 3/8", lab::excerpt(text)));
   return {*index, *count};
 }
 

@@ -11,8 +11,17 @@ namespace triax::src {
 /// --db FILE, triax.db in the current folder by default.
 void add_db(CLI::App& app, std::string& path);
 
-/// --json: one document on standard output and nothing else there.
+/// --format of what standard output gets, one of `formats` (the first is what it is otherwise), and
+/// --json, short for --format json: one document and nothing else.
+void add_format(CLI::App& app, std::string& format, const std::vector<std::string>& formats);
+
+/// The same of a command that knows text and JSON only.
 void add_json(CLI::App& app, bool& json);
+
+/// --jobs N: threads or tests at a time; 0 in `jobs`: not given, all cores. `what` describes it.
+void add_jobs(CLI::App& app, int& jobs, const std::string& what, int most = 1024);
+/// As many as were asked for, or as there are cores.
+[[nodiscard]] int chosen_jobs(int jobs);
 
 /// --speed max|N: 0 in `speed` stands for max.
 void add_speed(CLI::App& app, double& speed);

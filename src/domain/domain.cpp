@@ -31,7 +31,7 @@ study::ReportedDomain compute(const DomainOptions& o, const lab::MaterialSet& ma
         fmt::format("--piece {}: the grid has only {} columns to share", o.piece, grid.columns));
   return study::run_domain({.material = material,
                             .grid = grid,
-                            .threads = o.threads,
+                            .threads = o.jobs,
                             .piece = piece.index,
                             .pieces = piece.count},
                            progress_bars());
@@ -93,7 +93,7 @@ void check_output(const DomainOptions& o, const std::optional<lab::MaterialSet>&
 void refuse_if_nothing_is_answered(const study::ReportedDomain& domain) {
   if (study::any_answer(domain)) return;
   const study::ReportedColumn& first = domain.columns.front();
-  throw lab::WorkFailed(fmt::format("{} answers no state of the grid; at p' {:g} kPa first: {}",
+  throw lab::WorkFailed(fmt::format("{} gives no result at any state of the grid; at p' {:g} kPa first: {}",
                                     domain.settings.material.name, first.p_eff_kPa,
                                     on_one_line(first.refusal)));
 }
@@ -123,8 +123,8 @@ Command domain_command() {
       .description =
           {"Every state (p', q) of a grid at one void ratio is probed with stress increments in "
            "all directions of the plane: stable where the second-order work is positive in all of "
-           "them, unstable inside the bifurcation domain, unknown where the law refuses some "
-           "directions "
+           "them, unstable inside the bifurcation domain, unknown where the law has no "
+           "answer in some directions "
            "and the others are stable. Between the rows the boundary is "
            "isolated: the first unstable state with its direction, isotropic unloading (dq = 0 "
            "with falling p', where undrained tests have their peak and tests at constant q "
@@ -133,31 +133,31 @@ Command domain_command() {
            "I/N computes every N-th of them only, as one task of a batch system or of MPI; --merge "
            "puts the pieces together to what a run in one go gives, to the byte."},
       .diagnostics =
-          {{"... answers no state of the grid; ...",
-            "the law refuses them all, for the reason that follows: another void ratio, or a UMAT "
-            "that fails"},
+          {{"... gives no result at any state of the grid; ...",
+            "all of them are out of the law's range, for the reason that follows: choose another "
+            "void ratio, or correct the UMAT that fails"},
            {"--merge: piece I of N is missing", "run that piece again, with the same options"},
            {"FILE: is a piece of another domain: ...", "its settings differ from the first file's"},
-           {"FILE: is no whole JSON document; ...",
+           {"FILE: is not a complete JSON document; ...",
             "the task that wrote it was killed: run it again"},
-           {"--plane plane-strain: ... has no form for it", "the law is one of axisymmetry only"}},
+           {"--plane plane-strain: ... is not formulated for it", "the law is one of axisymmetry only"}},
       .examples =
           {{"triax domain --material inl2/S28-general --void-ratio 1.086",
             "200 x 200 states with 360 directions each"},
-           {"triax domain --material octolinear/S28-general --void-ratio 0.85 --p-kPa 50:800:100 "
-            "--q-kPa -400:900:260 --output dense",
+           {"triax domain --material octolinear/S28-general --void-ratio 0.85 --p-kPa 50:800/100 "
+            "--q-kPa -400:900/260 --output dense",
             "extension too, as dense.csv and dense.json"},
            {"triax domain --materials my_umat.toml --material umat/sand --void-ratio 0.8 --plane "
             "plane-strain --json",
-            "a law of one's own in plane strain"},
+            "your own law in plane strain"},
            {"triax domain --material inl2/S28-general --void-ratio 1.086 --piece "
             "$SLURM_ARRAY_TASK_ID/64 --output piece_$SLURM_ARRAY_TASK_ID.json",
             "one task of an array job 1-64"},
            {"triax domain --merge piece_*.json --output loose", "all tasks put together"},
-           {"triax domain --material inl2/S28-general --void-ratio 1.1 --p-kPa 100:900:9 "
-            "--q-kPa 0:900:10 --test 27 --test 58 --output fig12",
+           {"triax domain --material inl2/S28-general --void-ratio 1.1 --p-kPa 100:900/9 "
+            "--q-kPa 0:900/10 --test 27 --test 58 --output fig12",
             "cones at some states, and the increments of two tests at collapse on top"},
-           {"triax domain --material inl2/S28-general --void-ratio 1.086 --threads 1 --piece "
+           {"triax domain --material inl2/S28-general --void-ratio 1.086 --jobs 1 --piece "
             "$((OMPI_COMM_WORLD_RANK+1))/$OMPI_COMM_WORLD_SIZE --output "
             "piece_$OMPI_COMM_WORLD_RANK.json",
             "the same under MPI: what mpirun -n 8 sh -c '...' is given, a process a piece"}},

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/range.hpp"
 #include "lab/base/text.hpp"
 #include "sim/stability/domain_criteria.hpp"
 #include "src/cli/shared_options.hpp"
@@ -18,36 +20,27 @@
 namespace triax::src {
 namespace {
 
-template <class Number>
-bool read(std::string_view text, Number& value) {
-  const auto number = lab::whole_text_as<Number>(text);
-  value = number.value_or(value);
-  return number.has_value();
-}
+constexpr std::int64_t kMostValues = 1'000'000;  // of a range; a grid has fewer
 
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end = text.find(at); end != text.npos; end = text.find(at)) {
-    parts.push_back(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-  parts.push_back(text);
-  return parts;
-}
-
-/// FROM:TO or FROM:TO:COUNT; `usual` where nothing is given.
+/// FROM:TO/COUNT, FROM:TO:STEP or FROM:TO; `usual` where nothing is given.
 study::GridLine line(const char* option, const std::string& text, const study::GridLine& usual) {
   if (text.empty()) return usual;
-  const auto parts = split(text, ':');
-  study::GridLine found = usual;
-  const bool good = (parts.size() == 2 || parts.size() == 3) && read(parts[0], found.from) &&
-                    read(parts[1], found.to) &&
-                    (parts.size() == 2 || read(parts[2], found.count)) &&
-                    std::isfinite(found.from) && std::isfinite(found.to);
-  if (!good)
-    throw lab::BadInput(fmt::format("{} {}: FROM:TO:COUNT is wanted, as in 10:300:200", option,
-                                    lab::excerpt(text)));
-  return found;
+  const bool ends_only = std::ranges::count(text, ':') == 1 && text.find('/') == text.npos;
+  try {
+    const lab::Range range = lab::read_range(
+        ends_only ? fmt::format("{}/{}", text, usual.count) : text, kMostValues);
+    if (!range.meets_end())
+      throw std::invalid_argument(fmt::format(
+          "{} does not meet its end by this step; for {:g} values write {:g}:{:g}/{:g}",
+          lab::excerpt(text), *range.step, range.from, range.to, *range.step));
+    study::GridLine found = usual;
+    found.from = range.from;
+    found.to = range.to;
+    found.count = static_cast<int>(range.count);
+    return found;
+  } catch (const std::invalid_argument& error) {
+    throw lab::BadInput(fmt::format("{} {}", option, error.what()));
+  }
 }
 
 void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
@@ -55,7 +48,7 @@ void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
   const auto& law = material.material;
   const std::string why = law.no_tensor.empty() ? "" : ", " + law.no_tensor;
   if (axisymmetric ? law.axisymmetric == nullptr : law.tensor == nullptr)
-    throw lab::BadInput(fmt::format("--plane {}: {} has no form for it{}", o.plane, material.name,
+    throw lab::BadInput(fmt::format("--plane {}: {} is not formulated for it{}", o.plane, material.name,
                                     axisymmetric ? "" : why));
 }
 
@@ -64,7 +57,7 @@ std::string no_tangents(const std::string& criterion, const lab::MaterialSet& ma
   if (law.tensor != nullptr)
     return fmt::format("--{}: {} is a law of finite increments, without the tangents that it needs",
                        criterion, material.name);
-  return fmt::format("--{} needs the full tensor, and {} has no form for it{}", criterion,
+  return fmt::format("--{} needs the full tensor, and {} is not formulated for it{}", criterion,
                      material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
 }
 
@@ -72,11 +65,12 @@ std::string no_tangents(const std::string& criterion, const lab::MaterialSet& ma
 
 void add_domain_options(CLI::App& app, DomainOptions& o) {
   add_material(app, o.material);
-  app.add_option("--p-kPa", o.p, "mean effective stresses [10:300:200 within the set's range]")
-      ->type_name("FROM:TO:COUNT");
+  app.add_option("--p-kPa", o.p, "mean effective stresses [10:300/200 within the set's range]")
+      ->type_name("RANGE");
   app.add_option("--q-kPa", o.q,
-                 "deviator stresses, below 0 in extension [0 to M times the highest p', 200]")
-      ->type_name("FROM:TO:COUNT");
+                 "deviator stresses, below 0 in extension [200 from 0 to M times the highest p']; "
+                 "ranges are FROM:TO/COUNT or FROM:TO:STEP")
+      ->type_name("RANGE");
   app.add_option("--plane", o.plane, "plane of the stress increments [axisymmetric]")
       ->check(CLI::IsMember({"axisymmetric", "plane-strain"}).description(""))
       ->type_name("axisymmetric|plane-strain");
@@ -88,15 +82,12 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
       app.add_flag_callback(
           fmt::format("--{}", kind.name), [&o, kind] { o.criteria.emplace_back(kind.name); },
           std::string(kind.help));
-  app.add_option("--threads", o.threads,
-                 "number of threads; the result does not depend on it [all cores]")
-      ->check(CLI::Range(1, 4096).description(""))
-      ->type_name("N");
+  add_jobs(app, o.jobs, "threads; results do not depend on them", 4096);
   app.add_option("--piece", o.piece,
                  "compute every N-th column from the I-th on only, and "
                  "write them to the file --output")
       ->type_name("I/N");
-  app.add_option("--merge", o.merge, "put these pieces together instead of computing")
+  app.add_option("--merge", o.merge, "merge these pieces only, compute nothing")
       ->type_name("FILE...");
   app.add_option("--output", o.output,
                  "write PREFIX.csv (states), PREFIX_boundaries.csv, PREFIX.json, the map as "
@@ -113,8 +104,8 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
 }
 
 void check_domain_options(const CLI::App& app, const DomainOptions& o) {
-  static constexpr std::array<std::string_view, 5> kWithMerge = {"--merge", "--output", "--test",
-                                                                 "--db", "--json"};
+  static constexpr std::array<std::string_view, 6> kWithMerge = {"--merge", "--output", "--test",
+                                                                 "--db", "--format", "--json"};
   if (!o.merge.empty())
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0 &&

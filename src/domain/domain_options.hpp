@@ -11,10 +11,10 @@ namespace triax::src {
 
 struct DomainOptions {
   MaterialOptions material;
-  std::string p, q;  ///< FROM:TO:COUNT; empty: what the set is for
+  std::string p, q;  ///< ranges; empty: what the set is for
   std::string plane = "axisymmetric";
   int directions = 360;
-  int threads = 0;                 ///< 0: all cores
+  int jobs = 0;                    ///< threads; 0: all cores
   std::string piece;               ///< I/N; empty: the whole domain
   std::vector<std::string> merge;  ///< files of pieces; empty: the domain is computed
   std::string output;

@@ -68,8 +68,8 @@ std::string shares(const study::ReportedDomain& domain) {
   std::string words =
       fmt::format("stable {:.1f} %, unstable {:.1f} %, ", share(stable), share(unstable));
   if (share(unknown) > 0)
-    words += fmt::format("unknown {:.1f} % (not all directions answered), ", share(unknown));
-  return words + fmt::format("beyond the limit {:.1f} %, refused {:.1f} %", share(beyond_limit),
+    words += fmt::format("unknown {:.1f} % (no result in some directions), ", share(unknown));
+  return words + fmt::format("beyond the limit {:.1f} %, out of range {:.1f} %", share(beyond_limit),
                              share(refused));
 }
 

@@ -18,29 +18,32 @@ namespace {
 struct Options {
   std::string path;
   std::vector<std::string> sets;
-  std::string csv;
+  std::string output;
   std::string save_failure;
-  bool json = false;
+  std::string format;
 };
 
 void run(const Options& o) {
   const lab::PathDescription description =
       study::described_path(o.path, key_values(o.sets, "void_ratio=1.086"));
-  refuse_overwriting("--csv", o.csv, description.files, "what the path is read from");
+  refuse_overwriting("--output", o.output, description.files, "what the path is read from");
   refuse_overwriting("--save-failure", o.save_failure, description.files,
                      "what the path is read from");
   if (!o.save_failure.empty() && description.material_name.empty())
     throw lab::BadInput(
         "--save-failure: the material of incrementalDriver files has no name that a path file "
         "could "
-        "give");
-  if (!o.csv.empty())
-    refuse_overwriting("--save-failure", o.save_failure, {o.csv}, "the rows of --csv");
+        "use");
+  if (!o.output.empty())
+    refuse_overwriting("--save-failure", o.save_failure, {o.output}, "the file of --output");
   const study::PathResult result = study::run_element(description, progress_bars());
   if (!o.save_failure.empty() && !result.failed_increment.empty())
     write_file(o.save_failure, result.failed_increment);
-  if (!o.csv.empty()) write_file(o.csv, path_csv(result));
-  print(o.json ? path_json(result) : path_text(result));
+  if (!o.output.empty())
+    write_file(o.output, o.output.ends_with(".json") ? path_json(result) : path_csv(result));
+  print(o.format == "json"  ? path_json(result)
+        : o.format == "csv" ? path_csv(result)
+                            : path_text(result));
   if (!result.went_to_the_end()) throw lab::WorkFailed(result.message);
 }
 
@@ -64,10 +67,10 @@ Command element_command() {
            "--set umat=libNAME.so names the library with its UMAT."},
       .diagnostics =
           {{"control of q_kPa is lost ...",
-            "the material carries no more: ask for less, or control a strain in its place"},
-           {"... refuses it: ...", "the start lies outside what the law can describe"},
+            "the material cannot carry more: reduce the load, or control a strain instead"},
+           {"... is out of range for ...", "the start lies outside what the law can describe"},
            {"undrained needs one condition on a total stress",
-            "the pore pressure would be open: add radial_stress_kPa = 0, say"}},
+            "the pore pressure would be undetermined: add radial_stress_kPa = 0, say"}},
       .examples = {{"triax element samples/paths/icu_100.toml --set void_ratio=1.05 --json",
                     "undrained compression of a denser specimen"},
                    {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
@@ -76,7 +79,7 @@ Command element_command() {
                     "files of incrementalDriver; the folder alone says the same"},
                    {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
                     "the same with their UMAT, built as a shared library"},
-                   {"triax element path.toml --set material=sanisand/Toyoura-DM04 --csv rows.csv",
+                   {"triax element path.toml --set material=sanisand/Toyoura-DM04 --output rows.csv",
                     "another material, and all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
@@ -89,11 +92,12 @@ Command element_command() {
                        "instead of the file's; may be repeated")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--csv", o->csv, "also write all rows")->type_name("OUT.csv");
+        app.add_option("--output", o->output, "also write all rows, as CSV or (.json) as JSON")
+            ->type_name("FILE.csv|FILE.json");
         app.add_option("--save-failure", o->save_failure,
                        "write an increment that could not be done as a path of its own")
             ->type_name("FILE.toml");
-        add_json(app, o->json);
+        add_format(app, o->format, {"text", "json", "csv"});
         return [o] { run(*o); };
       }};
 }

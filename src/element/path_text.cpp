@@ -85,7 +85,7 @@ std::string path_text(const study::PathResult& path) {
   if (path.peak || !path.events.empty()) out += '\n';
   for (const auto& warning : path.warnings) fact("warning", warning);
   fact("outcome",
-       path.message.empty() ? "went to its end" : word_of(path.outcome) + ": " + path.message);
+       path.message.empty() ? "completed" : word_of(path.outcome) + ": " + path.message);
   return without_controls(out);
 }
 

@@ -125,7 +125,7 @@ study::Json came_json(const lab::ReportedGrainRest& came) {
   const auto& settling = came.rest.settling;
   return {{"held", came.strain_held ? "walls" : "stresses"},
           {"settled", came.rest.settled},
-          {"steps", settling.steps},
+          {"steps", count_json(settling.steps)},
           {"unbalanced", study::json_number(settling.unbalanced)},
           {"stress_error_Pa",
            came.strain_held ? study::Json(nullptr) : study::json_number(settling.stress_error_pa)},

@@ -10,6 +10,7 @@
 #include "lab/grains/lammps_export.hpp"
 #include "lab/grains/vtk_snapshot.hpp"
 #include "src/output/output.hpp"
+#include "src/output/written_files.hpp"
 
 namespace triax::src {
 namespace {
@@ -101,7 +102,11 @@ void GrainOutputs::picture(const lab::GrainStage& stage, const sim::GrainState& 
 }
 
 void GrainOutputs::ends(const lab::GrainStage& stage, const sim::GrainState& state) {
-  if (stage.save) lab::save_state(named(stage, kState), state);
+  if (stage.save) {
+    const WrittenFile noted(named(stage, kState));
+    lab::save_state(named(stage, kState), state);
+    noted.is_there();
+  }
   if (pictures_of(stage) > 0 && state.time_s != last_picture_s_)
     picture(stage, state,
             series_.empty() ? 0 : state.time_s - last_picture_s_ + series_.back().time_s);

@@ -85,7 +85,7 @@ std::string null_words(const study::GrainRoseFindings& found, const sim::GrainPr
 
 RoseTables rose_tables(const lab::ReportedGrainRose& rose) {
   RoseTables tables{right_columns({"α (°)", "dε₁ (10⁻⁶)", "dε₃ (10⁻⁶)", "W₂ norm.", "sliding (%)",
-                                   "non-perm. (%)", "K most (J)", "steps", "settled"}),
+                                   "non-perm. (%)", "largest K (J)", "steps", "settled"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
                                    "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed"})};
   const int decimals = work_decimals(rose.made.rose);

@@ -81,7 +81,7 @@ Table stages_table(const lab::GrainReport& report) {
 
 Table paths_table(const lab::GrainReport& report) {
   Table table = with_columns({"stage"}, {"ε₁ (%)", "ε_v (%)", "peak q (kPa)", "at ε₁ (%)", "peak η",
-                                         "at ε₁ (%)", "K most (J)"});
+                                         "at ε₁ (%)", "largest K (J)"});
   for_each<lab::ReportedGrainPath>(report, [&](const auto& stage, const auto& path) {
     const study::GrainPathFindings found = study::path_findings(path.path, path.points);
     const auto* last = path.points.empty() ? nullptr : &path.points.back();
@@ -100,7 +100,7 @@ std::vector<std::string> paths_notes() {
   return {
       "peaks: largest of the points, the smallest where ε₁ is driven to extension",
       fmt::format("η: of the points with p above {:g} % of the first one's", 100 * study::kLeastP),
-      "K most: largest kinetic energy on the way"};
+      "largest K: kinetic energy, along the path"};
 }
 
 Table strain_paths_table(const lab::GrainReport& report) {
@@ -143,7 +143,7 @@ Table marks_table(const lab::GrainReport& report) {
                                number(mark.at->porosity, 4), number(mark.at->coordination, 2)});
       else
         row.insert(row.end(),
-                   {"never passed", kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown});
+                   {"never reached", kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown});
       table.rows.push_back(std::move(row));
     }
   });
@@ -155,18 +155,20 @@ Table rests_table(const lab::GrainReport& report) {
                              {"steps", "unbalanced", "stress error (Pa)", "σ₁−σ₃/R (kPa)"});
   for_each<lab::ReportedGrainRest>(report, [&](const auto& stage, const auto& came) {
     const auto& settling = came.rest.settling;
-    table.rows.push_back({stage.name, stage.from.empty() ? "as made" : stage.from,
-                          came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
-                          fmt::format("{}", settling.steps), in_joule(settling.unbalanced),
-                          came.strain_held ? kUnknown : number(settling.stress_error_pa, 2),
-                          in_kPa(came.rest.path_stress_pa, 2)});
+    table.rows.push_back(
+        {stage.name, stage.from.empty() ? "as made" : stage.from,
+         came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
+         settling.steps == lab::kNotStored ? kUnknown : fmt::format("{}", settling.steps),
+         in_joule(settling.unbalanced),
+         came.strain_held ? kUnknown : number(settling.stress_error_pa, 2),
+         in_kPa(came.rest.path_stress_pa, 2)});
   });
   return table;
 }
 
 Table perturbations_table(const lab::GrainReport& report) {
   Table table = with_columns({"stage", "from"}, {"step (Pa)", "energy (J)", "hit", "came to",
-                                                 "after (s)", "χ", "ε₁ (%)", "K most (J)"});
+                                                 "after (s)", "χ", "ε₁ (%)", "largest K (J)"});
   for_each<lab::ReportedPerturbation>(report, [&](const auto& stage, const auto& came) {
     const auto* last = came.points.empty() ? nullptr : &came.points.back();
     table.rows.push_back(
@@ -185,7 +187,7 @@ Table perturbations_table(const lab::GrainReport& report) {
 std::vector<std::string> perturbations_notes() {
   return {"step: added to σ₁ − σ₃/R; energy: given to so many floating grains (hit)",
           "χ: σ₁ − σ₃/R over what it was at the start; ε₁ since then: both at the end",
-          "K most: largest kinetic energy after the start"};
+          "largest K: kinetic energy, after the start"};
 }
 
 }  // namespace triax::src

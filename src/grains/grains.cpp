@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <thread>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
@@ -31,13 +29,8 @@ struct Options {
   std::vector<std::string> merge;
   std::string db = "triax.db";
   std::string output;
-  int threads = 0;
+  int jobs = 0;
   bool json = false;
-
-  int chosen_threads() const {
-    return threads > 0 ? threads
-                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  }
 };
 
 lab::GrainProgramme programme_of(const Options& o) {
@@ -52,7 +45,7 @@ void check_piece(const Options& o) {
     throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
   if (o.json)
     throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
-  if (!o.merge.empty()) throw lab::BadInput("--piece beside --merge: first all pieces, then merge");
+  if (!o.merge.empty()) throw lab::BadInput("--piece and --merge exclude each other: first compute all pieces, then merge them");
 }
 
 void check_output(const Options& o, const lab::GrainProgramme& programme,
@@ -78,7 +71,7 @@ void write_and_print(const Options& o, const db::StoredGrainRun& run) {
   print(o.json ? grain_json(report) : grain_text(run));
 }
 
-constexpr const char* kStopped = "stopped by the operator; the stages that had ended are stored";
+constexpr const char* kStopped = "stopped by the operator; the completed stages are stored";
 constexpr const char* kStoppedEarly = "stopped by the operator before there was a specimen";
 
 /// Shows the progress until the operator stops it.
@@ -107,7 +100,7 @@ std::optional<db::StoredGrainRun> run_stages(const Options& o, const lab::GrainP
                              const lab::GrainStageResult& /*result*/) {
     outputs.ends(stage, state);
   };
-  return study::run_grains(programme, {o.chosen_threads(), shown_in(progress, interruption)}, o.db,
+  return study::run_grains(programme, {chosen_jobs(o.jobs), shown_in(progress, interruption)}, o.db,
                            listener);
 }
 
@@ -118,7 +111,7 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
   const Interruption interruption;
   TaskProgress progress(1);
   progress.next("piece " + o.piece);
-  const auto made = study::make_grain_piece(programme, piece.index, piece.count, o.chosen_threads(),
+  const auto made = study::make_grain_piece(programme, piece.index, piece.count, chosen_jobs(o.jobs),
                                             shown_in(progress, interruption));
   if (!made) throw lab::WorkFailed("stopped by the operator; nothing is written");
   write_file(o.output, study::grain_piece_json(*made));
@@ -127,7 +120,7 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
 void run_merge(const Options& o, const lab::GrainProgramme& programme) {
   study::stage_for_pieces(programme);
   check_output(o, programme, {});
-  write_and_print(o, study::merge_grains(programme, o.chosen_threads(), o.db, o.merge));
+  write_and_print(o, study::merge_grains(programme, chosen_jobs(o.jobs), o.db, o.merge));
 }
 
 void run(const Options& o) {
@@ -150,7 +143,7 @@ Command grains_command() {
       .purpose = "run a programme on a specimen of grains, a discrete element model",
       .description =
           {"A specimen of spheres in a box of six frictionless walls is made (a cloud compressed "
-           "with the friction that gives the density wanted) or loaded, and taken through stages: "
+           "with the friction that gives the density asked for) or loaded, and taken through stages: "
            "isotropic, drained and undrained compression or extension, proportional strain paths, "
            "rest, stress probes in all directions with the second-order work of walls and "
            "contacts, and perturbations of an equilibrium. The contacts are those of section 5 of "
@@ -158,11 +151,11 @@ Command grains_command() {
            "tension.",
            "Each stage starts from the one before it, or from the stage or mark that it names. "
            "Every stage is stored as it ends and called simulated; the same programme gives the "
-           "same bits on any number of threads, and a saved state goes on as if the run had never "
+           "same bits on any number of threads, and a saved state continues as if the run had never "
            "ended.",
            "--output PREFIX writes PREFIX.json, a CSV a stage, the figures, and the files that "
            "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
-           "after the work at hand; what had ended is stored.",
+           "after the current step; completed stages are stored.",
            "The probes of a saved state do not depend on each other: --piece I/N makes every N-th "
            "of them only, as one task of a batch system, and --merge puts the pieces together to "
            "what a run in one go gives, to the bit."},
@@ -170,16 +163,16 @@ Command grains_command() {
           {{"FILE:LINE: ...", "the programme could not be understood there"},
            {"a porosity of ... was not reached, ...",
             "ask for another one, or for the friction of compaction that gives the nearest"},
-           {"stage '...': its start '...' was never passed",
+           {"stage '...': its start '...' was never reached",
             "the path ended before the mark: see the peak that it reached"}},
       .examples = {{"triax grains samples/grains/quick.toml", "a small specimen, some seconds"},
                    {"triax grains samples/grains/dense.toml --output dense",
                     "probes of 10,000 grains with figures 13 to 15 of the paper"},
-                   {"triax grains samples/grains/medium.toml --output medium --threads 1",
+                   {"triax grains samples/grains/medium.toml --output medium --jobs 1",
                     "strain paths and perturbed equilibria, figures 16 to 18, on one core"},
                    {"triax grains dense.toml --set specimen.seed=7 --set contact.damping=0.1",
                     "another specimen, other damping"},
-                   {"triax grains probes.toml --piece $SLURM_ARRAY_TASK_ID/37 --threads 1 --output "
+                   {"triax grains probes.toml --piece $SLURM_ARRAY_TASK_ID/37 --jobs 1 --output "
                     "piece_$SLURM_ARRAY_TASK_ID.json",
                     "one task of an array job 1-37"},
                    {"triax grains probes.toml --merge piece_*.json --output rose",
@@ -187,14 +180,12 @@ Command grains_command() {
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--set", o->sets, "another value for a key of the programme; repeatable")
+        app.add_option("--set", o->sets, "another value for a key of the programme; may be repeated")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--output", o->output, "also write files whose names begin so")
+        app.add_option("--output", o->output, "also write files whose names begin like this")
             ->type_name("PREFIX");
-        app.add_option("--threads", o->threads, "threads [all cores]")
-            ->check(CLI::Range(1, 64).description(""))
-            ->type_name("N");
+        add_jobs(app, o->jobs, "threads; results do not depend on them", 64);
         app.add_option("--piece", o->piece,
                        "make every N-th probe from the I-th on only, and write them to the file "
                        "--output")

@@ -11,12 +11,14 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/whole_file.hpp"
+#include "src/output/written_files.hpp"
 
 namespace triax::src {
 
 namespace {
 
 void require(bool written) {
+  if (!written && errno == EPIPE) throw ClosedPipe();
   if (!written)
     throw lab::WorkFailed(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
 }
@@ -52,9 +54,11 @@ void put(std::string_view text) {
 void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return print(bytes);
   if (passes_on(path)) return write_straight(path, bytes);
+  const WrittenFile noted(path);
   lab::WholeFile file(path);
   file.write(bytes);
   file.finish();
+  noted.is_there();
 }
 
 }  // namespace triax::src

@@ -8,6 +8,7 @@
 
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
+#include "src/output/terminal.hpp"
 
 namespace triax::src {
 namespace {
@@ -53,8 +54,8 @@ class TableWriter : public ResultWriter {
 
   void release() {
     if (widths_.empty()) {
-      widths_ = column_widths(table_);
-      put(to_text(table_));
+      widths_ = column_widths(table_, text_width());
+      put(to_text(table_, text_width()));
     } else {
       for (const auto& cells : table_.rows) put(table_line(cells, table_.columns, widths_) + '\n');
     }

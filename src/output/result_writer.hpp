@@ -20,7 +20,7 @@ class ResultWriter {
   virtual void finish() = 0;  ///< writes what was held back
 };
 
-/// `format`: "table", "csv" or "json". All are printed as rows come, in constant
+/// `format`: "text" (a table), "csv" or "json". All are printed as rows come, in constant
 /// memory; a table holds its first thousand rows back to find the widths of its columns.
 /// NULL, and a number that is infinite or none, is an empty cell or null. Of columns with one name
 /// the second is called NAME_2 in JSON, so that none is lost.

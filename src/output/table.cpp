@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <utility>
+
+#include "src/output/terminal.hpp"
+#include "src/output/wrapping.hpp"
 
 namespace triax::src {
 namespace {
@@ -70,30 +74,56 @@ std::size_t display_width(const std::string& utf8) {
 
 std::string table_line(const std::vector<std::string>& cells, const std::vector<Column>& columns,
                        const std::vector<std::size_t>& widths) {
-  std::string line;
+  std::vector<std::vector<std::string>> parts;
+  std::size_t height = 1;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string cell = on_one_line(cells[i]);
-    const std::size_t width = display_width(cell);
-    const std::string padding(width < widths[i] ? widths[i] - width : 0, ' ');
-    if (i > 0) line += "  ";
-    line += columns[i].align == Align::right ? padding + cell : cell + padding;
+    parts.push_back(wrapped(on_one_line(cells[i]), widths[i]));
+    height = std::max(height, parts.back().size());
   }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
+  std::string text;
+  for (std::size_t k = 0; k < height; ++k) {
+    std::string line;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string part = k < parts[i].size() ? parts[i][k] : "";
+      const std::size_t width = display_width(part);
+      const std::string padding(width < widths[i] ? widths[i] - width : 0, ' ');
+      if (i > 0) line += "  ";
+      line += columns[i].align == Align::right ? padding + part : part + padding;
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += (k > 0 ? "\n" : "") + line;
+  }
+  return text;
 }
 
-std::vector<std::size_t> column_widths(const Table& table) {
-  std::vector<std::size_t> widths;
-  for (const auto& column : table.columns)
-    widths.push_back(display_width(on_one_line(column.heading)));
+std::vector<std::size_t> column_widths(const Table& table, std::size_t line) {
+  const std::size_t columns = table.columns.size();
+  std::vector<std::size_t> widths(columns), least(columns);
+  const auto use = [&](std::size_t i, const std::string& cell, bool may_wrap) {
+    const std::string text = on_one_line(cell);
+    const std::size_t width = display_width(text);
+    widths[i] = std::max(widths[i], width);
+    least[i] = std::max(least[i], may_wrap ? longest_word(text) : width);
+  };
+  for (std::size_t i = 0; i < columns; ++i) use(i, table.columns[i].heading, true);
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], display_width(on_one_line(row[i])));
+      use(i, row[i], table.columns[i].align == Align::left);
+  const auto total = [&] {
+    return std::accumulate(widths.begin(), widths.end(), 2 * (columns - std::min<std::size_t>(1, columns)));
+  };
+  while (total() > line) {
+    std::size_t widest = columns;
+    for (std::size_t i = 0; i < columns; ++i)
+      if (widths[i] > least[i] && (widest == columns || widths[i] > widths[widest])) widest = i;
+    if (widest == columns) break;
+    --widths[widest];
+  }
   return widths;
 }
 
-std::string to_text(const Table& table) {
-  const auto widths = column_widths(table);
+std::string to_text(const Table& table, std::size_t line) {
+  const auto widths = column_widths(table, line);
   std::vector<std::string> headings, rules;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     headings.push_back(table.columns[i].heading);
@@ -103,6 +133,11 @@ std::string to_text(const Table& table) {
                      table_line(rules, table.columns, widths) + '\n';
   for (const auto& row : table.rows) text += table_line(row, table.columns, widths) + '\n';
   return text;
+}
+
+std::string to_text(const Table& table) {
+  constexpr std::size_t kIndentation = 2;
+  return to_text(table, text_width() - kIndentation);
 }
 
 std::string indented(const std::string& lines) {

@@ -27,15 +27,19 @@ std::string on_one_line(std::string utf8);
 /// The same for a text of several lines, whose line breaks stay.
 std::string without_controls(std::string utf8);
 
-/// One line of a table: cells on_one_line(), padded to `widths`, two blanks between, no blanks at
-/// the end.
+/// One row of a table: cells on_one_line(), padded to `widths`, two blanks between, no blanks at the
+/// end. What is wider than its column goes on in further lines, broken at blanks; a word never is.
 std::string table_line(const std::vector<std::string>& cells, const std::vector<Column>& columns,
                        const std::vector<std::size_t>& widths);
 
-/// The width each column needs for its heading and rows, each on one line.
-std::vector<std::size_t> column_widths(const Table& table);
+/// The width each column gets. Where all on one line would be wider than `line`, headings and the
+/// cells of columns to the left give way, the widest first, down to their longest words; numbers
+/// never do, so that a table of many of them may stay wider.
+std::vector<std::size_t> column_widths(const Table& table, std::size_t line);
 
-/// Headings, a rule and the rows, each line ended.
+/// Headings, a rule and the rows, each line ended, for a terminal of this width.
+std::string to_text(const Table& table, std::size_t line);
+/// The same for text_width() less the two blanks by which most tables are indented().
 std::string to_text(const Table& table);
 
 /// Each line two blanks further in; the last one is ended.

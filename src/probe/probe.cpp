@@ -59,7 +59,7 @@ void run_sphere(const ProbeOptions& o) {
       write_figure(drawing, o.output);
   }
   print(o.json ? sphere_json(result) : sphere_text(result));
-  if (!result.any_answer()) throw lab::WorkFailed("the law answers in no direction");
+  if (!result.any_answer()) throw lab::WorkFailed("the law gives no result in any direction");
 }
 
 void run_probe(const ProbeOptions& o) {
@@ -68,7 +68,7 @@ void run_probe(const ProbeOptions& o) {
   print(o.json ? probe_json(result)
                : probe_text(result, {.probes = o.probes, .control = o.control}));
   if (!result.any_answer())
-    throw lab::WorkFailed("the law answers in no direction" +
+    throw lab::WorkFailed("the law gives no result in any direction" +
                           (result.states.empty() || result.states.front().refusal.empty()
                                ? ""
                                : ": " + result.states.front().refusal));
@@ -88,38 +88,38 @@ Command probe_command() {
       .name = "probe",
       .purpose = "second-order work of a state in every direction: cones of unstable directions",
       .description =
-          {"Takes one state of a law, imposes small increments in every direction of a plane and "
+          {"Takes one state of a law, applies small increments in every direction of a plane and "
            "says in which of them second-order work is negative: the cones of unstable "
            "directions, with edges isolated between the steps. Angles are measured from the axis "
            "of "
            "sqrt2 dsigma3 towards that of dsigma1 (Rendulic plane); isotropic unloading, the "
            "increment of an "
            "undrained test at its peak of q, is at 215.26 degrees.",
-           "The state is given by --p with --eta or --q, or by --stress-kPa; then the law has no "
+           "The state is given by --p-kPa with --eta or --q-kPa, or by --stress-kPa; then the law has no "
            "memory of a reversal of shear. With --test it is that of a reading of a test in the "
-           "database, likewise without memory, and the direction in which the test itself was "
-           "going is put beside the cones. With --path the law is driven along a path first, and "
+           "database, also without memory, and the direction of the test itself is given beside "
+           "the cones. With --path the law is driven along a path first, and "
            "remembers it.",
-           "Controllability belongs to it: the ratios R for which deps1 + 2R deps3 = 0 cannot be "
+           "Controllability is reported too: the ratios R for which deps1 + 2R deps3 = 0 cannot be "
            "held "
            "while dsigma1 - dsigma3/R grows, the index of usual programmes, the roots of Eq. (34) "
            "of "
-           "the paper. --strain-paths runs such paths from the isotropic state --p instead and "
+           "the paper. --strain-paths runs such paths from the isotropic state --p-kPa instead and "
            "gives "
            "their peaks.",
            "All of it is computed from the law and called simulated."},
-      .diagnostics = {{"... refuses it: ...",
+      .diagnostics = {{"... is out of range for ...",
                        "the state lies beyond the law's limit surface or void ratios"},
                       {"test ... has no collapse: ...", "name another reading by --at"},
                       {"test ... does not know its void ratio ...",
                        "the record does not hold it: give it"}},
       .examples =
-          {{"triax probe --material inl2/S28-general --p 70 --eta 0.60 --void-ratio 1.086 --json",
+          {{"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.60 --void-ratio 1.086 --json",
             "cones of one state as a document"},
-           {"triax probe --material inl2/S28-general --p 70 --eta 0.65 --void-ratio 1.086 "
+           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.65 --void-ratio 1.086 "
             "--conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
             "Nova's index of any pair of conditions, here of an undrained test by load"},
-           {"triax probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
+           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
             "--step 1 --output loose",
             "several states in one table and one circular diagram, loose_circular.svg"},
            {"triax probe --test 26 --at collapse --material inl2/S28-general",
@@ -129,14 +129,14 @@ Command probe_command() {
            {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
             "--plane plane-strain --probes",
             "plane strain, every direction printed"},
-           {"triax probe --material inl2/S28-general --p 70 --eta 0.6 --void-ratio 1.086 --plane "
+           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio 1.086 --plane "
             "3d "
             "--step 5 --output sphere",
             "all directions of principal increments, with a map of them"},
-           {"triax probe --material inl2/S28-general --p 100 --void-ratio 1.086 --strain-paths "
+           {"triax probe --material inl2/S28-general --p-kPa 100 --void-ratio 1.086 --strain-paths "
             "0.7,0.8,0.9,1.0 --output fig16",
             "proportional strain paths, with fig16.svg, .png, .pdf, .csv and .json"},
-           {"triax probe --material hypoplastic/S28-MT --p 70 --eta 0.6 --void-ratio 1.0 "
+           {"triax probe --material hypoplastic/S28-MT --p-kPa 70 --eta 0.6 --void-ratio 1.0 "
             "--finite --norm-kPa 0.5 --output probes",
             "increments of 0.5 kPa integrated; probes.csv, probes.json and figures with their data "
             "beside them"}},

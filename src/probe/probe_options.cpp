@@ -5,9 +5,11 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/range.hpp"
 #include "lab/base/text.hpp"
 #include "lab/paths/condition_text.hpp"
 #include "src/cli/shared_options.hpp"
@@ -25,14 +27,14 @@ constexpr double kSmallestStep_deg = 0.01, kLargestStep_deg = 45;
 void must_lie(const char* option, double value, double lowest, double highest) {
   if (!(value >= lowest && value <= highest))
     throw lab::BadInput(
-        fmt::format("{} {:g}: must be a number, {:g} to {:g}", option, value, lowest, highest));
+        fmt::format("{} {:g}: out of range; expected a number from {:g} to {:g}", option, value, lowest, highest));
 }
 
 int directions_of(double step_deg) {
   must_lie("--step", step_deg, kSmallestStep_deg, kLargestStep_deg);
   const double whole = std::round(360 / step_deg);
   if (std::abs(whole * step_deg - 360) > 1e-6)
-    throw lab::BadInput(fmt::format("--step {:g}: 360 degrees must be a multiple of it, as of {:g}",
+    throw lab::BadInput(fmt::format("--step {:g}: not valid; 360 degrees must be a multiple of it, as of {:g}",
                                     step_deg, 360 / whole));
   return static_cast<int>(whole);
 }
@@ -40,7 +42,7 @@ int directions_of(double step_deg) {
 /// A dependent option without the one it depends on.
 void only_with(bool given, const char* option, bool with, const char* other) {
   if (given && !with)
-    throw lab::BadInput(fmt::format("{} has a meaning only with {}", option, other));
+    throw lab::BadInput(fmt::format("{} needs {}", option, other));
 }
 
 std::vector<std::string> parts_of(const std::string& text) {
@@ -53,22 +55,36 @@ std::vector<std::string> parts_of(const std::string& text) {
   return parts;
 }
 
-/// Numbers separated by commas, none of them left out: the parser's own delimiter would skip an
-/// empty one silently.
+std::vector<double> numbers_of(const std::string& part) {
+  if (!lab::looks_like_range(part)) {
+    double number = 0;
+    if (part.empty() || !CLI::detail::lexical_cast(part, number))
+      throw std::invalid_argument(
+          lab::excerpt(part) +
+          " is not a number; expected numbers with commas between them, or a range "
+          "FROM:TO:STEP or FROM:TO/COUNT");
+    return {number};
+  }
+  constexpr std::int64_t kMostNumbers = 10'000;
+  const lab::Range range = lab::read_range(part, kMostNumbers);
+  std::vector<double> numbers;
+  for (std::int64_t i = 0; i < range.count; ++i) numbers.push_back(range.at(i));
+  return numbers;
+}
+
+/// Numbers or ranges separated by commas, none of them left out: the parser's own delimiter would
+/// skip an empty one silently.
 void add_numbers(CLI::App& app, const std::string& name, std::vector<double>& numbers,
                  const char* type, const std::string& help) {
   app.add_option_function<std::vector<std::string>>(
          name,
          [&numbers, name](const std::vector<std::string>& texts) {
            for (const auto& text : texts)
-             for (const auto& part : parts_of(text)) {
-               double number = 0;
-               if (part.empty() || !CLI::detail::lexical_cast(part, number))
-                 throw CLI::ValidationError(
-                     name,
-                     fmt::format("{}: numbers separated by commas are wanted", lab::excerpt(text)));
-               numbers.push_back(number);
-             }
+             for (const auto& part : parts_of(text)) try {
+                 for (const double number : numbers_of(part)) numbers.push_back(number);
+               } catch (const std::invalid_argument& error) {
+                 throw CLI::ValidationError(name, fmt::format("{}: {}", text, error.what()));
+               }
          },
          help)
       ->type_name(type)
@@ -85,7 +101,7 @@ sim::NamedControl control_of_conditions(const std::string& text) {
   const auto parts = parts_of(text);
   if (parts.size() != 2)
     throw lab::BadInput(
-        fmt::format("--conditions {}: two conditions with a comma between them are wanted",
+        fmt::format("--conditions {}: expected two conditions with a comma between them",
                     lab::excerpt(text)));
   sim::NamedControl control{.name = {}, .control = {}};
   for (std::size_t i = 0; i < 2; ++i) try {
@@ -102,7 +118,7 @@ sim::NamedControl control_of_conditions(const std::string& text) {
     }
   if (control.control.increment.isZero(0))
     throw lab::BadInput(fmt::format(
-        "--conditions {}: one of them must ask for something other than 0", lab::excerpt(text)));
+        "--conditions {}: one of them must prescribe something other than 0", lab::excerpt(text)));
   return control;
 }
 
@@ -110,11 +126,11 @@ sim::NamedControl control_of_conditions(const std::string& text) {
 
 void add_probe_options(CLI::App& app, ProbeOptions& o) {
   add_material(app, o.material);
-  app.add_option("--p", o.p_kPa, "mean effective stress p' of the state, with --eta or --q")
+  app.add_option("--p-kPa", o.p_kPa, "mean effective stress p' of the state, with --eta or --q-kPa")
       ->type_name("KPA");
-  add_numbers(app, "--eta", o.eta, "ETA,...", "stress ratio q/p'; several make several states");
-  add_numbers(app, "--q", o.q_kPa, "KPA,...",
-              "deviator stress in place of --eta, negative in extension");
+  add_numbers(app, "--eta", o.eta, "ETA,...", "stress ratios q/p', a state each: numbers with commas, FROM:TO:STEP or FROM:TO/COUNT");
+  add_numbers(app, "--q-kPa", o.q_kPa, "KPA,...",
+              "deviator stresses instead of --eta, negative in extension");
   add_numbers(app, "--stress-kPa", o.stress_kPa, "S1,S3 or S1,S2,S3",
               "principal effective stresses of the state, axial one first");
   app.add_option("--test", o.tests,
@@ -130,7 +146,7 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
       ->type_name("PATH.toml");
   app.add_option("--every", o.every, "along the path, at every N-th of its rows and the last")
       ->type_name("N");
-  app.add_option("--plane", o.plane, "directions of this plane, or all of principal increments")
+  app.add_option("--plane", o.plane, "plane of the directions, or 3d: all directions of principal increments")
       ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}))
       ->type_name("axisymmetric|plane-strain|3d")
       ->capture_default_str();
@@ -147,13 +163,13 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
               "ratios of deps1 + 2R deps3 = 0 at which control is looked at [0.1,0.2,...,3]");
   app.add_flag("--control", o.control, "print controllability over R and under named controls too");
   app.add_option("--conditions", o.conditions,
-                 "index of control under these two conditions, in the words of path files, on "
+                 "control index under these two conditions, written as in path files, on "
                  "effective stress; may be repeated")
       ->type_name("\"COND, COND\"")
       ->allow_extra_args(false);
   add_numbers(app, "--strain-paths", o.strain_paths, "R,...",
               "instead of probes: proportional strain paths of these R from the isotropic state "
-              "--p");
+              "--p-kPa");
   app.add_option("--axial-strain", o.axial_strain,
                  "to which the strain paths go, a plain number [0.05]")
       ->type_name("STRAIN");
@@ -171,7 +187,7 @@ study::Probing checked_probing(const ProbeOptions& o) {
   study::Probing probing;
   if (!o.R.empty()) probing.ratios = o.R;
   if (!o.conditions.empty() && o.plane != "axisymmetric")
-    throw lab::BadInput("--conditions are two, those of axisymmetry: leave --plane out");
+    throw lab::BadInput("--conditions is for the axisymmetric plane: leave out --plane");
   for (const auto& text : o.conditions) probing.conditions.push_back(control_of_conditions(text));
   probing.plane =
       o.plane == "plane-strain" ? sim::ProbePlane::plane_strain : sim::ProbePlane::axisymmetric;
@@ -192,30 +208,30 @@ study::Probing checked_probing(const ProbeOptions& o) {
 study::SphereProbing checked_sphere(const ProbeOptions& o) {
   const study::Probing plane = checked_probing(o);
   if (o.finite || o.control || o.probes || !o.R.empty() || !o.conditions.empty())
-    throw lab::BadInput("--plane 3d takes no --finite, --control, --R, --conditions or --probes");
+    throw lab::BadInput("--plane 3d excludes --finite, --control, --R, --conditions and --probes");
   if (plane.directions % 2 != 0 || plane.directions < 12)
     throw lab::BadInput(fmt::format(
-        "--step {:g}: with --plane 3d 180 degrees must be a multiple of it, 6 times at least",
+        "--step {:g}: not valid; with --plane 3d 180 degrees must be a multiple of it, at least 6 times",
         o.step_deg.value_or(10)));
   return {.kind = plane.kind, .norm = plane.norm, .rings = plane.directions / 2};
 }
 
 void check_strain_path_options(const ProbeOptions& o) {
-  if (!o.p_kPa) throw lab::BadInput("--strain-paths needs --p, the isotropic state to start from");
-  must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+  if (!o.p_kPa) throw lab::BadInput("--strain-paths needs --p-kPa, the isotropic state to start from");
+  must_lie("--p-kPa", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
   for (const double R : o.strain_paths) must_lie("--strain-paths", R, kSmallestRatio, kLargestR);
   must_lie("--axial-strain", o.axial_strain.value_or(kUsualAxialStrain), kSmallestStrain,
            kLargestStrain);
   if (!o.eta.empty() || !o.q_kPa.empty() || !o.stress_kPa.empty() || !o.tests.empty() ||
       !o.path.empty() || o.strain || o.finite || o.plane != "axisymmetric")
     throw lab::BadInput(
-        "--strain-paths starts from the isotropic state --p alone, in axisymmetry: it takes no "
-        "other state, plane or probes");
+        "--strain-paths starts from the isotropic state --p-kPa alone, in axisymmetry: it excludes "
+        "other states, planes and probes");
   if (o.probes || o.control || !o.R.empty() || !o.conditions.empty() || o.step_deg || o.norm_kPa ||
       o.norm_strain || o.every || !o.at.empty())
     throw lab::BadInput(
-        "--strain-paths makes no probes: it takes no --probes, --control, --R, --conditions, "
-        "--step, --norm-kPa, --norm-strain, --every or --at");
+        "--strain-paths makes no probes and excludes --probes, --control, --R, --conditions, "
+        "--step, --norm-kPa, --norm-strain, --every and --at");
 }
 
 void check_state_options(const ProbeOptions& o) {
@@ -223,34 +239,35 @@ void check_state_options(const ProbeOptions& o) {
       o.p_kPa.has_value() + !o.stress_kPa.empty() + !o.tests.empty() + !o.path.empty();
   if (sources != 1)
     throw lab::BadInput(fmt::format(
-        "{}: one of --p (with --eta or --q), --stress-kPa, --test and --path says which state",
+        "{}; give one of --p-kPa (with --eta or --q-kPa), --stress-kPa, --test and --path",
         sources == 0 ? "no state is given" : "more than one kind of state is given"));
   only_with(o.axial_strain.has_value(), "--axial-strain", !o.strain_paths.empty(),
             "--strain-paths");
   only_with(!o.R.empty(), "--R", o.control || o.json || !o.output.empty(),
             "--control, --output or --json");
-  only_with(!o.eta.empty(), "--eta", o.p_kPa.has_value(), "--p");
-  only_with(!o.q_kPa.empty(), "--q", o.p_kPa.has_value(), "--p");
+  only_with(!o.eta.empty(), "--eta", o.p_kPa.has_value(), "--p-kPa");
+  only_with(!o.q_kPa.empty(), "--q-kPa", o.p_kPa.has_value(), "--p-kPa");
   only_with(!o.at.empty(), "--at", !o.tests.empty(), "--test");
   only_with(o.every.has_value(), "--every", !o.path.empty(), "--path");
   if (o.p_kPa) {
-    must_lie("--p", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+    must_lie("--p-kPa", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
     if (o.eta.empty() == o.q_kPa.empty())
-      throw lab::BadInput(o.eta.empty() ? "--p needs --eta or --q; --eta 0 is the isotropic state"
-                                        : "--eta and --q exclude each other");
+      throw lab::BadInput(o.eta.empty() ? "--p-kPa needs --eta or --q-kPa; --eta 0 is the isotropic state"
+                                        : "--eta and --q-kPa exclude each other");
     for (const double eta : o.eta) must_lie("--eta", eta, -3, 3);
-    for (const double q : o.q_kPa) must_lie("--q", q, -kLargestStress_kPa, kLargestStress_kPa);
+    for (const double q : o.q_kPa) must_lie("--q-kPa", q, -kLargestStress_kPa, kLargestStress_kPa);
   }
   if (o.stress_kPa.size() == 1 || o.stress_kPa.size() > 3)
-    throw lab::BadInput(fmt::format("--stress-kPa has {} values: S1,S3 or S1,S2,S3 are wanted",
+    throw lab::BadInput(fmt::format("--stress-kPa has {} values; expected S1,S3 or S1,S2,S3",
                                     o.stress_kPa.size()));
   for (const double s : o.stress_kPa)
     must_lie("--stress-kPa", s, -kLargestStress_kPa, kLargestStress_kPa);
   if (o.stress_kPa.size() == 3 && o.stress_kPa[1] != o.stress_kPa[2] && o.plane == "axisymmetric")
     throw lab::BadInput(
-        "--stress-kPa with S2 and S3 that differ is no axisymmetric state: --plane plane-strain");
+        "--stress-kPa: a state in which S2 and S3 differ is not axisymmetric; use --plane "
+        "plane-strain");
   if (o.every && *o.every < 1)
-    throw lab::BadInput(fmt::format("--every {}: must be a number of rows, 1 or more", *o.every));
+    throw lab::BadInput(fmt::format("--every {}: out of range; expected a number of rows, 1 or more", *o.every));
 }
 
 }  // namespace triax::src

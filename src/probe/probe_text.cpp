@@ -96,9 +96,8 @@ std::string place_words(const study::ProbedState& state, int directions) {
   if (!place->certain(own.angle_error))
     return fmt::format("on the edge of the cone {} within its error, {}° {}", cone,
                        in_degrees(place->to_edge, 1), place->inside ? "inside" : "outside");
-  return fmt::format("{} the cone {}, {}° {} its nearest edge",
-                     place->inside ? "inside" : "outside", cone, in_degrees(place->to_edge, 1),
-                     place->inside ? "within" : "from");
+  return fmt::format("{} the cone {}, {}° from the nearest edge",
+                     place->inside ? "inside" : "outside", cone, in_degrees(place->to_edge, 1));
 }
 
 std::string closed_form_words(const std::vector<sim::UnstableSector>& sectors) {

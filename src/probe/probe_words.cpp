@@ -31,7 +31,7 @@ std::string cones_in_words(const std::vector<sim::Cone>& cones) {
 std::string cones_in_words(const sim::Circle& circle, int directions) {
   if (!circle.cones.empty() || circle.unanswered == 0) return cones_in_words(circle.cones);
   if (!circle.least.answered || circle.unanswered >= directions) return "unknown";
-  return fmt::format("none in the {} answered", directions - circle.unanswered);
+  return fmt::format("none found in the {} answered", directions - circle.unanswered);
 }
 
 std::string unanswered_words(const study::ProbedState& state, int directions) {

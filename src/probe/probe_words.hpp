@@ -14,7 +14,7 @@ std::string plane_words(sim::ProbePlane plane);
 /// "214.86–237.66" for every cone, "none" without any.
 std::string cones_in_words(const std::vector<sim::Cone>& cones);
 /// The same of a circle with so many steps: without a cone, "unknown" where none was answered, and
-/// "none in the 30 answered" where not all were.
+/// "none found in the 30 answered" where not all were.
 std::string cones_in_words(const sim::Circle& circle, int directions);
 /// "3 beyond the law's limit, 2 refused by it (its words)"; empty where all are answered.
 std::string unanswered_words(const study::ProbedState& state, int directions);

@@ -75,7 +75,7 @@ Json parsed_document(std::string_view text, const std::string& file, const char*
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded())
     throw lab::BadInput(file, 0,
-                        "is no whole JSON document; a piece that was cut off must be run again");
+                        "is not a complete JSON document; run an interrupted piece again");
   if (!document.is_object() || !document.contains("format") || document["format"] != format)
     throw lab::BadInput(file, 0, otherwise);
   return document;

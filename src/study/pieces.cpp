@@ -26,12 +26,12 @@ void check_together(const std::vector<PieceName>& pieces, const std::string& who
     const PieceName& piece = pieces[k];
     const auto refuse = [&](const std::string& why) { throw lab::BadInput(piece.file, 0, why); };
     if (piece.count != first.count)
-      refuse(fmt::format("is a piece of {}, {} one of {}; pieces of one cut belong together",
+      refuse(fmt::format("is a piece of {}, {} one of {}; all pieces must be of one division",
                          piece.count, first.file, first.count));
     if (const std::string other = difference(k); !other.empty())
       refuse(fmt::format("is a piece of another {}: {}", whole, other));
     if (piece.program != first.program)
-      refuse(fmt::format("was written by triax {}, {} by {}; let one version compute all pieces",
+      refuse(fmt::format("was written by triax {}, {} by {}; compute all pieces with one version",
                          piece.program, first.file, first.program));
     const PieceName*& place = of[static_cast<std::size_t>(piece.index - 1)];
     if (place != nullptr)
@@ -49,7 +49,7 @@ std::string piece_text(const std::string& path, const std::string& writer,
                        const std::string& whole) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none))
-    throw lab::BadInput(path, 0, "cannot be read; a file that " + writer + " wrote is wanted");
+    throw lab::BadInput(path, 0, "cannot be read; expected a file written by " + writer);
   if (std::filesystem::file_size(path, none) > kLargestFile)
     throw lab::BadInput(path, 0, "is larger than 1 GB; cut the " + whole + " into more pieces");
   std::ifstream file(path, std::ios::binary);

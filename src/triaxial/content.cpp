@@ -32,7 +32,7 @@ std::string agreement(const db::StoredTest& test) {
 std::string banner(const db::StoredTest& test) {
   std::vector<std::string> parts;
   if (test.header.origin == Origin::simulated)
-    parts.emplace_back("SIMULATED: a virtual specimen, no measurement");
+    parts.emplace_back("SIMULATED, not measured");
   if (test.status == db::TestStatus::interrupted)
     parts.emplace_back("INTERRUPTED: the test was cut off, there is no verdict");
   if (test.status == db::TestStatus::running)
@@ -81,24 +81,30 @@ std::string shear_start_line(const db::StoredTest& test) {
 
 std::string verdict_line(const db::StoredTest& test) {
   if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
-  if (!study::has_verdict(test)) return "not judged: too little was seen of shear";
+  if (!study::has_verdict(test)) return "not judged: too few readings in shear";
   const auto& collapse = test.summary.collapse;
   if (study::failure_onset(test))
-    return "none: strength was lost on the limit surface, which is failure and no collapse";
+    return "none: strength was lost on the limit surface, which is failure, not collapse";
   if (!collapse.detected()) return "none found: the specimen stayed controllable";
   std::string line = collapse.kind == lab::CollapseKind::flow
-                         ? "flow: strength is lost for good"
-                         : "limited: strength is lost and comes back";
+                         ? "flow: strength is lost and does not return"
+                         : "limited: strength is lost and recovers";
   if (collapse.inside_limit_surface)
     line += *collapse.inside_limit_surface ? "; inside the Mohr-Coulomb limit surface"
                                            : "; on the Mohr-Coulomb limit surface";
   return line;
 }
 
-std::string limit_line(const lab::Collapse& collapse) {
+std::string limit_line(const db::StoredTest& test) {
+  const lab::Collapse& collapse = test.summary.collapse;
   if (!collapse.limit_stress_ratio) return kUnknown;
   auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
-  if (!collapse.limit_source.empty()) line += fmt::format(" ({})", collapse.limit_source);
+  const bool of_the_law = test.header.origin == Origin::simulated &&
+                          test.header.specimen.limit_friction_angle_rad.has_value();
+  if (of_the_law)
+    line += " (friction angle from the law)";
+  else if (!collapse.limit_source.empty())
+    line += fmt::format(" ({})", collapse.limit_source);
   return line;
 }
 
@@ -109,7 +115,7 @@ std::string work_line(const lab::Collapse& collapse) {
 }
 
 std::string truth_line(const lab::Truth& truth) {
-  if (!truth.lost_sustainability) return "the virtual specimen itself stayed sustainable";
+  if (!truth.lost_sustainability) return "the simulated specimen remained stable";
   const lab::Instant at = study::true_instant(truth);
   std::vector<std::string> parts;
   if (truth.time_s) parts.push_back(duration(truth.time_s));
@@ -117,7 +123,7 @@ std::string truth_line(const lab::Truth& truth) {
   if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
   if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
   if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
-  return fmt::format("the virtual specimen itself lost sustainability at {}",
+  return fmt::format("the simulated specimen became unstable (W₂ < 0) at {}",
                      fmt::join(parts, ", "));
 }
 
@@ -125,7 +131,7 @@ std::string axis_line(const db::StoredTest& test) {
   const auto count = fmt::format("{} readings", test.summary.readings);
   return test.header.has_time
              ? count + ", rates along time"
-             : count + ", no time in the record: rates along the axial strain, no clock";
+             : count + ", no time in the record: rates along the axial strain";
 }
 
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
@@ -138,10 +144,10 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   facts.push_back(
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
-  facts.push_back({"Limit surface", {limit_line(collapse)}});
-  if (test.summary.truth) facts.push_back({"Truth", {truth_line(*test.summary.truth)}});
+  facts.push_back({"Limit surface", {limit_line(test)}});
+  if (test.summary.truth) facts.push_back({"True onset (model)", {truth_line(*test.summary.truth)}});
   if (test.summary.truth && !test.summary.truth->run_aways.empty())
-    facts.push_back({"Run-away", run_away_lines(test.summary.truth->run_aways)});
+    facts.push_back({"Runaway", run_away_lines(test.summary.truth->run_aways)});
 }
 
 Table criteria_table(const db::StoredTest& test) {
@@ -202,7 +208,7 @@ std::string summary_banner(const std::vector<study::TestResult>& tests) {
   const auto counts = study::counts_of(tests);
   std::vector<std::string> parts;
   if (counts.simulated > 0)
-    parts.push_back(fmt::format("{} of {} tests SIMULATED: virtual specimens, no measurement",
+    parts.push_back(fmt::format("{} of {} tests SIMULATED, not measured",
                                 counts.simulated, counts.tests));
   if (counts.interrupted > 0)
     parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict",
@@ -215,7 +221,7 @@ std::vector<std::string> summary_notes() {
       "p′₀, e₀: mean effective stress and void ratio at the start of shear",
       "η_coll = q/p′ at the onset of collapse; φ_mob from sin φ_mob = 3η/(6 + η)",
       "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it",
-      "Criteria: how many of the criteria asked agree that the specimen collapsed",
+      "Criteria: how many of the criteria applied agree that the specimen collapsed",
   };
 }
 

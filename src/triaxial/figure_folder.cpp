@@ -32,7 +32,7 @@ void need_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
-    throw lab::BadInput(fmt::format("--figures {}: is no folder and cannot be made one{}", folder,
+    throw lab::BadInput(fmt::format("--figures {}: cannot create folder{}", folder,
                                     error ? ": " + error.message() : std::string()));
 }
 

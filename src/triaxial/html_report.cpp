@@ -98,7 +98,7 @@ std::string summary_markup(const std::vector<study::TestResult>& tests) {
 
 std::string html_report(const std::vector<study::TestResult>& tests, const std::string& more) {
   std::string html = kHead;
-  html += "<h1>Triaxial tests: when and why they lost sustainability</h1>\n";
+  html += "<h1>Triaxial tests: when and why they became unstable</h1>\n";
   if (tests.empty() && more.empty()) html += "<p>The database holds no test.</p>\n";
   if (const auto banner = summary_banner(tests); !banner.empty())
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(banner));

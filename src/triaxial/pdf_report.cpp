@@ -14,7 +14,7 @@
 namespace triax::src {
 namespace {
 
-constexpr const char* kTitle = "Triaxial tests: when and why they lost sustainability";
+constexpr const char* kTitle = "Triaxial tests: when and why they became unstable";
 
 std::string banner_markup(const std::string& banner) {
   if (banner.empty()) return {};

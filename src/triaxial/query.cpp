@@ -13,7 +13,7 @@ namespace {
 struct Options {
   std::string text;
   std::string db = "triax.db";
-  std::string format = "table";
+  std::string format = "text";
   bool list = false;
 };
 
@@ -39,15 +39,16 @@ Command query_command() {
   return {.name = "query",
           .purpose = "ask the database: named queries or SQL, read only",
           .description = {"Without an argument, or with --list, the named queries are listed. "
-                          "Anything that is not the "
-                          "name of one is taken as SQL. The database is opened so that SQLite "
-                          "itself refuses to write.",
+                          "Anything else "
+                          "is taken as SQL. The database is opened read-only.",
                           "The table tests and the views readings, states, second_order_work, "
                           "collapses and collapse_points all have the column test_id, and units "
                           "in the names of their columns."},
-          .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+          .diagnostics = {{"FILE: ... no such database; ...",
                            "there is no database yet, or --db names another file"},
-                          {"no such column: ...", "SQLite's own words on the SQL given"}},
+                          {"SQL: no such column: ...", "SQLite's message about the SQL given"},
+                          {"... the database is read-only here",
+                           "only SELECT and harmless PRAGMA statements are allowed"}},
           .examples =
               {{"triax query collapse_points", "the table of collapse points, like Table 2"},
                {"triax query \"SELECT reading, q_kPa FROM states WHERE test_id = 1\" --format csv",
@@ -56,9 +57,7 @@ Command query_command() {
             const auto o = std::make_shared<Options>();
             app.add_option("NAME|SQL", o->text, "name of a query, or SQL")->type_name("");
             add_db(app, o->db);
-            app.add_option("--format", o->format, "table, csv or json [table]")
-                ->check(CLI::IsMember({"table", "csv", "json"}).description(""))
-                ->type_name("table|csv|json");
+            add_format(app, o->format, {"text", "csv", "json"});
             app.add_flag("--list", o->list, "list the named queries");
             return [o] { run(*o); };
           }};

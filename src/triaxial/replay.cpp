@@ -1,5 +1,4 @@
 #include "src/triaxial/replay.hpp"
-#include "src/output/progress_bar.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "lab/rig/recorded.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/output/progress_bar.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
 
@@ -78,11 +78,11 @@ void run(const Options& o) {
 Command replay_command() {
   return {
       .name = "replay",
-      .purpose = "reduce recorded tests, watch their second-order work, keep and report them",
+      .purpose = "reduce recorded tests, compute their second-order work, store and report them",
       .description =
-          {"Reads records as their loggers wrote them: triax's own CSV, GDSLab .gds, the Karlsruhe "
+          {"Reads records as loggers write them: triax's own CSV, GDSLab .gds, the Karlsruhe "
            "tables and others. The dialect is recognised from the content; --dialect names one or "
-           "brings the description of a new one. Readings go one at a time through reduction and "
+           "gives the description of a new one. Readings go one at a time through reduction and "
            "collapse monitor into the database; the report is then read back from there.",
            "What a file does not hold is given with --set: specimen.height_mm, "
            "specimen.diameter_mm, "
@@ -90,14 +90,14 @@ Command replay_command() {
       .diagnostics =
           {{"... does not say the height of the specimen ...", "give --set specimen.height_mm=..."},
            {"FILE:LINE: ...",
-            "the file could not be understood there; nothing of it is kept. Of several "
-            "records the finished ones are kept and reported, those behind it not read"}},
+            "the file is not valid at this line; nothing of it is stored. Of several "
+            "records those before it are stored and reported, those after it are not read"}},
       .examples =
           {{"triax replay test.csv", "a record in triax's own form"},
            {"triax replay *.gds --json", "several files, as one JSON document"},
            {"triax replay raw.csv --set specimen.height_mm=140 --set specimen.diameter_mm=70",
             "the file lacks the specimen"},
-           {"triax replay lab.txt --dialect my_lab.toml", "a logger of one's own"}},
+           {"triax replay lab.txt --dialect my_lab.toml", "your own logger"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("RECORD", o->records, "record files")->required()->type_name("");

@@ -1,7 +1,6 @@
 #include "src/triaxial/report.hpp"
 
-#include <fmt/format.h>
-
+#include <filesystem>
 #include <memory>
 
 #include "db/grain_store.hpp"
@@ -29,23 +28,23 @@ namespace {
 struct Options {
   std::vector<std::string> tests;
   std::string db = "triax.db";
-  std::string format = "text";
+  std::string format;  ///< empty: what the ending of --output says, or text
   std::string output;
   std::string figures;
 };
+
+std::string chosen_format(const Options& o) {
+  if (!o.format.empty()) return o.format;
+  const std::string ending = std::filesystem::path(o.output).extension().string();
+  for (const char* format : {"json", "html", "pdf"})
+    if (ending == std::string(".") + format) return format;
+  return "text";
+}
 
 /// All that is reported.
 struct Reported {
   std::vector<study::TestResult> tests;
   std::vector<db::StoredGrainRun> runs;
-
-  /// "3 tests and 1 run of grains"
-  std::string words() const {
-    const auto test_words = fmt::format("{} test{}", tests.size(), tests.size() == 1 ? "" : "s");
-    const auto run_words =
-        fmt::format("{} run{} of grains", runs.size(), runs.size() == 1 ? "" : "s");
-    return runs.empty() ? test_words : tests.empty() ? run_words : test_words + " and " + run_words;
-  }
 };
 
 std::string json(const Reported& all) {
@@ -69,19 +68,20 @@ std::string text(const Reported& all) {
   return all.tests.empty() ? runs : text_for_people(all.tests) + '\n' + runs;
 }
 
-void write(const Options& o, const Reported& all, const std::string& output) {
-  if (o.format == "pdf")
+void write(const std::string& format, const Reported& all, const std::string& output) {
+  if (format == "pdf")
     pdf_report(all.tests, output, grain_pages(all.runs));
-  else if (o.format == "html")
+  else if (format == "html")
     write_file(output, html_report(all.tests, grain_html(all.runs)));
   else
-    write_file(output, o.format == "json" ? json(all) : text(all));
+    write_file(output, format == "json" ? json(all) : text(all));
 }
 
 void run(const Options& o) {
-  const bool drawn = o.format == "html" || o.format == "pdf";
+  const std::string format = chosen_format(o);
+  const bool drawn = format == "html" || format == "pdf";
   const std::string output = !o.output.empty() ? o.output
-                             : drawn           ? "triax_report." + o.format
+                             : drawn           ? "triax_report." + format
                                                : "-";
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
@@ -92,15 +92,11 @@ void run(const Options& o) {
   for (const auto id : ids) all.tests.push_back(study::load_test_result(store, id, curves));
   for (const auto id : run_ids) all.runs.push_back(grains.load(id));
   if (!o.figures.empty()) {
-    const auto written =
-        write_figures(all.tests, study::collapse_increments(store, ids), o.figures).size() +
-        write_grain_figures(all.runs, o.figures).size();
-    print(fmt::format("{} figure{} of {} written to {}\n", written, written == 1 ? "" : "s",
-                      all.words(), o.figures));
-    if (o.format == "text" && o.output.empty()) return;
+    write_figures(all.tests, study::collapse_increments(store, ids), o.figures);
+    write_grain_figures(all.runs, o.figures);
+    if (format == "text" && o.output.empty()) return;
   }
-  write(o, all, output);
-  if (output != "-") print(fmt::format("{} of {} written to {}\n", o.format, all.words(), output));
+  write(format, all, output);
 }
 
 }  // namespace
@@ -112,20 +108,20 @@ Command report_command() {
       .description =
           {"Reports the named tests and runs of grains, or all, from the database. A test is named "
            "by its number or its name, a run of grains by its name or by grains:NUMBER; of several "
-           "with one name the latest is meant.",
+           "with one name it is the latest.",
            "HTML is one file with its figures inside; PDF is A4. Both hold the path in q-p' with "
            "the onset, "
            "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
-           "second-order work on one axis. Without --output they are written to triax_report.html "
+           "second-order work on one axis. The ending of --output says the format unless --format does. Without --output they are written to triax_report.html "
            "or "
            "triax_report.pdf in the current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
            "as SVG, PNG and PDF into a folder, those of runs of grains with the numbers behind "
            "them; without --format and --output nothing else."},
-      .diagnostics = {{"FILE: ... triax replay or triax simulate makes one",
+      .diagnostics = {{"FILE: ... no such database; ...",
                        "there is no database yet, or --db names another file"}},
       .examples = {{"triax report", "all tests and runs of grains as text"},
-                   {"triax report csu_26 --format html --output csu_26.html",
+                   {"triax report csu_26 --output csu_26.html",
                     "one test with figures"},
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"},
                    {"triax report grains:1 --format html", "a run of grains with its figures"},
@@ -134,13 +130,13 @@ Command report_command() {
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("TEST", o->tests,
-                       "numbers or names of tests, grains:1 a run of grains; none means all")
+                       "numbers or names of tests, grains:1 a run of grains; all if none is given")
             ->type_name("");
         add_db(app, o->db);
-        app.add_option("--format", o->format, "text, json, html or pdf [text]")
-            ->check(CLI::IsMember({"text", "json", "html", "pdf"}).description(""))
-            ->type_name("text|json|html|pdf");
-        app.add_option("--output", o->output, "file to write")->type_name("FILE");
+        add_format(app, o->format, {"text", "json", "html", "pdf"});
+        o->format.clear();
+        app.add_option("--output", o->output, "file to write; .json, .html or .pdf at its end says the format")
+            ->type_name("FILE");
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");
         return [o] { run(*o); };

@@ -27,16 +27,17 @@ std::string energy_balance(const lab::RunAwayTruth& run_away,
   if (balance.start)
     line += fmt::format(" where {} is expected ({})", number(run_away.expected_ratio, 3),
                         *balance.start == study::RunawayStart::limit_point
-                            ? "from a limit point, where third order leads"
+                            ? "from a limit point, where the third order governs"
                             : "past the peak");
   return line;
 }
 
 std::string ending(const lab::RunAwayTruth& run_away, const study::RunawayBalance& balance) {
-  if (!balance.duration_s) return "still running when the test ended";
-  const auto how = run_away.end == lab::RunAwayEnd::none
-                       ? std::string("ended")
-                       : fmt::format("ended by {}", to_string(run_away.end));
+  if (!balance.duration_s) return "still moving when the test ended";
+  const auto how = run_away.end == lab::RunAwayEnd::none ? std::string("ended")
+                   : run_away.end == lab::RunAwayEnd::end_of_travel
+                       ? std::string("travel limit reached")
+                       : std::string(to_string(run_away.end));
   return fmt::format("{} after {}", how, lapse(*balance.duration_s));
 }
 

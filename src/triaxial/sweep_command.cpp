@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <thread>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
+#include "src/cli/shared_options.hpp"
 #include "src/output/output.hpp"
 #include "src/study/triaxial/sweep_summary.hpp"
 #include "src/triaxial/sweep_progress.hpp"
@@ -29,13 +29,14 @@ lab::Sweep read_sweep(const std::vector<std::string>& texts) {
 
 /// The first test that can be read. All tests have the same keys: where none can be read, the sweep
 /// is wrong and not one of its values.
-lab::Programme first_readable(const lab::Sweep& sweep, const std::string& text,
-                              const std::string& file) {
-  static_cast<void>(lab::read_programme(text, file));  // its own errors without the sweep's
+lab::Programme first_readable(const lab::Sweep& sweep, const SweepOptions& o,
+                              const std::string& text) {
+  // Its own errors without the sweep's.
+  static_cast<void>(lab::read_programme(text, o.programme, o.edits));
   std::exception_ptr first;
   for (std::int64_t place = 1; place <= sweep.size(); ++place) {
     try {
-      return lab::read_programme(text, file, sweep.edits(place));
+      return lab::read_programme(text, o.programme, study::edits_of_member(o.edits, sweep, place));
     } catch (const lab::BadInput& error) {
       if (!first)
         first = std::make_exception_ptr(
@@ -74,16 +75,16 @@ void complain_of_failures(const lab::Sweep& sweep, const std::vector<study::Swee
 void run_sweep_command(const SweepOptions& o) {
   const lab::Sweep sweep = read_sweep(o.sweeps);
   const std::string text = lab::read_text_file(o.programme);
-  const lab::Programme programme = first_readable(sweep, text, o.programme);
+  const lab::Programme programme = first_readable(sweep, o, text);
   refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const auto members = run_all({.file = o.programme,
                                 .text = text,
+                                .edits = o.edits,
                                 .sweep = sweep,
                                 .name = name_of_sweep(programme),
                                 .db = o.db,
                                 .speed = o.speed,
-                                .jobs = o.jobs > 0 ? o.jobs : cores});
+                                .jobs = chosen_jobs(o.jobs)});
   if (o.json)
     print_sweep_json(o.db, members);
   else

@@ -2,11 +2,14 @@
 #include <string>
 #include <vector>
 
+#include "lab/base/toml_reader.hpp"
+
 namespace triax::src {
 
 /// `triax simulate PROGRAMME --sweep ...`.
 struct SweepOptions {
   std::string programme;
+  std::vector<lab::TomlEdit> edits;  ///< of --set, the same for all tests
   std::vector<std::string> sweeps;  ///< KEY=VALUES each
   std::string db;
   double speed = 0;

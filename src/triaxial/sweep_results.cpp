@@ -43,7 +43,7 @@ Table lines(const lab::Sweep& sweep, const std::vector<study::SweepMember>& memb
 
 std::string spread_text(const std::optional<study::Spread>& spread) {
   if (!spread) return kUnknown;
-  return fmt::format("mean {}, least {}, largest {}, standard deviation {}",
+  return fmt::format("mean {}, minimum {}, maximum {}, standard deviation {}",
                      number(spread->mean, 4), number(spread->smallest, 4),
                      number(spread->largest, 4), number(spread->standard_deviation, 4));
 }
@@ -57,8 +57,8 @@ std::string counts_text(const study::SweepSummary& sum) {
 
 std::string truth_text(const study::SweepSummary& sum) {
   return fmt::format(
-      "truth: {} lost sustainability, {} of them detected; {} detected that had not lost it\n"
-      "η where it was truly lost: {}\nη found less η true: {}\n",
+      "true onset (model): {} became unstable, {} of them detected; {} detected that remained stable\n"
+      "η at the true onset: {}\nη found minus true η: {}\n",
       sum.truly_lost, sum.truly_lost_detected, sum.false_alarms, spread_text(sum.true_eta),
       spread_text(sum.eta_error));
 }
@@ -66,7 +66,7 @@ std::string truth_text(const study::SweepSummary& sum) {
 }  // namespace
 
 std::string sweep_text(const lab::Sweep& sweep, const std::vector<study::SweepMember>& members) {
-  std::string text = "*** SIMULATED: virtual specimens, no measurement ***\n";
+  std::string text = "*** SIMULATED, not measured ***\n";
   text += to_text(lines(sweep, members));
   if (members.size() > kMostLines)
     text += fmt::format("... and {} more; `triax query sweep` lists all\n",

@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <sstream>
 
+#include "src/output/terminal.hpp"
 #include "src/triaxial/content.hpp"
 
 namespace triax::src {
 namespace {
 
-constexpr std::size_t kLineWidth = 100;
-
-// Words of `text` on lines of at most kLineWidth, continued at `indent`; words are never cut.
+// Words of `text` on lines of at most text_width(), continued at `indent`; words are never cut.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string out, word;
   std::size_t column = indent;
   while (words >> word) {
     const auto width = display_width(word);
-    if (column > indent && column + 1 + width > kLineWidth) {
+    if (column > indent && column + 1 + width > text_width()) {
       out += '\n' + std::string(indent, ' ');
       column = indent;
     } else if (column > indent) {

@@ -10,7 +10,7 @@ using nlohmann::json;
 namespace {
 
 const std::string kSmall =
-    "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200:7 --q-kPa -120:240:19 "
+    "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200/7 --q-kPa -120:240/19 "
     "--directions 36 ";
 
 #ifdef TRIAX_UMAT_FIXTURE
@@ -29,7 +29,7 @@ std::string cone(const std::string& library, int misbehaviour = 0) {
 TEST_CASE("the sample domain prints what tests/cli/golden holds") {
   const Workplace here;
   const Outcome outcome = here.triax(
-      "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200:7 --q-kPa -120:240:19");
+      "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200/7 --q-kPa -120:240/19");
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   CHECK(outcome.out == content("tests/cli/golden/domain_inl2.txt"));
@@ -53,7 +53,7 @@ TEST_CASE("domain as JSON: origin, material, boundaries in their order, states")
   }
   // Where constitutive.md has INL2's first cone between η of 0.55 and 0.60.
   const json at_70 = json::parse(
-      here.triax("domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 70:71:2 --q-kPa "
+      here.triax("domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 70:71/2 --q-kPa "
                  "0:60:31 --json")
           .out);
   const double eta = at_70["boundaries"][0]["first_unstable"]["eta"];
@@ -63,8 +63,8 @@ TEST_CASE("domain as JSON: origin, material, boundaries in their order, states")
 
 TEST_CASE("neither threads nor pieces show in a byte of what is written") {
   const Workplace here;
-  CHECK(here.triax(kSmall + "--threads 1 --output whole").status == 0);
-  CHECK(here.triax(kSmall + "--threads 3 --output threads").status == 0);
+  CHECK(here.triax(kSmall + "--jobs 1 --output whole").status == 0);
+  CHECK(here.triax(kSmall + "--jobs 3 --output threads").status == 0);
   for (const std::string piece : {"1", "2", "3"}) {
     const Outcome outcome =
         here.triax(kSmall + "--piece " + piece + "/3 --output piece" + piece + ".json");
@@ -104,8 +104,8 @@ TEST_CASE("pieces that do not belong together are one line and status 2") {
        {Bad{"--merge 1.json", "piece 2 of 2 is missing"},
         Bad{"--merge 1.json 2.json 1.json", "1.json: is piece 1 of 2 as 1.json is"},
         Bad{"--merge 1.json other.json", "other.json: is a piece of another domain: material name"},
-        Bad{"--merge 1.json cut.json", "cut.json: is no whole JSON document"},
-        Bad{"--merge 1.json foreign.json", "foreign.json: is no piece of a domain"},
+        Bad{"--merge 1.json cut.json", "cut.json: is not a complete JSON document"},
+        Bad{"--merge 1.json foreign.json", "foreign.json: is not a piece of a domain"},
         Bad{"--merge 1.json gone.json", "gone.json: cannot be read"},
         Bad{"--merge 1.json 2.json --void-ratio 1", "--void-ratio and --merge"},
         Bad{"--merge 1.json 2.json --plane plane-strain", "--plane and --merge"},
@@ -113,7 +113,7 @@ TEST_CASE("pieces that do not belong together are one line and status 2") {
         Bad{"--merge 1.json 2.json --directions 8", "--directions and --merge"},
         Bad{"--merge 1.json 2.json --materials 1.json", "--materials and --merge"},
         Bad{"--merge 1.json 2.json --localisation", "--localisation and --merge"},
-        Bad{"--merge 1.json 2.json --threads 2", "--threads and --merge"},
+        Bad{"--merge 1.json 2.json --jobs 2", "--jobs and --merge"},
         Bad{"--merge 1.json 2.json --piece 1/2", "--piece and --merge"},
         Bad{"--merge m.json --output m", "would be overwritten"}}) {
     const Outcome outcome = here.triax(std::string("domain ") + bad.arguments);
@@ -131,28 +131,29 @@ TEST_CASE("settings that make no domain are one line and status 2, and nothing i
   };
   const std::string inl2 = "--material inl2/S28-general ", sand = inl2 + "--void-ratio 1 ";
   for (const Bad& bad :
-       {Bad{"", "--material LAW/SET is missing"},
-        Bad{"--material inl2/S29", "no material 'inl2/S29'; known:"},
-        Bad{inl2, "--void-ratio E is missing"},
+       {Bad{"", "missing --material LAW/SET"},
+        Bad{"--material inl2/S29", "unknown material 'inl2/S29'; did you mean 'inl2/S28-general'?"},
+        Bad{inl2, "missing --void-ratio E"},
         Bad{inl2 + "--void-ratio 99", "--void-ratio 99"},
-        Bad{sand + "--p-kPa 10", "FROM:TO:COUNT is wanted"},
-        Bad{sand + "--p-kPa 10:x:3", "FROM:TO:COUNT is wanted"},
-        Bad{sand + "--p-kPa 10:nan:3", "FROM:TO:COUNT is wanted"},
-        Bad{sand + "--p-kPa 300:10:3", "must rise"},
-        Bad{sand + "--p-kPa 0:10:3", "p' from 0"},
-        Bad{sand + "--q-kPa 5:5:3", "must rise"},
-        Bad{sand + "--q-kPa 0:100:99999", "states"},
+        Bad{sand + "--p-kPa 10", "expected FROM:TO:STEP or FROM:TO/COUNT"},
+        Bad{sand + "--p-kPa 10:x:3", "expected FROM:TO:STEP or FROM:TO/COUNT"},
+        Bad{sand + "--p-kPa 10:nan/3", "expected FROM:TO:STEP or FROM:TO/COUNT"},
+        Bad{sand + "--p-kPa 20:200:7", "for 7 values write 20:200/7"},
+        Bad{sand + "--p-kPa 300:10/3", "must rise"},
+        Bad{sand + "--p-kPa 0:10/3", "p' from 0"},
+        Bad{sand + "--q-kPa 5:5/3", "must rise"},
+        Bad{sand + "--q-kPa 0:100/99999", "states"},
         Bad{sand + "--directions 4", "4 directions"},
-        Bad{sand + "--threads 0", "--threads"},
+        Bad{sand + "--jobs 0", "--jobs"},
         Bad{sand + "--plane oblique", "--plane"},
         Bad{sand + "--piece 3/2 --output x", "I/N"},
         Bad{sand + "--piece 1 --output x", "I/N"},
         Bad{sand + "--piece 1/2", "--piece needs --output"},
         Bad{sand + "--piece 1/2 --output x --json", "--piece and --json"},
-        Bad{sand + "--output x/", "ends in '/'"},
+        Bad{sand + "--output x/", "this is a folder"},
         Bad{"--material norsand/S28-MT --void-ratio 1 --localisation",
             "--localisation needs the full tensor"},
-        Bad{sand + "--p-kPa 10:20:2 --piece 1/3 --output x", "only 2 columns"},
+        Bad{sand + "--p-kPa 10:20/2 --piece 1/3 --output x", "only 2 columns"},
         Bad{sand + "--set hardening=1", "has no parameter"},
         Bad{"--material norsand/S28-MT-drained --void-ratio 1 --plane plane-strain",
             "has no form for it"}}) {
@@ -171,7 +172,7 @@ TEST_CASE("what is read is not overwritten, by a domain or by a piece of one") {
   const std::string set = content("lab/materials/elastic.toml");
   REQUIRE_FALSE(set.empty());
   const std::string small =
-      " --material elastic/Hostun-loose --void-ratio 1 --p-kPa 50:100:2 --q-kPa 0:50:3 "
+      " --material elastic/Hostun-loose --void-ratio 1 --p-kPa 50:100/2 --q-kPa 0:50/3 "
       "--directions 8 ";
   for (const std::string arguments :
        {"--materials y.json --output y", "--materials w.toml --piece 1/2 --output w.toml",
@@ -192,8 +193,8 @@ TEST_CASE("targets that cannot be written are found before anything is computed 
   std::filesystem::create_directories(here / "x.pdf");
   // So large that computing it would not end within a test.
   const std::string large =
-      " --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800:1000 --q-kPa 0:900:4000 ";
-  const std::string state = " --material inl2/S28-general --void-ratio 1.086 --p 70 --eta 0.5 ";
+      " --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800/1000 --q-kPa 0:900/4000 ";
+  const std::string state = " --material inl2/S28-general --void-ratio 1.086 --p-kPa 70 --eta 0.5 ";
   for (const std::string& command : {"domain" + large, "probe" + state}) {
     const Outcome folder = here.triax(command + "--output x");
     INFO(folder.err);
@@ -211,11 +212,11 @@ TEST_CASE("targets that cannot be written are found before anything is computed 
 TEST_CASE("a domain of which the law answers no state is no result") {
   const Workplace here;
   const Outcome outcome = here.triax(
-      "domain --material inl2/S28-general --void-ratio 5 --p-kPa 100:200:2 --q-kPa 0:200:5 "
+      "domain --material inl2/S28-general --void-ratio 5 --p-kPa 100:200/2 --q-kPa 0:200/5 "
       "--directions 8 --output x");
   CHECK(outcome.status == 1);
   CHECK(outcome.out.empty());
-  CHECK(outcome.err.find("answers no state of the grid") != std::string::npos);
+  CHECK(outcome.err.find("gives no result at any state of the grid") != std::string::npos);
   CHECK(outcome.err.find("the void ratio is 5") != std::string::npos);
   CHECK_FALSE(here.has("x.csv"));
 }
@@ -225,7 +226,7 @@ TEST_CASE(
     "for them") {
   const Workplace here;
   const std::string small =
-      "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 50:150:3 --q-kPa 0:120:7 "
+      "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 50:150/3 --q-kPa 0:120/7 "
       "--directions 16 --plane plane-strain --localisation ";
   CHECK(here.triax(small + "--output whole").status == 0);
   for (const std::string piece : {"1", "2"})
@@ -247,7 +248,7 @@ TEST_CASE(
 TEST_CASE("a run that is killed on the way leaves nothing") {
   const Workplace here;
   const std::string large =
-      " domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800:400 --q-kPa "
+      " domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800/400 --q-kPa "
       "0:900:1000 ";
   for (const std::string last : {"--output x", "--piece 1/2 --output x.json"}) {
     const std::string command = "cd '" + (here / ".").string() + "' && { " TRIAX_PROGRAM + large +
@@ -263,8 +264,8 @@ TEST_CASE("a UMAT has a domain too, in a worker process for every thread") {
   const Workplace here;
   write(here / "cone.toml", cone(TRIAX_UMAT_FIXTURE));
   const std::string domain =
-      "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120:3 "
-      "--q-kPa 0:60:3 --directions 8 --json --threads ";
+      "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120/3 "
+      "--q-kPa 0:60/3 --directions 8 --json --jobs ";
   const Outcome one = here.triax(domain + "1");
   INFO(one.err);
   REQUIRE(one.status == 0);
@@ -279,13 +280,13 @@ TEST_CASE("a UMAT that misbehaves everywhere is status 1 with its words, and not
     const Workplace here;
     write(here / "cone.toml", cone(TRIAX_UMAT_FIXTURE, misbehaviour));
     const Outcome outcome = here.triax(
-        "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120:2 "
-        "--q-kPa 0:60:2 --directions 8 --output x");
+        "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120/2 "
+        "--q-kPa 0:60/2 --directions 8 --output x");
     INFO(misbehaviour << ": " << outcome.err);
     CHECK(outcome.status == 1);
     CHECK(outcome.out.empty());
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-    CHECK(outcome.err.find("answers no state of the grid") != std::string::npos);
+    CHECK(outcome.err.find("gives no result at any state of the grid") != std::string::npos);
     CHECK_FALSE(here.has("x.csv"));
   }
 }
@@ -295,7 +296,7 @@ TEST_CASE("pieces of UMAT libraries that differ do not merge") {
   write(here / "cone.toml", cone("own.so"));
   const auto piece = [&](const char* index) {
     return here.triax(std::string("domain --materials cone.toml --material umat/cone --void-ratio "
-                                  "0.8 --p-kPa 80:120:2 --q-kPa 0:60:2 --directions 8 --piece ") +
+                                  "0.8 --p-kPa 80:120/2 --q-kPa 0:60/2 --directions 8 --piece ") +
                       index + "/2 --output " + index + ".json");
   };
   std::filesystem::copy_file(TRIAX_UMAT_FIXTURE, here / "own.so");

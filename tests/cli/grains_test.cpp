@@ -42,7 +42,7 @@ TEST_CASE("grains: report, document, files and database tell the same run") {
   CHECK(count_of(here, "grain_probes") == 5);
 
   // Another thread, and text: the same values.
-  const Outcome text = here.triax("grains g.toml --output two --threads 2 --db b.db");
+  const Outcome text = here.triax("grains g.toml --output two --jobs 2 --db b.db");
   CHECK(text.status == 0);
   CHECK_THAT(text.out, Catch::StartsWith("Grains, small (simulated)"));
   const auto works = [&](const std::string& db) {

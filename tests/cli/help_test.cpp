@@ -80,6 +80,61 @@ TEST_CASE("shells and groff accept what is written for them") {
   }
 }
 
+TEST_CASE("a wrong command line is told in our words, with the nearest right one") {
+  struct Wrong {
+    const char *arguments, *says;
+  };
+  const Workplace here;
+  for (const Wrong& wrong :
+       {Wrong{"", "missing command; known: simulate, replay"},
+        Wrong{"simluate p.toml", "unknown command 'simluate'; did you mean 'simulate'?"},
+        Wrong{"simulate", "missing PROGRAMME.toml; expected triax simulate PROGRAMME.toml"},
+        Wrong{"simulate p.toml --sede 3", "unknown option --sede; did you mean --seed?"},
+        Wrong{"simulate p.toml --seed", "--seed: expected one value, --seed N"},
+        Wrong{"simulate p.toml q.toml", "unexpected argument 'q.toml'"},
+        Wrong{"simulate p.toml --jobs 0", "--jobs: '0' is out of range; expected 1 to 1024"},
+        Wrong{"simulate p.toml --jobs x", "--jobs: 'x' is not a number; expected --jobs N"},
+        Wrong{"report --format docx", "--format: 'docx' is not valid; known: text, json, html, pdf"},
+        Wrong{"report --format pfd", "did you mean 'pdf'?"},
+        Wrong{"report --format pdf --json", "--json: excludes --format pdf"},
+        Wrong{"probe --norm-kPa x", "--norm-kPa: 'x' is not a number; expected --norm-kPa KPA"}}) {
+    const Outcome outcome = here.triax(wrong.arguments);
+    INFO(wrong.arguments << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(wrong.says) != std::string::npos);
+    CHECK(outcome.err.find("--help") != std::string::npos);
+  }
+}
+
+TEST_CASE("options that were renamed still go by their old names") {
+  const Workplace here;
+  const std::string state = "probe --material inl2/S28-general --void-ratio 1.086 ";
+  CHECK(here.triax(state + "--p 70 --eta 0.5").out == here.triax(state + "--p-kPa 70 --eta 0.5").out);
+  CHECK(here.triax(state + "--p 70 --q=35").out == here.triax(state + "--p-kPa 70 --q-kPa 35").out);
+  CHECK(here.triax("domain --threads 0").err.find("--jobs: '0' is out of range") !=
+        std::string::npos);
+}
+
+TEST_CASE("completion offers materials, queries and the tests of a database, and never complains") {
+  const Workplace here;
+  CHECK(here.triax("--complete materials").out.find("inl2/S28-general\n") != std::string::npos);
+  CHECK(here.triax("--complete queries").out.find("collapse_points\n") != std::string::npos);
+  const Outcome none = here.triax("--complete tests none.db");
+  CHECK(none.status == 0);
+  CHECK(none.out.empty());
+  CHECK(none.err.empty());
+  write(here / "CSU 26.csv",
+        "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n");
+  REQUIRE(here.triax("replay 'CSU 26.csv' --db a.db").status == 0);
+  CHECK(here.triax("--complete tests a.db").out == "CSU_26\n");
+  REQUIRE(here.triax("--write-manual manual").status == 0);
+  const std::string completion =
+      "cd '" + (here / "").string() + "' && bash -c 'source manual/triax.bash; COMP_WORDS=(" +
+      TRIAX_PROGRAM " report --db a.db CS); COMP_CWORD=4; _triax; echo $COMPREPLY' >got";
+  CHECK(std::system(completion.c_str()) == 0);
+  CHECK(content(here / "got") == "CSU_26\n");
+}
+
 TEST_CASE("wrong usage is one line and status 2") {
   const Workplace here;
   for (const char* arguments :

@@ -27,9 +27,9 @@ json document(const Workplace& here, const std::string& arguments) {
 
 TEST_CASE("tables of states, of directions and along a path are those of tests/cli/golden") {
   const Workplace here;
-  CHECK(here.triax(kLoose + "--p 70 --eta 0.5,0.6,0.7").out ==
+  CHECK(here.triax(kLoose + "--p-kPa 70 --eta 0.5,0.6,0.7").out ==
         content("tests/cli/golden/probe_etas.txt"));
-  CHECK(here.triax(kLoose + "--p 70 --eta 0.6 --probes").out ==
+  CHECK(here.triax(kLoose + "--p-kPa 70 --eta 0.6 --probes").out ==
         content("tests/cli/golden/probe_directions.txt"));
   CHECK(here.triax("probe --path " + kPath + " --every 25").out ==
         content("tests/cli/golden/probe_path.txt"));
@@ -37,7 +37,7 @@ TEST_CASE("tables of states, of directions and along a path are those of tests/c
 
 TEST_CASE("the cones of INL2 at p' = 70 kPa, e = 1.086 are the printed ones on half a degree") {
   const Workplace here;
-  const json d = document(here, kLoose + "--p 70 --eta 0.55,0.60,0.70,0.80 --step 0.5");
+  const json d = document(here, kLoose + "--p-kPa 70 --eta 0.55,0.60,0.70,0.80 --step 0.5");
   REQUIRE(d["states"].size() == 4);
   CHECK(d["states"][0]["cones"].empty());
   CHECK(d["first_unstable_state"]["eta"].get<double>() == Approx(0.6));
@@ -63,7 +63,7 @@ TEST_CASE("the cones of INL2 at p' = 70 kPa, e = 1.086 are the printed ones on h
 
 TEST_CASE("the document of one state has the keys of the contract") {
   const Workplace here;
-  const json d = document(here, kLoose + "--p 70 --eta 0.60");
+  const json d = document(here, kLoose + "--p-kPa 70 --eta 0.60");
   CHECK(d["origin"] == "simulated");
   for (const char* key : {"name", "law", "source", "range"}) CHECK(d["material"][key].is_string());
   for (const char* key :
@@ -116,7 +116,7 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   for (const auto& [arguments, says] : std::vector<std::pair<std::string, std::string>>{
            {"--at 99999999", "they go from 0 to"},
            {"--at there", "collapse, peak, end or the number of a reading"},
-           {"--at end --db none.db", "there is no such database"}}) {
+           {"--at end --db none.db", "no such database"}}) {
     const Outcome outcome = here.triax(probe + arguments);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find(says) != std::string::npos);
@@ -127,22 +127,22 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
 TEST_CASE("what makes no sense is one line and status 2, and nothing is written") {
   const std::pair<std::string, std::string> all[] = {
       {"", "no state is given"},
-      {"--p 70", "--eta or --q"},
-      {"--p 0 --eta 0.5", "--p 0"},
-      {"--p 70 --eta 1.5", "refuses it: the stress ratio"},
-      {"--p 70 --eta 3", "refuses it"},
-      {"--p 70 --eta 0.6 --step 0", "--step 0"},
-      {"--p 70 --eta 0.6 --norm-kPa=-1", "--norm-kPa -1"},
-      {"--p 70 --eta 0.6 --q 5", "exclude each other"},
-      {"--p 70 --eta 0.6 --path p.toml", "more than one kind of state"},
-      {"--p 70 --eta 0.6 --plane sphere", "--plane"},
-      {"--stress-kPa 100,80,60", "no axisymmetric state"},
-      {"--p 70 --eta 0.6 --set poisson_ratio=2", "poisson_ratio"},
-      {"--p 70 --eta 0.6 --void-ratio 99", ""},
+      {"--p-kPa 70", "--eta or --q-kPa"},
+      {"--p-kPa 0 --eta 0.5", "--p-kPa 0"},
+      {"--p-kPa 70 --eta 1.5", "out of range for inl2/S28-general: the stress ratio"},
+      {"--p-kPa 70 --eta 3", "out of range for"},
+      {"--p-kPa 70 --eta 0.6 --step 0", "--step 0"},
+      {"--p-kPa 70 --eta 0.6 --norm-kPa=-1", "--norm-kPa -1"},
+      {"--p-kPa 70 --eta 0.6 --q-kPa 5", "exclude each other"},
+      {"--p-kPa 70 --eta 0.6 --path p.toml", "more than one kind of state"},
+      {"--p-kPa 70 --eta 0.6 --plane sphere", "--plane"},
+      {"--stress-kPa 100,80,60", "is not axisymmetric"},
+      {"--p-kPa 70 --eta 0.6 --set poisson_ratio=2", "poisson_ratio"},
+      {"--p-kPa 70 --eta 0.6 --void-ratio 99", ""},
       {"--path gone.toml", "gone.toml"},
-      {"--p 70 --eta 0.6,,0.7", "0.6,,0.7"},
-      {"--p 70 --eta 0.6 --axial-strain 0.1", "--axial-strain"},
-      {"--p 70 --eta 0.6 --conditions 'q_kPa = 1'", "two conditions"},
+      {"--p-kPa 70 --eta 0.6,,0.7", "0.6,,0.7"},
+      {"--p-kPa 70 --eta 0.6 --axial-strain 0.1", "--axial-strain"},
+      {"--p-kPa 70 --eta 0.6 --conditions 'q_kPa = 1'", "two conditions"},
   };
   for (const auto& [arguments, says] : all) {
     const Workplace here;
@@ -155,15 +155,15 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
     CHECK_FALSE(here.has("x.json"));
   }
   const Workplace here;
-  CHECK(here.triax("probe --p 70 --eta 0.6 --void-ratio 1").err.find("--material") !=
+  CHECK(here.triax("probe --p-kPa 70 --eta 0.6 --void-ratio 1").err.find("--material") !=
         std::string::npos);
-  CHECK(here.triax("probe --material inl2/S28-general --p 70 --eta 0.6").err.find("--void-ratio") !=
+  CHECK(here.triax("probe --material inl2/S28-general --p-kPa 70 --eta 0.6").err.find("--void-ratio") !=
         std::string::npos);
 }
 
 TEST_CASE("--output writes the document, the table and every figure with its data") {
   const Workplace here;
-  const std::string arguments = kLoose + "--p 70 --eta 0.6 ";
+  const std::string arguments = kLoose + "--p-kPa 70 --eta 0.6 ";
   REQUIRE(here.triax(arguments + "--output x").status == 0);
   CHECK(content(here / "x.json") == here.triax(arguments + "--json").out);
   CHECK(content(here / "x.csv").find("origin = \"simulated\"") != std::string::npos);
@@ -181,7 +181,7 @@ TEST_CASE("--output writes the document, the table and every figure with its dat
 
 TEST_CASE("control is part of the document, and of the text where it is asked for") {
   const Workplace here;
-  const json d = document(here, kLoose + "--p 70 --eta 0.60 --R 0.5,1,2");
+  const json d = document(here, kLoose + "--p-kPa 70 --eta 0.60 --R 0.5,1,2");
   const json& control = d["control"];
   REQUIRE(control["scan"].size() == 3);
   CHECK(control["scan"][0]["controllable"] == false);
@@ -190,15 +190,15 @@ TEST_CASE("control is part of the document, and of the text where it is asked fo
   CHECK(control["lost"][0]["to_R"].get<double>() > 1);
   CHECK(control["roots"].size() == 2);
   CHECK(control["named"].size() > 3);
-  const std::string plain = here.triax(kLoose + "--p 70 --eta 0.60").out;
-  const std::string long_text = here.triax(kLoose + "--p 70 --eta 0.60 --control").out;
+  const std::string plain = here.triax(kLoose + "--p-kPa 70 --eta 0.60").out;
+  const std::string long_text = here.triax(kLoose + "--p-kPa 70 --eta 0.60 --control").out;
   CHECK(plain.find("drained, ") == std::string::npos);
   CHECK(long_text.find("undrained, ") != std::string::npos);
 }
 
 TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not take") {
   const Workplace here;
-  const std::string paths = kLoose + "--p 100 --strain-paths 0.8,1.0 --axial-strain 0.02";
+  const std::string paths = kLoose + "--p-kPa 100 --strain-paths 0.8,1.0 --axial-strain 0.02";
   const json d = document(here, paths + " --output f");
   REQUIRE(d["strain_paths"].size() == 2);
   CHECK(d["strain_paths"][1]["R"] == 1.0);
@@ -206,9 +206,9 @@ TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not
   for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
     CHECK(content(here / (std::string("f") + ending)).size() > 100);
   for (const std::string bad :
-       {"--strain-paths 0.8", "--p 100 --strain-paths 0", "--p 100 --strain-paths 1 --eta 0.5",
-        "--p 100 --strain-paths 1 --plane plane-strain",
-        "--p 100 --strain-paths 1 --axial-strain 7"}) {
+       {"--strain-paths 0.8", "--p-kPa 100 --strain-paths 0", "--p-kPa 100 --strain-paths 1 --eta 0.5",
+        "--p-kPa 100 --strain-paths 1 --plane plane-strain",
+        "--p-kPa 100 --strain-paths 1 --axial-strain 7"}) {
     const Outcome outcome = here.triax(kLoose + bad);
     INFO(bad << outcome.err);
     CHECK(outcome.status == 2);
@@ -218,7 +218,7 @@ TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not
 
 TEST_CASE("the norms of normalised work are told: in the plane in plane strain, else full") {
   const Workplace here;
-  const std::string plane = kLoose + "--p 70 --eta 0.4 --plane ";
+  const std::string plane = kLoose + "--p-kPa 70 --eta 0.4 --plane ";
   CHECK(document(here, plane + "plane-strain")["probing"]["norms"] == "plane");
   CHECK(document(here, plane + "3d --step 15")["probing"]["norms"] == "full");
   CHECK(here.triax(plane + "plane-strain").out.find("norms in the plane") != std::string::npos);
@@ -226,13 +226,13 @@ TEST_CASE("the norms of normalised work are told: in the plane in plane strain, 
 
 TEST_CASE("all directions of space: the document, and files") {
   const Workplace here;
-  const json d = document(here, kLoose + "--p 70 --eta 0.6 --plane 3d --output s");
+  const json d = document(here, kLoose + "--p-kPa 70 --eta 0.6 --plane 3d --output s");
   CHECK(d["probing"]["plane"] == "3d");
   CHECK(d["unstable_regions"] == 1);
   CHECK(d["probes"].size() == 18 * 36);
   for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
     CHECK(content(here / (std::string("s") + ending)).size() > 100);
-  CHECK(here.triax(kLoose + "--p 70 --eta 0.6 --plane 3d --finite").status == 2);
+  CHECK(here.triax(kLoose + "--p-kPa 70 --eta 0.6 --plane 3d --finite").status == 2);
 }
 
 TEST_CASE("the examples of the help run") {
@@ -240,7 +240,7 @@ TEST_CASE("the examples of the help run") {
   for (const std::string arguments :
        {"probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
         "--plane plane-strain --probes",
-        "probe --material hypoplastic/S28-MT --p 70 --eta 0.6 --void-ratio 1.0 --finite "
+        "probe --material hypoplastic/S28-MT --p-kPa 70 --eta 0.6 --void-ratio 1.0 --finite "
         "--norm-kPa 0.5"}) {
     const Outcome outcome = here.triax(arguments);
     INFO(outcome.err);
@@ -265,7 +265,7 @@ TEST_CASE(
   const std::string asked =
       " --conditions 'q_kPa = 1, axial_strain + 2*radial_strain = 0' "
       "--conditions 'axial_strain = 0.01, axial_strain + 2*radial_strain = 0'";
-  const json d = document(here, kLoose + "--p 70 --eta 0.65" + asked);
+  const json d = document(here, kLoose + "--p-kPa 70 --eta 0.65" + asked);
   const json& conditions = d["control"]["conditions"];
   REQUIRE(conditions.size() == 2);
   CHECK(conditions[0]["controllable"] == false);
@@ -273,7 +273,7 @@ TEST_CASE(
   CHECK(conditions[0]["index"].is_null());
   CHECK(conditions[1]["controllable"] == true);
   CHECK(conditions[1]["index"].get<double>() > 0);
-  CHECK(here.triax(kLoose + "--p 70 --eta 0.65" + asked).out.find("q_kPa cannot be held") !=
+  CHECK(here.triax(kLoose + "--p-kPa 70 --eta 0.65" + asked).out.find("q_kPa cannot be held") !=
         std::string::npos);
 }
 
@@ -288,7 +288,7 @@ TEST_CASE("a UMAT that crashes answers nothing: its words, no lost control, and 
     set += "]\n";
     write(here / "cone.toml", set);
     return here.triax(
-        "probe --materials cone.toml --material umat/cone --void-ratio 0.8 --p 100 --eta 0.3 "
+        "probe --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 100 --eta 0.3 "
         "--step 30 --json");
   };
   const Outcome sound = probe("0");

@@ -42,7 +42,7 @@ class Workplace {
 
   /// triax ARGUMENTS (as a shell splits them) in this folder.
   Outcome triax(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && " TRIAX_PROGRAM " " + arguments +
+    const std::string command = "cd '" + folder_.string() + "' && unset COLUMNS; " TRIAX_PROGRAM " " + arguments +
                                 " >.out 2>.err </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"),

@@ -12,8 +12,8 @@ for command in simulate replay report query element materials probe domain grain
 for path in icu_100 load_beyond_limit; do
   "$triax" element "samples/paths/$path.toml" >"$golden/element_$path.txt" 2>"$golden/element_$path.err" || true
 done
-"$triax" probe --material inl2/S28-general --p 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 >"$golden/probe_etas.txt"
-"$triax" probe --material inl2/S28-general --p 70 --eta 0.6 --void-ratio 1.086 --probes >"$golden/probe_directions.txt"
+"$triax" probe --material inl2/S28-general --p-kPa 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 >"$golden/probe_etas.txt"
+"$triax" probe --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio 1.086 --probes >"$golden/probe_directions.txt"
 "$triax" probe --path samples/paths/icu_100.toml --every 25 >"$golden/probe_path.txt"
-"$triax" domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200:7 --q-kPa -120:240:19 \
+"$triax" domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200/7 --q-kPa -120:240/19 \
   >"$golden/domain_inl2.txt"

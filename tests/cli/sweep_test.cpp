@@ -17,7 +17,7 @@ const std::string kIcu6 = source("samples/programmes/icu_6.toml");
 TEST_CASE("a sweep gives the same table and documents with one job and with two") {
   const Workplace here;
   const std::string sweep =
-      "simulate " + kIcu6 + " --sweep seed=1..3 --sweep specimen.void_ratio=1.1,1.12";
+      "simulate " + kIcu6 + " --sweep seed=1:3:1 --sweep specimen.void_ratio=1.1,1.12";
   const Outcome one = here.triax(sweep + " --jobs 1 --db one.db");
   INFO(one.err);
   REQUIRE(one.status == 0);
@@ -55,6 +55,29 @@ TEST_CASE("a sweep gives the same table and documents with one job and with two"
   CHECK(json::parse(here.triax("query sweep --db two.db --format json").out).size() == 12);
 }
 
+TEST_CASE("--set changes the programme of one test and of a sweep, and the test says so") {
+  const Workplace here;
+  const std::string set = "simulate " + kIcu6 + " --set specimen.void_ratio=1.12 ";
+  const json one = json::parse(here.triax(set + "--seed 2 --db one.db --json").out);
+  CHECK(one["test"]["name"].get<std::string>().ends_with("[void_ratio 1.12]"));
+  CHECK(one["warnings"].dump().find("specimen.void_ratio = 1.12 by --set") != std::string::npos);
+  const json by_sweep =
+      json::parse(here.triax("simulate " + kIcu6 +
+                             " --sweep specimen.void_ratio=1.12 --sweep seed=2 --db two.db --json")
+                      .out);
+  CHECK(one["collapse"] == by_sweep[0]["collapse"]);
+  const json swept = json::parse(here.triax(set + "--sweep seed=2 --db three.db --json").out);
+  CHECK(swept[0]["collapse"] == one["collapse"]);
+  CHECK(swept[0]["warnings"].dump().find("by --set") != std::string::npos);
+  for (const std::string wrong :
+       {"--set specimen.viod_ratio=1", "--set specimen.void_ratio", "--set seed=x",
+        "--sweep seed=1:2:1 --set seed=3"}) {
+    INFO(wrong);
+    CHECK(here.triax("simulate " + kIcu6 + " " + wrong + " --db none.db").status == 2);
+    CHECK_FALSE(here.has("none.db"));
+  }
+}
+
 TEST_CASE("values that make no sense fail alone, a sweep that makes none fails as a whole") {
   const Workplace here;
   const Outcome mixed =
@@ -64,8 +87,8 @@ TEST_CASE("values that make no sense fail alone, a sweep that makes none fails a
   CHECK(mixed.err.find("1 of 2 tests of the sweep failed") != std::string::npos);
   CHECK(json::parse(mixed.out).size() == 1);
   for (const std::string options :
-       {"--sweep seed", "--sweep seed=3..1", "--sweep specimen.nothing=1",
-        "--sweep seed=1..2 --seed 4", "--sweep seed=1..2 --record x.csv", "--jobs 2",
+       {"--sweep seed", "--sweep seed=3:1:1", "--sweep specimen.nothing=1",
+        "--sweep seed=1:2:1 --seed 4", "--sweep seed=1:2:1 --record x.csv", "--jobs 2",
         "--sweep seed=1 --jobs 0", "--sweep seed=1 --sweep seed=2"}) {
     INFO(options);
     const Outcome outcome = here.triax("simulate " + kIcu6 + " " + options + " --db none.db");
@@ -91,7 +114,7 @@ TEST_CASE("Ctrl-C stores and judges a test as far as it went, and writes its rec
 
 TEST_CASE("Ctrl-C keeps the finished tests of a sweep") {
   const Workplace here;
-  const Running sweep(here, "simulate " + kIcu6 + " --sweep seed=1..5000 --jobs 2");
+  const Running sweep(here, "simulate " + kIcu6 + " --sweep seed=1:5000:1 --jobs 2");
   REQUIRE(sweep.reaches("triax.db", "tests WHERE status = 'complete'", 1));
   CHECK(sweep.end_by(SIGTERM) == 1);
   CHECK(sweep.err().find("stopped by the operator") != std::string::npos);

@@ -16,7 +16,7 @@ using namespace triax;
 
 namespace {
 
-/// With a second mark, which is never passed.
+/// With a second mark, which is never reached.
 const lab::GrainProgramme& programme() {
   static const auto read = lab::read_grain_programme(
       test::replaced(test::kSmallGrains, "value = 0.2}",
@@ -230,7 +230,7 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
         "0.4, 0.66, 3.5, 12, 0, 1, 1, 'h');"
         "INSERT INTO grain_stages VALUES (4, 1, 'path', 'strain_path', 'specimen', 0.8, "
         "'collapse', NULL, 0.41, 3.4, 13, 90, 60, 1e-4, 1e-6, 1000, 2.5), "
-        "(4, 2, 'rose', 'probes', 'path', NULL, 'all settled', 1, 0.41, 3.4, 13, 90, 60, 1e-4, "
+        "(4, 2, 'rose', 'probes', 'path', NULL, 'all at rest', 1, 0.41, 3.4, 13, 90, 60, 1e-4, "
         "1e-6, 4000, NULL), (4, 3, 'held', 'equilibrium', 'path', NULL, 'settled', 1, 0.41, 3.4, "
         "13, 90, 60, 1e-4, 1e-6, 700, NULL);"
         "INSERT INTO grain_points VALUES (4, 1, 0, 0.5, -1, 0.6, 0.2, 90, 60, 70, 30, 15, 1e-6, "
@@ -274,6 +274,7 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
   const auto& rest = std::get<lab::ReportedGrainRest>(run.report.stages[2].came);
   CHECK(rest.strain_held);
   CHECK(rest.rest.settled);
-  CHECK(rest.rest.settling.steps == 700);
+  CHECK(rest.rest.settling.steps == lab::kNotStored);
+  CHECK(run.report.stages[2].steps == 700);
   CHECK(std::isnan(rest.rest.path_stress_pa));
 }

@@ -103,7 +103,7 @@ void name_entries(QCPAxisRect& rect, const std::vector<study::GrainCurve>& paths
   if (any(paths, [](const auto& p) { return p.first_negative.has_value(); }))
     draw_markers(rect, {}, unstable_marker(), "W₂ < 0 from here");
   if (any(paths, [](const auto& p) { return !p.marks.empty(); }))
-    draw_markers(rect, {}, mark_marker(), "state taken out");
+    draw_markers(rect, {}, mark_marker(), "saved state");
 }
 
 std::vector<LabelledCurve> labelled(const std::vector<study::GrainCurve>& paths, Place place) {

@@ -79,7 +79,7 @@ sim::DomainStateKind read_kind(const Part& part) {
   const std::string word = part.text("kind");
   for (const auto kind : sim::kDomainStateKinds)
     if (word == word_of(kind)) return kind;
-  part.fail(fmt::format("{} is no kind of state", lab::excerpt(word)));
+  part.fail(fmt::format("{} is not a kind of state", lab::excerpt(word)));
 }
 
 ReportedDomainState read_state(const Part& part, double q_kPa, int directions) {
@@ -140,7 +140,7 @@ void check_grid(const DomainSettings::Grid& g, const std::string& subject) {
           fmt::format("void ratio {:g}; must be {:g} to {:g}", g.void_ratio,
                       lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
   require(g.plane == "axisymmetric" || g.plane == "plane-strain",
-          lab::excerpt(g.plane) + " is no plane; axisymmetric or plane-strain is");
+          lab::excerpt(g.plane) + " is not a plane; expected axisymmetric or plane-strain");
   require(g.directions >= 8 && g.directions <= kMostDirections,
           fmt::format("{} directions; must be 8 to {}", g.directions, kMostDirections));
 }
@@ -148,7 +148,7 @@ void check_grid(const DomainSettings::Grid& g, const std::string& subject) {
 DomainPiece read_piece(std::string_view text, const std::string& file) {
   const Json document =
       parsed_document(text, file, kPieceFormat,
-                      "is no piece of a domain; triax domain --piece I/N --output FILE writes one");
+                      "is not a piece of a domain; triax domain --piece I/N --output FILE writes one");
   const Part root(document, file);
   require_version(root, kPieceVersion);
   DomainPiece piece{.file = file, .program = root.text("program")};

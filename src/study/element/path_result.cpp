@@ -25,7 +25,7 @@ std::string state_in_words(const PathResult& path, const ResultPoint& at) {
 std::string verdict(const PathResult& path, const std::string& message) {
   if (path.outcome == sim::StepOutcome::accepted) return {};
   if (path.outcome == sim::StepOutcome::inaccurate)
-    return fmt::format("{}: estimated error {:.1e}, asked for {:.1e}", message, path.error,
+    return fmt::format("{}: estimated error {:.1e}, tolerance {:.1e}", message, path.error,
                        path.tolerance);
   const std::string where =
       fmt::format("segment {} at {} % of it, {}", path.last.segment,

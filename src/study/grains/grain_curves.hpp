@@ -23,7 +23,7 @@ struct GrainCurve {
 /// A curve each stage, without a label, its strains counted on from what went before: all from the
 /// start of the earliest, so that paths that follow each other are drawn on one axis. Peak and
 /// first_negative are those of path_findings() where σ₁ − σ₃/R falls after its peak. Marks that
-/// were never passed are left out. Pre-condition: all stages are paths.
+/// were never reached are left out. Pre-condition: all stages are paths.
 std::vector<GrainCurve> curves_together(const std::vector<const lab::ReportedGrainStage*>& stages);
 
 /// W₂ of the increment that led to each point (second_order_work), J/m³; of the first one none.

@@ -80,7 +80,7 @@ sim::GrainProbe read_probe(const DocumentPart& part, const ProbedGrains& of, int
 GrainPiece read_grain_piece(std::string_view text, const std::string& file) {
   const Json document = parsed_document(
       text, file, kGrainPieceFormat,
-      "is no piece of a rose of grains; triax grains --piece I/N --output FILE writes one");
+      "is not a piece of probes of grains; triax grains --piece I/N --output FILE writes one");
   const DocumentPart root(document, file);
   require_version(root, kGrainPieceVersion);
   GrainPiece piece{.file = file, .program = root.text("program")};

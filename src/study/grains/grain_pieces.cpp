@@ -68,7 +68,7 @@ lab::GrainStageResult merge_grain_pieces(const lab::GrainProgramme& programme,
     wanted.specimen = probed_grains(made.state, pieces.back().specimen.programme,
                                     pieces.back().specimen.stage, how);
     if (const std::string found = difference(pieces.back(), wanted); !found.empty())
-      throw lab::BadInput(file, 0, "is no piece of this programme: " + found);
+      throw lab::BadInput(file, 0, "is not a piece of this programme: " + found);
   }
   lab::GrainStageResult result;
   result.stage = &stage;

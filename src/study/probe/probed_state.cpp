@@ -128,7 +128,7 @@ ProbedState probe_state(const lab::MaterialSet& material, const StateToProbe<Spa
   if (probed.circle.refused == 0) return probed;
   probed.refusal = probers.refusal(probed.circle);
   if (material.material.law<Space>()->finite())
-    probed.warnings.push_back(fmt::format("the law fails in {} of {} directions{}{}",
+    probed.warnings.push_back(fmt::format("the law gives no result in {} of {} directions{}{}",
                                           probed.circle.refused, probing.directions,
                                           probed.refusal.empty() ? "" : ": ", probed.refusal));
   return probed;

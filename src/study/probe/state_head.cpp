@@ -58,7 +58,7 @@ StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& w
   const sim::Law<Space>& law = *material.material.law<Space>();
   const sim::PointState<Space>& state = what.state;
   if (const auto objection = law.objection(state))
-    throw lab::BadInput(fmt::format("{}{}: {} refuses it: {}",
+    throw lab::BadInput(fmt::format("{}{}: out of range for {}: {}",
                                     what.name.empty() ? "" : what.name + ", ", words(state),
                                     material.name, *objection));
   StateHead head{.name = what.name,

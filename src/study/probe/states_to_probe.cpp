@@ -134,7 +134,7 @@ StatesToProbe<Space> of(const lab::MaterialSet&, const StatesOfPath& wanted,
                              .warnings = run.warnings};
   if (!run.message.empty())
     found.warnings.push_back(
-        fmt::format("{} ends before its end: {}", description.name, run.message));
+        fmt::format("{} stopped early: {}", description.name, run.message));
   if (wanted.every)
     put_rows(law, run.rows, static_cast<std::size_t>(*wanted.every), found);
   else

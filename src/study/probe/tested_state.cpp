@@ -26,21 +26,21 @@ std::optional<std::int64_t> reading_of(const db::StoredTest& test, const std::st
   if (at == "peak") {
     if (test.summary.peak) return test.summary.peak->reading;
     throw lab::BadInput(fmt::format(
-        "{} has no peak of q on record: --at end, or --at with the number of a reading", name));
+        "{} has no peak of q; use --at end, or --at with the number of a reading", name));
   }
   if (at == "collapse") {
     if (const auto onset = collapse_onset(test)) return onset->reading;
     if (const auto onset = failure_onset(test)) {
-      warnings.push_back(name + " lost strength on the limit surface, no collapse: its onset");
+      warnings.push_back(name + " failed on the limit surface, without collapse: its onset");
       return onset->reading;
     }
     throw lab::BadInput(fmt::format(
-        "{} has no collapse: --at peak, --at end, or --at with the number of a reading", name));
+        "{} has no collapse; use --at peak, --at end, or --at with the number of a reading", name));
   }
   const auto reading = lab::whole_text_as<std::int64_t>(at);
   if (!reading || *reading < 0)
     throw lab::BadInput(fmt::format(
-        "--at {}: must be collapse, peak, end or the number of a reading", lab::excerpt(at)));
+        "--at {}: expected collapse, peak, end or the number of a reading", lab::excerpt(at)));
   return *reading;
 }
 
@@ -80,12 +80,12 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
                                           *wanted, readings.first, readings.last)
                             : fmt::format("{} has no reading with known effective stresses", name));
   if (!known(result.state))
-    throw lab::BadInput(fmt::format("{} does not know the effective stresses at reading {}", name,
+    throw lab::BadInput(fmt::format("{} has no effective stresses at reading {}", name,
                                     result.state.reading));
   if (void_ratio) result.state.void_ratio = *void_ratio;
   if (!std::isfinite(result.state.void_ratio))
     throw lab::BadInput(
-        fmt::format("{} does not know its void ratio at reading {}: give it by --void-ratio E",
+        fmt::format("{} has no void ratio at reading {}; give --void-ratio E",
                     name, result.state.reading));
 
   lab::IncrementWatch watch(stored.header, result.state.reading);
@@ -95,8 +95,8 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
   if (result.increment && result.increment->angle_error < kLargestError) return result;
   result.warnings.push_back(
       fmt::format("the increment of {} at reading {} is not known: {}", name, result.state.reading,
-                  result.increment ? "its direction is lost in the noise"
-                                   : "no window of shear readings reaches it"));
+                  result.increment ? "its direction cannot be told from the noise"
+                                   : "no window of shear readings includes it"));
   result.increment.reset();
   return result;
 }

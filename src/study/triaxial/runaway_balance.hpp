@@ -18,7 +18,7 @@ struct RunawayBalance {
   std::optional<double> ratio;
   std::optional<RunawayStart> start;  ///< by the ratio that is expected; empty: none is
   double rise_s = 0;                  ///< from its start to the largest kinetic energy
-  std::optional<double> duration_s;   ///< empty: still running when the test ended
+  std::optional<double> duration_s;   ///< empty: still moving when the test ended
 };
 
 RunawayBalance balance_of(const lab::RunAwayTruth& runaway);

@@ -74,7 +74,9 @@ class SweepRun {
  private:
   void run(SweepMember& member) {
     lab::Programme programme =
-        lab::read_programme(job_.text, job_.file, job_.sweep.edits(member.place));
+        lab::read_programme(job_.text, job_.file,
+                            edits_of_member(job_.edits, job_.sweep, member.place));
+    programme.changes = job_.edits;
     programme.name += fmt::format(" [{}]", job_.sweep.label(member.place));
     lab::VirtualRig rig(programme);
     db::Recorder recorder(job_.db);
@@ -103,6 +105,18 @@ class SweepRun {
 };
 
 }  // namespace
+
+std::vector<lab::TomlEdit> edits_of_member(const std::vector<lab::TomlEdit>& all,
+                                           const lab::Sweep& sweep, std::int64_t place) {
+  std::vector<lab::TomlEdit> edits = all;
+  for (lab::TomlEdit& edit : sweep.edits(place)) {
+    if (std::ranges::count(all, edit.key, &lab::TomlEdit::key) > 0)
+      throw lab::BadInput(
+          fmt::format("--set {}: --sweep gives this key its values; leave out one", edit.key));
+    edits.push_back(std::move(edit));
+  }
+  return edits;
+}
 
 std::vector<SweepMember> run_sweep(const SweepJob& job, const std::function<bool()>& stop,
                                    const std::function<void(const SweepCounts&)>& show) {

@@ -25,12 +25,18 @@ struct SweepMember {
 struct SweepJob {
   std::string file;  ///< of the programme
   std::string text;  ///< what it holds
+  std::vector<lab::TomlEdit> edits = {};  ///< the same for all tests
   const lab::Sweep& sweep;
   std::string name;  ///< of the sweep, for the database
   std::string db;
   double speed = 0;  ///< as SessionOptions
   int jobs = 1;      ///< tests that run at a time
 };
+
+/// What is put into the programme for the test at `place`: the sweep's values behind those that all
+/// tests have. Throws lab::BadInput where both name a key.
+std::vector<lab::TomlEdit> edits_of_member(const std::vector<lab::TomlEdit>& all,
+                                           const lab::Sweep& sweep, std::int64_t place);
 
 struct SweepCounts {
   std::int64_t done = 0;  ///< of them some failed

@@ -128,7 +128,7 @@ Mark mark_for(const study::HistoryMark& mark) {
     case failure:
       return {mark.at, "failure on the limit surface", line(kGrey, 1.3, Qt::DashLine)};
     case true_onset:
-      return {mark.at, "truth: the specimen itself", line(kInk, 1.3, Qt::DotLine)};
+      return {mark.at, "true onset (model)", line(kInk, 1.3, Qt::DotLine)};
   }
   return {};
 }

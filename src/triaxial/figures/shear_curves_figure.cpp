@@ -54,7 +54,7 @@ Drawing shear_curves_figure(const study::ShearSeries& series) {
   auto& left = *plot->axisRect();
   auto* right = close > 0 ? &add_axes_beside(*plot) : nullptr;
   style_axes(left, "axial strain ε₁ (%)", "deviator stress q (kPa)");
-  if (right != nullptr) style_axes(*right, "axial strain ε₁ (%), its beginning", "q (kPa)");
+  if (right != nullptr) style_axes(*right, "axial strain ε₁ (%), detail", "q (kPa)");
   name_series(left, series.tests);
   legend_below(*plot, 5);
   note_below(*plot, origin_note(series.origin));

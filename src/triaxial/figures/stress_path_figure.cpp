@@ -88,7 +88,7 @@ Drawing stress_path_figure(const study::StressPath& path) {
          "failure on the limit surface");
   if (path.true_onset)
     mark(*plot, place(*path.true_onset), QCPScatterStyle::ssCross, kInk,
-         "truth: the specimen itself");
+         "true onset (model)");
   legend_below(*plot, 2);
   note_below(*plot, origin_note(path.origin));
   place_labels(*plot, labels);

@@ -32,7 +32,7 @@ TEST_CASE("values are read by their type, a whole number is a number too") {
 TEST_CASE("errors name file and line, also for text that begins further down") {
   const auto document = TomlTable::parse("a = 1\nb = \"x\"\n", "a.toml", 10);
   CHECK(document.line("b") == 11);
-  CHECK_THROWS_WITH(document.number("b"), "a.toml:11: b: a number without quotes is wanted");
+  CHECK_THROWS_WITH(document.number("b"), "a.toml:11: b: expected a number, without quotes");
   CHECK_THROWS_WITH(TomlTable::parse("a = 1\nb = = 2\n", "a.toml", 10),
                     Catch::StartsWith("a.toml:11: this is no valid TOML"));
   CHECK_THROWS_AS(TomlTable::read("samples/none.toml"), BadInput);
@@ -54,7 +54,7 @@ TEST_CASE("what must be there is asked for, what was probably meant by another k
   CHECK(document.required_number("hieght") == 2);
   CHECK(document.required_table("t").required_number("a") == 1);
   CHECK_THROWS_WITH(document.required_table("specimen"),
-                    "f.toml:1: [specimen] is missing; is it meant by 'specimne'?");
+                    "f.toml:1: [specimen] is missing; did you mean 'specimne'?");
   CHECK_THROWS_WITH(document.table("t")->required_text("name"), "f.toml:4: [t]: name is missing");
   CHECK_THROWS_WITH(document.required_text("blank"), "f.toml:2: blank: must not be empty");
   const auto other = TomlTable::parse("hieght = 2\n", "f.toml");

@@ -73,7 +73,7 @@ TEST_CASE("a specimen that falls before the stage has shown a rate has lost cont
     const auto found = finding(standing, at(100, 2e3, 0.15));
     REQUIRE(found);
     CHECK(found->instant.reading == 99);
-    CHECK(found->evidence.find("axial strain leapt from") == 0);
+    CHECK(found->evidence.find("axial strain jumped from") == 0);
     // A displacement set to zero; a load step that the specimen carries; a blow that settles; a
     // pause of the logger.
     CHECK_FALSE(finding(standing, at(100, 39e3, 0.15)));
@@ -157,7 +157,7 @@ TEST_CASE("a burst of pore pressure is loss of control, where it begins") {
     const auto finding = pore_finding(drainage, 500, burst, steady);
     REQUIRE(finding);
     CHECK(finding->instant.reading == 400);
-    CHECK(finding->evidence.find("pore pressure ran") == 0);
+    CHECK(finding->evidence.find("pore pressure rose") == 0);
     CHECK_FALSE(pore_finding(drainage, 400, burst, steady));
   }
 }

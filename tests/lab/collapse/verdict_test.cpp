@@ -118,7 +118,7 @@ TEST_CASE("at held q with the valve closed the pore pressure places the onset") 
 TEST_CASE("a fall is the onset, whatever the volume did before; alone it is a flow") {
   const LimitSurface limit = sand();
   const Instant fall{.reading = 90, .q_pa = 60e3, .p_eff_pa = 100e3};
-  const Finding burst{fall, "the specimen fell"};
+  const Finding burst{fall, "which q fell"};
   Descent held = descent(60e3, 105e3, 0, 60e3);
   held.axial_strain_last = held.onset.axial_strain + 0.02;
   const Finding turn{{.reading = 40, .q_pa = 60e3, .p_eff_pa = 110e3}, "turned"};

@@ -59,7 +59,7 @@ TEST_CASE("an open circuit reads the end of the range and says so") {
   CHECK(std::isnan(unlimited.pass(1e3, 1)));
 }
 
-TEST_CASE("a drop-out gives nothing and nothing of it stays") {
+TEST_CASE("a drop-out gives no readings and nothing of it stays") {
   auto c = channel({fault(FaultKind::drop_out, 2, 4)});
   for (int i = 0; i < 6; ++i) CHECK(std::isnan(c.pass(signal_pa(i), i)) == (i == 2 || i == 3));
 }

@@ -162,7 +162,7 @@ TEST_CASE("a full cylinder takes no more: the pressure rises with what flows in"
   CHECK(held(c, 71, -kMm3).empty);
 }
 
-TEST_CASE("a stuck piston gives nothing: the ramp does not come, inflow raises the pressure") {
+TEST_CASE("a stuck piston gives no readings: the ramp does not come, inflow raises the pressure") {
   PressureController c = ideal();
   c.fluid_compliance_m3_per_pa = 5 * kMm3 / 1e3;
   ControllerState state = at_rest(c, 100e3);

@@ -40,8 +40,8 @@ TEST_CASE("a text that is no packing is refused with its line") {
   refused("", "is empty");
   refused("\n \n", "is empty");
   refused("2 0 1 0 1\n", "p.txt:1: '2 0 1 0 1' is not 'N x0 x1 y0 y1 z0 z1'");
-  refused("1.5 0 1 0 1 0 1\n", "no number of grains");
-  refused("1e9 0 1 0 1 0 1\n", "no number of grains");
+  refused("1.5 0 1 0 1 0 1\n", "not a number of grains");
+  refused("1e9 0 1 0 1 0 1\n", "not a number of grains");
   refused("1 0 1 1 1 0 1\n", "edge");
   refused("1 0 1 0 1 0 1\n0.5 0.5 x 0.1\n", "p.txt:2");
   refused("1 0 1 0 1 0 1\n0.5 0.5 nan 0.1\n", "p.txt:2");

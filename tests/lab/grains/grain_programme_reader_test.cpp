@@ -111,16 +111,16 @@ TEST_CASE("what makes no sense in a programme of grains is refused with file, li
           "grading");
   refused(with("friction_angle_deg = 30.0", "stiffness_reading = \"parallel\""), "in_series");
   refused(with("action = \"drained\"", "action = \"draned\""), "drained");
-  refused(with("strain_rate_per_s = 0.5", "strain_rate_per_s = 0"), "nothing would move");
+  refused(with("strain_rate_per_s = 0.5", "strain_rate_per_s = 0"), "nothing would happen");
   refused(with("radial_stress_kPa = 120.0\n", ""), "radial_stress_kPa");
   refused(with("strain_path_R = 0.9", "strain_path_R = 0"), "strain_path_R");
   refused(with("quantity = \"stress_ratio\"", "quantity = \"eta\""), "stress_ratio");
   refused(with("load_step_Pa = 100.0\n", ""), "load_step_Pa, kinetic_energy_J or both");
   refused(with("from = \"a point\"", "from = \"a pint\""), "a point");
-  refused(with("from = \"isotropic\"", "from = \"hit\""), "no stage or mark before");
-  refused(with("name = \"held\"", "name = \"a point\""), "cannot be told apart");
-  refused(with("name = \"held\"", "name = \"a:point\""), "cannot be told apart");
-  refused(with("name = \"held\"", "name = \"specimen\""), "as it was made");
+  refused(with("from = \"isotropic\"", "from = \"hit\""), "not a stage or mark before");
+  refused(with("name = \"held\"", "name = \"a point\""), "give the same file names");
+  refused(with("name = \"held\"", "name = \"a:point\""), "give the same file names");
+  refused(with("name = \"held\"", "name = \"specimen\""), "as made");
   refused("", "run");
 }
 

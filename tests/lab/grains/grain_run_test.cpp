@@ -168,7 +168,7 @@ TEST_CASE("what cannot be carried out fails with the name of the stage") {
     CHECK_THROWS_AS(told_by(programme), WorkFailed);
   };
   fails(replaced(kSmallGrains, "value = 0.2", "value = 2.9"),
-        "stage 'at rest': its start 'a point' was never passed");
+        "stage 'at rest': its start 'a point' was never reached");
   fails(replaced(kSmallGrains, "compaction_friction_deg = 20.0", "porosity = 0.25"), "denser");
   fails(replaced(kSmallGrains, "compaction_friction_deg = 20.0",
                  "compaction_friction_deg = 20\nmost_steps = 600"),

@@ -23,11 +23,11 @@ TEST_CASE("how a stage of grains ended, in words") {
   rose.rose.probes.resize(2);
   rose.rose.probes[0].settled = true;
   result.outcome = rose;
-  CHECK(ending(result) == "some not settled");
+  CHECK(ending(result) == "some not at rest");
   CHECK(settled(result) == false);
   rose.rose.probes[1].settled = true;
   result.outcome = rose;
-  CHECK(ending(result) == "all settled");
+  CHECK(ending(result) == "all at rest");
   CHECK(settled(result) == true);
 
   sim::PerturbationResult hit;

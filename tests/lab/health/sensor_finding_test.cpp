@@ -21,7 +21,7 @@ TEST_CASE("a finding says sensor, fault, value in units of the field, readings a
 TEST_CASE("what is missing has no value, and columns without a sensor have a name") {
   const SensorFinding f{Quantity::pore_pressure, SensorFault::missing, 7, {}, {}, 0};
   CHECK(describe(f) ==
-        "the pore-pressure transducer (pore_pressure) gives nothing from reading 7 on");
+        "the pore-pressure transducer (pore_pressure) gives no readings from reading 7 on");
   CHECK(sensor_name(Quantity::deviator_stress) == "the column (deviator_stress)");
   CHECK(to_string(SensorFault::saturated) == "saturated");
 }

@@ -145,8 +145,8 @@ TEST_CASE("restrictions are read as written") {
   const std::string rest = "ed2=0\ned3=0\ned4=0\ned5=0\ned6=0\n";
   CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\nee1 = 0\n" + rest),
              Contains("folder/test.inp:4") && Contains("'ee1'"));
-  CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\ned1\n" + rest), Contains("is no restriction"));
-  CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\nx*ed1 = 0\n" + rest), Contains("no factor"));
+  CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\ned1\n" + rest), Contains("is not a restriction"));
+  CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\nx*ed1 = 0\n" + rest), Contains("not a factor"));
   CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\ned1 = ed2\n" + rest), Contains("no number"));
 }
 
@@ -220,7 +220,7 @@ TEST_CASE("a step ends where its condition is met") {
   CHECK_THAT(refusal("*TriaxialUEq ? q < -20\n10 5 1\n0.01\n"), Contains("without sign"));
   CHECK_THAT(refusal("*TriaxialUEq ? s1 + s2 < -20\n10 5 1\n0.01\n"), Contains("on a sum"));
   CHECK_THAT(refusal("*TriaxialUEq ? v7 > 1\n10 5 1\n0.01\n"), Contains("'v7'"));
-  CHECK_THAT(refusal("*TriaxialUEq ? p\n10 5 1\n0.01\n"), Contains("is no condition"));
+  CHECK_THAT(refusal("*TriaxialUEq ? p\n10 5 1\n0.01\n"), Contains("is not a condition"));
 }
 
 TEST_CASE("an imported table is followed row by row") {
@@ -249,7 +249,7 @@ TEST_CASE("what is no set of linear conditions is refused by name, what is unkno
   CHECK_THAT(refusal("*LinearLoad\n1 1 1\n*Roscoe\n2 1\n"), Contains("test.inp:5"));
   CHECK_THAT(refusal("*TriaxialE1\n0 1 1\n-0.1\n"), Contains("number of increments is 0"));
   CHECK_THAT(refusal("*TriaxialE1\n10 1 1\n"), Contains("the change should follow"));
-  CHECK_THAT(refusal(""), Contains("holds no step"));
+  CHECK_THAT(refusal(""), Contains("has no step"));
   Files nameless("");
   nameless.texts["test.inp"] = "*TriaxialE1\n1 1 1\n-0.1\n";
   CHECK_THAT(refusal(nameless), Contains("name of the output"));
@@ -353,7 +353,7 @@ TEST_CASE("a folder on disk is recognised and read") {
   CHECK(load_incremental_driver((folder / "test.inp").string(), settings).name == "out");
   for (const char* other : {"parameters.inp", "InitialConditions.inp"})
     CHECK_THROWS_WITH(load_incremental_driver((folder / other).string(), settings),
-                      Contains("give the folder that it is in, or the test.inp"));
+                      Contains("give its folder, or the test.inp"));
   fs::remove(folder / "parameters.inp");
   CHECK_THROWS_WITH(load_incremental_driver(folder.string(), settings), Contains("parameters.inp"));
   fs::remove_all(folder);

@@ -38,14 +38,14 @@ TEST_CASE("settings that are none, and values that cannot be, are refused") {
   refused("void_ratio", "1.0x", "must be a number");
   refused("void_ratio", "-1", "must be a number");
   refused("p_eff_kPa", "inf", "must be a number");
-  refused("material", "sanisand", "no material");
+  refused("material", "sanisand", "unknown material");
   refused("poisson_ratio", "0.7", "must be");
 }
 
 TEST_CASE("a start that the law refuses, or with another law's memory, is bad input") {
   auto description = read_path(test::kPath, "p.toml");
   change_setting(description, "void_ratio", "9");
-  CHECK_THROWS_WITH(check_start(description), Contains("refuses it"));
+  CHECK_THROWS_WITH(check_start(description), Contains("out of range for"));
   auto remembered = read_path(
       test::with(test::kPath, "void_ratio = 1.0", "void_ratio = 1.0\nmemory = [1, 2]"), "p.toml");
   CHECK_THROWS_WITH(check_start(remembered), Contains("memory has 2 values"));

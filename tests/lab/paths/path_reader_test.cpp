@@ -103,10 +103,10 @@ repeat_from = "compression"
   CHECK(back.end[0].below == -0.3);
   CHECK(back.end[1].below == 5e3);
   CHECK(back.end[1].label == "p_eff_kPa below 5");
-  refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"), "the name of a segment before");
+  refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"), "the name of an earlier segment");
   refused(with(kPath + cycle, "repeat_from = \"compression\"", "repeat_from = \"comp\""),
           "did you mean 'compression'?");
-  refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat beside it");
+  refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat");
   refused(with(kPath + cycle, "repeat = 4", "repeat = 0"), "must be 1 to 100000");
   refused(with(kPath + cycle, "rows = 7", "rows = 100000"), "rows of output");
   // Few rows, but four million parts with the repetitions.
@@ -148,7 +148,7 @@ TEST_CASE("what is no path is refused with file, line and remedy") {
   refused(with(kPath, "void_ratio = 1.0", "void_ratio = 100"), "must be");
   refused(with(kPath, "void_ratio = 1.0", "voidratio = 1.0"), "is it meant by 'voidratio'?");
   refused(kPath.substr(0, kPath.find("[[")), "write [[segments]]");
-  refused(with(kPath, "\"undrained\"", "\"closed\""), "neither drained nor undrained");
+  refused(with(kPath, "\"undrained\"", "\"closed\""), "expected drained or undrained");
   refused(with(kPath, "drainage = \"undrained\"\n", ""), "drainage is missing");
   refused(with(kPath, "drainage", "frame = \"triaxal\"\ndrainage"), "did you mean 'triaxial'?");
   refused(with(kPath, kConditions, "[\"axial_strain = 0.02\"]"), "1 conditions are given, 2");

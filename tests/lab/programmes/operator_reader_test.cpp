@@ -39,8 +39,8 @@ TEST_CASE("what the operator does is read in SI, in the order of time") {
 
 TEST_CASE("an order that nobody can follow is refused") {
   CHECK_THAT(complaint(action("pause", 1)), Contains("known: hold, resume, abort"));
-  CHECK_THAT(complaint(action("resume", 1)), Contains("nothing is held"));
-  CHECK_THAT(complaint(action("hold", 1) + action("hold", 2)), Contains("held already"));
+  CHECK_THAT(complaint(action("resume", 1)), Contains("no hold to resume"));
+  CHECK_THAT(complaint(action("hold", 1) + action("hold", 2)), Contains("on hold already"));
   CHECK_THAT(complaint(action("hold", 1)), Contains("nothing ends this hold"));
   CHECK_THAT(complaint(action("hold", 2) + action("resume", 1)), Contains("not later"));
   CHECK_THAT(complaint(action("abort", 1) + action("hold", 2)), Contains("after an abort"));

@@ -80,7 +80,7 @@ TEST_CASE("the sample programmes run to their end and lose sustainability where 
     REQUIRE_FALSE(truth.run_aways.empty());
     CHECK(truth.run_aways.back().end == lab::RunAwayEnd::end_of_travel);
     REQUIRE(rig.header().warnings.size() == 1);
-    CHECK_THAT(rig.header().warnings[0].text, Catch::Contains("is used up"));
+    CHECK_THAT(rig.header().warnings[0].text, Catch::Contains("reached"));
     if (rig.header().programme != "CSU") continue;
     // The pore pressure falls until collapse and rises because of it.
     CHECK(*truth.pore_pressure_pa < lowest_u + 500);

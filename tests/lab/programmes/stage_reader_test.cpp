@@ -55,7 +55,7 @@ TEST_CASE("an end that can never come is refused") {
       complaint("axial = \"free\"\ncell_rate_kPa_per_min = -10\ncell_target_kPa = 450\n" + kEnd),
       Contains("sign of cell_rate_kPa_per_min is wrong"));
   CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"time_s\", below = 5}]\n"),
-             Contains("time only grows"));
+             Contains("time only increases"));
   CHECK_THAT(complaint("axial = \"free\"\ntime_limit_min = 4\n" + kEnd), Contains("never comes"));
   CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"stress_ratio\", above = 4}]\n"),
              Contains("at most 3"));
@@ -65,7 +65,7 @@ TEST_CASE("an end that can never come is refused") {
              Contains("exactly one of above and below"));
   CHECK_THAT(complaint("axial = \"displacement\"\naxial_rate_mm_per_min = -1\n"
                        "end = [{quantity = \"axial_strain_pct\", above = 4}]\n"),
-             Contains("moves away"));
+             Contains("in the other direction"));
 }
 
 TEST_CASE("a pressure demand has a rate that its controller has") {

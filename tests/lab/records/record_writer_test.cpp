@@ -68,7 +68,7 @@ TEST_CASE("a simulation says in its first line that it is one and how it is repe
     return text.substr(0, text.find('\n'));
   };
   CHECK(first_line() ==
-        "## a simulation, no laboratory test: triax simulate \"csu_26.toml\" --seed 42");
+        "## simulated, not measured: triax simulate \"csu_26.toml\" --seed 42");
   header.dialect = "triax";  // replayed from a record: the source is no programme
   CHECK(first_line() == "# [test]");
   header.dialect.clear();

@@ -42,7 +42,7 @@ TEST_CASE("another unit of the same kind is converted, another kind is refused")
   CHECK_THROWS_WITH(layout_of("time_s,axial_force_kPa,cell_pressure_kPa\n0,1,1\n"),
                     Catch::Contains("is in 'kPa'; kN would be right"));
   CHECK_THROWS_WITH(layout_of("time_s,axial_force_foo,cell_pressure_kPa\n0,1,1\n"),
-                    Catch::Contains("'foo', which is no known unit"));
+                    Catch::Contains("'foo', which is an unknown unit"));
   CHECK_THROWS_WITH(layout_of("time_s,axial_force,cell_pressure_kPa\n0,1,1\n"),
                     Catch::Contains("has no unit"));
 }
@@ -71,8 +71,8 @@ TEST_CASE("what cannot be a record is refused in one line") {
       {"a|b|c\n1|2|3\n", "m.csv:1: only one column found"},
       {"alpha,beta\n1,2\n", "m.csv:1: no dialect fits this file; headings found: 'alpha', 'beta'"},
       {"time_s,axial_displacement_mm,cell_pressure_kPa\n0,1,2\n", "needs axial_force_kN too"},
-      {kHeadings + ",cell_pressure_psi\n0,1,2,3,4,5\n", "m.csv:1: two columns hold the same"},
-      {kHeadings + ",time_s\n0,1,2,3,4,5\n", "two columns hold the same"},
+      {kHeadings + ",cell_pressure_psi\n0,1,2,3,4,5\n", "m.csv:1: two columns are the same"},
+      {kHeadings + ",time_s\n0,1,2,3,4,5\n", "two columns are the same"},
       {"time_s,axial_displacement_mm,axal_force_kN,cell_pressure_kPa\n0,1,2,3\n",
        "did you mean 'axial_force_kN'"}};
   for (const auto& [text, message] : wrong) {

@@ -182,7 +182,7 @@ TEST_CASE("a saturated transducer is said once") {
   REQUIRE(rig.header().warnings.size() == 2);
   CHECK_THAT(rig.header().warnings[0].text, Contains("pore_pressure went out of its range"));
   CHECK_THAT(rig.header().warnings[1].text,
-             Contains("pore_pressure stands at the end of its range"));
+             Contains("pore_pressure is at the end of its range"));
 }
 
 TEST_CASE("a free specimen that is unloaded to nothing ends in words") {

@@ -45,7 +45,7 @@ TEST_CASE("sets of the user's own take the place of the shipped ones") {
 }
 
 TEST_CASE("a material that is missing, unknown or given without a key is told in one line") {
-  CHECK_THROWS_WITH(src::chosen_material(parsed("")), Contains("--material LAW/SET is missing"));
+  CHECK_THROWS_WITH(src::chosen_material(parsed("")), Contains("missing --material LAW/SET"));
   CHECK_THROWS_WITH(src::chosen_material(parsed("--material inl2/S28-genral")),
                     Contains("did you mean 'inl2/S28-general'?"));
   CHECK_THROWS_WITH(src::chosen_material(parsed("--material inl2/S28-general --set 3")),

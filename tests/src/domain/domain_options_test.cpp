@@ -44,7 +44,7 @@ TEST_CASE("beside --merge only what does not compute is taken") {
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();
     if (name == "--help" || name == "--merge" || name == "--output" || name == "--test" ||
-        name == "--db" || name == "--json")
+        name == "--db" || name == "--format" || name == "--json")
       continue;
     std::vector<std::string> arguments = {"--merge", "a", name};
     if (option->get_items_expected_min() > 0)
@@ -70,8 +70,13 @@ TEST_CASE("the grid says which criteria were looked for, and refuses what a law 
   CHECK(chosen_grid(o, inl2).looks_for("localisation"));
   CHECK_THROWS_WITH(chosen_grid(o, lab::find_material("norsand/S28-MT")),
                     Contains("--localisation needs the full tensor"));
-  o.p = "50:60:3";
+  o.p = "50:60/3";
   CHECK(chosen_grid(o, inl2).p_to_kPa == 60);
+  CHECK(chosen_grid(o, inl2).columns == 3);
+  o.p = "50:60:2";
+  CHECK(chosen_grid(o, inl2).columns == 6);
+  o.p = "50:60:3";
+  CHECK_THROWS_WITH(chosen_grid(o, inl2), Contains("does not meet its end"));
   o.p = "50";
-  CHECK_THROWS_WITH(chosen_grid(o, inl2), Contains("FROM:TO:COUNT"));
+  CHECK_THROWS_WITH(chosen_grid(o, inl2), Contains("FROM:TO/COUNT"));
 }

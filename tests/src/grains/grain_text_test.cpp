@@ -29,7 +29,7 @@ TEST_CASE("the text says what came of every stage") {
   CHECK(contains(text, "Eq. (7): 220° to 230°"));
   CHECK(contains(text, "NOT AT REST 140° to 140°"));
   CHECK(contains(text, "strains by 1.00e-08, 0.10 % of the smallest probe's"));
-  CHECK(contains(text, "never passed"));
+  CHECK(contains(text, "never reached"));
 }
 
 TEST_CASE("no line is longer than a terminal is wide") {

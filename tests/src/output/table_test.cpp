@@ -30,6 +30,21 @@ TEST_CASE("a table keeps its lines whatever its cells hold") {
   CHECK(to_text(table) == "a    b\n---  --\nx y   1\n     10\n");
 }
 
+TEST_CASE("a table too wide wraps its words, never its numbers") {
+  const Table table{{{"Remark"}, {"q at the peak (kPa)", Align::right}},
+                    {{"strength is lost and recovers", "100.25"}, {"short", "1.5"}}};
+  CHECK(to_text(table, 24) ==
+        "Remark          q at the\n"
+        "              peak (kPa)\n"
+        "-----------  -----------\n"
+        "strength is       100.25\n"
+        "lost and\n"
+        "recovers\n"
+        "short                1.5\n");
+  // Below the longest words there is nothing to give: lines stick out, words stay whole.
+  CHECK(to_text(table, 1).find("recovers\n") != std::string::npos);
+}
+
 TEST_CASE("indented: every line two blanks further in, none behind the last") {
   CHECK(triax::src::indented("a\nb\n") == "  a\n  b\n");
 }

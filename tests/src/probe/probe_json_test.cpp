@@ -102,7 +102,7 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
   CHECK(alone["nearest_edge_deg"].is_null());
 
   const std::string text = src::probe_text(with(0.6, 216), {});
-  CHECK(text.find("inside the cone 214.83–237.59, 1.2° within its nearest edge") !=
+  CHECK(text.find("inside the cone 214.83–237.59, 1.2° from the nearest edge") !=
         std::string::npos);
   CHECK(inside["certain"] == true);
   // 0.5 degrees from the edge, with a standard error of 0.57.
@@ -113,7 +113,7 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
         std::string::npos);
   CHECK(text.find("CSU 26 (number 26, recorded) at collapse, reading 812, 41.0 s") !=
         std::string::npos);
-  CHECK(src::probe_text(with(0.6, 213), {}).find("1.8° from its nearest edge") !=
+  CHECK(src::probe_text(with(0.6, 213), {}).find("1.8° from the nearest edge") !=
         std::string::npos);
 }
 

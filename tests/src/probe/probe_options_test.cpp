@@ -54,15 +54,15 @@ TEST_CASE("probes that make no sense are bad input") {
 }
 
 TEST_CASE("several values make several states") {
-  const auto options = parsed("--p 70 --eta 0.5,0.6,0.7");
+  const auto options = parsed("--p-kPa 70 --eta 0.5,0.6,0.7");
   CHECK(options.eta == std::vector<double>{0.5, 0.6, 0.7});
   CHECK(parsed("--stress-kPa 100,60").stress_kPa == std::vector<double>{100, 60});
-  CHECK(parsed("--p 70 --q=-5,10").q_kPa == std::vector<double>{-5, 10});
+  CHECK(parsed("--p-kPa 70 --q-kPa=-5,10").q_kPa == std::vector<double>{-5, 10});
 }
 
 TEST_CASE("exactly one state is asked for, with what belongs to it") {
   for (const char* line :
-       {"--p 70 --eta 0.5", "--p 70 --q 10,20", "--stress-kPa 100,60", "--stress-kPa 100,60,60",
+       {"--p-kPa 70 --eta 0.5", "--p-kPa 70 --q-kPa 10,20", "--stress-kPa 100,60", "--stress-kPa 100,60,60",
         "--stress-kPa 100,80,60 --plane plane-strain", "--test 26", "--test 26 --at peak",
         "--path p.toml", "--path p.toml --every 5"}) {
     INFO(line);
@@ -74,20 +74,20 @@ TEST_CASE("exactly one state is asked for, with what belongs to it") {
     CHECK_THROWS_AS(src::check_state_options(parsed(line)), lab::BadInput);
   };
   says("", "no state is given");
-  says("--p 70 --eta 0.5 --test 26", "more than one kind");
-  says("--p 70", "--p needs --eta or --q");
-  says("--p 70 --eta 0.5 --q 5", "exclude each other");
-  says("--p 0 --eta 0.5", "--p 0");
-  says("--p 1e9 --eta 0.5", "--p 1e+09");
-  says("--p 70 --eta 0.5,nan", "--eta nan");
-  says("--eta 0.5 --test 26", "--eta has a meaning only with --p");
+  says("--p-kPa 70 --eta 0.5 --test 26", "more than one kind");
+  says("--p-kPa 70", "--p-kPa needs --eta or --q-kPa");
+  says("--p-kPa 70 --eta 0.5 --q-kPa 5", "exclude each other");
+  says("--p-kPa 0 --eta 0.5", "--p-kPa 0");
+  says("--p-kPa 1e9 --eta 0.5", "--p-kPa 1e+09");
+  says("--p-kPa 70 --eta 0.5,nan", "--eta nan");
+  says("--eta 0.5 --test 26", "--eta needs --p-kPa");
   says("--stress-kPa 100", "has 1 value");
-  says("--stress-kPa 100,80,60", "no axisymmetric state");
-  says("--stress-kPa 100,60 --at peak", "--at has a meaning only with --test");
-  says("--test 26 --every 2", "--every has a meaning only with --path");
+  says("--stress-kPa 100,80,60", "is not axisymmetric");
+  says("--stress-kPa 100,60 --at peak", "--at needs --test");
+  says("--test 26 --every 2", "--every needs --path");
   says("--path p.toml --every 0", "--every 0");
-  says("--p 70 --eta 0.5 --axial-strain 0.1", "--axial-strain has a meaning only with");
-  says("--p 70 --eta 0.5 --R 1", "--R has a meaning only with --control, --output or --json");
+  says("--p-kPa 70 --eta 0.5 --axial-strain 0.1", "--axial-strain needs");
+  says("--p-kPa 70 --eta 0.5 --R 1", "--R needs --control, --output or --json");
 }
 
 TEST_CASE("in three dimensions the step divides half a turn, and nothing of a plane is asked") {
@@ -102,24 +102,24 @@ TEST_CASE("in three dimensions the step divides half a turn, and nothing of a pl
 }
 
 TEST_CASE("strain paths start from the isotropic state alone") {
-  CHECK_NOTHROW(src::check_strain_path_options(parsed("--strain-paths 0.7,1 --p 100")));
+  CHECK_NOTHROW(src::check_strain_path_options(parsed("--strain-paths 0.7,1 --p-kPa 100")));
   for (const char* line :
-       {"--strain-paths 1", "--strain-paths 0 --p 100", "--strain-paths 1 --p 100 --eta 0.5",
-        "--strain-paths 1 --p 100 --test 26", "--strain-paths 1 --p 100 --strain",
-        "--strain-paths 1 --p 100 --plane 3d", "--strain-paths 1 --p 100 --probes",
-        "--strain-paths 1 --p 100 --control", "--strain-paths 1 --p 100 --R 1",
-        "--strain-paths 1 --p 100 --step 5", "--strain-paths 1 --p 100 --norm-kPa 1",
-        "--strain-paths 1 --p 100 --every 2", "--strain-paths 1 --p 100 --axial-strain 2"}) {
+       {"--strain-paths 1", "--strain-paths 0 --p-kPa 100", "--strain-paths 1 --p-kPa 100 --eta 0.5",
+        "--strain-paths 1 --p-kPa 100 --test 26", "--strain-paths 1 --p-kPa 100 --strain",
+        "--strain-paths 1 --p-kPa 100 --plane 3d", "--strain-paths 1 --p-kPa 100 --probes",
+        "--strain-paths 1 --p-kPa 100 --control", "--strain-paths 1 --p-kPa 100 --R 1",
+        "--strain-paths 1 --p-kPa 100 --step 5", "--strain-paths 1 --p-kPa 100 --norm-kPa 1",
+        "--strain-paths 1 --p-kPa 100 --every 2", "--strain-paths 1 --p-kPa 100 --axial-strain 2"}) {
     INFO(line);
     CHECK_THROWS_AS(src::check_strain_path_options(parsed(line)), lab::BadInput);
   }
 }
 
 TEST_CASE("a number left out of a list is told") {
-  CHECK_THROWS_WITH(parsed("--p 70 --eta 0.6,,0.7"), Contains("0.6,,0.7"));
-  CHECK_THROWS_WITH(parsed("--p 70 --eta 0.6,"), Contains("--eta"));
-  CHECK_THROWS_WITH(parsed("--p 70 --eta 0.6,x"), Contains("0.6,x"));
-  CHECK(parsed("--p 70 --eta 0.6 --eta 0.7").eta == std::vector<double>{0.6, 0.7});
+  CHECK_THROWS_WITH(parsed("--p-kPa 70 --eta 0.6,,0.7"), Contains("0.6,,0.7"));
+  CHECK_THROWS_WITH(parsed("--p-kPa 70 --eta 0.6,"), Contains("--eta"));
+  CHECK_THROWS_WITH(parsed("--p-kPa 70 --eta 0.6,x"), Contains("0.6,x"));
+  CHECK(parsed("--p-kPa 70 --eta 0.6 --eta 0.7").eta == std::vector<double>{0.6, 0.7});
 }
 
 TEST_CASE("conditions of control are two, in the words of path files") {

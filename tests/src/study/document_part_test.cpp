@@ -51,7 +51,7 @@ TEST_CASE("a document is one of its format and version, or says so") {
     return parsed_document(text, kFile, "fine", "is no fine document");
   };
   CHECK(read(R"({"format": "fine", "version": 1})")["version"] == 1);
-  CHECK_THROWS_WITH(read("{"), Catch::Contains("f.json: is no whole JSON document"));
+  CHECK_THROWS_WITH(read("{"), Catch::Contains("f.json: is not a complete JSON document"));
   CHECK_THROWS_WITH(read("[]"), "f.json: is no fine document");
   CHECK_THROWS_WITH(read(R"({"format": "other"})"), "f.json: is no fine document");
   const Json old = read(R"({"format": "fine", "version": 2})");

@@ -12,7 +12,7 @@ namespace {
 std::string nothing(std::size_t) { return {}; }
 }  // namespace
 
-TEST_CASE("pieces of one cut belong together in any order, once each") {
+TEST_CASE("all pieces must be of one division in any order, once each") {
   CHECK_NOTHROW(check_together({{"b", "1.0", 2, 2}, {"a", "1.0", 1, 2}}, "whole", nothing));
   CHECK_THROWS_WITH(check_together({{"b", "1.0", 2, 2}}, "whole", nothing),
                     "--merge: piece 1 of 2 is missing (1 of them are given)");
@@ -30,6 +30,6 @@ TEST_CASE("pieces of one cut belong together in any order, once each") {
 
 TEST_CASE("what is no file of a piece says who writes one") {
   CHECK_THROWS_WITH(piece_text(".", "triax domain --piece", "domain"),
-                    ".: cannot be read; a file that triax domain --piece wrote is wanted");
+                    ".: cannot be read; expected a file written by triax domain --piece");
   CHECK(piece_text("tests/CMakeLists.txt", "x", "y").find("Catch2") != std::string::npos);
 }

@@ -37,8 +37,8 @@ TEST_CASE("a run-away is told with its energy, Eq. (5) and its end; many are cou
       Contains("at 3.5 s") && Contains("12.3 mJ after 0.2 s") &&
           Contains(
               "E_c 2 µJ against −W₂/2 2 µJ, ratio 1.000 where 0.990 is expected (past the peak)") &&
-          Contains("ended by new equilibrium after 0.25 s"));
-  CHECK_THAT(lines[1], Contains("not resolved") && Contains("still running when the test ended"));
+          Contains("new equilibrium after 0.25 s"));
+  CHECK_THAT(lines[1], Contains("not resolved") && Contains("still moving when the test ended"));
   const auto many = run_away_lines(std::vector<lab::RunAwayTruth>(12, kArrested));
   REQUIRE(many.size() == 6);
   CHECK(many.back() == "and 7 more");

@@ -28,7 +28,7 @@ SweepMember collapsed(std::int64_t place, double eta, double true_eta) {
 }  // namespace
 
 TEST_CASE("the summary counts and spreads what was found against the truth") {
-  const auto sweep = src::test::sweep_of({"seed=1..6"});
+  const auto sweep = src::test::sweep_of({"seed=1:6:1"});
   std::vector<SweepMember> members{collapsed(1, 0.5, 0.51), collapsed(2, 0.7, 0.68),
                                    collapsed(3, 0.6, 0.6),  collapsed(4, 0.6, 0.6),
                                    SweepMember{},           SweepMember{}};
@@ -49,7 +49,7 @@ TEST_CASE("the summary counts and spreads what was found against the truth") {
 }
 
 TEST_CASE("a long sweep is cut short in the table and in its failures, not in the counts") {
-  const auto sweep = src::test::sweep_of({"seed=1..1000"});
+  const auto sweep = src::test::sweep_of({"seed=1:1000:1"});
   std::vector<SweepMember> members;
   for (int i = 1; i <= 1000; ++i)
     members.push_back({.place = i, .id = {}, .failure = "line\nbreak"});

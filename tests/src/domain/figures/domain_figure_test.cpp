@@ -89,11 +89,11 @@ TEST_CASE("unstable states are coloured, stable ones left white, those beyond th
 TEST_CASE("states of which not all directions are answered look neither stable nor refused") {
   auto all = columns();
   const Drawing without = domain_figure(grid(), all, subject());
-  CHECK_FALSE(test::in_legend(*without.plot, "some directions refused"));
+  CHECK_FALSE(test::in_legend(*without.plot, "no result in some directions"));
   all[0].states[1].kind = unknown;
   all[0].states[1].least_work = 0.3;
   const Drawing drawing = domain_figure(grid(), all, subject());
-  CHECK(test::in_legend(*drawing.plot, "some directions refused"));
+  CHECK(test::in_legend(*drawing.plot, "no result in some directions"));
   std::vector<QCPColorMap*> maps;
   for (int i = 0; i < drawing.plot->plottableCount(); ++i)
     if (auto* map = qobject_cast<QCPColorMap*>(drawing.plot->plottable(i))) maps.push_back(map);

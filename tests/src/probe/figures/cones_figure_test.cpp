@@ -8,6 +8,7 @@
 
 using namespace triax;
 using namespace triax::src;
+using namespace triax::study;
 
 namespace {
 

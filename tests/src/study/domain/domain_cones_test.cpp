@@ -7,7 +7,7 @@
 using namespace triax;
 
 TEST_CASE("the picture of a domain's cones: its states, its boundaries, and tests on top") {
-  const auto domain = src::sample_domain();
+  const auto domain = study::sample_domain();
   study::TestedState test{.id = 7, .name = "CSU 27", .origin = lab::Origin::simulated};
   test.state.p_eff = 100e3;
   test.state.q = 60e3;
@@ -32,7 +32,7 @@ TEST_CASE("the picture of a domain's cones: its states, its boundaries, and test
 }
 
 TEST_CASE("of a fine grid no more fans are shown than can be read, the last row among them") {
-  auto domain = src::sample_domain({1});
+  auto domain = study::sample_domain({1});
   auto& states = domain.columns[0].states;
   const auto state = states.front();
   states.assign(100, state);

@@ -9,7 +9,7 @@
 using namespace triax;
 
 TEST_CASE("the kinds of states are counted; a map of refusals has no answer") {
-  auto domain = src::sample_domain();
+  auto domain = study::sample_domain();
   const auto counts = study::counts_of_kinds(domain);
   CHECK(std::accumulate(counts.begin(), counts.end(), 0) == 36);
   using enum sim::DomainStateKind;

@@ -78,11 +78,11 @@ TEST_CASE("what is no whole piece is refused in one line that names the file") {
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{1}, good.size() / 2, good.size() - 3})
     CHECK_THROWS_WITH(read_piece(good.substr(0, length), "b.json"),
-                      Contains("b.json: is no whole JSON document"));
+                      Contains("b.json: is not a complete JSON document"));
   for (const char* foreign : {"{}", "[]", "1", "null", "{\"format\": 3}"})
-    CHECK_THROWS_WITH(read_piece(foreign, "b.json"), Contains("b.json: is no piece of a domain"));
+    CHECK_THROWS_WITH(read_piece(foreign, "b.json"), Contains("b.json: is not a piece of a domain"));
   CHECK_THROWS_WITH(read_piece(domain_json(sample_domain()), "b.json"),
-                    Contains("is no piece of a domain"));
+                    Contains("is not a piece of a domain"));
 
   using Catch::Matchers::StdString::ContainsMatcher;
   const auto says = [](const std::string& message, const char* words) {

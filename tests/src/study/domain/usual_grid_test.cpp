@@ -24,7 +24,7 @@ TEST_CASE("the usual grid stays within what a set is for, up to its limit surfac
 }
 
 TEST_CASE("localisation is possible for a law with tangents of the full tensor, where asked for") {
-  auto grid = src::sample_domain({}).settings.grid;
+  auto grid = study::sample_domain({}).settings.grid;
   const auto inl2 = lab::find_material("inl2/S28-general");
   CHECK(study::possible_criteria(inl2, grid).determinant);
   CHECK_FALSE(study::possible_criteria(inl2, grid).localisation);

@@ -21,7 +21,7 @@ TEST_CASE("curves of paths that follow each other go on from the earliest start"
   CHECK(curves[1].points.front().strain.axial == 0);
   CHECK(curves[1].peak == std::size_t{20});
   CHECK(curves[1].first_negative.has_value());
-  REQUIRE(curves[1].marks.size() == 1);  // the one that was never passed is left out
+  REQUIRE(curves[1].marks.size() == 1);  // the one that was never reached is left out
   CHECK(curves[1].marks[0].name == "ES_a");
 }
 

@@ -166,7 +166,7 @@ TEST_CASE("what is no whole piece of a rose is refused in one line that names th
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{1}, good.size() / 2, good.size() - 3})
     CHECK_THROWS_WITH(read_grain_piece(good.substr(0, length), "b.json"),
-                      Contains("b.json: is no whole JSON document"));
+                      Contains("b.json: is not a complete JSON document"));
   for (const char* foreign :
        {"{}", "[]", "null", "{\"format\": \"triax bifurcation domain piece\"}"})
     CHECK_THROWS_WITH(read_grain_piece(foreign, "b.json"),

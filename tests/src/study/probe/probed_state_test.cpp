@@ -108,7 +108,7 @@ TEST_CASE("elasticity has no cone in either plane, and tells its state") {
 }
 
 TEST_CASE("a state that the law refuses is bad input in the law's words") {
-  CHECK_THROWS_WITH(inl2_at(1.5), Catch::Contains("refuses it: the stress ratio"));
+  CHECK_THROWS_WITH(inl2_at(1.5), Catch::Contains("the stress ratio"));
   const auto outside = inl2_at(0.2);
   CHECK(outside.all_warnings().empty());
   const auto set = lab::find_material("inl2/S28-general");

@@ -31,7 +31,7 @@ std::vector<SweepMember> run(const lab::Sweep& sweep, const std::string& db, int
 
 TEST_CASE("results and ids are the same with one thread and with three", "[threads]") {
   testing::TemporaryFolder folder;
-  const auto sweep = src::test::sweep_of({"specimen.void_ratio=1.05,1.08,1.1", "seed=1..4"});
+  const auto sweep = src::test::sweep_of({"specimen.void_ratio=1.05,1.08,1.1", "seed=1:4:1"});
   const auto one = run(sweep, folder.file("one.db"), 1);
   const auto three = run(sweep, folder.file("three.db"), 3);
   REQUIRE(one.size() == 12);
@@ -68,7 +68,7 @@ TEST_CASE("a test whose values make no sense says so, the others go on", "[threa
 
 TEST_CASE("a sweep that is stopped keeps the finished tests and no others", "[threads]") {
   testing::TemporaryFolder folder;
-  const auto sweep = src::test::sweep_of({"seed=1..500"});
+  const auto sweep = src::test::sweep_of({"seed=1:500:1"});
   std::atomic<std::int64_t> asked = 0;
   // A test of about 90 readings asks after each.
   const auto members = run_sweep(

@@ -1,0 +1,19 @@
+#pragma once
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+
+namespace triax::src {
+
+/// Help as wide as the terminal, broken between words; the words of a command line as our own
+/// messages have them.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter();
+
+  std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_description(const CLI::App* app) const override;
+};
+
+}  // namespace triax::src
