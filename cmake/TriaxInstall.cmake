@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The libraries as others find them: find_package(triax) gives triax::sim, triax::lab, triax::db and triax::study.
 # Headers keep their names ("lab/rig/session.hpp") below include/triax. Component "development"; the program and what
 # belongs to it are component "program", which is what the Debian package holds.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The Debian package: the program, its man pages, completion and samples. tools/package makes and tries it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME triax)

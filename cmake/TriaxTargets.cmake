@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Helpers shared by the folders: one function a kind of target, so that flags are said once.
 
 add_library(triax_flags INTERFACE)

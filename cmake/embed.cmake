@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Writes the text of FILES into OUT as `std::span<const EmbeddedFile> SYMBOL` (see lab/base/embedded.hpp).
 set(body "")
 string(REPLACE " " ";" files "${FILES}")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Read by ctest: an entry for each test file of `program` below `folder`, named after the file. Catch2 gives every
 # case the tag #FILE (option -#). What is tagged [slow] in a file is an entry of its own, labelled slow, and `only`
 # a tag leaves out all other cases. An entry without a single case fails (-w NoTests).

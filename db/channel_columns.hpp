@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The columns of scans, scan_details and the view `readings` that follow from the table of
 // quantities (lab/results/quantity.cpp). A quantity that is new in that table gets its column when

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Between optional SI values and the columns of a table: a value that is unknown is NULL, units of
 // the field are left and entered here.

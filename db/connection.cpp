@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/connection.hpp"
 
 #include <SQLiteCpp/Statement.h>
@@ -159,8 +160,8 @@ SQLite::Database open_for_writing(const std::string& path) {
 SQLite::Database open_for_reading(const std::string& path) {
   check_path(path);
   if (!fs::exists(path))
-    throw lab::BadInput(
-        path, 0, "no such database; `triax replay`, `simulate` and `grains` create one");
+    throw lab::BadInput(path, 0,
+                        "no such database; `triax replay`, `simulate` and `grains` create one");
   tidy_up(path);
   const auto checked = [&](SQLite::Database database) {
     check_ours(database, path);

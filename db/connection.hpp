@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Opening a triax database: what is accepted, how it is migrated, which settings a connection has.
 #include <SQLiteCpp/Database.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rows whose columns are listed once, for writing and for reading: a function template is given a
 // visitor and a value,

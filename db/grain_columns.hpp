@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The columns of the tables of a run of grains, each list for writing and reading (exact_row.hpp).
 // The order of numbers in a list is the order of their last bits: new ones go to its end.

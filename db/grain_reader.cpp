@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/grain_reader.hpp"
 
 #include <SQLiteCpp/Statement.h>

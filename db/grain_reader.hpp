@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The rows of one run of grains as values: the inverse of grain_writer.
 #include <SQLiteCpp/Database.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Runs of grains in the database (GrainRecorder writes them), also while they are written.
 #include <cstdint>

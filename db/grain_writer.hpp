@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rows of one run of grains. All run inside the caller's transaction.
 #include <SQLiteCpp/Database.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Differences between doubles in units in the last place, and small integers packed into one.
 #include <bit>

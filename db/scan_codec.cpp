@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/scan_codec.hpp"
 
 #include <cmath>

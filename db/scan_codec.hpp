@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How a Reading and its State become one row of numbers and come back bit for bit.
 //

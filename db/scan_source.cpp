@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/scan_source.hpp"
 
 #include <SQLiteCpp/Exception.h>

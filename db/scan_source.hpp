@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A batch of scans as a table that SQL can select from. `INSERT INTO scans (...) SELECT ... FROM
 // incoming_scans` stores a batch in one statement: a quarter faster than one INSERT a scan.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/store.hpp"
 
 #include <SQLiteCpp/Column.h>
@@ -137,10 +138,9 @@ std::int64_t Store::Impl::find_by_short_name(const std::string& name) const {
     called = other;
   }
   if (latest == 0)
-    throw lab::BadInput(
-        path, 0,
-        fmt::format("unknown test {}; {}", lab::excerpt(name),
-                    lab::suggestion(name, latest_names())));
+    throw lab::BadInput(path, 0,
+                        fmt::format("unknown test {}; {}", lab::excerpt(name),
+                                    lab::suggestion(name, latest_names())));
   return latest;
 }
 

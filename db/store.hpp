@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What was measured, in SQLite. All SQL of the project lives in this folder.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The rows of one test beside its scans, as values: the inverse of test_writer.
 #include <SQLiteCpp/Database.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What MkDocs is told of pages that are also read on their own (mkdocs.yml, "hooks").
 
 Pages may link to files of the tree outside docs/ (tools/check-links holds that they exist); the site does not hold those files, so

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_apparatus_memory PROGRAMME [DATABASE]: resident memory of this process while a test of
 // three days runs at a reading a second, with the database if one is named. Drained shear is slowed
 // down until it lasts that long, so that reduction, monitor and recorder work all the time. Prints

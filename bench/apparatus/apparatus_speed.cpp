@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_apparatus_speed: simulated seconds per wall second of a programme at 10 readings a second,
 // for the rig alone, with reduction and monitor, and with the database behind them.
 //

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bench/apparatus/run.sh [TESTS [PAIRS]]: the virtual apparatus. A CSU test at 10 readings a second on one core against
 # the bare material point driven through the same increments; a sweep of TESTS seeds with one job and with two, PAIRS
 # times in turn; memory of a test of 72 hours, without and with the database. Fails if that memory grows.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_detection: detection of collapse over thousands of simulated tests, in memory.
 //
 // Every subject of programmes.txt is run with every seed through noisy instruments, reduction and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is done without statistics: three ways to look for a collapse in a table of numbers. They
 // get the same reduced states as the monitor, in the stages that it watches.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bench/detection/run.sh [OPTIONS of bench_detection]: the monitor and three naive methods over at least 2,000 simulated
 # tests through noisy instruments, against the specimen's own truth. Fails if a bound is broken.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One simulated test, judged by the monitor and by the naive methods, against the specimen's truth.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // grains_speed STATE [THREADS [STEPS [REPEATS [portable]]]]
 //   particle-steps per second of the engine on a packing, as "triax THREADS PARTICLE_STEPS_PER_S"
 //   (median of the repeats); details on lines with #.

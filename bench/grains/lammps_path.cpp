@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // lammps_path KIND PACKING PREFIX [R [STRAIN [RATE [BINS]]]]
 //   KIND: strain_path (of R; 1 is undrained), drained, or isotropic to twice the pressure. Settles
 //   a packing at 100 kPa, writes the path from there for LAMMPS as PREFIX.lammps.data and

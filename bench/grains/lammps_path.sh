@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bench/grains/lammps_path.sh [--packing FILE[.gz]] [--kind strain_path|drained|isotropic] [--ratio R] [--strain E]
 #                             [--rate RATE] [--bins N] [--ranks N] [--output PREFIX]
 # The same path here and in LAMMPS under MPI, from one state at 100 kPa: settles the packing, writes the path for LAMMPS,

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bench/grains/reference.sh --state FILE[.gz] [--axis x|y|z] [--jobs N] [--keep FOLDER]
 # The dense specimen of another code, from its own packing at 100 kPa: isotropic to 200 kPa, drained to eta = 0.77,
 # 36 probes of 1 kPa and a null probe, and drained to 4 % of axial strain. What comes of it stands beside what yade

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bench/grains/run.sh [--state FILE[.gz]] [--peers FOLDER] [--jobs "1 2"] [--steps N]
 # Particle-steps per second of the discrete element engine, as "triax THREADS PARTICLE_STEPS_PER_S", and those of
 # yade and LAMMPS where they are installed and FOLDER holds run_yade.sh and run_lammps.sh, which take

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_increments: time of one increment of each law, against one solution of a 6 x 6 system.
 //
 // Undrained compression of 10 % in equal increments, each one call of the driver with a state in

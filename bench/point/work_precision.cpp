@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_work_precision [FILE.svg|FILE.png]: error of a path against its time for each law, by
 // tolerance, as a table and as a diagram (dots: pair of high order, circles: of low order).
 // Undrained compression of 2 % in one increment, so that the integrator alone chooses its steps;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_make_record ROWS OUT.csv: writes the synthetic record.
 #include <cstdio>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_naive_work ROWS: when do naive methods see the collapse of the synthetic record, and when
 // do we? Judged by the true peak of q, where second-order work vanishes undrained.
 #include <cstdio>

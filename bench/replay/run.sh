@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # bench/replay/run.sh [ROWS [PAIRS]]: replay of a record against the yardstick, `sqlite3 .import` of the same
 # file into an empty database, in turn, PAIRS times each. Then memory at a tenth of the length and
 # whole, and what naive second-order work finds on that record. Fails if the collapse is not found or the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The record that the replay benchmark reads: an undrained test in closed form, as a logger writes
 // it.

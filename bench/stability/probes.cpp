@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // bench_probes: time of one stress probe of each law, and of a whole bifurcation domain.
 //
 // A probe is one direction of the circle at a loaded state (p′ = 100 kPa, η = 0.5) that is made

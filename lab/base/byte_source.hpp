@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where the bytes of a record come from: a file, or memory (tests, fuzzers).
 #include <cstddef>

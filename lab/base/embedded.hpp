@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Data files that ship inside the program: dialects of record files, parameter sets of materials.
 // They are ordinary TOML files of this repository, compiled in so that no install path can be

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Listening, one way for all: a listener is a plain struct of std::functions, any of which may be
 // empty; who works is given a list of them and tells each in its order, in its own thread. What a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Enumerations and their texts in files, databases and reports: one table of pairs, looked up both
 // ways. Decisions are taken by the enumerator, never by the text.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Ranges as options have them: FROM:TO:STEP or FROM:TO/COUNT, the same in every command.
 #include <cstdint>
@@ -14,7 +15,7 @@ struct Range {
   double from = 0, to = 0;
   std::optional<double> step;  ///< as given; empty: `count` was
   std::int64_t count = 1;      ///< at least 1; of a step, what fits
-  int decimals = 0;  ///< of FROM and STEP as written; very many for an exponent
+  int decimals = 0;            ///< of FROM and STEP as written; very many for an exponent
 
   /// The number at `place`, from 0.
   double at(std::int64_t place) const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Text as laboratories write it: two encodings, blanks in odd places, keys typed almost right.
 #include <optional>

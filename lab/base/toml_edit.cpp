@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/base/toml_edit.hpp"
 
 #include <fmt/format.h>
@@ -36,8 +37,8 @@ class Editor {
   toml::node& item(toml::array& list, const std::string& part) const {
     const auto number = whole_text_as<std::uint64_t>(part);
     if (!number || *number < 1 || *number > list.size())
-      fail(fmt::format("{} is not one of the {} of {}; they count from 1", excerpt(part), list.size(),
-                       way_));
+      fail(fmt::format("{} is not one of the {} of {}; they count from 1", excerpt(part),
+                       list.size(), way_));
     return list[*number - 1];
   }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // For toml_reader.cpp: the one other place that sees toml++.
 #include <toml++/toml.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/base/toml_reader.hpp"
 
 #include <toml++/toml.h>

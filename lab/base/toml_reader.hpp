@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // TOML with strict keys: a key that nobody asked for is an error that names the nearest right one.
 #include <cstdint>

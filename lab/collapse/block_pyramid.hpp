@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A signal at every scale in constant memory: level L holds the means of the last few blocks of 2^L
 // samples. A window of any length is then a handful of numbers, whatever the length of the record.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The control variable passes a peak: q under prescribed displacement; σ₁′ − σ₃′/R where the strain
 // path dε₁ + 2R dε₃ = 0 is prescribed, whose second-order work is dε₁ (dσ₁′ − dσ₃′/R) (R = 1,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The list of criteria of collapse, and all of them at work on one test.
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One way of telling from the measured path that a specimen collapsed. The list of them is
 // criteria.cpp.

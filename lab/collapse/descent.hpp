@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Descents: stretches of the path along which second-order work is negative, with what they cost.
 #include <optional>

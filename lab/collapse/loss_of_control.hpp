@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Collapse as Nova defines it: the programme, with its control parameters, cannot be maintained.
 #include <array>

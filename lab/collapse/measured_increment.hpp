@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The increment that a test itself was going through at one of its readings.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The recent past of a path at every scale, in constant memory: level L remembers its last blocks
 // of 2^L samples, so that far back the past is known in coarser steps.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rates of the measured path from noisy signals, and with them its second-order work.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/collapse/second_order_work.hpp"
 
 #include <fmt/format.h>

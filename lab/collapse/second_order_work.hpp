@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Second-order work of the measured path turns negative, and strength is lost with it; under a held
 // q, which does not fall, the specimen yields instead.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/collapse/verdict.hpp"
 
 #include <fmt/format.h>
@@ -40,8 +41,9 @@ Collapse not_judged(const Evidence& e) {
   c.judged = false;
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
-  c.criteria = no_criteria(fmt::format("not judged: too few readings in shear, {} complete states of the {} needed",
-                                       e.states, static_cast<int>(BlockPyramid::kBlocks)));
+  c.criteria = no_criteria(
+      fmt::format("not judged: too few readings in shear, {} complete states of the {} needed",
+                  e.states, static_cast<int>(BlockPyramid::kBlocks)));
   return c;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
 #include <cstdint>
@@ -39,8 +40,8 @@ class FaultyChannel {
   };
 
   /// All `faults` are those of this channel. An open circuit needs a transducer with a range;
-  /// without one it gives no readings (NaN). `seed` and `stream` as for look(): spikes are independent
-  /// of the noise.
+  /// without one it gives no readings (NaN). `seed` and `stream` as for look(): spikes are
+  /// independent of the noise.
   FaultyChannel(std::vector<Fault> faults, const Transducer& transducer, std::uint64_t seed,
                 std::uint64_t stream);
 

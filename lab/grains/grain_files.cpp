@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/grains/grain_files.hpp"
 
 #include <filesystem>
@@ -37,8 +38,7 @@ sim::GrainState load_state(const std::string& path) {
   try {
     return sim::load_grains(bytes);
   } catch (const std::invalid_argument& error) {
-    throw BadInput(path, 0,
-                   std::string(error.what()) + "; expected a state saved by triax grains");
+    throw BadInput(path, 0, std::string(error.what()) + "; expected a state saved by triax grains");
   }
 }
 

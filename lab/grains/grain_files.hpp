@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A state of a specimen of grains as a file (sim/grains/state/grain_bytes.hpp): what is loaded goes
 // on bit for bit.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A packing of spheres as a text file, as other programs can write it:
 //

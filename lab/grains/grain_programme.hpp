@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A programme of a specimen of grains: how the specimen is made, and what is done to it, SI. How it
 // is written is in docs/grains.md; how it is read, grain_programme_reader.hpp; what carries it out,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/grains/grain_programme_reader.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,9 @@ sim::GradingCurve read_grading(const TomlTable& table) {
   sim::GradingCurve curve;
   for (const double size : table.numbers("diameter_mm")) {
     if (!Bounds{.at_least = 0.01, .at_most = 1000}.hold(size))
-      table.fail("diameter_mm", fmt::format("{:g} mm is out of range; expected a grain size from 0.01 to 1000", size));
+      table.fail(
+          "diameter_mm",
+          fmt::format("{:g} mm is out of range; expected a grain size from 0.01 to 1000", size));
     curve.diameter_m.push_back(1e-3 * size);
   }
   for (const double share : table.numbers("share_pct")) curve.share.push_back(1e-2 * share);
@@ -117,8 +120,8 @@ class Names {
       table.fail("name", fmt::format("'{}' is the name of the specimen as made", kAsMade));
     const auto [at, is_new] = files_.emplace(in_file_name(name), name);
     if (!is_new)
-      table.fail("name", fmt::format("{} and {} give the same file names",
-                                     excerpt(name), excerpt(at->second)));
+      table.fail("name", fmt::format("{} and {} give the same file names", excerpt(name),
+                                     excerpt(at->second)));
     known_.push_back(name);
   }
   void resolve(const TomlTable& table, GrainStage& stage, const std::string& before) const {

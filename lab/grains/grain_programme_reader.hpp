@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Reads a programme of grains from TOML; the keys are in docs/grains.md.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a run of a programme of grains came to: points, probes and measures of every stage, none of
 // its states. It is what the database keeps of a run and what reports say.

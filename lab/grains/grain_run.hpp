@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Carries a programme of grains out: stages one after the other, each from the state that it names.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A saved state of grains as what a specimen of the apparatus is made of.
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/grains/grain_stage_reader.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,8 @@ void read_mark(const TomlTable& table, GrainPathStage& stage) {
     if (candidate.word == word) found = &candidate;
   }
   if (found == nullptr)
-    table.fail("quantity", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+    table.fail("quantity",
+               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
   sim::PathMark mark;
   mark.quantity = found->quantity;
   mark.value = found->scale * table.required_number("value");
@@ -67,7 +69,8 @@ void read_course(const TomlTable& table, GrainPathStage& stage) {
   if (strain.has_value() == load.has_value())
     table.fail(strain ? key : "",
                "axis 1 moves by strain_rate_per_s or load_rate_kPa_per_s; give one of the two");
-  if (strain.value_or(0) == 0 && load.value_or(0) == 0) table.fail(key, "is 0: nothing would happen");
+  if (strain.value_or(0) == 0 && load.value_or(0) == 0)
+    table.fail(key, "is 0: nothing would happen");
   path.strain_rate_per_s = strain.value_or(0);
   path.load_rate_pa_per_s = 1e3 * load.value_or(0);
   path.axial_strain =
@@ -155,9 +158,10 @@ GrainPerturbationStage read_perturbation(const TomlTable& table) {
   take(table, "unbalanced", kPositive, 1, how.unbalanced);
   take(table, "stress_error_Pa", {.above = 0, .at_most = 1e7}, 1, how.stress_error_pa);
   if (how.load_step_pa != 0 && how.stress_error_pa >= 0.5 * std::abs(how.load_step_pa))
-    table.fail("stress_error_Pa",
-               fmt::format("{:g} Pa is out of range; expected less than half of the step of {:g} Pa",
-                           how.stress_error_pa, how.load_step_pa));
+    table.fail(
+        "stress_error_Pa",
+        fmt::format("{:g} Pa is out of range; expected less than half of the step of {:g} Pa",
+                    how.stress_error_pa, how.load_step_pa));
   take(table, "longest_s", {.above = 0, .at_most = 1e4}, 1, how.longest_s);
   take(table, "collapse_share", {.at_least = 0, .at_most = 0.99}, 1, how.collapse_share);
   take(table, "collapse_strain_pct", {.above = 0, .at_most = 90}, 1e-2, how.collapse_strain);
@@ -189,8 +193,8 @@ GrainStage read_grain_stage(const TomlTable& table) {
            action == "strain_path")
     stage.work = read_path(table, action);
   else
-    table.fail("action",
-               fmt::format("{} is not valid; {}", excerpt(action), suggestion(action, grain_actions())));
+    table.fail("action", fmt::format("{} is not valid; {}", excerpt(action),
+                                     suggestion(action, grain_actions())));
   table.finish();
   return stage;
 }

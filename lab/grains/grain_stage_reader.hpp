@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_programme.hpp"

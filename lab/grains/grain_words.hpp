@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What comes of grains in words, the same in the database, reports and files.
 #include <optional>

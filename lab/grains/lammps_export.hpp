@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A specimen of grains and a path for LAMMPS, which runs it on many processors:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Grains sorted into bins of size, for programs whose contact law knows kinds of grains only.
 #include <cstdint>

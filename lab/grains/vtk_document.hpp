@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // XML files of VTK, which ParaView and other viewers open: PolyData (.vtp) of points and cells on
 // them, and collections (.pvd) that give files a time. Numbers are written as text.

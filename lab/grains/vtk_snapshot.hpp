@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A state of a specimen of grains as pictures for ParaView: text of .vtp files (vtk_document.hpp).
 // Compression positive, SI, the unit in the name of each array. Positions are those of the state;

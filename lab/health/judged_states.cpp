@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/health/judged_states.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Between reduction and monitor: states on live sensors pass, the others do not.
 #include <cstdint>

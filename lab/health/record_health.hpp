@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // All sensors of a test, each by itself and against the others.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What can be seen to be wrong with a sensor from its own readings.
 #include <cstdint>

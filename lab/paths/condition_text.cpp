@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/paths/condition_text.hpp"
 
 #include <fmt/format.h>
@@ -201,8 +202,7 @@ template <class Space>
 Combination<Space> read_combination(std::string_view text) {
   Scanner scanner(text);
   auto left = read_left<Space>(scanner);
-  if (!scanner.at_end())
-    fail(scanner.column(), fmt::format("unexpected {}", scanner.found()));
+  if (!scanner.at_end()) fail(scanner.column(), fmt::format("unexpected {}", scanner.found()));
   return left;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A condition of a path as people write it: a linear combination of named increments and its total,
 //

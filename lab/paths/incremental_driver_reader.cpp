@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/paths/incremental_driver_reader.hpp"
 
 #include <fmt/format.h>
@@ -110,8 +111,7 @@ IncrementalDriverTest load_incremental_driver(const std::string& path,
   const fs::path folder = is_folder ? fs::path(path) : fs::path(path).parent_path();
   const std::string test = is_folder ? "test.inp" : fs::path(path).filename().string();
   if (const std::string name = folded(test); name == kParameters || name == kStart)
-    throw BadInput(path, 0,
-                   "has no path; give its folder, or the test.inp in that folder");
+    throw BadInput(path, 0, "has no path; give its folder, or the test.inp in that folder");
   return read([&](const std::string& name) { return text_of_file((folder / name).string()); }, test,
               folder.string(), settings);
 }

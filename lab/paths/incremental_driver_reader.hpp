@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Reads the three files of Niemunis' incrementalDriver: a loading path (test.inp), a material
 // (parameters.inp) and a start (initialconditions.inp). They are in kPa, tension positive, with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The frames in which incrementalDriver takes components: six linear combinations of stress and
 // the six of strain that are conjugate to them, written for tension positive and γ = 2 ε.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Lines of an .inp file as Fortran's list-directed reading takes them.
 #include <cstdint>

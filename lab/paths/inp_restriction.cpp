@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/paths/inp_restriction.hpp"
 
 #include <fmt/format.h>
@@ -72,7 +73,8 @@ void read_inp_restriction(std::string_view line, int row, const InpLines& lines,
   const std::string text = without_blanks(line.substr(0, line.find_first_of("!#")));
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
-    lines.fail(fmt::format("{} is not a restriction; expected one like sd1 + 2*sd2 = -10", excerpt(line)));
+    lines.fail(
+        fmt::format("{} is not a restriction; expected one like sd1 + 2*sd2 = -10", excerpt(line)));
   std::string_view rest(text.data(), equals);
   if (rest.empty()) lines.fail("the restriction has nothing on the left of its =");
   while (!rest.empty()) {
@@ -117,7 +119,8 @@ sim::PathEnd read_inp_end(std::string_view condition, const InpLines& lines,
   const std::string text = without_blanks(condition);
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos)
-    lines.fail(fmt::format("{} is not a condition; expected one like ? s1 < -200", excerpt(condition)));
+    lines.fail(
+        fmt::format("{} is not a condition; expected one like ? s1 < -200", excerpt(condition)));
   std::string_view left(text.data(), sign);
   const auto bound = fortran_number(std::string_view(text).substr(sign + 1));
   if (!bound)

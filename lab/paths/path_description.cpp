@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/paths/path_description.hpp"
 
 #include <fmt/format.h>
@@ -60,16 +61,18 @@ void check_length_of(const sim::Path<Space>& path, const std::string& source) {
     throw BadInput(source, 0, error.what());
   }
   if (rows > kMostRows)
-    throw BadInput(source, 0,
-                   fmt::format("{:.0f} rows of output with all repetitions; at most {:.0f} are possible: "
-                               "lower rows of the segments",
-                               rows, kMostRows));
+    throw BadInput(
+        source, 0,
+        fmt::format("{:.0f} rows of output with all repetitions; at most {:.0f} are possible: "
+                    "lower rows of the segments",
+                    rows, kMostRows));
   if (parts > kMostParts)
-    throw BadInput(source, 0,
-                   fmt::format("{:.0f} parts of segments with all repetitions, each of them at "
-                               "least one increment; at most {:.0f} are possible: lower parts (or rows) of "
-                               "the segments, or repeat",
-                               parts, kMostParts));
+    throw BadInput(
+        source, 0,
+        fmt::format("{:.0f} parts of segments with all repetitions, each of them at "
+                    "least one increment; at most {:.0f} are possible: lower parts (or rows) of "
+                    "the segments, or repeat",
+                    parts, kMostParts));
 }
 
 void change_parameter(PathDescription& description, const std::string& key,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A path of one material point with its material: what a path file says, SI.
 #include <string>

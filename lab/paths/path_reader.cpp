@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/paths/path_reader.hpp"
 
 #include <fmt/format.h>
@@ -123,7 +124,8 @@ sim::PathEnd read_end(const TomlTable& table) {
     if (candidate.key == word) key = &candidate;
   }
   if (key == nullptr)
-    table.fail("quantity", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+    table.fail("quantity",
+               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
   const auto above = table.number("above", bounds), below = table.number("below", bounds);
   table.finish();
@@ -145,7 +147,8 @@ sim::Segment<Space> read_rest(const TomlTable& table, const std::vector<std::str
     table.fail("name", fmt::format("{} is the name of an earlier segment", excerpt(segment.name)));
   const std::string drainage = table.required_text("drainage");
   if (drainage != "drained" && drainage != "undrained")
-    table.fail("drainage", fmt::format("{} is not valid; expected drained or undrained", excerpt(drainage)));
+    table.fail("drainage",
+               fmt::format("{} is not valid; expected drained or undrained", excerpt(drainage)));
   segment.undrained = drainage == "undrained";
   segment.repeat = static_cast<int>(table.integer("repeat", 1, 100000).value_or(1));
   segment.repeat_from = names.size();
@@ -262,7 +265,8 @@ std::vector<sim::Segment<Space>> read_segment(const TomlTable& table,
 bool is_cartesian(const TomlTable& table) {
   const std::string frame = table.text("frame").value_or("triaxial");
   if (std::ranges::find(kFrames, frame) == kFrames.end())
-    table.fail("frame", fmt::format("{} is not valid; {}", excerpt(frame), suggestion(frame, kFrames)));
+    table.fail("frame",
+               fmt::format("{} is not valid; {}", excerpt(frame), suggestion(frame, kFrames)));
   return frame == "cartesian";
 }
 

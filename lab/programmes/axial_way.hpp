@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The ways to drive the axis in a stage, as rows of one list: the word in a programme, the keys it
 // reads, what its control loop looks at and what it asks for. A new way is an enumerator and a row.

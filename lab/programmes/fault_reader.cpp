@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/programmes/fault_reader.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +18,8 @@ constexpr double kLongestLatency = 60;
 std::string read_device(const TomlTable& table) {
   std::string word = table.required_text("device");
   if (possible_faults(word).empty())
-    table.fail("device",
-               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, fault_devices())));
+    table.fail("device", fmt::format("{} is not valid; {}", excerpt(word),
+                                     suggestion(word, fault_devices())));
   return word;
 }
 

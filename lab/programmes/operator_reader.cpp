@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/programmes/operator_reader.hpp"
 
 #include <fmt/format.h>
@@ -32,8 +33,7 @@ std::vector<OperatorAction> read_operator(const std::vector<TomlTable>& tables) 
       table.fail("at_min", "is not later than the action before");
     if (!actions.empty() && actions.back().kind == Kind::abort)
       table.fail("action", "comes after an abort, which ends the test");
-    if (action.kind == Kind::resume && !holding)
-      table.fail("action", "no hold to resume");
+    if (action.kind == Kind::resume && !holding) table.fail("action", "no hold to resume");
     if (action.kind == Kind::hold && holding)
       table.fail("action", "the test is on hold already: resume it first");
     actions.push_back(action);

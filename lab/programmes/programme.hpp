@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A programme: specimen, rig and stages, SI. How it is written is in docs/formats; how it is read,
 // programme_reader.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/programmes/stage_reader.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +101,8 @@ EndCondition read_end(const TomlTable& table) {
     if (candidate.key == word) key = &candidate;
   }
   if (key == nullptr)
-    table.fail("quantity", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+    table.fail("quantity",
+               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
   EndCondition end;
   end.quantity = key->quantity;
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
@@ -162,13 +164,15 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   const std::string role = table.required_text("role");
   const auto known_role = stage_role_from(role);
   if (!known_role || *known_role == StageRole::unknown)
-    table.fail("role",
-               fmt::format("{} is not valid; known: saturation, b_check, consolidation, shear, hold",
-                           excerpt(role)));
+    table.fail(
+        "role",
+        fmt::format("{} is not valid; known: saturation, b_check, consolidation, shear, hold",
+                    excerpt(role)));
   stage.role = *known_role;
   const std::string drainage = table.required_text("drainage");
   if (drainage != "open" && drainage != "closed")
-    table.fail("drainage", fmt::format("{} is not valid; expected open or closed", excerpt(drainage)));
+    table.fail("drainage",
+               fmt::format("{} is not valid; expected open or closed", excerpt(drainage)));
   stage.valve_open = drainage == "open";
   read_axis(table, programme.frame, stage);
   stage.cell = read_demand(table, "cell", programme.cell_controller, cell_pa);

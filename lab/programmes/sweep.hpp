@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One programme, many tests: every combination of the values that some of its keys are to take.
 #include <cstdint>
@@ -20,7 +21,8 @@ struct SweepAxis {
 inline constexpr std::int64_t kMostSweepTests = 100'000;
 
 /// Reads "KEY=VALUES". Values are separated by commas; each is a value as the file holds it, or a
-/// range of numbers, FROM:TO:STEP or FROM:TO/COUNT (lab/base/range.hpp). Throws BadInput, which says what was found and what would be right.
+/// range of numbers, FROM:TO:STEP or FROM:TO/COUNT (lab/base/range.hpp). Throws BadInput, which
+/// says what was found and what would be right.
 SweepAxis read_sweep_axis(std::string_view text);
 
 /// The Cartesian product of some axes; the last runs fastest. Constant once built.

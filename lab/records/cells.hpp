@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One line as cells, one cell as a number: the two things that every table of readings needs.
 #include <string_view>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/column_plan.hpp"
 
 #include <algorithm>
@@ -154,8 +155,8 @@ class Planner {
     }
     const auto unit = sim::find_unit(*text);
     if (!unit)
-      fail(fmt::format("column {} is in {}, an unknown unit; expected {}",
-                       excerpt(name), excerpt(*text), wanted.empty() ? "%" : wanted));
+      fail(fmt::format("column {} is in {}, an unknown unit; expected {}", excerpt(name),
+                       excerpt(*text), wanted.empty() ? "%" : wanted));
     if (unit->dimension != sim::find_unit(wanted)->dimension)
       fail(fmt::format("column {} is in {}; expected {}", excerpt(name), excerpt(*text),
                        wanted.empty() ? "a plain number or %" : wanted));

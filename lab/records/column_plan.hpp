@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From the words of a heading line to quantities, units and signs.
 #include <optional>

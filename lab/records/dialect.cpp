@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/dialect.hpp"
 
 #include <algorithm>
@@ -179,9 +180,8 @@ Dialect find_dialect(const std::string& name_or_file) {
     if (dialect.name == name_or_file) return dialect;
     names.push_back(dialect.name);
   }
-  throw BadInput(
-      fmt::format("--dialect {}: unknown dialect; {}; or give the path of a .toml file",
-                  name_or_file, suggestion(name_or_file, names)));
+  throw BadInput(fmt::format("--dialect {}: unknown dialect; {}; or give the path of a .toml file",
+                             name_or_file, suggestion(name_or_file, names)));
 }
 
 bool may_match(std::string_view heading, std::string_view name) {

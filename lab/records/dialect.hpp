@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A dialect says how one kind of file holds a record: a small TOML, data and not code
 // (docs/formats.md lists its keys). The ones in lab/records/dialects ship with triax.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/metadata.hpp"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ template <class Value>
 Value one_of(const std::string& where, std::string_view key, std::string_view text,
              std::optional<Value> found, std::initializer_list<std::string_view> allowed) {
   if (found) return *found;
-  throw BadInput(
-      fmt::format("{}: {} = {} is not valid; expected {}", where, key, excerpt(text), names_of(allowed)));
+  throw BadInput(fmt::format("{}: {} = {} is not valid; expected {}", where, key, excerpt(text),
+                             names_of(allowed)));
 }
 
 [[noreturn]] void unknown_key(const std::string& where, std::string_view key) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is said about a test beside its readings, under one set of keys wherever it is said: the
 // preamble of our CSV, the TOML file beside a record, a dialect, --set on the command line.

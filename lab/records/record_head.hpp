@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // All that can be said of a record before its first reading, from its head, from the TOML file
 // beside it, from the dialect and from --set, the later one stronger.

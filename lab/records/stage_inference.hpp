@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Roles of stages that a file numbers but does not name, judged from what moved in them.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/table_layout.hpp"
 
 #include <algorithm>
@@ -47,8 +48,7 @@ Head read_head(ByteSource& source, Findings& findings) {
   if (!utf8) {
     const auto first =
         std::ranges::find_if(head.lines, [](const auto& one) { return !is_utf8(one); });
-    findings.note("encoding", first - head.lines.begin() + 1,
-                  "not UTF-8: read as Windows-1252");
+    findings.note("encoding", first - head.lines.begin() + 1, "not UTF-8: read as Windows-1252");
     for (auto& one : head.lines) one = utf8_from_cp1252(one);
   }
   return head;

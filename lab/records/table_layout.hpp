@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Recognises a record file from its content and settles, once, which cell of a row is what.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The truth of a simulation as TOML, below the rows of a record: [truth] and [[truth.run_aways]].
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/reduction/b_value.hpp"
 
 #include <fmt/format.h>

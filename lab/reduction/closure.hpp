@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Columns that a file holds ready computed, held against our own reduction of the same readings.
 #include <array>

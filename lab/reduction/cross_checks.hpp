@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the sensors of a test say about each other and about the apparatus, in constant memory: the
 // slow faults (drift, a leak, a blocked line, a valve that does not close) that no single channel

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/reduction/raw_reduction.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,8 @@ RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& o
              "specimen.membrane_modulus_kPa");
   }
   if (!header.has(Quantity::back_volume))
-    warnings_.push_back({0, "no back-volume channel: the volume of the specimen is taken as constant"});
+    warnings_.push_back(
+        {0, "no back-volume channel: the volume of the specimen is taken as constant"});
   if (!header.has(Quantity::pore_pressure) && header.has(Quantity::back_pressure))
     warnings_.push_back({0, "no pore-pressure channel: the back pressure is used instead"});
 }

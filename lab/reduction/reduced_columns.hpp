@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Records that hold only reduced stresses and strains enter at State: columns are taken as they are
 // and completed, whichever of the pairs that missing_channels() lets through they hold:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From raw channels to stresses and strains, one reading at a time, in constant memory.
 //

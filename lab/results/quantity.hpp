@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The quantities a record can hold: the one table from which our CSV headings, the dialects' target
 // names, the database's columns and what is known of a raw channel's instrument come. A new raw

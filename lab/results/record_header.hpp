@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is known about a test before its first reading: who made it, of what, in which stages.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a whole test came to: the content of a report (docs: the JSON contract of architecture.md).
 // SI; an unknown value is empty.

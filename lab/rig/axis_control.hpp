@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The control loop of the axis: from the stage and what was seen to what the axis is asked for.
 // What each way to drive it wants is in lab/programmes/axial_way.cpp:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where readings come from: a file (recorded), a specimen from sim/ (virtual) or instruments
 // (remote). All three look the same from here on.

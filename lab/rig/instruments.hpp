@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The transducers of the rig with their faults: from the plant's true values to what a logger
 // reads.

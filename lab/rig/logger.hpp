@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The data logger: when a reading is recorded, and over which looks at the transducers it is the
 // mean.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The physical side of the virtual rig: specimen, cylinder, crosshead, two pressure/volume
 // controllers and the valve, moved on by one tick under given demands. No instrument, no programme.

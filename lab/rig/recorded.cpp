@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/recorded.hpp"
 
 #include <algorithm>
@@ -110,8 +111,7 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
     const auto where = fmt::format("--set {}={}", key, value);
     // Whether soil or a program gave the readings is for the record to say, not for its reader.
     if (key == "test.origin" || key == "test.seed")
-      throw BadInput(where + ": " + key +
-                     " says where the record came from; " +
+      throw BadInput(where + ": " + key + " says where the record came from; " +
                      "it cannot be set");
     if (key.starts_with("stages.") == stages) set_metadata(header, where, key, value);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The back end that replays a record file: our CSV, or a foreign one by its dialect.
 #include <memory>

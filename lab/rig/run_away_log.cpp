@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/run_away_log.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the rig's own software knows: the latest readings, reduced as in a report. Control loops and
 // ends of stages look at nothing else, so that a dead transducer misleads them as it would in a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The one stream: back end -> Reading -> reduction -> State -> collapse monitor -> Event, told to
 // recorder, progress bar and panel as it runs.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The volume control of a proportional strain path: what has to flow out of the specimen so that
 // dε₁ + 2R dε₃ = 0 (Eq. 28 of the paper) holds in natural strains since the start of the stage,

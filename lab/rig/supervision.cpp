@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/supervision.hpp"
 
 #include <fmt/format.h>
@@ -140,9 +141,8 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const Instrumen
     // A servo would run after the end of the range: twice is enough.
     const bool misleads = !missing && by_force(stage_.axial) && channel == Quantity::axial_force;
     if (silent_s_[i] < (misleads ? 1.5 * dt_s : kDeaf_s)) continue;
-    const std::string what =
-        fmt::format("{} {}", name_of(channel),
-                    missing ? "gives no readings" : "is at the end of its range");
+    const std::string what = fmt::format(
+        "{} {}", name_of(channel), missing ? "gives no readings" : "is at the end of its range");
     if (needs(channel)) return what;
     if (!std::exchange(told_[i], true))
       notes_.push_back(fmt::format("{} from {:.6g} s on", what, raw.time_s - silent_s_[i] + dt_s));
@@ -181,8 +181,9 @@ std::optional<std::string> Supervision::stuck(const Reading& raw) {
     const auto& dead = health_[i].dead();
     if (!dead || !needs(channel) || dead->fault == SensorFault::missing) continue;
     const sim::Unit unit = spoken_unit(channel);
-    reason = fmt::format("{} has been at exactly {:g} {}: stuck, since a working transducer has noise", name_of(channel),
-                         sim::to_field(raw[channel], unit), unit.name);
+    reason =
+        fmt::format("{} has been at exactly {:g} {}: stuck, since a working transducer has noise",
+                    name_of(channel), sim::to_field(raw[channel], unit), unit.name);
   }
   return reason;
 }
@@ -254,10 +255,10 @@ void Supervision::watch_cell(const Seen& seen, const Asked& asked, double dt_s) 
   const bool ramps = std::exchange(cell_held_pa_, asked.cell_pa) != asked.cell_pa;
   if (asked.valve_open || ramps) return cell_water_.moves(volume);
   if (const auto flowed = cell_water_.rests(volume, kShare * volume_m3_, dt_s))
-    notes_.push_back(
-        fmt::format("the cell takes water although its pressure and the specimen's volume are constant "
-                    "({:.0f} mm3 meanwhile): cell or controller leaks",
-                    *flowed * 1e9));
+    notes_.push_back(fmt::format(
+        "the cell takes water although its pressure and the specimen's volume are constant "
+        "({:.0f} mm3 meanwhile): cell or controller leaks",
+        *flowed * 1e9));
 }
 
 void Supervision::watch_open_valve(const Seen& seen, const Asked& asked, double dt_s) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Watches over a running test as the software of a real rig does: from readings, from what the
 // devices say of themselves and from what was asked of them. Whatever a control loop or the end of

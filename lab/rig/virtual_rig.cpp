@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/virtual_rig.hpp"
 
 #include <fmt/format.h>
@@ -238,8 +239,8 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
     if (!step.law_ended || number <= 0)
       throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source,
                                    stage().name, time_s, step.message));
-    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}", stage().name,
-                     time_s, step.message));
+    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}",
+                     stage().name, time_s, step.message));
     return false;
   }
   if (step.outcome == sim::StepOutcome::inaccurate)
@@ -290,8 +291,8 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
   if (programme.specimen.height_m - step.state.height_m < travel * kRoundOff) return true;
-  warn(fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached",
-                   stage().name, time_s, travel * 1e3));
+  warn(fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached", stage().name,
+                   time_s, travel * 1e3));
   const bool fell = step.at_stop && mode == Mode::running;
   if (fell) mode = Mode::fallen;
   return fell;

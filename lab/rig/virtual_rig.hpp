@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The rig with a specimen from sim/ instead of instruments on a bench: plant, instruments, and the
 // software that runs the stages, which knows readings only (seen.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loose Hostun sand compressed undrained, as a law and as a recorded test: undrained RECORD.csv
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The answer of an interpolated form (sim/law/response.hpp) to a direction of stress, and its
 // derivatives.

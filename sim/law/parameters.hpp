@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a law says of its parameters: the one source of the reader of parameter files, of the checks
 // and of `triax materials`.

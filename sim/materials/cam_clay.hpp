@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Modified Cam-Clay (Roscoe and Burland 1968), with flow associated and elasticity from the slope
 // of the swelling line:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Drucker and Prager's cone, matched to Mohr and Coulomb's surface in triaxial compression; elastic
 // within (sim/materials/elastic.hpp), perfectly plastic on it, flow not associated:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Hypoplasticity for sand (von Wolffersdorff 1996), with the intergranular strain of Niemunis and
 // Herle (1997) where its range R is given. No yield surface: the response is nonlinear in |dε|.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/materials/interpolated.hpp"
 
 #include "sim/materials/moduli_table.hpp"

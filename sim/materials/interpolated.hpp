@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Incrementally nonlinear laws of Darve: INL2 and octolinear, Eqs. (25) to (27) of the paper.
 //

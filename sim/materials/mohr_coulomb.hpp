@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Mohr and Coulomb's surface, the exact hexagon; elastic within (sim/materials/elastic.hpp),
 // perfectly plastic on it, flow not associated. For a pair of principal stresses σ_i ≥ σ_j:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // NorSand in triaxial compression (Jefferies 1993; Jefferies and Shuttle 2005; Jefferies and Been
 // 2015), as a rate law with one yield surface.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // SANISAND 2004 (Dafalias and Manzari 2004), multiaxial with fabric; in axisymmetry the same
 // equations reduce to the triaxial form, compression and extension.

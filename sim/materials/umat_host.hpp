@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The utility routines that a UMAT expects of its host, by the names that Fortran gives them. They
 // are exported to loaded libraries (umat_host.exports) and act within the plug-in's process.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A foreign library is never run inside triax: a process of its own (fork) loads it and answers
 // calls through shared memory, so that whatever it does (a segmentation fault, STOP, XIT, an

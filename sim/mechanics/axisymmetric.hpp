@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Stress and strain of the axisymmetric (triaxial) specimen: axis 1 is axial, 2 = 3 radial.
 // Compression positive throughout, stress in Pa, strain as a plain number.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Second-order work of an axisymmetric increment, per unit volume, in the three forms of Darve,
 // Sibille, Daouadji and Nicot (2007). Compression positive; stresses are effective, in Pa.

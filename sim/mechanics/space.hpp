@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Symmetric second-order tensors as vectors of orthonormal components, so that a law is written
 // once and serves the triaxial specimen and the full tensor alike: a scalar product of vectors is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Units at the border: everything inside is SI (Pa, m, m³, N, s, plain numbers); files, tables and
 // wires carry units of the field, and the unit is always part of the name.

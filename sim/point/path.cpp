@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/point/path.hpp"
 
 #include <Eigen/LU>
@@ -104,8 +105,7 @@ EffectiveControl<Space> effective_control(const Segment<Space>& segment) {
   refuse_dependent("follows from the conditions before it");
   if (!segment.undrained) return effective;
   eliminate_pore_pressure(effective);
-  refuse_dependent(
-      "contradicts the others and volumetric_strain = 0, which undrained implies");
+  refuse_dependent("contradicts the others and volumetric_strain = 0, which undrained implies");
   return effective;
 }
 

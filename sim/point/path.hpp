@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A path: what is asked of one material point, segment after segment. SI, compression positive.
 #include <algorithm>

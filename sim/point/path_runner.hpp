@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Takes a material point along a path and isolates what happens on the way.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Drives one material point along an increment under mixed control S dσ′ + E dε = dy, which is
 // solved with the law's response at each instant (control_solver.hpp).

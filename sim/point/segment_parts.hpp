@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A segment cut into equal parts, each of them one increment of the point driver.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Watches a segment for its events, numbers whose fall through zero tells something, and isolates
 // them within a part.

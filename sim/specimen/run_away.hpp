@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A run-away and the check of the paper's Eq. (5), which relates the kinetic energy that arises
 // from an equilibrium under constant loads to the second-order work of the increment since:

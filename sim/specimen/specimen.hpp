@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A cylinder of one material point: skeleton, pore water with air, membrane, the water's lines and
 // the drainage resistance. Stresses and strains are homogeneous.

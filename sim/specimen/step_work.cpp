@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/specimen/step_work.hpp"
 
 #include <cmath>
@@ -54,8 +55,9 @@ bool exhausted(SpecimenStep& whole, const SpecimenTolerance& tolerance) {
   if (whole.law_steps <= tolerance.law_steps) return false;
   whole.outcome = StepOutcome::failed;
   whole.law_ended = true;
-  whole.message = "it needs ever shorter steps, p' = " +
-                  std::to_string(std::lround(whole.state.material.p())) + " Pa";
+  whole.message =
+      "it needs ever shorter steps, p' = " + std::to_string(std::lround(whole.state.material.p())) +
+      " Pa";
   return true;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Cones of unstable directions: where W₂ < 0 on the circle of directions of a plane (Fig. 12).
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Controllability of a state under the control pair (dε₁ + 2R dε₃, dσ₁′ − dσ₃′/R) (axisymmetry) or
 // (dε₁ + R dε₃, dσ₁′ − dσ₃′/R) (plane strain), and under any mixed control (Nova).

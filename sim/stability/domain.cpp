@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/stability/domain.hpp"
 
 #include <algorithm>
@@ -325,7 +326,8 @@ template <class Space>
 DomainColumn column_of(const Law<Space>* law, const std::string& why_not, const DomainGrid& grid,
                        int column, const DomainCriteria& criteria) {
   if (law == nullptr)
-    throw std::invalid_argument(why_not.empty() ? "the law is not formulated for this plane" : why_not);
+    throw std::invalid_argument(why_not.empty() ? "the law is not formulated for this plane"
+                                                : why_not);
   return domain_column(*law, grid, column, criteria);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The bifurcation domain: states of the p′-q plane with a direction of negative second-order work,
 // its boundary, and beside it criteria of other kinds and the plastic limit (section 4 of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The criteria of other kinds that are looked for in a domain, as rows of one list: from a row
 // follow the keys of JSON, CSV and piece files, the column of the text, the line of the figure and,

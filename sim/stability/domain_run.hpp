@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Columns of a bifurcation domain on several threads. A column depends on nothing but the law and
 // the grid, so the result is the same to the bit for every number of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Localisation criterion of Rudnicki and Rice (1975), Rice (1976): a band with normal n can form
 // where its acoustic tensor is singular,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Cones of unstable directions of an octolinear response in closed form. In each tensorial zone
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rates of a law in the plane of the probes (probe.hpp): axisymmetric where the law is, plane
 // strain where it is one of full tensors.

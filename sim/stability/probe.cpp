@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/stability/probe.hpp"
 
 #include "sim/point/point_driver.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes: the answer of a state to an increment in a direction of a plane.
 //

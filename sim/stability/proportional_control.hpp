@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Control of a proportional strain path, the pair (dσ₁′ − dσ₃′/R, dε₁ + 2R dε₃) of axisymmetry
 // (Eq. 28) or (dσ₁′ − dσ₃′/R, dε₁ + R dε₃) of plane strain (Eq. 29). With c = √2 or 1 and

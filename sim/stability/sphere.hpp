@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes in three dimensions: every direction of the principal increments (dσ₁, dσ₂, dσ₃) along the
 // axes of the state, and the least second-order work over all six components, rotations of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The bifurcation criterion in the form of a determinant: on the boundary of the bifurcation domain
 // det Mˢ = 0, Mˢ the symmetric part of the compliance in the plane, and the null vector is the

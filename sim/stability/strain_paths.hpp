@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Proportional strain paths dε₁ + 2R dε₃ = 0, Eq. (28), for many R: Fig. 16 of the paper. R = 1 is
 // isochoric, R < 1 dilatant, R > 1 contractant. With dε₁ imposed, W₂ = d(σ₁′ − σ₃′/R) dε₁ (the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Moduli of generalised triaxial paths, on which one principal stress changes alone,
 //

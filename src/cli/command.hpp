@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a command says of itself: the one source of --help, man page and shell completion.
 #include <CLI/App.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
 #include "lab/base/bad_input.hpp"
@@ -31,8 +32,8 @@ std::vector<std::string> values(const CLI::Option& option) {
   return all;
 }
 
-/// What `triax --complete` is asked for where this option or argument takes a name of the database or
-/// of the program: "tests", "materials", "queries"; empty for others.
+/// What `triax --complete` is asked for where this option or argument takes a name of the database
+/// or of the program: "tests", "materials", "queries"; empty for others.
 std::string kind_of_names(const CLI::Option& option) {
   const std::string name = option.get_name(), type = option.get_type_name();
   if (name == "TEST" || type == "TEST") return "tests";
@@ -65,10 +66,9 @@ std::string bash(const CLI::App& app) {
       if (option->get_lnames().empty()) continue;
       const auto kind = kind_of_names(*option);
       if (values(*option).empty() && kind.empty()) continue;
-      option_values += fmt::format("    {}:--{}) words=\"{}\"; only=1 ;;\n", sub->get_name(),
-                                   option->get_lnames().front(),
-                                   kind.empty() ? joined(values(*option))
-                                                : fmt::format("$(_triax_names {})", kind));
+      option_values += fmt::format(
+          "    {}:--{}) words=\"{}\"; only=1 ;;\n", sub->get_name(), option->get_lnames().front(),
+          kind.empty() ? joined(values(*option)) : fmt::format("$(_triax_names {})", kind));
     }
   }
   return fmt::format(R"bash(# bash completion of triax, written by triax itself

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/help_formatter.hpp"
 
 #include <fmt/format.h>

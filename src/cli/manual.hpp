@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Man pages and shell completion, written from the same command line that --help prints.
 #include <CLI/App.hpp>

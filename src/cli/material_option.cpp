@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/material_option.hpp"
 
 #include <fmt/format.h>
@@ -49,8 +50,9 @@ double chosen_void_ratio(const MaterialOptions& options, const lab::MaterialSet&
   }
   const double e = *options.void_ratio;
   if (!(e >= lab::kSmallestVoidRatio && e <= lab::kLargestVoidRatio))
-    throw lab::BadInput(fmt::format("--void-ratio {:g}: out of range; expected a number from {:g} to {:g}", e,
-                                    lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
+    throw lab::BadInput(
+        fmt::format("--void-ratio {:g}: out of range; expected a number from {:g} to {:g}", e,
+                    lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
   return e;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // --material, --materials, --set and --void-ratio: the material of a command that needs no path
 // file, each option written once.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/output_guard.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +59,9 @@ void check_targets(const std::string& option, const std::string& output,
     throw lab::BadInput(fmt::format("{} {}: {}", option, output, why));
   };
   if (output.empty() || output == "-") return;
-  if (output.back() == '/') refuse(fmt::format("this is a folder; expected the beginning of file names, as in {}x", output));
+  if (output.back() == '/')
+    refuse(
+        fmt::format("this is a folder; expected the beginning of file names, as in {}x", output));
   for (const auto& target : targets) {
     std::error_code none;
     const fs::path file = lab::behind_links(target);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/shared_options.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +49,8 @@ void add_format(CLI::App& app, std::string& format, const std::vector<std::strin
 }
 
 void add_json(CLI::App& app, bool& json) {
-  add_format_of(app, {"text", "json"}, [&json](const std::string& chosen) { json = chosen == "json"; });
+  add_format_of(app, {"text", "json"},
+                [&json](const std::string& chosen) { json = chosen == "json"; });
 }
 
 void add_jobs(CLI::App& app, int& jobs, const std::string& what, int most) {

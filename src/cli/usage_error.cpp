@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/cli/usage_error.hpp"
 
 #include <fmt/format.h>
@@ -88,10 +89,9 @@ std::string fault(const CLI::App& app, const CLI::App* command, const CLI::Parse
                   const std::string& first) {
   const std::string message = error.what();
   if (command == nullptr) {
-    return looks_like_option(first)
-               ? superfluous(app, "triax")
-               : fmt::format("unknown command {}; {}", lab::excerpt(first),
-                             lab::suggestion(first, command_names(app)));
+    return looks_like_option(first) ? superfluous(app, "triax")
+                                    : fmt::format("unknown command {}; {}", lab::excerpt(first),
+                                                  lab::suggestion(first, command_names(app)));
   }
   const std::string named = "triax " + command->get_name();
   // An option that is not known is said first: what else is missing may have been meant by it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/domain/domain.hpp"
 
 #include <fmt/format.h>
@@ -93,9 +94,9 @@ void check_output(const DomainOptions& o, const std::optional<lab::MaterialSet>&
 void refuse_if_nothing_is_answered(const study::ReportedDomain& domain) {
   if (study::any_answer(domain)) return;
   const study::ReportedColumn& first = domain.columns.front();
-  throw lab::WorkFailed(fmt::format("{} gives no result at any state of the grid; at p' {:g} kPa first: {}",
-                                    domain.settings.material.name, first.p_eff_kPa,
-                                    on_one_line(first.refusal)));
+  throw lab::WorkFailed(
+      fmt::format("{} gives no result at any state of the grid; at p' {:g} kPa first: {}",
+                  domain.settings.material.name, first.p_eff_kPa, on_one_line(first.refusal)));
 }
 
 void run(const DomainOptions& o) {
@@ -140,7 +141,8 @@ Command domain_command() {
            {"FILE: is a piece of another domain: ...", "its settings differ from the first file's"},
            {"FILE: is not a complete JSON document; ...",
             "the task that wrote it was killed: run it again"},
-           {"--plane plane-strain: ... is not formulated for it", "the law is one of axisymmetry only"}},
+           {"--plane plane-strain: ... is not formulated for it",
+            "the law is one of axisymmetry only"}},
       .examples =
           {{"triax domain --material inl2/S28-general --void-ratio 1.086",
             "200 x 200 states with 360 directions each"},

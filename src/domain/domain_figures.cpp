@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/domain/domain_figures.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/domain/domain_options.hpp"
 
 #include <fmt/format.h>
@@ -27,12 +28,12 @@ study::GridLine line(const char* option, const std::string& text, const study::G
   if (text.empty()) return usual;
   const bool ends_only = std::ranges::count(text, ':') == 1 && text.find('/') == text.npos;
   try {
-    const lab::Range range = lab::read_range(
-        ends_only ? fmt::format("{}/{}", text, usual.count) : text, kMostValues);
+    const lab::Range range =
+        lab::read_range(ends_only ? fmt::format("{}/{}", text, usual.count) : text, kMostValues);
     if (!range.meets_end())
-      throw std::invalid_argument(fmt::format(
-          "{} does not meet its end by this step; for {:g} values write {:g}:{:g}/{:g}",
-          lab::excerpt(text), *range.step, range.from, range.to, *range.step));
+      throw std::invalid_argument(
+          fmt::format("{} does not meet its end by this step; for {:g} values write {:g}:{:g}/{:g}",
+                      lab::excerpt(text), *range.step, range.from, range.to, *range.step));
     study::GridLine found = usual;
     found.from = range.from;
     found.to = range.to;
@@ -48,8 +49,8 @@ void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
   const auto& law = material.material;
   const std::string why = law.no_tensor.empty() ? "" : ", " + law.no_tensor;
   if (axisymmetric ? law.axisymmetric == nullptr : law.tensor == nullptr)
-    throw lab::BadInput(fmt::format("--plane {}: {} is not formulated for it{}", o.plane, material.name,
-                                    axisymmetric ? "" : why));
+    throw lab::BadInput(fmt::format("--plane {}: {} is not formulated for it{}", o.plane,
+                                    material.name, axisymmetric ? "" : why));
 }
 
 std::string no_tangents(const std::string& criterion, const lab::MaterialSet& material) {
@@ -105,7 +106,7 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
 
 void check_domain_options(const CLI::App& app, const DomainOptions& o) {
   static constexpr std::array<std::string_view, 6> kWithMerge = {"--merge", "--output", "--test",
-                                                                 "--db", "--format", "--json"};
+                                                                 "--db",    "--format", "--json"};
   if (!o.merge.empty())
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0 &&

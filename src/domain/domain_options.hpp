@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What triax domain can be asked for.
 #include <CLI/App.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A domain as text and as CSV.
 #include <fmt/format.h>
 
@@ -69,8 +70,8 @@ std::string shares(const study::ReportedDomain& domain) {
       fmt::format("stable {:.1f} %, unstable {:.1f} %, ", share(stable), share(unstable));
   if (share(unknown) > 0)
     words += fmt::format("unknown {:.1f} % (no result in some directions), ", share(unknown));
-  return words + fmt::format("beyond the limit {:.1f} %, out of range {:.1f} %", share(beyond_limit),
-                             share(refused));
+  return words + fmt::format("beyond the limit {:.1f} %, out of range {:.1f} %",
+                             share(beyond_limit), share(refused));
 }
 
 /// As probes call it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/element/element.hpp"
 
 #include <memory>
@@ -71,16 +72,17 @@ Command element_command() {
            {"... is out of range for ...", "the start lies outside what the law can describe"},
            {"undrained needs one condition on a total stress",
             "the pore pressure would be undetermined: add radial_stress_kPa = 0, say"}},
-      .examples = {{"triax element samples/paths/icu_100.toml --set void_ratio=1.05 --json",
-                    "undrained compression of a denser specimen"},
-                   {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
-                    "a load that cannot be carried: status 1, and the step as a file"},
-                   {"triax element FOLDER/test.inp",
-                    "files of incrementalDriver; the folder alone says the same"},
-                   {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
-                    "the same with their UMAT, built as a shared library"},
-                   {"triax element path.toml --set material=sanisand/Toyoura-DM04 --output rows.csv",
-                    "another material, and all rows for a spreadsheet"}},
+      .examples =
+          {{"triax element samples/paths/icu_100.toml --set void_ratio=1.05 --json",
+            "undrained compression of a denser specimen"},
+           {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
+            "a load that cannot be carried: status 1, and the step as a file"},
+           {"triax element FOLDER/test.inp",
+            "files of incrementalDriver; the folder alone says the same"},
+           {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
+            "the same with their UMAT, built as a shared library"},
+           {"triax element path.toml --set material=sanisand/Toyoura-DM04 --output rows.csv",
+            "another material, and all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PATH", o->path,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/element/materials.hpp"
 
 #include <memory>
@@ -30,25 +31,25 @@ void run(const Options& o) {
 }  // namespace
 
 Command materials_command() {
-  return {
-      .name = "materials",
-      .purpose = "list laws and parameter sets, or show the parameters of one",
-      .description = {"Without NAME all laws with their parameter sets: what they describe, in "
-                      "which range, and where the numbers come from. With a set, LAW/SET, its "
-                      "parameters with symbol, value, unit, range and meaning; with a law, the "
-                      "same without values."},
-      .diagnostics = {{"unknown material 'LAW/SET'; ...", "the nearest name, and all that are known"}},
-      .examples = {{"triax materials", "all laws and sets"},
-                   {"triax materials sanisand/S28-general", "the parameters of one set"},
-                   {"triax materials --materials my_sand.toml", "your own sets"}},
-      .set_up = [](CLI::App& app) -> std::function<void()> {
-        const auto o = std::make_shared<Options>();
-        app.add_option("NAME", o->name, "set LAW/SET, or law")->type_name("");
-        app.add_option("--materials", o->file, "sets of this file instead of the shipped ones")
-            ->type_name("FILE.toml");
-        add_json(app, o->json);
-        return [o] { run(*o); };
-      }};
+  return {.name = "materials",
+          .purpose = "list laws and parameter sets, or show the parameters of one",
+          .description = {"Without NAME all laws with their parameter sets: what they describe, in "
+                          "which range, and where the numbers come from. With a set, LAW/SET, its "
+                          "parameters with symbol, value, unit, range and meaning; with a law, the "
+                          "same without values."},
+          .diagnostics = {{"unknown material 'LAW/SET'; ...",
+                           "the nearest name, and all that are known"}},
+          .examples = {{"triax materials", "all laws and sets"},
+                       {"triax materials sanisand/S28-general", "the parameters of one set"},
+                       {"triax materials --materials my_sand.toml", "your own sets"}},
+          .set_up = [](CLI::App& app) -> std::function<void()> {
+            const auto o = std::make_shared<Options>();
+            app.add_option("NAME", o->name, "set LAW/SET, or law")->type_name("");
+            app.add_option("--materials", o->file, "sets of this file instead of the shipped ones")
+                ->type_name("FILE.toml");
+            add_json(app, o->json);
+            return [o] { run(*o); };
+          }};
 }
 
 }  // namespace triax::src

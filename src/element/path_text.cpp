@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/element/path_text.hpp"
 
 #include <fmt/format.h>
@@ -84,8 +85,7 @@ std::string path_text(const study::PathResult& path) {
   if (path.peak) out += fmt::format("  largest |q|\n      {}\n", state_line(path, *path.peak));
   if (path.peak || !path.events.empty()) out += '\n';
   for (const auto& warning : path.warnings) fact("warning", warning);
-  fact("outcome",
-       path.message.empty() ? "completed" : word_of(path.outcome) + ": " + path.message);
+  fact("outcome", path.message.empty() ? "completed" : word_of(path.outcome) + ": " + path.message);
   return without_controls(out);
 }
 

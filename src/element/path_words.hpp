@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The names of outcomes and events of a path, as JSON and text have them.
 #include <string>

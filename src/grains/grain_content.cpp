@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/grains/grain_content.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The tables behind a report of grains, with full digits: what is written as CSV and beside the
 // figures.

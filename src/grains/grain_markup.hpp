@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Runs of grains as parts of a report for browsers and of a PDF.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of the probes of a specimen of grains.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The tables of a report of grains, with units in their headings; what is unknown reads "–".
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/grains/grains.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +46,9 @@ void check_piece(const Options& o) {
     throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
   if (o.json)
     throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
-  if (!o.merge.empty()) throw lab::BadInput("--piece and --merge exclude each other: first compute all pieces, then merge them");
+  if (!o.merge.empty())
+    throw lab::BadInput(
+        "--piece and --merge exclude each other: first compute all pieces, then merge them");
 }
 
 void check_output(const Options& o, const lab::GrainProgramme& programme,
@@ -111,8 +114,8 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
   const Interruption interruption;
   TaskProgress progress(1);
   progress.next("piece " + o.piece);
-  const auto made = study::make_grain_piece(programme, piece.index, piece.count, chosen_jobs(o.jobs),
-                                            shown_in(progress, interruption));
+  const auto made = study::make_grain_piece(programme, piece.index, piece.count,
+                                            chosen_jobs(o.jobs), shown_in(progress, interruption));
   if (!made) throw lab::WorkFailed("stopped by the operator; nothing is written");
   write_file(o.output, study::grain_piece_json(*made));
 }
@@ -143,7 +146,8 @@ Command grains_command() {
       .purpose = "run a programme on a specimen of grains, a discrete element model",
       .description =
           {"A specimen of spheres in a box of six frictionless walls is made (a cloud compressed "
-           "with the friction that gives the density asked for) or loaded, and taken through stages: "
+           "with the friction that gives the density asked for) or loaded, and taken through "
+           "stages: "
            "isotropic, drained and undrained compression or extension, proportional strain paths, "
            "rest, stress probes in all directions with the second-order work of walls and "
            "contacts, and perturbations of an equilibrium. The contacts are those of section 5 of "
@@ -151,7 +155,8 @@ Command grains_command() {
            "tension.",
            "Each stage starts from the one before it, or from the stage or mark that it names. "
            "Every stage is stored as it ends and called simulated; the same programme gives the "
-           "same bits on any number of threads, and a saved state continues as if the run had never "
+           "same bits on any number of threads, and a saved state continues as if the run had "
+           "never "
            "ended.",
            "--output PREFIX writes PREFIX.json, a CSV a stage, the figures, and the files that "
            "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
@@ -180,7 +185,8 @@ Command grains_command() {
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--set", o->sets, "another value for a key of the programme; may be repeated")
+        app.add_option("--set", o->sets,
+                       "another value for a key of the programme; may be repeated")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         app.add_option("--output", o->output, "also write files whose names begin like this")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pieces of HTML that the report for browsers and the pages of the PDF have in common. They keep to
 // the subset that Qt's rich text understands, and are well-formed XML.

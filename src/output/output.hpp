@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where results go: a file appears whole or not at all; standard output says when it is broken.
 #include <string>
@@ -7,8 +8,8 @@
 
 namespace triax::src {
 
-/// Whoever read standard output has stopped (`| head`): nothing is wrong, there is only nothing left
-/// to do.
+/// Whoever read standard output has stopped (`| head`): nothing is wrong, there is only nothing
+/// left to do.
 struct ClosedPipe : lab::WorkFailed {
   ClosedPipe() : lab::WorkFailed("standard output was closed by its reader") {}
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rows of a query as an aligned table, as CSV (RFC 4180) or as a JSON array of objects.
 #include <memory>

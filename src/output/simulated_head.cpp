@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/output/simulated_head.hpp"
 
 #include <fmt/format.h>

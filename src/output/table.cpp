@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/output/table.hpp"
 
 #include <clocale>
@@ -110,7 +111,8 @@ std::vector<std::size_t> column_widths(const Table& table, std::size_t line) {
     for (std::size_t i = 0; i < row.size(); ++i)
       use(i, row[i], table.columns[i].align == Align::left);
   const auto total = [&] {
-    return std::accumulate(widths.begin(), widths.end(), 2 * (columns - std::min<std::size_t>(1, columns)));
+    return std::accumulate(widths.begin(), widths.end(),
+                           2 * (columns - std::min<std::size_t>(1, columns)));
   };
   while (total() > line) {
     std::size_t widest = columns;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A table of text with units in its headings: what text, HTML and PDF reports have in common.
 #include <cstdint>
@@ -27,8 +28,9 @@ std::string on_one_line(std::string utf8);
 /// The same for a text of several lines, whose line breaks stay.
 std::string without_controls(std::string utf8);
 
-/// One row of a table: cells on_one_line(), padded to `widths`, two blanks between, no blanks at the
-/// end. What is wider than its column goes on in further lines, broken at blanks; a word never is.
+/// One row of a table: cells on_one_line(), padded to `widths`, two blanks between, no blanks at
+/// the end. What is wider than its column goes on in further lines, broken at blanks; a word never
+/// is.
 std::string table_line(const std::vector<std::string>& cells, const std::vector<Column>& columns,
                        const std::vector<std::size_t>& widths);
 

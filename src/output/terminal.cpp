@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/output/terminal.hpp"
 
 #include <sys/ioctl.h>
@@ -16,8 +17,7 @@ constexpr int kNarrowest = 80, kWidest = 200, kInFiles = 100;
 
 int columns() {
   const char* told = std::getenv("COLUMNS");
-  if (const auto width = lab::whole_text_as<int>(told != nullptr ? told : "");
-      width && *width > 0)
+  if (const auto width = lab::whole_text_as<int>(told != nullptr ? told : ""); width && *width > 0)
     return *width;
   winsize size{};
   const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

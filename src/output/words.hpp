@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Values as people read them. Input SI, output units of the field; what is unknown reads "–".
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a command wrote, to be announced when it ends: one way for reports, figures and data.
 #include <string>

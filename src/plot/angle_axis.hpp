@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Values over the direction α of an increment, from 0° to 360°.
 #include <string>

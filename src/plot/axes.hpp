@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Axis rectangles of planes whose angles are to be seen as they are, and several of them.
 #include <qcustomplot.h>

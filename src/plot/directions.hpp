@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Values around the circle of directions, ready to be drawn.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Drawing without a screen: a plot of fixed size that can be written as SVG, PNG or into a PDF
 // page.

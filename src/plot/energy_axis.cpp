@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/plot/energy_axis.hpp"
 
 #include <algorithm>

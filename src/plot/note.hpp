@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A line below a plot, written into the figure itself: a picture taken out of its report keeps what
 // it says of its origin.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Sections of rich text with vector figures on numbered A4 pages.
 #include <QPainter>

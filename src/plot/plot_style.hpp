@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How all figures look: dark text on white, thin grid, colours that colour-blind readers tell
 // apart.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Circles and spokes of a diagram around the directions of a plane.
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Lines drawn with as few points as the eye can tell from all of them.
 #include <QPointF>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Lines, areas, arrows and words in the coordinates of an axis rectangle.
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/plot/stress_lines.hpp"
 
 #include <fmt/format.h>

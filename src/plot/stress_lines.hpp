@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Straight lines through the origin of the q-p′ plane.
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a figure of section 4 of the paper is computed from, as its axes and its caption say it.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/probe/probe.hpp"
 
 #include <memory>
@@ -95,7 +96,8 @@ Command probe_command() {
            "sqrt2 dsigma3 towards that of dsigma1 (Rendulic plane); isotropic unloading, the "
            "increment of an "
            "undrained test at its peak of q, is at 215.26 degrees.",
-           "The state is given by --p-kPa with --eta or --q-kPa, or by --stress-kPa; then the law has no "
+           "The state is given by --p-kPa with --eta or --q-kPa, or by --stress-kPa; then the law "
+           "has no "
            "memory of a reversal of shear. With --test it is that of a reading of a test in the "
            "database, also without memory, and the direction of the test itself is given beside "
            "the cones. With --path the law is driven along a path first, and "
@@ -114,12 +116,14 @@ Command probe_command() {
                       {"test ... does not know its void ratio ...",
                        "the record does not hold it: give it"}},
       .examples =
-          {{"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.60 --void-ratio 1.086 --json",
+          {{"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.60 --void-ratio 1.086 "
+            "--json",
             "cones of one state as a document"},
            {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.65 --void-ratio 1.086 "
             "--conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
             "Nova's index of any pair of conditions, here of an undrained test by load"},
-           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.5,0.6,0.7 --void-ratio 1.086 "
+           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.5,0.6,0.7 --void-ratio "
+            "1.086 "
             "--step 1 --output loose",
             "several states in one table and one circular diagram, loose_circular.svg"},
            {"triax probe --test 26 --at collapse --material inl2/S28-general",
@@ -129,7 +133,8 @@ Command probe_command() {
            {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
             "--plane plane-strain --probes",
             "plane strain, every direction printed"},
-           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio 1.086 --plane "
+           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio 1.086 "
+            "--plane "
             "3d "
             "--step 5 --output sphere",
             "all directions of principal increments, with a map of them"},

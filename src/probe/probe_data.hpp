@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The tables of probes: every direction, every cone, every R.
 #include "src/plot/figure_files.hpp"

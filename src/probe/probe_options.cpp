@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/probe/probe_options.hpp"
 
 #include <fmt/format.h>
@@ -26,23 +27,23 @@ constexpr double kSmallestStep_deg = 0.01, kLargestStep_deg = 45;
 
 void must_lie(const char* option, double value, double lowest, double highest) {
   if (!(value >= lowest && value <= highest))
-    throw lab::BadInput(
-        fmt::format("{} {:g}: out of range; expected a number from {:g} to {:g}", option, value, lowest, highest));
+    throw lab::BadInput(fmt::format("{} {:g}: out of range; expected a number from {:g} to {:g}",
+                                    option, value, lowest, highest));
 }
 
 int directions_of(double step_deg) {
   must_lie("--step", step_deg, kSmallestStep_deg, kLargestStep_deg);
   const double whole = std::round(360 / step_deg);
   if (std::abs(whole * step_deg - 360) > 1e-6)
-    throw lab::BadInput(fmt::format("--step {:g}: not valid; 360 degrees must be a multiple of it, as of {:g}",
-                                    step_deg, 360 / whole));
+    throw lab::BadInput(
+        fmt::format("--step {:g}: not valid; 360 degrees must be a multiple of it, as of {:g}",
+                    step_deg, 360 / whole));
   return static_cast<int>(whole);
 }
 
 /// A dependent option without the one it depends on.
 void only_with(bool given, const char* option, bool with, const char* other) {
-  if (given && !with)
-    throw lab::BadInput(fmt::format("{} needs {}", option, other));
+  if (given && !with) throw lab::BadInput(fmt::format("{} needs {}", option, other));
 }
 
 std::vector<std::string> parts_of(const std::string& text) {
@@ -100,9 +101,8 @@ std::string trimmed(const std::string& text) {
 sim::NamedControl control_of_conditions(const std::string& text) {
   const auto parts = parts_of(text);
   if (parts.size() != 2)
-    throw lab::BadInput(
-        fmt::format("--conditions {}: expected two conditions with a comma between them",
-                    lab::excerpt(text)));
+    throw lab::BadInput(fmt::format(
+        "--conditions {}: expected two conditions with a comma between them", lab::excerpt(text)));
   sim::NamedControl control{.name = {}, .control = {}};
   for (std::size_t i = 0; i < 2; ++i) try {
       const auto row = static_cast<Eigen::Index>(i);
@@ -128,7 +128,9 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
   add_material(app, o.material);
   app.add_option("--p-kPa", o.p_kPa, "mean effective stress p' of the state, with --eta or --q-kPa")
       ->type_name("KPA");
-  add_numbers(app, "--eta", o.eta, "ETA,...", "stress ratios q/p', a state each: numbers with commas, FROM:TO:STEP or FROM:TO/COUNT");
+  add_numbers(
+      app, "--eta", o.eta, "ETA,...",
+      "stress ratios q/p', a state each: numbers with commas, FROM:TO:STEP or FROM:TO/COUNT");
   add_numbers(app, "--q-kPa", o.q_kPa, "KPA,...",
               "deviator stresses instead of --eta, negative in extension");
   add_numbers(app, "--stress-kPa", o.stress_kPa, "S1,S3 or S1,S2,S3",
@@ -146,7 +148,8 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
       ->type_name("PATH.toml");
   app.add_option("--every", o.every, "along the path, at every N-th of its rows and the last")
       ->type_name("N");
-  app.add_option("--plane", o.plane, "plane of the directions, or 3d: all directions of principal increments")
+  app.add_option("--plane", o.plane,
+                 "plane of the directions, or 3d: all directions of principal increments")
       ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}))
       ->type_name("axisymmetric|plane-strain|3d")
       ->capture_default_str();
@@ -210,14 +213,16 @@ study::SphereProbing checked_sphere(const ProbeOptions& o) {
   if (o.finite || o.control || o.probes || !o.R.empty() || !o.conditions.empty())
     throw lab::BadInput("--plane 3d excludes --finite, --control, --R, --conditions and --probes");
   if (plane.directions % 2 != 0 || plane.directions < 12)
-    throw lab::BadInput(fmt::format(
-        "--step {:g}: not valid; with --plane 3d 180 degrees must be a multiple of it, at least 6 times",
-        o.step_deg.value_or(10)));
+    throw lab::BadInput(
+        fmt::format("--step {:g}: not valid; with --plane 3d 180 degrees must be a multiple of it, "
+                    "at least 6 times",
+                    o.step_deg.value_or(10)));
   return {.kind = plane.kind, .norm = plane.norm, .rings = plane.directions / 2};
 }
 
 void check_strain_path_options(const ProbeOptions& o) {
-  if (!o.p_kPa) throw lab::BadInput("--strain-paths needs --p-kPa, the isotropic state to start from");
+  if (!o.p_kPa)
+    throw lab::BadInput("--strain-paths needs --p-kPa, the isotropic state to start from");
   must_lie("--p-kPa", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
   for (const double R : o.strain_paths) must_lie("--strain-paths", R, kSmallestRatio, kLargestR);
   must_lie("--axial-strain", o.axial_strain.value_or(kUsualAxialStrain), kSmallestStrain,
@@ -252,14 +257,15 @@ void check_state_options(const ProbeOptions& o) {
   if (o.p_kPa) {
     must_lie("--p-kPa", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
     if (o.eta.empty() == o.q_kPa.empty())
-      throw lab::BadInput(o.eta.empty() ? "--p-kPa needs --eta or --q-kPa; --eta 0 is the isotropic state"
-                                        : "--eta and --q-kPa exclude each other");
+      throw lab::BadInput(o.eta.empty()
+                              ? "--p-kPa needs --eta or --q-kPa; --eta 0 is the isotropic state"
+                              : "--eta and --q-kPa exclude each other");
     for (const double eta : o.eta) must_lie("--eta", eta, -3, 3);
     for (const double q : o.q_kPa) must_lie("--q-kPa", q, -kLargestStress_kPa, kLargestStress_kPa);
   }
   if (o.stress_kPa.size() == 1 || o.stress_kPa.size() > 3)
-    throw lab::BadInput(fmt::format("--stress-kPa has {} values; expected S1,S3 or S1,S2,S3",
-                                    o.stress_kPa.size()));
+    throw lab::BadInput(
+        fmt::format("--stress-kPa has {} values; expected S1,S3 or S1,S2,S3", o.stress_kPa.size()));
   for (const double s : o.stress_kPa)
     must_lie("--stress-kPa", s, -kLargestStress_kPa, kLargestStress_kPa);
   if (o.stress_kPa.size() == 3 && o.stress_kPa[1] != o.stress_kPa[2] && o.plane == "axisymmetric")
@@ -267,7 +273,8 @@ void check_state_options(const ProbeOptions& o) {
         "--stress-kPa: a state in which S2 and S3 differ is not axisymmetric; use --plane "
         "plane-strain");
   if (o.every && *o.every < 1)
-    throw lab::BadInput(fmt::format("--every {}: out of range; expected a number of rows, 1 or more", *o.every));
+    throw lab::BadInput(
+        fmt::format("--every {}: out of range; expected a number of rows, 1 or more", *o.every));
 }
 
 }  // namespace triax::src

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes and their cones in words, as texts, captions and tables have them.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The figure of probes in all directions of space, with the numbers behind it.
 #include "src/plot/figure_files.hpp"

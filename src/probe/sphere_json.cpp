@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/probe/sphere_json.hpp"
 
 #include "src/probe/state_json.hpp"

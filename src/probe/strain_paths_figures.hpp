@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The figure of proportional strain paths, with the numbers behind it.
 #include "src/plot/figure_files.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/document_part.hpp"
 
 #include <fmt/format.h>
@@ -74,8 +75,7 @@ Json parsed_document(std::string_view text, const std::string& file, const char*
                      const std::string& otherwise) {
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded())
-    throw lab::BadInput(file, 0,
-                        "is not a complete JSON document; run an interrupted piece again");
+    throw lab::BadInput(file, 0, "is not a complete JSON document; run an interrupted piece again");
   if (!document.is_object() || !document.contains("format") || document["format"] != format)
     throw lab::BadInput(file, 0, otherwise);
   return document;

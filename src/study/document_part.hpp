@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Reading JSON documents that may be anyone's: every value is looked at before it is used.
 #include <nlohmann/json.hpp>

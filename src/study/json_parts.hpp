@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pieces that JSON documents have in common. An unknown value is null.
 #include <nlohmann/json.hpp>

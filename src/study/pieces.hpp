@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the pieces of any piece of work cut for a batch system have in common.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/content.hpp"
 
 #include <fmt/format.h>
@@ -31,8 +32,7 @@ std::string agreement(const db::StoredTest& test) {
 
 std::string banner(const db::StoredTest& test) {
   std::vector<std::string> parts;
-  if (test.header.origin == Origin::simulated)
-    parts.emplace_back("SIMULATED, not measured");
+  if (test.header.origin == Origin::simulated) parts.emplace_back("SIMULATED, not measured");
   if (test.status == db::TestStatus::interrupted)
     parts.emplace_back("INTERRUPTED: the test was cut off, there is no verdict");
   if (test.status == db::TestStatus::running)
@@ -129,9 +129,8 @@ std::string truth_line(const lab::Truth& truth) {
 
 std::string axis_line(const db::StoredTest& test) {
   const auto count = fmt::format("{} readings", test.summary.readings);
-  return test.header.has_time
-             ? count + ", rates along time"
-             : count + ", no time in the record: rates along the axial strain";
+  return test.header.has_time ? count + ", rates along time"
+                              : count + ", no time in the record: rates along the axial strain";
 }
 
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
@@ -145,7 +144,8 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
   facts.push_back({"Limit surface", {limit_line(test)}});
-  if (test.summary.truth) facts.push_back({"True onset (model)", {truth_line(*test.summary.truth)}});
+  if (test.summary.truth)
+    facts.push_back({"True onset (model)", {truth_line(*test.summary.truth)}});
   if (test.summary.truth && !test.summary.truth->run_aways.empty())
     facts.push_back({"Runaway", run_away_lines(test.summary.truth->run_aways)});
 }
@@ -208,8 +208,8 @@ std::string summary_banner(const std::vector<study::TestResult>& tests) {
   const auto counts = study::counts_of(tests);
   std::vector<std::string> parts;
   if (counts.simulated > 0)
-    parts.push_back(fmt::format("{} of {} tests SIMULATED, not measured",
-                                counts.simulated, counts.tests));
+    parts.push_back(
+        fmt::format("{} of {} tests SIMULATED, not measured", counts.simulated, counts.tests));
   if (counts.interrupted > 0)
     parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict",
                                 counts.interrupted, counts.tests));

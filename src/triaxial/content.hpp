@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a report says, before it is said as text, HTML or PDF: one source, three forms.
 #include <string>

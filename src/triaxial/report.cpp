@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/report.hpp"
 
 #include <filesystem>
@@ -80,9 +81,7 @@ void write(const std::string& format, const Reported& all, const std::string& ou
 void run(const Options& o) {
   const std::string format = chosen_format(o);
   const bool drawn = format == "html" || format == "pdf";
-  const std::string output = !o.output.empty() ? o.output
-                             : drawn           ? "triax_report." + format
-                                               : "-";
+  const std::string output = !o.output.empty() ? o.output : drawn ? "triax_report." + format : "-";
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
   const db::GrainStore grains(o.db);
@@ -112,7 +111,8 @@ Command report_command() {
            "HTML is one file with its figures inside; PDF is A4. Both hold the path in q-p' with "
            "the onset, "
            "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
-           "second-order work on one axis. The ending of --output says the format unless --format does. Without --output they are written to triax_report.html "
+           "second-order work on one axis. The ending of --output says the format unless --format "
+           "does. Without --output they are written to triax_report.html "
            "or "
            "triax_report.pdf in the current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
@@ -121,8 +121,7 @@ Command report_command() {
       .diagnostics = {{"FILE: ... no such database; ...",
                        "there is no database yet, or --db names another file"}},
       .examples = {{"triax report", "all tests and runs of grains as text"},
-                   {"triax report csu_26 --output csu_26.html",
-                    "one test with figures"},
+                   {"triax report csu_26 --output csu_26.html", "one test with figures"},
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"},
                    {"triax report grains:1 --format html", "a run of grains with its figures"},
                    {"triax report --figures pictures",
@@ -135,7 +134,8 @@ Command report_command() {
         add_db(app, o->db);
         add_format(app, o->format, {"text", "json", "html", "pdf"});
         o->format.clear();
-        app.add_option("--output", o->output, "file to write; .json, .html or .pdf at its end says the format")
+        app.add_option("--output", o->output,
+                       "file to write; .json, .html or .pdf at its end says the format")
             ->type_name("FILE");
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What `triax report` was asked for: tests, and runs of grains.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/simulate.hpp"
 
 #include <fmt/format.h>
@@ -85,12 +86,12 @@ void run_test_of(const Options& o) {
 
 void run(const Options& o) {
   if (o.sweeps.empty()) {
-    if (o.jobs > 0)
-      throw lab::BadInput("--jobs needs --sweep: a single test runs on one core");
+    if (o.jobs > 0) throw lab::BadInput("--jobs needs --sweep: a single test runs on one core");
     return run_test_of(o);
   }
   if (o.seed)
-    throw lab::BadInput(fmt::format("--seed and --sweep exclude each other: write --sweep seed={}", *o.seed));
+    throw lab::BadInput(
+        fmt::format("--seed and --sweep exclude each other: write --sweep seed={}", *o.seed));
   if (!o.record.empty())
     throw lab::BadInput(
         "--record and --sweep exclude each other: the tests of a sweep are in the database");
@@ -113,20 +114,23 @@ Command simulate_command() {
       .description =
           {"The specimen, its pore water, the frame, the pressure controllers and noisy "
            "transducers of limited resolution are simulated as the programme says; readings then "
-           "are processed like real ones. The test is marked as simulated wherever it appears, and the "
+           "are processed like real ones. The test is marked as simulated wherever it appears, and "
+           "the "
            "report adds the true onset (model): when the specimen itself became unstable.",
            "The same programme and seed give the same readings, to the bit. --record also writes "
            "them as a logger would; replaying that file gives the same states and the same "
            "verdict.",
            "--set changes keys of the programme for this run, as "
-           "--set specimen.void_ratio=1.12; the name of the test and a warning say so. --seed overrides "
+           "--set specimen.void_ratio=1.12; the name of the test and a warning say so. --seed "
+           "overrides "
            "the seed of the programme and of --set.",
            "--sweep runs the programme with every combination of the values given for some of its "
            "keys, several tests at a time, and stores all of them. KEY is written as in the file: "
            "seed, specimen.void_ratio, rig.transducers.axial_force.noise_N, "
            "stages.4.axial_rate_mm_per_min (the fourth stage). VALUES are separated by commas; "
            "a range is FROM:TO:STEP (1:200:1, 1.0:1.2:0.02) or FROM:TO/COUNT (1.0:1.2/11). A test "
-           "that fails is reported with its values, and the others continue. Results and their order "
+           "that fails is reported with its values, and the others continue. Results and their "
+           "order "
            "do not depend on --jobs.",
            "Ctrl-C stops a test in an orderly way: it is stored and judged as far as it went, "
            "and its record is written. Of a sweep the completed tests are stored. A second Ctrl-C "
@@ -150,7 +154,8 @@ Command simulate_command() {
         app.add_option("--seed", o->seed, "seed of the noise; overrides the programme's")
             ->check(CLI::Validator(refusal_of_seed, ""))
             ->type_name("N");
-        app.add_option("--set", o->sets, "another value for a key of the programme; may be repeated")
+        app.add_option("--set", o->sets,
+                       "another value for a key of the programme; may be repeated")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         app.add_option("--record", o->record, "also write the readings as a record")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@ namespace triax::src {
 struct SweepOptions {
   std::string programme;
   std::vector<lab::TomlEdit> edits;  ///< of --set, the same for all tests
-  std::vector<std::string> sweeps;  ///< KEY=VALUES each
+  std::vector<std::string> sweeps;   ///< KEY=VALUES each
   std::string db;
   double speed = 0;
   int jobs = 0;  ///< 0: as many as there are cores

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/sweep_results.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +58,8 @@ std::string counts_text(const study::SweepSummary& sum) {
 
 std::string truth_text(const study::SweepSummary& sum) {
   return fmt::format(
-      "true onset (model): {} became unstable, {} of them detected; {} detected that remained stable\n"
+      "true onset (model): {} became unstable, {} of them detected; {} detected that remained "
+      "stable\n"
       "η at the true onset: {}\nη found minus true η: {}\n",
       sum.truly_lost, sum.truly_lost_detected, sum.false_alarms, spread_text(sum.true_eta),
       spread_text(sum.eta_error));

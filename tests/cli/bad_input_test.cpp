@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bad records: one clear line each, status 2, database untouched.
 #include <catch2/catch.hpp>
 #include <regex>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // triax domain: the same whatever the number of threads or pieces, and what it refuses.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // triax element and triax materials: what they print, and how they end.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

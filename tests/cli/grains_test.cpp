@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // triax grains: a programme from the command line into files and the database, and what it refuses.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the program says of itself: golden help texts, and man pages and completion that know every
 // option.
 #include <catch2/catch.hpp>
@@ -94,7 +95,8 @@ TEST_CASE("a wrong command line is told in our words, with the nearest right one
         Wrong{"simulate p.toml q.toml", "unexpected argument 'q.toml'"},
         Wrong{"simulate p.toml --jobs 0", "--jobs: '0' is out of range; expected 1 to 1024"},
         Wrong{"simulate p.toml --jobs x", "--jobs: 'x' is not a number; expected --jobs N"},
-        Wrong{"report --format docx", "--format: 'docx' is not valid; known: text, json, html, pdf"},
+        Wrong{"report --format docx",
+              "--format: 'docx' is not valid; known: text, json, html, pdf"},
         Wrong{"report --format pfd", "did you mean 'pdf'?"},
         Wrong{"report --format pdf --json", "--json: excludes --format pdf"},
         Wrong{"probe --norm-kPa x", "--norm-kPa: 'x' is not a number; expected --norm-kPa KPA"}}) {
@@ -109,7 +111,8 @@ TEST_CASE("a wrong command line is told in our words, with the nearest right one
 TEST_CASE("options that were renamed still go by their old names") {
   const Workplace here;
   const std::string state = "probe --material inl2/S28-general --void-ratio 1.086 ";
-  CHECK(here.triax(state + "--p 70 --eta 0.5").out == here.triax(state + "--p-kPa 70 --eta 0.5").out);
+  CHECK(here.triax(state + "--p 70 --eta 0.5").out ==
+        here.triax(state + "--p-kPa 70 --eta 0.5").out);
   CHECK(here.triax(state + "--p 70 --q=35").out == here.triax(state + "--p-kPa 70 --q-kPa 35").out);
   CHECK(here.triax("domain --threads 0").err.find("--jobs: '0' is out of range") !=
         std::string::npos);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where results go when the way is blocked, and results that are awkward to print.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // triax probe: what it prints and writes, and how it ends.
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -157,8 +158,8 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
   const Workplace here;
   CHECK(here.triax("probe --p-kPa 70 --eta 0.6 --void-ratio 1").err.find("--material") !=
         std::string::npos);
-  CHECK(here.triax("probe --material inl2/S28-general --p-kPa 70 --eta 0.6").err.find("--void-ratio") !=
-        std::string::npos);
+  CHECK(here.triax("probe --material inl2/S28-general --p-kPa 70 --eta 0.6")
+            .err.find("--void-ratio") != std::string::npos);
 }
 
 TEST_CASE("--output writes the document, the table and every figure with its data") {
@@ -205,10 +206,10 @@ TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not
   CHECK(d["strain_paths"][1]["peak"]["q_kPa"].get<double>() == Approx(44.62).margin(0.05));
   for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
     CHECK(content(here / (std::string("f") + ending)).size() > 100);
-  for (const std::string bad :
-       {"--strain-paths 0.8", "--p-kPa 100 --strain-paths 0", "--p-kPa 100 --strain-paths 1 --eta 0.5",
-        "--p-kPa 100 --strain-paths 1 --plane plane-strain",
-        "--p-kPa 100 --strain-paths 1 --axial-strain 7"}) {
+  for (const std::string bad : {"--strain-paths 0.8", "--p-kPa 100 --strain-paths 0",
+                                "--p-kPa 100 --strain-paths 1 --eta 0.5",
+                                "--p-kPa 100 --strain-paths 1 --plane plane-strain",
+                                "--p-kPa 100 --strain-paths 1 --axial-strain 7"}) {
     const Outcome outcome = here.triax(kLoose + bad);
     INFO(bad << outcome.err);
     CHECK(outcome.status == 2);

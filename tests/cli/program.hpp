@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Runs the built program as a user would, in a folder of its own.
 #include <sys/wait.h>
@@ -42,7 +43,8 @@ class Workplace {
 
   /// triax ARGUMENTS (as a shell splits them) in this folder.
   Outcome triax(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && unset COLUMNS; " TRIAX_PROGRAM " " + arguments +
+    const std::string command = "cd '" + folder_.string() +
+                                "' && unset COLUMNS; " TRIAX_PROGRAM " " + arguments +
                                 " >.out 2>.err </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"),

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Renews the golden texts from the built program; look at the difference before you commit it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // triax left running in a folder, until it is told to end in the midst of its work.
 #include <sys/wait.h>

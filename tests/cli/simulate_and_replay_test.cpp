@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The main job end to end: simulate, record, replay, report, query.
 #include <catch2/catch.hpp>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps and interruptions as a user sees them.
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -69,9 +70,8 @@ TEST_CASE("--set changes the programme of one test and of a sweep, and the test 
   const json swept = json::parse(here.triax(set + "--sweep seed=2 --db three.db --json").out);
   CHECK(swept[0]["collapse"] == one["collapse"]);
   CHECK(swept[0]["warnings"].dump().find("by --set") != std::string::npos);
-  for (const std::string wrong :
-       {"--set specimen.viod_ratio=1", "--set specimen.void_ratio", "--set seed=x",
-        "--sweep seed=1:2:1 --set seed=3"}) {
+  for (const std::string wrong : {"--set specimen.viod_ratio=1", "--set specimen.void_ratio",
+                                  "--set seed=x", "--sweep seed=1:2:1 --set seed=3"}) {
     INFO(wrong);
     CHECK(here.triax("simulate " + kIcu6 + " " + wrong + " --db none.db").status == 2);
     CHECK_FALSE(here.has("none.db"));

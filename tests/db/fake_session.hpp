@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a session would tell, told by the test itself.
 #include "lab/rig/session_listener.hpp"

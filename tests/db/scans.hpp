@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Scans for the tests of this folder: plausible ones, and ones that follow from nothing.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Many recorders of one sweep on one database.
 #include <SQLiteCpp/Database.h>
 

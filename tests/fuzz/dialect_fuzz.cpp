@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as the description of a dialect, then a small record through it.
 #include <cstddef>
 #include <cstdint>

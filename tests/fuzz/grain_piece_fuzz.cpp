@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a piece of a rose of grains: read, or refused in words; nothing else.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a programme of grains and as a packing: read, or refused in words; nothing else.
 #include <cstddef>
 #include <cstdint>

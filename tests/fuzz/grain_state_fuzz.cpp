@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a state of grains, with a right checksum so that they get past it: read, or refused
 // in words. What is read can be written again, and the engine goes on from it with the same result
 // whatever the instruction set.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as the three files of an incrementalDriver, parted by lines of "====": they are read,
 // or refused with BadInput; what is read is made of finite numbers.
 #include <cstddef>

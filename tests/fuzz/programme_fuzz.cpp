@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a programme: they are read, or refused with BadInput; nothing else may happen.
 #include <cstddef>
 #include <cstdint>

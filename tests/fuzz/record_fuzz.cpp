@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a record file: BadInput is an answer, everything else is a finding.
 #include <cmath>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of docs/ that print descriptions: what they print is what the readers take.
 #include <catch2/catch.hpp>
 #include <set>

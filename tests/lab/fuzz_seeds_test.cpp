@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fuzzers start from tests/fuzz/seeds: each seed gets past the parser that it is for, so that
 // what lies behind the first check is reached too.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "lab/materials/material_library.hpp"
 #include "src/study/domain/domain_report.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A run of grains made up of results whose findings are known beforehand.
 #include <cmath>

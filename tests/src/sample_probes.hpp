@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes of INL2, S28-general, e = 1.086, whose cones are printed.
 #include "src/study/probe/run_probe.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/src/sample_tests.hpp"
 
 #include <algorithm>

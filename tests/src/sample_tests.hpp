@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Invented tests with round numbers, for the tests of reports and figures.
 #include "src/study/triaxial/test_result.hpp"

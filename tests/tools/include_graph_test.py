@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """tools/include-graph on small trees: a clean one passes, and each rule fails on what was planted against it."""
 import subprocess
 import sys

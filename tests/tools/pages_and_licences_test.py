@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """tools/check-links, tools/spdx and tools/check-version on small trees: a clean one passes, what was planted is found."""
 import shutil
 import subprocess

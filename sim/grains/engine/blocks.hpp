@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Work of one step in a fixed number of blocks, so that sums do not depend on the number of
 // threads.

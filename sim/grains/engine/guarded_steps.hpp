@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Steps that are only good if the engine made them and kept every grain in the box.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The two inner loops: forces of pairs, motion of grains. One version for each instruction set,
 // chosen at run time. All give the same bits: the same operations in the same order for each pair

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/grains/engine/kernels.hpp"
 
 #if defined(__AVX2__)

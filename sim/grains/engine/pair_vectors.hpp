@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The loop over pairs for vectors of any width, one lane a pair. `Set` is an instruction set:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A few threads that run one function together, again and again, and meet in between.
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Strains the box of grains by a finite amount so gently that what the walls carry afterwards is
 // that of a rest.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A specimen of grains in the place of a material point: the law asks the grains.
 //

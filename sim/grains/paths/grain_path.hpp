@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Loading paths of a specimen of grains. Compression positive, strains natural, since the start of
 // the path; axis 1 as triaxial_axes.hpp has it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/grains/paths/grain_shots.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Finds the strain increment of a specimen of grains that meets two linear conditions on the
 // increments of stress and strain: shots from one and the same state, until one meets them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a specimen of grains is thought to answer to the next small increment: Δσ ≈ K Δε, from the
 // increments that it made.

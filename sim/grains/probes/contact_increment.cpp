@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/grains/probes/contact_increment.hpp"
 
 #include <Eigen/Geometry>

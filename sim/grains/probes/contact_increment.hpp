@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What happened at a contact between two instants, as an observer sees who turns with it.
 #include <Eigen/Core>

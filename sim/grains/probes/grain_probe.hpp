@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Stress probes of a specimen of grains (section 5.2, Figs. 13 to 15 of the paper): from copies of
 // one calm state a small increment in a direction α of the Rendulic plane, as

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Second-order work between two states of one specimen (Darve, Sibille, Daouadji and Nicot 2007,
 // section 3), per volume of the first, J/m³. Compression positive; Δ is the second state minus the

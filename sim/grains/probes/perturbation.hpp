@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Whether an equilibrium on a strain path is sustained (section 5.3, Figs. 17 and 18 of the paper):
 // under dε₁ + 2R dε₃ = 0 and σ₁ − σ₃/R as the controls a small perturbation is given, and the

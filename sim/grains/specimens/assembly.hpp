@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Making a specimen: a loose cloud, compressed from all sides with a friction of its own, which
 // decides how dense it becomes.

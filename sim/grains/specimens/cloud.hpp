@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A loose cloud of spheres, from which a specimen is compressed.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The friction of compaction that gives a specimen the porosity wanted.
 #include "sim/grains/specimens/assembly.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A std::vector whose first element starts a cache line: rows of four doubles are loaded and stored
 // as one vector.

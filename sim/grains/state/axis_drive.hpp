@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How the two walls across one axis of the box move. Both move by the same amount in opposite
 // directions, so that the middle of the box rests. Compression positive.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Cells of a box, for sorting grains so that neighbours lie close in memory, and for finding pairs.
 #include <array>

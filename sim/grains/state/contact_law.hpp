@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Contact of two spheres, and of a sphere and a rigid wall (Darve, Sibille, Daouadji and Nicot
 // 2007, Eq. 42): linear and elastic along the normal without tension, linear in the tangential

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The longest step at which the explicit integration of the contacts is stable.
 #include "sim/grains/state/grain_state.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One sphere and what pulls at it, as rows of four doubles. Plain data, free of any library: this
 // header is compiled for several instruction sets.

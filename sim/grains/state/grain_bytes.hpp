@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A GrainState as bytes, whole: what is restored continues bit for bit. Little-endian, with a magic
 // word, a version and a checksum; for one kind of machine, not an exchange format.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Whether a GrainState that comes from outside is one that the engine can go on from. A checksum
 // tells of accidents; a file may also be made by hand, or by a program in error.

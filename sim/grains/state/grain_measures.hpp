@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a specimen of grains shows, computed from its state and never inside a step. Forces are
 // those of the last step: they stand at the positions before it, x − Δt v, where the tangential

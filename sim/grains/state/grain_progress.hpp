@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a long piece of work with grains tells while it runs, and how it is stopped.
 #include <functional>

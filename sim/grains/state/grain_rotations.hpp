@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How far each grain turned over a number of steps. A GrainState holds spins but no orientations,
 // as spheres need none; the work at contacts does.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Everything that decides how a specimen of spheres in a box of six rigid walls goes on: plain
 // values that are copied, compared, saved and restored. A copy continues bit for bit as the

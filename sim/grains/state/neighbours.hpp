@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The neighbour lists of a GrainState. Two levels: `listed` holds every pair (and grain at a wall)
 // with a gap below margin.listed_m when the grains were last sorted; `near`, which every step

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Random numbers that are the same with every standard library of C++; directions are as exact as
 // the machine's sine.

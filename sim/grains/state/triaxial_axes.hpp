@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A box of grains as a triaxial specimen: axis 1 of the paper is the third of the box (upright in a
 // picture), its axes 2 and 3 are the other two. Compression positive, SI, strains natural.

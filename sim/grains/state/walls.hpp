@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The six walls in a step: what drives them, and how far they go.
 #include "sim/grains/state/grain_state.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/domain/figures/domain_figure.hpp"
 
 #include <fmt/format.h>
@@ -133,7 +134,8 @@ class Map {
     plot_->xAxis->setRange(std::min(0.0, grid_.p_from * 1e-3), grid_.p_to * 1e-3 + half_p());
     plot_->yAxis->setRange(grid_.q_from * 1e-3 - half_q(), grid_.q_to * 1e-3 + half_q());
     draw_map();
-    draw_area(rect(), {}, kNoValue, line(kGrey, 0.8), "beyond the limit, or out of range of the law");
+    draw_area(rect(), {}, kNoValue, line(kGrey, 0.8),
+              "beyond the limit, or out of range of the law");
     draw_unknown();
     draw_boundaries();
     legend_below(*plot_, 2);
@@ -205,7 +207,8 @@ class Map {
     map->setGradient(one_colour);
     map->setDataRange({0, 1});
     if (any)
-      draw_area(rect(), {}, kUnknown, line(kGrey, 0.8), "no result in some directions, others stable");
+      draw_area(rect(), {}, kUnknown, line(kGrey, 0.8),
+                "no result in some directions, others stable");
     else
       plot_->removePlottable(map);
   }

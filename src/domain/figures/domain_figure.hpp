@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The bifurcation domain as a map of the p′-q plane (section 4 of the paper).
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Paths of a specimen of grains. Stresses are those on the walls; there is no pore water.
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/grains/figures/grain_rose_figures.hpp"
 
 #include <fmt/format.h>

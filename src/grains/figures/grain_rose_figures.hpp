@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The probes of a specimen of grains (Figs. 13, 14 and 15 of the paper). Probes that were stopped
 // are left out; without another there is no plot.

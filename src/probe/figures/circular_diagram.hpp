@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The second-order work around the directions of increments (Fig. 11 and 14 of the paper).
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Cones of unstable stress directions at their states (Fig. 12 of the paper).
 #include "src/plot/drawing.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Second-order work in every direction of the principal increments.
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/probe/figures/work_over_angle.hpp"
 
 #include <fmt/format.h>

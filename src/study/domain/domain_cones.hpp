@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the figures of cones of a domain show (Fig. 12 of the paper).
 #include <vector>

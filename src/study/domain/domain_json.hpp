@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The parts that the JSON documents of a domain and of its pieces share.
 #include <nlohmann/json.hpp>

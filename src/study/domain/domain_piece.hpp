@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A piece of a bifurcation domain as a file, for batch systems and MPI: columns index, index +
 // count, ... of a grid, as one JSON document.

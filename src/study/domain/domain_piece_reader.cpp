@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // read_piece(): every value is looked at before it is used, since the file may be anyone's.
 #include <fmt/format.h>
 
@@ -146,9 +147,9 @@ void check_grid(const DomainSettings::Grid& g, const std::string& subject) {
 }
 
 DomainPiece read_piece(std::string_view text, const std::string& file) {
-  const Json document =
-      parsed_document(text, file, kPieceFormat,
-                      "is not a piece of a domain; triax domain --piece I/N --output FILE writes one");
+  const Json document = parsed_document(
+      text, file, kPieceFormat,
+      "is not a piece of a domain; triax domain --piece I/N --output FILE writes one");
   const Part root(document, file);
   require_version(root, kPieceVersion);
   DomainPiece piece{.file = file, .program = root.text("program")};

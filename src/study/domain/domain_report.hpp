@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A bifurcation domain as it is reported. Values stand here in the units of the files, so that
 // what was written, read and written again is the same to the byte.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A bifurcation domain, or a piece of one, computed on several threads.
 #include "src/study/domain/domain_report.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The grid of states that a bifurcation domain of a material has where nothing else is said.
 #include "src/study/domain/domain_report.hpp"

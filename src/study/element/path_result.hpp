@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a run of a path of one material point came to, without the space it was made in.
 #include <optional>

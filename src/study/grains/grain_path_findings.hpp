@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the points of a path of a specimen of grains show. Compression positive, SI.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes of one state of grains as a file, for batch systems: of the null probe (number 0) and the
 // directions (number k is 360°/directions × (k − 1)) those with the numbers index − 1, index − 1 +

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // read_grain_piece(): every value is looked at before it is used, since the file may be anyone's.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The keys of a piece of a grains' rose and what they hold, once for writing and reading:
 // visit(key, member) for each member, in the order of the file.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The probes of one state shared among tasks of a batch system.
 #include <optional>

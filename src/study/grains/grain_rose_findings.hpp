@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the probes of a rose show together. A probe that was stopped says nothing and is left out.
 #include <functional>

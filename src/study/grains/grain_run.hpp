@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A run of a programme of grains that is stored while it goes, and what is then read back.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Cones of unstable stress directions at their states, as a figure of them shows them (Fig. 12 of
 // the paper).

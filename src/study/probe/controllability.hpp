@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Controllability of one state: over R, under named controls, and by Eq. (34) or (35).
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the figures of probes show: which states, and their circles fine enough to be drawn.
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What probes of states of a law in a plane came to.
 #include <optional>

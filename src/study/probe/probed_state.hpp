@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One state of a law probed in every direction of a plane.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is imposed on a state in every direction of a plane, and how finely.
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes of states of a law in a plane, or in all directions of the principal increments.
 #include "src/study/probe/probe_result.hpp"

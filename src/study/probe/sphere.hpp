@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Probes of states in all directions of the principal increments (dσ₁, dσ₂, dσ₃).
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is said of a state that was probed, whatever the probes were.
 #include <Eigen/Core>

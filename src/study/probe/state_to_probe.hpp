@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A state that is to be probed, and where it comes from.
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/probe/states_to_probe.hpp"
 
 #include <fmt/format.h>
@@ -133,8 +134,7 @@ StatesToProbe<Space> of(const lab::MaterialSet&, const StatesOfPath& wanted,
                              .path = description.name,
                              .warnings = run.warnings};
   if (!run.message.empty())
-    found.warnings.push_back(
-        fmt::format("{} stopped early: {}", description.name, run.message));
+    found.warnings.push_back(fmt::format("{} stopped early: {}", description.name, run.message));
   if (wanted.every)
     put_rows(law, run.rows, static_cast<std::size_t>(*wanted.every), found);
   else

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The states that a study of probes is asked for, and how they are come by.
 #include <Eigen/Core>

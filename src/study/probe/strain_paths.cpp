@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/probe/strain_paths.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,8 @@ StrainPathsResult strain_paths(const StrainPathsRequest& request) {
     throw lab::BadInput(material.name + " has no form in axisymmetry, which strain paths need");
   const auto start = law->isotropic(p, void_ratio);
   if (const auto objection = law->objection(start))
-    throw lab::BadInput(fmt::format("p' {:.6g} kPa, void ratio {:.6g}: out of range for {}: {}", p / 1e3,
-                                    void_ratio, material.name, *objection));
+    throw lab::BadInput(fmt::format("p' {:.6g} kPa, void ratio {:.6g}: out of range for {}: {}",
+                                    p / 1e3, void_ratio, material.name, *objection));
   StrainPathsResult result{.material = material,
                            .p = p,
                            .void_ratio = void_ratio,

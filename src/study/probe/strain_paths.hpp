@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Proportional strain paths of a law from an isotropic state (Fig. 16 of the paper).
 #include <string>

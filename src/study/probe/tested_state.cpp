@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/probe/tested_state.hpp"
 
 #include <fmt/format.h>
@@ -80,13 +81,12 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
                                           *wanted, readings.first, readings.last)
                             : fmt::format("{} has no reading with known effective stresses", name));
   if (!known(result.state))
-    throw lab::BadInput(fmt::format("{} has no effective stresses at reading {}", name,
-                                    result.state.reading));
+    throw lab::BadInput(
+        fmt::format("{} has no effective stresses at reading {}", name, result.state.reading));
   if (void_ratio) result.state.void_ratio = *void_ratio;
   if (!std::isfinite(result.state.void_ratio))
-    throw lab::BadInput(
-        fmt::format("{} has no void ratio at reading {}; give --void-ratio E",
-                    name, result.state.reading));
+    throw lab::BadInput(fmt::format("{} has no void ratio at reading {}; give --void-ratio E", name,
+                                    result.state.reading));
 
   lab::IncrementWatch watch(stored.header, result.state.reading);
   store.for_each_scan(id, 1,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The state of a stored test at one of its readings, as a law can be set to it.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A test of a million scans drawn with some thousand points that still hold every peak.
 #include <cstdint>

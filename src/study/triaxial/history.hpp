@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a test went through along one common axis: its quantities, its second-order work, and where
 // along the axis it became unstable.

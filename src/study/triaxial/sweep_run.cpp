@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/triaxial/sweep_run.hpp"
 
 #include <fmt/format.h>
@@ -73,9 +74,8 @@ class SweepRun {
 
  private:
   void run(SweepMember& member) {
-    lab::Programme programme =
-        lab::read_programme(job_.text, job_.file,
-                            edits_of_member(job_.edits, job_.sweep, member.place));
+    lab::Programme programme = lab::read_programme(
+        job_.text, job_.file, edits_of_member(job_.edits, job_.sweep, member.place));
     programme.changes = job_.edits;
     programme.name += fmt::format(" [{}]", job_.sweep.label(member.place));
     lab::VirtualRig rig(programme);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -23,8 +24,8 @@ struct SweepMember {
 };
 
 struct SweepJob {
-  std::string file;  ///< of the programme
-  std::string text;  ///< what it holds
+  std::string file;                       ///< of the programme
+  std::string text;                       ///< what it holds
   std::vector<lab::TomlEdit> edits = {};  ///< the same for all tests
   const lab::Sweep& sweep;
   std::string name;  ///< of the sweep, for the database

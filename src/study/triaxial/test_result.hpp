@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One test as a report needs it: what was stored, and its curves thinned for drawing.
 #include <cstdint>

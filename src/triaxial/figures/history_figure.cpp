@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/figures/history_figure.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where what a figure shows comes from, written into the figure itself: a picture taken out of its
 // report keeps its origin.

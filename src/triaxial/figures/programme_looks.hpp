@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One marker and colour a type of test, the same in all figures of one set of tests.
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Curves of several tests in one plane: one look a test, a common mark at the onset of collapse.
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/figures/stress_path_figure.hpp"
 
 #include <fmt/format.h>
@@ -87,8 +88,7 @@ Drawing stress_path_figure(const study::StressPath& path) {
     mark(*plot, place(*path.failure), QCPScatterStyle::ssSquare, kGrey,
          "failure on the limit surface");
   if (path.true_onset)
-    mark(*plot, place(*path.true_onset), QCPScatterStyle::ssCross, kInk,
-         "true onset (model)");
+    mark(*plot, place(*path.true_onset), QCPScatterStyle::ssCross, kInk, "true onset (model)");
   legend_below(*plot, 2);
   note_below(*plot, origin_note(path.origin));
   place_labels(*plot, labels);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/detection/naive_methods.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A fixed sample of bench/detection, held to the benchmark's own bounds: every subject of its list
 // once, and those that are led by a constant shear or a strain path a second time with another
 // seed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Second-order work of a fall: closed forms of one finite increment.
 #include "lab/collapse/fall_work.hpp"
 

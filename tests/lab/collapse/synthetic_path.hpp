@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Undrained paths in closed form: q rises to a peak and falls, p' falls throughout.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of an elastic sensing element: closed forms of the superposed plays, and what a data
 // sheet says of them.
 #include "lab/devices/hysteresis.hpp"

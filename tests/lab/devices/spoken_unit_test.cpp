@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/devices/spoken_unit.hpp"
 
 #include <catch2/catch.hpp>

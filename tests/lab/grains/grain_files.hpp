@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // State files of small specimens of grains, in a folder that goes with the test.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Readings of a virtual test, drawn once, and the same readings with sensors broken.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/health/judged_states.hpp"
 
 #include <algorithm>
@@ -232,7 +233,8 @@ TEST_CASE("undrained and the volume gauge dies: nobody knows any more whether th
     if (r.number > 200) r[Quantity::back_volume] = kMissing;
   });
   CHECK(out.verdict.judged_until == 200);
-  CHECK(out.verdict.judged_until_reason.find("(back_volume) gives no readings") != std::string::npos);
+  CHECK(out.verdict.judged_until_reason.find("(back_volume) gives no readings") !=
+        std::string::npos);
   // It died before the valve was shut: the same.
   const Run before = undrained(400, [](Reading& r) {
     if (r.number > 60) r[Quantity::back_volume] = kMissing;

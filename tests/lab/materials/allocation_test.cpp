@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A step of the point driver allocates nothing, for any law that ships.
 #include <catch2/catch.hpp>
 #include <cstdlib>

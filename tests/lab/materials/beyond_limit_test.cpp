@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Paths that ask for more than the material carries: every law, every control. The stop is in words
 // and finite numbers everywhere; where mechanics says which condition must go, that one is named.
 #include <algorithm>

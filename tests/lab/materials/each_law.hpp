@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Every shipped set of every law, for tests of what all of them must hold: a new law is covered as
 // soon as its parameter file is there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every shipped set of every law must hold, whatever the law: a new law is covered as soon as
 // its parameter file is there.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/paths/path_reader.hpp"
 
 #include <catch2/catch.hpp>
@@ -103,7 +104,8 @@ repeat_from = "compression"
   CHECK(back.end[0].below == -0.3);
   CHECK(back.end[1].below == 5e3);
   CHECK(back.end[1].label == "p_eff_kPa below 5");
-  refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"), "the name of an earlier segment");
+  refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"),
+          "the name of an earlier segment");
   refused(with(kPath + cycle, "repeat_from = \"compression\"", "repeat_from = \"comp\""),
           "did you mean 'compression'?");
   refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat");

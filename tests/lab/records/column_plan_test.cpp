@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/column_plan.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/record_writer.hpp"
 
 #include <unistd.h>
@@ -67,8 +68,7 @@ TEST_CASE("a simulation says in its first line that it is one and how it is repe
     const auto text = read_text_file(path);
     return text.substr(0, text.find('\n'));
   };
-  CHECK(first_line() ==
-        "## simulated, not measured: triax simulate \"csu_26.toml\" --seed 42");
+  CHECK(first_line() == "## simulated, not measured: triax simulate \"csu_26.toml\" --seed 42");
   header.dialect = "triax";  // replayed from a record: the source is no programme
   CHECK(first_line() == "# [test]");
   header.dialect.clear();

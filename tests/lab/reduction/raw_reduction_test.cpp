@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gaps in raw channels; the equations themselves are tested in reduction_test.cpp.
 #include "lab/reduction/raw_reduction.hpp"
 

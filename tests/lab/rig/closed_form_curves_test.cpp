@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves in closed form, written by a program that knows nothing of triax (curves/make_curves.py
 // has the equations): read, reduced and judged as a record is, against what the equations say.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Short tests with the instruments of a laboratory, and every fault that a device can have.
 #include <fmt/format.h>

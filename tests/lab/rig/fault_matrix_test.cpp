@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every fault of every device, alone and in pairs, in short tests: the rig ends in words or goes
 // on, says so, and nothing is judged on what is dead.
 #include "tests/lab/rig/fault_matrix.hpp"

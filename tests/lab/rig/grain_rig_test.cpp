@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tests of grains in the apparatus, from the file of a state to the verdict.
 #include <catch2/catch.hpp>
 #include <cmath>

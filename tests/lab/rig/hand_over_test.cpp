@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One stage takes over from the other in mid-test, and what loads decide then.
 #include <algorithm>
 #include <catch2/catch.hpp>

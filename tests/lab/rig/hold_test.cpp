@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pauses and the safe state: the rig stands, the stage's time with it, and the path goes on where
 // it was.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // With every imperfection zero the apparatus is the bare material point: what the instruments say,
 // reduced as a record is, against the law driven through the same increments without any rig.
 // Energy and water balance at every tick, with and without imperfections.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // When a reading is recorded, and what of the looks before it is in it.
 #include "lab/rig/logger.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The monitor, which sees noisy readings only, against the virtual specimen's own loss of
 // sustainability.
 #include <algorithm>

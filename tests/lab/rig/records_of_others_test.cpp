@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Real records of others, in the folder that TRIAX_RECORDS_OF_OTHERS names. They are not ours to
 // copy, so without that variable these tests are skipped; closed_form_curves_test.cpp stands for
 // them then.

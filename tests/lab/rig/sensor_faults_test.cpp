@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sensors broken under virtual tests: what is said of them, and that no verdict rests on them.
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A simulation and the replay of its record are the same test, to the bit.
 #include <unistd.h>
 

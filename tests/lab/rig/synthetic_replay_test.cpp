@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The benchmark's record, shorter: parsed, reduced and judged as in bench/replay.
 #include <fmt/format.h>
 #include <catch2/catch.hpp>

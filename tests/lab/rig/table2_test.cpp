@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ten tests of Table 2 of Darve, Sibille, Daouadji and Nicot (2007) through noisy instruments:
 // the whole chain from programme to verdict against the paper's stress ratios at collapse.
 #include <algorithm>

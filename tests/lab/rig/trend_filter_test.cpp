@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The servo's smoothing: exact on what is steady, quiet on noise.
 #include "lab/rig/trend_filter.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/virtual_rig.hpp"
 
 #include <catch2/catch.hpp>
@@ -181,8 +182,7 @@ TEST_CASE("a saturated transducer is said once") {
   CHECK(run(rig).back()[Quantity::pore_pressure] == 310e3);
   REQUIRE(rig.header().warnings.size() == 2);
   CHECK_THAT(rig.header().warnings[0].text, Contains("pore_pressure went out of its range"));
-  CHECK_THAT(rig.header().warnings[1].text,
-             Contains("pore_pressure is at the end of its range"));
+  CHECK_THAT(rig.header().warnings[1].text, Contains("pore_pressure is at the end of its range"));
 }
 
 TEST_CASE("a free specimen that is unloaded to nothing ends in words") {

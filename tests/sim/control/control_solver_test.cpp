@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/control/control_solver.hpp"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Grains in the place of a material point, made once each: 500 of them, dense and loose.
 #include <memory>

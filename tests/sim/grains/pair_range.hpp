@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the loops over pairs take, for tests that call them directly.
 #include <cstdint>

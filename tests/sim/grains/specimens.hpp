@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Compacted specimens for tests, made once each.
 #include "sim/grains/engine/calming.hpp"

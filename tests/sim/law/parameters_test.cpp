@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/law/parameters.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The law of docs/adding-a-law.md, as it stands there.
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 ! A small UMAT for the tests: linear elasticity with a Drucker-Prager yield surface, perfectly
 ! plastic, returned in closed form (tension positive, p = tr(stress)/3):
 !

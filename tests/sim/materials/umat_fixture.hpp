@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The UMAT of umat_fixture.f90, and what it must give.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A specimen made of grains: what holds for every law has to hold for them, within their tolerance.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/specimen/implicit_step.hpp"
 
 #include <catch2/catch.hpp>

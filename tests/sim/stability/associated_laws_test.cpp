@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Elasticity and laws with an associated flow rule have no unstable direction before their limit
 // surface: W₂ = dσ:dε = dε:C:dε − λ n:C:dε > 0, since the plastic part cannot take more than the
 // projection of the elastic one while the modulus is positive.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first unstable state three ways: by probing every direction, by the determinant, and by a
 // paths that are integrated through it. A stress path follows the probed direction; a proportional
 // strain path begins far away, at an isotropic state, and knows nothing of probes.

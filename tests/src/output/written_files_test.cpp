@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/output/written_files.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,6 +28,5 @@ TEST_CASE("many files are a number and two names") {
   const testing::TemporaryFolder folder;
   static_cast<void>(take_announcement());
   for (int i = 10; i < 30; ++i) write_file(folder.file(std::to_string(i)), "x");
-  CHECK(take_announcement() ==
-        "wrote 20 files: " + folder.file("10") + " to " + folder.file("29"));
+  CHECK(take_announcement() == "wrote 20 files: " + folder.file("10") + " to " + folder.file("29"));
 }

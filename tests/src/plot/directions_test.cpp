@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Values around the circle: signs, zero crossings, gaps.
 #include "src/plot/directions.hpp"
 

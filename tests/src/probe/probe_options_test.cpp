@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/probe/probe_options.hpp"
 
 #include <catch2/catch.hpp>
@@ -62,9 +63,9 @@ TEST_CASE("several values make several states") {
 
 TEST_CASE("exactly one state is asked for, with what belongs to it") {
   for (const char* line :
-       {"--p-kPa 70 --eta 0.5", "--p-kPa 70 --q-kPa 10,20", "--stress-kPa 100,60", "--stress-kPa 100,60,60",
-        "--stress-kPa 100,80,60 --plane plane-strain", "--test 26", "--test 26 --at peak",
-        "--path p.toml", "--path p.toml --every 5"}) {
+       {"--p-kPa 70 --eta 0.5", "--p-kPa 70 --q-kPa 10,20", "--stress-kPa 100,60",
+        "--stress-kPa 100,60,60", "--stress-kPa 100,80,60 --plane plane-strain", "--test 26",
+        "--test 26 --at peak", "--path p.toml", "--path p.toml --every 5"}) {
     INFO(line);
     CHECK_NOTHROW(src::check_state_options(parsed(line)));
   }
@@ -104,12 +105,13 @@ TEST_CASE("in three dimensions the step divides half a turn, and nothing of a pl
 TEST_CASE("strain paths start from the isotropic state alone") {
   CHECK_NOTHROW(src::check_strain_path_options(parsed("--strain-paths 0.7,1 --p-kPa 100")));
   for (const char* line :
-       {"--strain-paths 1", "--strain-paths 0 --p-kPa 100", "--strain-paths 1 --p-kPa 100 --eta 0.5",
-        "--strain-paths 1 --p-kPa 100 --test 26", "--strain-paths 1 --p-kPa 100 --strain",
-        "--strain-paths 1 --p-kPa 100 --plane 3d", "--strain-paths 1 --p-kPa 100 --probes",
-        "--strain-paths 1 --p-kPa 100 --control", "--strain-paths 1 --p-kPa 100 --R 1",
-        "--strain-paths 1 --p-kPa 100 --step 5", "--strain-paths 1 --p-kPa 100 --norm-kPa 1",
-        "--strain-paths 1 --p-kPa 100 --every 2", "--strain-paths 1 --p-kPa 100 --axial-strain 2"}) {
+       {"--strain-paths 1", "--strain-paths 0 --p-kPa 100",
+        "--strain-paths 1 --p-kPa 100 --eta 0.5", "--strain-paths 1 --p-kPa 100 --test 26",
+        "--strain-paths 1 --p-kPa 100 --strain", "--strain-paths 1 --p-kPa 100 --plane 3d",
+        "--strain-paths 1 --p-kPa 100 --probes", "--strain-paths 1 --p-kPa 100 --control",
+        "--strain-paths 1 --p-kPa 100 --R 1", "--strain-paths 1 --p-kPa 100 --step 5",
+        "--strain-paths 1 --p-kPa 100 --norm-kPa 1", "--strain-paths 1 --p-kPa 100 --every 2",
+        "--strain-paths 1 --p-kPa 100 --axial-strain 2"}) {
     INFO(line);
     CHECK_THROWS_AS(src::check_strain_path_options(parsed(line)), lab::BadInput);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Circles of a law with printed cones: INL2, S28-general, e = 1.086, p′ = 70 kPa.
 #include <memory>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Undrained curves in closed form, in the tables that other laboratories write: what records_of_closed_form_test.cpp replays.
 They are no measurements. Nothing of triax goes into them: two functions of the axial strain e and a calculator are enough.
 

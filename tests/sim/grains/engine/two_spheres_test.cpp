@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms of one contact.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/grains/figures/grain_perturbations_figure.hpp"
 
 #include <catch2/catch.hpp>

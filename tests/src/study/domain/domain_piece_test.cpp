@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/domain/domain_piece.hpp"
 #include "src/domain/domain_text.hpp"
 
@@ -80,7 +81,8 @@ TEST_CASE("what is no whole piece is refused in one line that names the file") {
     CHECK_THROWS_WITH(read_piece(good.substr(0, length), "b.json"),
                       Contains("b.json: is not a complete JSON document"));
   for (const char* foreign : {"{}", "[]", "1", "null", "{\"format\": 3}"})
-    CHECK_THROWS_WITH(read_piece(foreign, "b.json"), Contains("b.json: is not a piece of a domain"));
+    CHECK_THROWS_WITH(read_piece(foreign, "b.json"),
+                      Contains("b.json: is not a piece of a domain"));
   CHECK_THROWS_WITH(read_piece(domain_json(sample_domain()), "b.json"),
                     Contains("is not a piece of a domain"));
 

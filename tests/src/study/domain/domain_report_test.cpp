@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/domain/domain_report.hpp"
 #include "src/domain/domain_text.hpp"
 

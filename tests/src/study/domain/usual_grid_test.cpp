@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/domain/usual_grid.hpp"
 
 #include <catch2/catch.hpp>

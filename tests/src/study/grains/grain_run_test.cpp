@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/grains/grain_run.hpp"
 
 #include <catch2/catch.hpp>

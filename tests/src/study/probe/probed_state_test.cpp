@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/probe/probed_state.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/probe/states_to_probe.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/triaxial/runaway_balance.hpp"
 
 #include <catch2/catch.hpp>

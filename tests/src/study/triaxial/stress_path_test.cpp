@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/triaxial/stress_path.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A small programme for sweeps, and sweeps as the command line gives them.
 #include <fstream>

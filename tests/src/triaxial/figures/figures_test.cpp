@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Figures of one test and of all collapse points: that what is drawn is where the data are, and
 // nothing without data.
 #include <qcustomplot.h>
