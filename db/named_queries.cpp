@@ -81,7 +81,7 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS check_name, c.measured, "
        "c.limit_value, c.ok, c.note "
        "FROM checks c JOIN tests t ON t.id = c.test_id ORDER BY t.id, c.id"},
-      {"warnings", "warnings: warnings: what was changed, joined or missing in the records",
+      {"warnings", "what was changed, joined or missing in the records",
        "SELECT DISTINCT t.id AS test_id, t.name AS test, t.origin, w.line, w.text "
        "FROM warnings w JOIN tests t ON t.id = w.test_id ORDER BY t.id, w.line"},
       {"unfinished_tests", "tests that still run or were interrupted",

@@ -7,6 +7,31 @@
 #include "src/output/table.hpp"
 
 namespace triax::src {
+namespace {
+
+bool is_number(const std::string& word) {
+  const auto digit = word.find_first_not_of("+-±");
+  return digit != std::string::npos && word[digit] >= '0' && word[digit] <= '9';
+}
+
+/// What no line break may divide: a number stays with its symbol and its unit, "ε₁ 0.40 %".
+std::vector<std::string> unbroken(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream words(text);
+  bool after_number = false, after_stop = true;  // what the part so far ends in
+  for (std::string word; words >> word;) {
+    const bool number = is_number(word);
+    if (!after_stop && (number || after_number))
+      parts.back() += ' ' + word;
+    else
+      parts.push_back(word);
+    after_number = number;
+    after_stop = std::string(",;:.").find(word.back()) != std::string::npos;
+  }
+  return parts;
+}
+
+}  // namespace
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
@@ -16,9 +41,8 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
       lines.push_back(paragraph);
       continue;
     }
-    std::istringstream words(paragraph);
     std::string line;
-    for (std::string word; words >> word;) {
+    for (const std::string& word : unbroken(paragraph)) {
       if (!line.empty() && display_width(line) + 1 + display_width(word) > width) {
         lines.push_back(std::move(line));
         line.clear();
@@ -32,9 +56,8 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
 }
 
 std::size_t longest_word(const std::string& text) {
-  std::istringstream words(text);
   std::size_t longest = 0;
-  for (std::string word; words >> word;) longest = std::max(longest, display_width(word));
+  for (const auto& word : unbroken(text)) longest = std::max(longest, display_width(word));
   return longest;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/grains/lammps_export.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -90,7 +92,7 @@ TEST_CASE("the script for LAMMPS says that it is simulated, and what differs") {
                             "local damping of forces only", "servo of its own", "kinetic energy"})
     CHECK_THAT(script, Contains(limit));
   CHECK_THAT(script, Contains("read_data a.lammps.data\n") && Contains("timestep 1e-06\n"));
-  CHECK_THAT(script, Contains(std::string("print \"") + lab::kLammpsColumns + "\" file a.csv"));
+  CHECK_THAT(script, Contains(fmt::format("print \"{}\" file a.csv", lab::kLammpsColumns)));
 }
 
 TEST_CASE("pairs of bins have the law's stiffness, friction and ratio of stiffnesses") {

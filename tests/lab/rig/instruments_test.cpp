@@ -52,7 +52,7 @@ TEST_CASE("a rig without a channel neither reads it nor takes its silence for a 
     CHECK(reading.has(Quantity::back_volume));
   }
   CHECK(rig.header().warnings.empty());
-  for (const Event& event : rig.events()) CHECK(event.kind != "device_fault");
+  for (const Event& event : rig.events()) CHECK(event.kind != EventKind::device_fault);
 }
 
 TEST_CASE("an offset is that of its own channel, and a range ends where it ends") {

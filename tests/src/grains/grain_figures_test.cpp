@@ -8,7 +8,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
 

@@ -10,7 +10,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 using test::contains;
 
 TEST_CASE("the text says what is simulated, of which grains, with which contacts") {

@@ -16,3 +16,10 @@ TEST_CASE("text is broken at blanks only, by columns of the terminal") {
   CHECK(longest_word("σ₃ three") == 5);
   CHECK(longest_word("") == 0);
 }
+
+TEST_CASE("a number stays with its symbol and its unit") {
+  CHECK(wrapped("at reading 12, ε₁ 0.40 % and on", 12) ==
+        Lines{"at", "reading 12,", "ε₁ 0.40 %", "and on"});
+  CHECK(wrapped("12, 13, 14, 15", 7) == Lines{"12, 13,", "14, 15"});
+  CHECK(longest_word("q of -0.08 kPa over") == 12);
+}

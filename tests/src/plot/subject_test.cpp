@@ -55,7 +55,7 @@ std::vector<Drawing> every_kind() {
   all.push_back(work_over_angle(circles, subject));
   all.push_back(response_envelope(circle, 1e3, subject));
   all.push_back(control_scan_figure({{"", {{1, true, 0.4, {}, {}}}, {}}}, subject));
-  all.push_back(cones_figure({.subject = subject, .states = {{{70e3, 42e3}, sectors_of(circle)}}},
+  all.push_back(cones_figure({.states = {{{70e3, 42e3}, study::sectors_of(circle)}}}, subject,
                              StressAxes::p_q));
   all.push_back(sphere_figure({{{1, 0, 0}, {1, 0, 0}, true, 1}}, subject));
   all.push_back(domain_figure(grid, {column}, subject));

@@ -8,7 +8,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 
 TEST_CASE("a panel each, with the share on the left and the energy on the right axis") {
   const Drawing drawing = grain_perturbations_figure(

@@ -9,7 +9,6 @@
 
 using namespace triax;
 using namespace triax::src;
-using namespace triax::study;
 
 namespace {
 

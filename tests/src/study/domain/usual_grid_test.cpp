@@ -25,11 +25,12 @@ TEST_CASE("the usual grid stays within what a set is for, up to its limit surfac
 }
 
 TEST_CASE("localisation is possible for a law with tangents of the full tensor, where asked for") {
-  auto grid = study::sample_domain({}).settings.grid;
+  const auto grid = study::sample_domain({}).settings.grid;
   const auto inl2 = lab::find_material("inl2/S28-general");
-  CHECK(study::possible_criteria(inl2, grid).determinant);
-  CHECK_FALSE(study::possible_criteria(inl2, grid).localisation);
-  grid.localisation = true;
-  CHECK(study::possible_criteria(inl2, grid).localisation);
-  CHECK_FALSE(study::possible_criteria(lab::find_material("norsand/S28-MT"), grid).localisation);
+  const auto norsand = lab::find_material("norsand/S28-MT");
+  using Names = std::vector<std::string>;
+  CHECK(study::possible_criteria(inl2, grid, {}) == Names{"determinant"});
+  CHECK(study::possible_criteria(inl2, grid, {"localisation"}) ==
+        Names{"determinant", "localisation"});
+  CHECK(study::possible_criteria(norsand, grid, {"localisation"}).empty());
 }
