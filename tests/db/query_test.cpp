@@ -161,7 +161,8 @@ TEST_CASE("SQL that cannot be run says why in SQLite's words") {
   CHECK_THROWS_WITH(ask(path, "SELECT 1; SELECT 2"), Contains("more than one statement"));
   CHECK_THROWS_WITH(ask(path, "SELECT 1; nonsense"), Contains("more than one statement"));
   CHECK_THROWS_WITH(ask(path, " ; -- nothing"), Contains("no statement"));
-  CHECK_THROWS_WITH(ask(path, "collapse_point"), Contains("no query named 'collapse_point'"));
+  CHECK_THROWS_WITH(ask(path, "collapse_point"),
+                    Contains("unknown query 'collapse_point'; did you mean 'collapse_points'?"));
   CHECK(std::get<std::int64_t>(answer(path, "SELECT 1 ; -- one")) == 1);
 }
 

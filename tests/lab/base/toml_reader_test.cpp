@@ -35,7 +35,7 @@ TEST_CASE("errors name file and line, also for text that begins further down") {
   CHECK(document.line("b") == 11);
   CHECK_THROWS_WITH(document.number("b"), "a.toml:11: b: expected a number, without quotes");
   CHECK_THROWS_WITH(TomlTable::parse("a = 1\nb = = 2\n", "a.toml", 10),
-                    Catch::StartsWith("a.toml:11: this is no valid TOML"));
+                    Catch::StartsWith("a.toml:11: invalid TOML"));
   CHECK_THROWS_AS(TomlTable::read("samples/none.toml"), BadInput);
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("what must be there is asked for, what was probably meant by another k
   CHECK_THROWS_WITH(document.table("t")->required_text("name"), "f.toml:4: [t]: name is missing");
   CHECK_THROWS_WITH(document.required_text("blank"), "f.toml:2: blank: must not be empty");
   const auto other = TomlTable::parse("hieght = 2\n", "f.toml");
-  CHECK_THROWS_WITH(other.required_number("height"), Catch::Contains("meant by 'hieght'?"));
+  CHECK_THROWS_WITH(other.required_number("height"), Catch::Contains("did you mean 'hieght'?"));
 }
 
 TEST_CASE("numbers keep to their bounds; infinite and not-a-number are none") {

@@ -95,8 +95,8 @@ TEST_CASE("too little seen of shear is not judged, which is not the same as no c
   const Collapse c = verdict({.states = 5, .limit = limit});
   CHECK_FALSE(c.judged);
   REQUIRE(c.criteria.size() == 3);
-  CHECK(c.criteria[0].evidence.find("5 complete states in shear, 7 are needed") !=
-        std::string::npos);
+  CHECK(c.criteria[0].evidence.find(
+            "too few readings in shear, 5 complete states of the 7 needed") != std::string::npos);
   CHECK(verdict({.points = 1, .limit = limit}).judged);
 }
 

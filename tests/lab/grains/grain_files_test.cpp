@@ -83,8 +83,8 @@ TEST_CASE("a file that is no state is refused in one line that names it") {
   refused("larger than 4 GiB");
   fs::remove(path);
   fs::create_directory(path);
-  refused("is no file");
-  CHECK_THROWS_WITH(lab::load_state("/dev/null"), Contains("/dev/null: is no file"));
+  refused("is not a file");
+  CHECK_THROWS_WITH(lab::load_state("/dev/null"), Contains("/dev/null: is not a file"));
 
   // With a right checksum, too.
   fs::remove(path);

@@ -97,7 +97,7 @@ TEST_CASE("a pore pressure that comes back to the back pressure and stays: the v
   const Watched opened(120, until_opened);
   REQUIRE(opened.drainage.doubt());
   CHECK(opened.drainage.doubt()->last == 60);
-  CHECK(opened.reason().find("from 60.0 kPa off") != std::string::npos);
+  CHECK(opened.reason().find("from 60.0 kPa away") != std::string::npos);
   // The doubt reaches back to a mark, that was set at once.
   CHECK(opened.marks == std::vector<std::int64_t>{0, 61});
   CHECK(*opened.known_at > 75);

@@ -93,10 +93,9 @@ TEST_CASE("one channel alone jumps to a constant: saturated; with the others it 
   const auto alone = [](Reading& r) {
     if (r.number > 200) r[Quantity::pore_pressure] = 2e6;
   };
-  CHECK(
-      found(watched(driven(Drainage::closed), 220, alone),
-            "the pore-pressure transducer (pore_pressure) is saturated: it jumped to 2000 kPa and "
-            "stays there, open circuit or overload, from reading 201 (201 s) on"));
+  CHECK(found(watched(driven(Drainage::closed), 220, alone),
+              "the pore-pressure transducer (pore_pressure) is saturated: jumped to 2000 kPa and "
+              "stays there, open circuit or overload, from reading 201 (201 s) on"));
   const auto together = [&](Reading& r) {
     if (r.number <= 200) return;
     r[Quantity::pore_pressure] = 390e3;

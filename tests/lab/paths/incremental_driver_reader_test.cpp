@@ -148,7 +148,7 @@ TEST_CASE("restrictions are read as written") {
              Contains("folder/test.inp:4") && Contains("'ee1'"));
   CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\ned1\n" + rest), Contains("is not a restriction"));
   CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\nx*ed1 = 0\n" + rest), Contains("not a factor"));
-  CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\ned1 = ed2\n" + rest), Contains("no number"));
+  CHECK_THAT(refusal("*ObeyRestrictions\n1 1 1\ned1 = ed2\n" + rest), Contains("not a number"));
 }
 
 TEST_CASE("a circulating load goes from turning point to turning point") {

@@ -38,7 +38,7 @@ TEST_CASE("what is no table of steps is refused with its line") {
   refused("", "no row of numbers");
   refused("a,b\n", "no row of numbers");
   refused("a,b\n1,2\n3\n", ":3: 1 cells");
-  refused("a,b\n1,x\n", ":2: column 'b': 'x' is no number");
-  refused("a,b\n1,\n", "no number");
-  refused("a,b\n1,inf\n", "no number");
+  refused("a,b\n1,x\n", ":2: column 'b': 'x' is not a number");
+  refused("a,b\n1,\n", "not a number");
+  refused("a,b\n1,inf\n", "not a number");
 }

@@ -90,7 +90,7 @@ TEST_CASE("every device takes every fault that is possible for it") {
 
 TEST_CASE("a fault that a device cannot have is refused with those that it can have") {
   CHECK_THAT(complaint("device = \"valve\"\nkind = \"spike\"\nfrom_s = 1"),
-             Contains("p.toml:18: [faults 1] kind: 'spike' is no fault of valve; known: "
+             Contains("p.toml:18: [faults 1] kind: 'spike' is not a fault of valve; known: "
                       "does_not_close, does_not_open"));
   CHECK_THAT(complaint("device = \"frame\"\nkind = \"drop_out\"\nfrom_s = 1"),
              Contains("known: stuck"));
@@ -116,7 +116,7 @@ TEST_CASE("times and sizes of faults that cannot be are refused") {
   const std::string spike = "device = \"pore_pressure\"\nkind = \"spike\"\nfrom_s = 1\n";
   CHECK_THAT(complaint(spike), Contains("spike_kPa is missing"));
   CHECK_THAT(complaint(spike + "spike_kPa = 0"), Contains("p.toml:20"));
-  CHECK_THAT(complaint(spike + "spike_N = 5"), Contains("is it meant by 'spike_N'?"));
+  CHECK_THAT(complaint(spike + "spike_N = 5"), Contains("did you mean 'spike_N'?"));
   const std::string late = "device = \"pore_pressure\"\nkind = \"latency\"\nfrom_s = 1\n";
   // 60 readings of 1 s
   CHECK(complaint(late + "latency_s = 60") == "accepted");

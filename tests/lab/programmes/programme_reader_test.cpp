@@ -102,7 +102,7 @@ TEST_CASE("a programme without stages, an empty file, a folder and no file are r
   CHECK_THROWS_AS(read_programme("", "p.toml"), BadInput);
   CHECK_THROWS_WITH(load_programme("tests"), Contains("folder"));
   CHECK_THROWS_WITH(load_programme("no_such.toml"), Contains("no_such.toml"));
-  CHECK_THROWS_WITH(load_programme("/dev/zero"), Contains("no regular file"));
+  CHECK_THROWS_WITH(load_programme("/dev/zero"), Contains("not a regular file"));
 }
 
 TEST_CASE("a user's own material stands beside the programme") {

@@ -48,16 +48,16 @@ TEST_CASE("an end that can never come is refused") {
   CHECK_THAT(complaint("axial = \"free\"\n"), Contains("has no end"));
   CHECK_THAT(
       complaint("axial = \"free\"\nend = [{quantity = \"cell_pressure_kPa\", above = 500}]\n"),
-      Contains("never comes to 500 kPa"));
+      Contains("never reaches 500 kPa"));
   CHECK_THAT(complaint("axial = \"free\"\ncell_rate_kPa_per_min = 10\ncell_target_kPa = 450\n"
                        "end = [{quantity = \"cell_pressure_kPa\", above = 500}]\n"),
-             Contains("never comes"));
+             Contains("never reaches"));
   CHECK_THAT(
       complaint("axial = \"free\"\ncell_rate_kPa_per_min = -10\ncell_target_kPa = 450\n" + kEnd),
       Contains("sign of cell_rate_kPa_per_min is wrong"));
   CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"time_s\", below = 5}]\n"),
              Contains("time only increases"));
-  CHECK_THAT(complaint("axial = \"free\"\ntime_limit_min = 4\n" + kEnd), Contains("never comes"));
+  CHECK_THAT(complaint("axial = \"free\"\ntime_limit_min = 4\n" + kEnd), Contains("never reache"));
   CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"stress_ratio\", above = 4}]\n"),
              Contains("at most 3"));
   CHECK_THAT(complaint("axial = \"free\"\nend = [{quantity = \"axial_strain\", above = 4}]\n"),

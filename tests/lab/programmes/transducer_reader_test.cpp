@@ -90,7 +90,7 @@ TEST_CASE("the programme's own key is stronger than that of the set, the others 
 TEST_CASE("keys that need another one say so, at their line") {
   CHECK_THAT(complaint("hysteresis_pct_of_range = 1"),
              Contains("p.toml:15: [rig.transducers.pore_pressure] hysteresis_pct_of_range: needs "
-                      "range_kPa beside it"));
+                      "range_kPa as well"));
   CHECK_THAT(complaint("nonlinearity_pct_of_range = 1"), Contains("needs range_kPa"));
   CHECK_THAT(complaint("sensitivity_mV = 1"), Contains("needs range_kPa"));
   CHECK_THAT(complaint("range_kPa = 100\ncalibration_kPa_of_mV = [0, 1]"),

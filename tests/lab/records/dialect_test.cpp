@@ -43,7 +43,8 @@ TEST_CASE("what is wrong in a dialect is named with its line and the nearest rig
   const std::pair<std::string, std::string> wrong[] = {
       {column + "[tabel]\n", "d.toml:4: unknown key 'tabel'; did you mean 'table'"},
       {column + "[table]\nseperator = \";\"\n", "d.toml:5: unknown key 'seperator'"},
-      {column + "[table]\nseparator = \"#\"\n", "d.toml:5: [table] separator: '#' is no separator"},
+      {column + "[table]\nseparator = \"#\"\n",
+       "d.toml:5: [table] separator: '#' is not a separator"},
       {name + "[columns]\naxial_strian = \"e\"\n", "did you mean 'axial_strain'"},
       {name + "[columns]\nq = \"q\"\n", "d.toml:3: [columns] has no 'q'"},
       {name + "[columns]\naxial_strain = { names = \"e\", unit = \"kPa\" }\n", "does not fit"},

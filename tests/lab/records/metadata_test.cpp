@@ -38,8 +38,9 @@ TEST_CASE("wrong keys and values are refused with what would be right") {
   for (const char* value : {"abc", "", "-3", "0", "nan", "inf", "1e999", "14,0"})
     CHECK_THROWS_AS(set_metadata(header, "--set", "specimen.height_mm", value), BadInput);
   CHECK_FALSE(header.specimen.height_m);
-  CHECK_THROWS_WITH(set_metadata(header, "a:3", "test.origin", "guessed"),
-                    Catch::Contains("a:3: test.origin = 'guessed'; it can be recorded, simulated"));
+  CHECK_THROWS_WITH(
+      set_metadata(header, "a:3", "test.origin", "guessed"),
+      Catch::Contains("a:3: test.origin = 'guessed' is not valid; expected recorded, simulated"));
   for (const char* key : {"", "test", "stages.x.role", "stages.1", "stages.-1.role", "truth.q_kPa"})
     CHECK_THROWS_AS(set_metadata(header, "--set", key, "1"), BadInput);
 }

@@ -41,9 +41,9 @@ TEST_CASE("another unit of the same kind is converted, another kind is refused")
   CHECK(layout.columns[2].scale == Approx(6894.757));
   CHECK(layout.columns[3].scale == 1e6);
   CHECK_THROWS_WITH(layout_of("time_s,axial_force_kPa,cell_pressure_kPa\n0,1,1\n"),
-                    Catch::Contains("is in 'kPa'; kN would be right"));
+                    Catch::Contains("is in 'kPa'; expected kN"));
   CHECK_THROWS_WITH(layout_of("time_s,axial_force_foo,cell_pressure_kPa\n0,1,1\n"),
-                    Catch::Contains("'foo', which is an unknown unit"));
+                    Catch::Contains("'foo', an unknown unit"));
   CHECK_THROWS_WITH(layout_of("time_s,axial_force,cell_pressure_kPa\n0,1,1\n"),
                     Catch::Contains("has no unit"));
 }
@@ -68,7 +68,7 @@ TEST_CASE("what cannot be a record is refused in one line") {
   const std::pair<std::string, std::string> wrong[] = {
       {"", "m.csv: the file is empty"},
       {"\n \n", "the file is empty"},
-      {kHeadings + "\n", "m.csv:1: headings but no row"},
+      {kHeadings + "\n", "m.csv:1: headings without a row"},
       {"a|b|c\n1|2|3\n", "m.csv:1: only one column found"},
       {"alpha,beta\n1,2\n", "m.csv:1: no dialect fits this file; headings found: 'alpha', 'beta'"},
       {"time_s,axial_displacement_mm,cell_pressure_kPa\n0,1,2\n", "needs axial_force_kN too"},

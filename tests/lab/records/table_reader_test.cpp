@@ -60,7 +60,7 @@ TEST_CASE("our own format has no word for a missing value") {
        {"NaN", "nan", "-nan", "NA", "-", "null", "#DIV/0!", "inf", "-inf"}) {
     INFO(word);
     CHECK_THROWS_WITH(read(kHeadings + "0,0.1,0.2,800\n1,0.1," + word + ",800\n"),
-                      Catch::StartsWith("m.csv:3: column 'axial_force_kN' holds '" + word + "'") &&
+                      Catch::StartsWith("m.csv:3: column 'axial_force_kN' has '" + word + "'") &&
                           Catch::EndsWith("leave the cell empty if the reading is missing"));
   }
   CHECK_THROWS_AS(read(kHeadings + "NaN,0.1,0.2,800\n"), BadInput);
@@ -92,7 +92,7 @@ TEST_CASE("lines without values are left out, those inside the table are reporte
 TEST_CASE("what is wrong in a row is named with line and column") {
   const std::string row = "0,0.1,0.2,800\n";
   const std::pair<std::string, std::string> wrong[] = {
-      {"1,0.1,abc,800\n", "m.csv:3: column 'axial_force_kN' holds 'abc', which is no number"},
+      {"1,0.1,abc,800\n", "m.csv:3: column 'axial_force_kN' has 'abc', which is not a number"},
       {"1,0.1,0.2\n", "m.csv:3: 3 cells where the headings in line 1 have 4"},
       {"1,0.1,0.2,800,900\n", "m.csv:3: 5 cells"},
       {"1,0.1,0.2", "m.csv:3: the file is truncated"},

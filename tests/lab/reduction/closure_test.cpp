@@ -41,7 +41,7 @@ TEST_CASE("the difference of q is ours less theirs, over ours") {
 
 TEST_CASE("the area is named only where it explains the difference") {
   const Check explained = q_check(fed(1 / 0.95, 0.95));
-  CHECK(explained.note.find("3800.0 mm2, ours is 4000.0 mm2") != std::string::npos);
+  CHECK(explained.note.find("3800.0 mm2, we have 4000.0 mm2") != std::string::npos);
   CHECK(explained.note.find("counter") == std::string::npos);
   const Check counted = q_check(fed(1 / 0.95, 0.95), true);
   CHECK(counted.note.find("counter was set back") != std::string::npos);

@@ -37,7 +37,7 @@ TEST_CASE("a lag that is too large fails with reading, size and sign") {
   REQUIRE(check);
   CHECK_FALSE(check->ok);
   CHECK(*check->measured == Approx(0.08));
-  CHECK(check->note.find("at reading 175 the pore pressure stood 8.00 kPa below") !=
+  CHECK(check->note.find("at reading 175 the pore pressure was 8.00 kPa below") !=
         std::string::npos);
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("a run-away is told at its start and at its end, with what it came to"
   CHECK(truth.end == lab::RunAwayEnd::new_equilibrium);
   CHECK(log.watch(21, state).empty());
   state.run_away.count = 2;
-  CHECK_THAT(log.watch(30, state), Contains("ran away"));
+  CHECK_THAT(log.watch(30, state), Contains("runaway of the cap"));
   CHECK(log.all().size() == 2);
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("a load cell that falls silent stops a stage by load, and is only told
 TEST_CASE("a force that does not come while the cap stands is a failure; a collapse is none") {
   Watch standing(load_stage());
   standing.asked.force_n = 100;
-  CHECK_THAT(standing.look(30), Contains("100.0 N were asked for"));
+  CHECK_THAT(standing.look(30), Contains("instead of the 100.0 N prescribed"));
   Watch collapsing(load_stage());
   collapsing.asked.force_n = 100;
   std::string reason;
@@ -109,7 +109,7 @@ TEST_CASE("a pressure that does not follow its controller's set point") {
   Watch w(crosshead_stage());
   w.asked.cell_pa = 410e3;
   CHECK(w.look(50).empty());
-  CHECK_THAT(w.look(20), Contains("the cell pressure reads 400.0 kPa where 410.0 kPa"));
+  CHECK_THAT(w.look(20), Contains("the cell pressure reads 400.0 kPa instead of the 410.0 kPa"));
   Watch by_volume(crosshead_stage());
   by_volume.asked.back_pa = 400e3;
   by_volume.asked.back_by_volume = true;
@@ -170,7 +170,7 @@ TEST_CASE("a noisy load cell that stands still stops the stage that follows it, 
       REQUIRE(w.look(1).empty());
     }
     const std::string reason = w.look(60);
-    if (by_load) CHECK_THAT(reason, Contains("axial_force has stood at"));
+    if (by_load) CHECK_THAT(reason, Contains("axial_force has been at exactly"));
     if (!by_load) CHECK(reason.empty());
   }
 }

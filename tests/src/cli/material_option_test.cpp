@@ -57,7 +57,7 @@ TEST_CASE("a void ratio is asked for with the range of the set, and bounded") {
   const auto set = src::chosen_material(parsed("--material inl2/S28-general"));
   CHECK(src::chosen_void_ratio(parsed("--void-ratio 1.086"), set) == 1.086);
   CHECK_THROWS_WITH(src::chosen_void_ratio(parsed(""), set),
-                    "--void-ratio E is missing; inl2/S28-general is for 0.7 to 1.2");
+                    "missing --void-ratio E; inl2/S28-general is for 0.7 to 1.2");
   for (const char* wrong :
        {"--void-ratio 0", "--void-ratio -1", "--void-ratio nan", "--void-ratio 21"})
     CHECK_THROWS_AS(src::chosen_void_ratio(parsed(wrong), set), lab::BadInput);

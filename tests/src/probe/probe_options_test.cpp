@@ -43,14 +43,14 @@ TEST_CASE("probes that make no sense are bad input") {
     CHECK_THROWS_WITH(src::checked_probing(parsed(line)), Contains(words));
     CHECK_THROWS_AS(src::checked_probing(parsed(line)), lab::BadInput);
   };
-  says("--step 0", "--step 0: must be a number");
+  says("--step 0", "--step 0: out of range; expected a number");
   says("--step nan", "--step nan");
   says("--step 7", "360 degrees must be a multiple");
   says("--step 90", "0.01 to 45");
   says("--norm-kPa=-1", "--norm-kPa -1");
   says("--norm-kPa inf", "--norm-kPa inf");
   says("--strain --norm-strain 1", "--norm-strain 1");
-  says("--norm-strain 1e-5", "only with --strain");
+  says("--norm-strain 1e-5", "needs --strain");
   says("--strain --norm-kPa 1", "without --strain");
 }
 

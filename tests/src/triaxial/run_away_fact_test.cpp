@@ -31,7 +31,8 @@ TEST_CASE("energies are written with the prefix that suits them") {
 }
 
 TEST_CASE("a run-away is told with its energy, Eq. (5) and its end; many are counted") {
-  const auto lines = run_away_lines({kArrested, {40, 2, 41, {}, {}, {}, {}, ""}});
+  const auto lines =
+      run_away_lines({kArrested, {40, 2, 41, {}, {}, {}, {}, lab::RunAwayEnd::none}});
   REQUIRE(lines.size() == 2);
   CHECK_THAT(
       lines[0],
@@ -47,12 +48,11 @@ TEST_CASE("a run-away is told with its energy, Eq. (5) and its end; many are cou
 
 TEST_CASE("reports and documents carry the run-aways of the truth") {
   auto test = src::test::simulated_test();
-  CHECK(text_report({test}).find("Run-away") == std::string::npos);
+  CHECK(text_report({test}).find("Runaway") == std::string::npos);
   test.stored.summary.truth->run_aways = {kArrested};
   test.stored.sweep = db::SweepMembership{"s", 4, {{"seed", "7"}, {"specimen.material", "a/b"}}};
-  CHECK_THAT(
-      text_report({test}),
-      Contains("Run-away") && Contains("number 4 of the sweep s: seed = 7, specimen.material"));
+  CHECK_THAT(text_report({test}),
+             Contains("Runaway") && Contains("number 4 of the sweep s: seed = 7"));
   const auto d = nlohmann::json::parse(json_report({test}));
   const auto& run_away = d["collapse"]["truth"]["run_aways"][0];
   CHECK(run_away["largest_kinetic_energy_J"] == 12.3e-3);

@@ -12,8 +12,12 @@ using namespace triax::study;
 
 namespace {
 
+/// Wherever lines are broken.
 bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  std::istringstream words(text);
+  std::string flat;
+  for (std::string word; words >> word;) flat += (flat.empty() ? "" : " ") + word;
+  return flat.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -22,11 +26,11 @@ TEST_CASE("the summary lines up and says what Table 2 says") {
   const std::string text =
       text_report({test::flow_test(), test::simulated_test(), test::stable_test()});
   std::istringstream lines(text);
-  std::string heading, rule, first;
-  std::getline(lines, heading);
-  std::getline(lines, rule);
+  std::string heading, first;
+  std::getline(lines, heading);  // of two lines where the terminal is narrow, as it is here
+  while (std::getline(lines, first) && !first.starts_with("---")) continue;
   std::getline(lines, first);
-  for (const char* column : {"Type of test", "Test", "p′₀ (kPa)", "e₀", "φ_mob (°)", "η_coll"})
+  for (const char* column : {"Type of", "Test", "p′₀ (kPa)", "e₀", "φ_mob (°)", "η_coll"})
     CHECK(holds(heading, column));
   // η_coll ends where its column ends, although the headings before it hold wide UTF-8.
   const auto end_of = [](const std::string& line, const std::string& word) {
@@ -46,7 +50,7 @@ TEST_CASE("each test says its evidence, its doubts and that it is simulated or i
   CHECK_FALSE(holds(flow, "SIMULATED"));
   const std::string simulated = text_of_test(test::simulated_test());
   CHECK(holds(simulated, "SIMULATED"));
-  CHECK(holds(simulated, "Truth"));
+  CHECK(holds(simulated, "True onset (model)"));
   CHECK(holds(text_of_test(test::interrupted_test()), "INTERRUPTED"));
   auto blind = test::stable_test();
   blind.stored.summary.collapse.judged = false;

@@ -100,7 +100,7 @@ TEST_CASE("what is no whole piece is refused in one line that names the file") {
   says(refusal([](Json& d) { d["grid"]["rows"] = 1e9; }), "rows must be a whole number");
   says(refusal([](Json& d) { d["grid"]["rows"] = 9999; }), "has 12 states");
   says(refusal([](Json& d) { d["grid"]["p_from_kPa"] = -1; }), "p' from -1");
-  says(refusal([](Json& d) { d["grid"]["plane"] = "oblique"; }), "'oblique' is no plane");
+  says(refusal([](Json& d) { d["grid"]["plane"] = "oblique"; }), "'oblique' is not a plane");
   says(refusal([](Json& d) { d["piece"]["index"] = 4; }), "index must be a whole number, 1 to 3");
   says(refusal([](Json& d) { d["piece"]["index"] = 1; }), "column must be 0");
   says(refusal([](Json& d) { d["columns"].clear(); }), "has 0 columns");
@@ -108,7 +108,7 @@ TEST_CASE("what is no whole piece is refused in one line that names the file") {
   says(refusal([](Json& d) { d["columns"][0]["states"].erase(0); }), "has 11 states");
   says(refusal([](Json& d) { d["columns"][0]["states"][1]["q_kPa"] = 0; }), "as the grid says");
   says(refusal([](Json& d) { d["columns"][0]["states"][1]["kind"] = "odd"; }),
-       "'odd' is no kind of state");
+       "'odd' is not a kind of state");
   says(refusal([](Json& d) { d["columns"][0]["states"][1]["cones"] = 5; }),
        "cones must be an array");
   says(refusal([](Json& d) { d["columns"][0]["compression"]["limit"] = "x"; }),

@@ -171,7 +171,7 @@ TEST_CASE("what is no whole piece of a rose is refused in one line that names th
   for (const char* foreign :
        {"{}", "[]", "null", "{\"format\": \"triax bifurcation domain piece\"}"})
     CHECK_THROWS_WITH(read_grain_piece(foreign, "b.json"),
-                      Contains("b.json: is no piece of a rose of grains"));
+                      Contains("b.json: is not a piece of probes of grains"));
   CHECK_THROWS_AS(read_grain_piece(std::string(100000, '['), "b.json"), lab::BadInput);
 
   const auto says = [](const std::string& message, const char* words) {
