@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Read by ctest: an entry for each test file of `program` below `folder`, named after the file. Catch2 gives every
 # case the tag #FILE (option -#). What is tagged [slow] in a file is an entry of its own, labelled slow, and `only`
-# a tag leaves out all other cases. An entry without a single case fails (-w NoTests).
+# a tag leaves out all other cases. Hidden cases, [.], run by hand only. An entry without a single case fails (-w NoTests).
 cmake_policy(VERSION 3.25)  # ctest starts with none
 set(surroundings
   "LSAN_OPTIONS=suppressions=${root}/tests/leaks_of_others.txt:print_suppressions=0"
@@ -39,7 +39,7 @@ foreach(file IN LISTS files)
   list(APPEND stems ${stem})
 
   if(only)
-    triax_entry("${entry}" "${only}[#${stem}]" 1800)
+    triax_entry("${entry}" "${only}[#${stem}]~[.]" 1800)
     continue()
   endif()
   set(skipping)
@@ -47,9 +47,9 @@ foreach(file IN LISTS files)
     set(skipping SKIP_REGULAR_EXPRESSION "skipped: ")
   endif()
   if(slow LESS cases)
-    triax_entry("${entry}" "[#${stem}]~[slow]" 600 ${skipping})
+    triax_entry("${entry}" "[#${stem}]~[slow]~[.]" 600 ${skipping})
   endif()
   if(slow GREATER 0)
-    triax_entry("${entry}/slow" "[#${stem}][slow]" 1800 LABELS slow COST 1000)
+    triax_entry("${entry}/slow" "[#${stem}][slow]~[.]" 1800 LABELS slow COST 1000)
   endif()
 endforeach()
