@@ -75,7 +75,8 @@ std::string not_valid(const CLI::Option& option, const std::string& message) {
   const std::string value = lab::excerpt(given.empty() ? "" : given.back());
   const std::string type = option.get_type_name();
   constexpr std::string_view kRange = "not in range ";
-  if (const auto range = message.find(kRange); range != std::string::npos)
+  const bool number = !given.empty() && lab::whole_text_as<double>(given.back());
+  if (const auto range = message.find(kRange); range != std::string::npos && number)
     return fmt::format("{}: {} is out of range; expected {}", option.get_name(), value,
                        message.substr(range + kRange.size()));
   if (type.find('|') != std::string::npos)

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QFontMetricsF>
+#include <QHash>
 #include <QRegularExpression>
 #include <QSvgGenerator>
 #include <algorithm>
@@ -61,6 +62,8 @@ void need_drawing() {
   // Qt warns of a missing XDG_RUNTIME_DIR, which a program without windows does not need.
   const auto usual = qInstallMessageHandler(
       [](QtMsgType, const QMessageLogContext&, const QString&) { /* nobody to tell */ });
+  // QCustomPlot draws the axes of a frame in the order of a hash: the same bytes in every run.
+  QHashSeed::setDeterministicGlobalSeed();
   static const auto* application = new QApplication(argument_count, arguments.data());
   static_cast<void>(application);
   qInstallMessageHandler(usual);

@@ -35,7 +35,7 @@ TEST_CASE("each kind of bad record is one clear line, status 2, and leaves nothi
   };
   const Bad all[] = {
       {"empty", "", "empty"},
-      {"header only", kHeadings, "no row"},
+      {"header only", kHeadings, "headings without a row of readings; nothing was recorded"},
       {"semicolons", replaced(good, ",", ";"), "comma"},
       {"bars", replaced(good, ",", "|"), "only one column"},
       {"missing channel", replaced(good, "axial_force_kN", "something_else"), "axial_force_kN"},

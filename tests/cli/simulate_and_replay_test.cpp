@@ -31,7 +31,7 @@ TEST_CASE("a simulated test and the replay of its record agree to the bit") {
   const Workplace here;
   const Outcome simulated = here.triax("simulate " + kCsu26 + " --record x.csv --db a.db --json");
   REQUIRE(simulated.status == 0);
-  REQUIRE(simulated.err.empty());
+  REQUIRE(simulated.err == "triax: wrote x.csv\n");
   const Outcome replayed = here.triax("replay x.csv --db b.db --json");
   REQUIRE(replayed.status == 0);
   const json a = json::parse(simulated.out), b = json::parse(replayed.out);
