@@ -47,7 +47,7 @@ study::GridLine line(const char* option, const std::string& text, const study::G
 void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
   const bool axisymmetric = o.plane == "axisymmetric";
   const auto& law = material.material;
-  const std::string why = law.no_tensor.empty() ? "" : ", " + law.no_tensor;
+  const std::string why = law.no_tensor.empty() ? "" : ": " + law.no_tensor;
   if (axisymmetric ? law.axisymmetric == nullptr : law.tensor == nullptr)
     throw lab::BadInput(fmt::format("--plane {}: {} is not formulated for it{}", o.plane,
                                     material.name, axisymmetric ? "" : why));

@@ -13,21 +13,15 @@ namespace {
 
 using study::Json;
 
-study::Json ends(const std::optional<lab::ValidRange>& range) {
-  return range ? study::Json::array({range->low, range->high}) : study::Json(nullptr);
-}
-study::Json text(const std::string& value) {
-  return value.empty() ? study::Json(nullptr) : study::Json(value);
-}
-std::string dump(const study::Json& document) {
-  return document.dump(2, ' ', false, study::Json::error_handler_t::replace) + '\n';
+Json ends(const std::optional<lab::ValidRange>& range) {
+  return range ? Json::array({range->low, range->high}) : Json(nullptr);
 }
 
-study::Json law_head(const sim::LawDescription& law) {
+Json law_head(const sim::LawDescription& law) {
   return {{"name", law.name},
           {"title", law.title},
-          {"source", text(law.source)},
-          {"refuses", text(law.refuses)}};
+          {"source", study::json_text(law.source)},
+          {"refuses", study::json_text(law.refuses)}};
 }
 
 const char* word_of(sim::ParameterKind kind) {
@@ -43,11 +37,11 @@ const char* word_of(sim::ParameterKind kind) {
 }
 
 /// The value that the set gives; what the law takes where it gives none; null where there is none.
-study::Json value_of(const sim::ParameterDescription& parameter, const sim::ParameterSet& set) {
+Json value_of(const sim::ParameterDescription& parameter, const sim::ParameterSet& set) {
   if (const auto at = set.numbers.find(parameter.key); at != set.numbers.end()) return at->second;
   if (const auto at = set.texts.find(parameter.key); at != set.texts.end()) return at->second;
   if (const auto at = set.lists.find(parameter.key); at != set.lists.end()) return at->second;
-  return parameter.usual ? study::Json(*parameter.usual) : study::Json(nullptr);
+  return parameter.usual ? Json(*parameter.usual) : Json(nullptr);
 }
 
 /// Empty for what is no number: a range says nothing of it.
@@ -55,17 +49,17 @@ std::string range_of(const sim::ParameterDescription& parameter) {
   return parameter.kind == sim::ParameterKind::number ? parameter.range.words() : std::string();
 }
 
-study::Json parameter_json(const sim::ParameterDescription& parameter) {
+Json parameter_json(const sim::ParameterDescription& parameter) {
   return {{"key", parameter.key},
-          {"symbol", text(parameter.symbol)},
-          {"unit", text(parameter.unit)},
+          {"symbol", study::json_text(parameter.symbol)},
+          {"unit", study::json_text(parameter.unit)},
           {"meaning", parameter.meaning},
-          {"range", text(range_of(parameter))},
+          {"range", study::json_text(range_of(parameter))},
           {"kind", word_of(parameter.kind)},
-          {"usual", parameter.usual ? study::Json(*parameter.usual) : study::Json(nullptr)}};
+          {"usual", parameter.usual ? Json(*parameter.usual) : Json(nullptr)}};
 }
 
-std::string short_value(const study::Json& value) {
+std::string short_value(const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_array()) return fmt::format("{} numbers", value.size());
@@ -114,21 +108,21 @@ std::string materials_text(const std::vector<lab::MaterialSet>& sets) {
 }
 
 std::string materials_json(const std::vector<lab::MaterialSet>& sets) {
-  study::Json document = study::Json::array();
+  Json document = Json::array();
   for (const auto& law : sim::laws()) {
-    study::Json one = law_head(law);
-    one["sets"] = study::Json::array();
+    Json one = law_head(law);
+    one["sets"] = Json::array();
     for (const auto& set : sets)
       if (set.law == &law)
         one["sets"].push_back({{"name", set.name},
-                               {"description", text(set.description)},
-                               {"range", text(set.range)},
+                               {"description", study::json_text(set.description)},
+                               {"range", study::json_text(set.range)},
                                {"void_ratio_range", ends(set.void_ratio_range)},
                                {"p_eff_range_kPa", ends(set.p_eff_range_kPa)},
-                               {"source", text(set.source)}});
+                               {"source", study::json_text(set.source)}});
     document.push_back(std::move(one));
   }
-  return dump(document);
+  return study::json_document(document);
 }
 
 std::string material_text(const lab::MaterialSet& set) {
@@ -144,23 +138,23 @@ std::string material_text(const lab::MaterialSet& set) {
 }
 
 std::string material_json(const lab::MaterialSet& set) {
-  study::Json document = {{"name", set.name},
-                          {"law", law_head(*set.law)},
-                          {"based_on", text(set.material.based_on)},
-                          {"description", text(set.description)},
-                          {"range", text(set.range)},
-                          {"void_ratio_range", ends(set.void_ratio_range)},
-                          {"p_eff_range_kPa", ends(set.p_eff_range_kPa)},
-                          {"source", text(set.source)},
-                          {"no_tensor_form", text(set.material.no_tensor)}};
-  study::Json parameters = study::Json::array();
+  Json document = {{"name", set.name},
+                   {"law", law_head(*set.law)},
+                   {"based_on", study::json_text(set.material.based_on)},
+                   {"description", study::json_text(set.description)},
+                   {"range", study::json_text(set.range)},
+                   {"void_ratio_range", ends(set.void_ratio_range)},
+                   {"p_eff_range_kPa", ends(set.p_eff_range_kPa)},
+                   {"source", study::json_text(set.source)},
+                   {"no_tensor_form", study::json_text(set.material.no_tensor)}};
+  Json parameters = Json::array();
   for (const auto& parameter : set.law->parameters) {
-    study::Json one = parameter_json(parameter);
+    Json one = parameter_json(parameter);
     one["value"] = value_of(parameter, set.parameters);
     parameters.push_back(std::move(one));
   }
   document["parameters"] = std::move(parameters);
-  return dump(document);
+  return study::json_document(document);
 }
 
 std::string law_text(const sim::LawDescription& law) {
@@ -170,11 +164,11 @@ std::string law_text(const sim::LawDescription& law) {
 }
 
 std::string law_json(const sim::LawDescription& law) {
-  study::Json document = law_head(law);
-  study::Json parameters = study::Json::array();
+  Json document = law_head(law);
+  Json parameters = Json::array();
   for (const auto& parameter : law.parameters) parameters.push_back(parameter_json(parameter));
   document["parameters"] = std::move(parameters);
-  return dump(document);
+  return study::json_document(document);
 }
 
 }  // namespace triax::src

@@ -161,7 +161,7 @@ TEST_CASE("settings that make no domain are one line and status 2, and nothing i
         Bad{sand + "--p-kPa 10:20/2 --piece 1/3 --output x", "only 2 columns"},
         Bad{sand + "--set hardening=1", "has no parameter"},
         Bad{"--material norsand/S28-MT-drained --void-ratio 1 --plane plane-strain",
-            "norsand/S28-MT-drained is not formulated for it, the law's hardening"}}) {
+            "norsand/S28-MT-drained is not formulated for it: the law's hardening"}}) {
     const Workplace here;
     const Outcome outcome = here.triax("domain " + bad.arguments);
     INFO(bad.arguments << "\n" << outcome.err);

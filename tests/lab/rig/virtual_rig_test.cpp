@@ -152,7 +152,7 @@ end = [{quantity = "axial_force_N", above = 5000.0}]
     CHECK(r->stage == 1);
   }
   REQUIRE(rig.header().warnings.size() == 1);
-  CHECK_THAT(rig.header().warnings[0].text, Contains("travel of 50 mm is used up"));
+  CHECK_THAT(rig.header().warnings[0].text, Contains("travel limit of 50 mm reached"));
 }
 
 TEST_CASE("a stage that does not reach its end says so and ends the test") {
@@ -197,7 +197,7 @@ end = [{quantity = "cell_pressure_kPa", below = 200.0}]
   CHECK(run(rig).size() > 50);
   REQUIRE_FALSE(rig.header().warnings.empty());
   CHECK_THAT(rig.header().warnings.back().text,
-             Contains("too far") && Contains("the law goes no further"));
+             Contains("too far") && Contains("the law has no result beyond"));
 }
 
 TEST_CASE("any law can be the specimen; where one ends the test ends with its readings") {
@@ -213,7 +213,7 @@ TEST_CASE("any law can be the specimen; where one ends the test ends with its re
   CHECK(run(liquefied).size() > 100);
   REQUIRE(liquefied.header().warnings.size() == 1);
   CHECK_THAT(liquefied.header().warnings[0].text,
-             Contains("the law goes no further") && Contains("liquefied"));
+             Contains("the law has no result beyond") && Contains("liquefied"));
   CHECK(liquefied.truth()->lost_sustainability);
 }
 
