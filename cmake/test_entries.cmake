@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Read by ctest: an entry for each test file of `program` below `folder`, named after the file. Catch2 gives every
+# Read by ctest: an entry for each of the test `files` of `program`, named after the file. Catch2 gives every
 # case the tag #FILE (option -#). What is tagged [slow] in a file is an entry of its own, labelled slow, and `only`
 # a tag leaves out all other cases. Hidden cases, [.], run by hand only. An entry without a single case fails (-w NoTests).
 cmake_policy(VERSION 3.25)  # ctest starts with none
@@ -16,7 +16,6 @@ macro(triax_entry entry filter seconds)
 endmacro()
 
 set(stems)
-file(GLOB_RECURSE files "${folder}/*.cpp")
 foreach(file IN LISTS files)
   file(READ "${file}" text)
   # A case begins at the left margin.

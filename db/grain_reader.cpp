@@ -24,12 +24,6 @@ Enum of_word(const std::string& text) {
   return {};
 }
 
-TestStatus status_of(const std::string& text) {
-  for (const auto status : {TestStatus::running, TestStatus::complete})
-    if (to_string(status) == text) return status;
-  return TestStatus::interrupted;
-}
-
 /// Rows of one stage of one run.
 class StageReader {
  public:

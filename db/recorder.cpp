@@ -28,25 +28,25 @@ constexpr std::chrono::milliseconds kTimeDue{500};
 /// The session waits for the disk beyond this: memory stays bounded.
 constexpr std::size_t kRowsAtMost = 20000;
 
-struct Batch {
-  std::vector<Scan> scans;
-  std::vector<lab::SecondOrderWorkPoint> work;
-  std::vector<lab::Event> events;
-
-  std::size_t rows() const { return scans.size() + work.size() + events.size(); }
-  void clear() {
-    scans.clear();
-    work.clear();
-    events.clear();
-  }
-};
-
-enum class Ending { none, complete, interrupted, discarded };
-
 }  // namespace
 
 /// The session's thread fills one batch while the writer's thread stores the other.
 struct Recorder::Impl {
+  struct Batch {
+    std::vector<Scan> scans;
+    std::vector<lab::SecondOrderWorkPoint> work;
+    std::vector<lab::Event> events;
+
+    std::size_t rows() const { return scans.size() + work.size() + events.size(); }
+    void clear() {
+      scans.clear();
+      work.clear();
+      events.clear();
+    }
+  };
+
+  enum class Ending { none, complete, interrupted, discarded };
+
   explicit Impl(std::string path) : path_(std::move(path)) {}
 
   void start(const lab::RecordHeader& header);
@@ -221,7 +221,7 @@ Recorder::Recorder(std::string path) : impl_(std::make_unique<Impl>(std::move(pa
 Recorder::~Recorder() {
   if (!impl_->open()) return;
   try {
-    impl_->end(Ending::interrupted, nullptr);
+    impl_->end(Impl::Ending::interrupted, nullptr);
   } catch (...) {  // NOLINT(bugprone-empty-catch)
     // What was committed stands; the next to open the database marks the test as interrupted.
   }
@@ -233,20 +233,21 @@ void Recorder::belongs_to(SweepMembership sweep, Turns& turns) {
 
 lab::SessionListener Recorder::listener() {
   Impl* const impl = impl_.get();
-  return {.started = [impl](const lab::RecordHeader& header) { impl->start(header); },
-          .scanned =
-              [impl](const lab::Reading& reading, const lab::State& state) {
-                impl->add(&Batch::scans, Scan{reading, state});
-              },
-          .second_order_work =
-              [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
-          .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },
-          .progressed = {}};
+  return {
+      .started = [impl](const lab::RecordHeader& header) { impl->start(header); },
+      .scanned =
+          [impl](const lab::Reading& reading, const lab::State& state) {
+            impl->add(&Impl::Batch::scans, Scan{reading, state});
+          },
+      .second_order_work =
+          [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Impl::Batch::work, point); },
+      .happened = [impl](const lab::Event& event) { impl->add(&Impl::Batch::events, event); },
+      .progressed = {}};
 }
 
 std::int64_t Recorder::finish(const lab::TestSummary& summary) {
   if (!impl_->open()) throw lab::WorkFailed("there is no running test to finish");
-  impl_->end(Ending::complete, &summary);
+  impl_->end(Impl::Ending::complete, &summary);
   return impl_->test_id();
 }
 

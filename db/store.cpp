@@ -86,6 +86,12 @@ std::string_view to_string(TestStatus status) {
   return {};
 }
 
+TestStatus status_of(std::string_view text) {
+  for (const auto status : {TestStatus::running, TestStatus::complete})
+    if (to_string(status) == text) return status;
+  return TestStatus::interrupted;
+}
+
 struct Store::Impl {
   explicit Impl(const std::string& file) : path(file), database(open_for_reading(file)) {}
 

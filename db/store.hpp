@@ -19,6 +19,8 @@ namespace triax::db {
 
 enum class TestStatus { running, complete, interrupted };
 std::string_view to_string(TestStatus status);
+/// What is no status of ours was interrupted.
+TestStatus status_of(std::string_view text);
 
 /// Which values of a sweep a test was run with.
 struct SweepMembership {

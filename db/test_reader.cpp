@@ -43,12 +43,6 @@ Kind known(const std::string& text, std::optional<Kind> (*kind_from)(std::string
       "the database holds '{}', which this version of triax does not know: use a newer one", text));
 }
 
-TestStatus status_of(const std::string& text) {
-  for (const auto status : {TestStatus::running, TestStatus::complete})
-    if (to_string(status) == text) return status;
-  return TestStatus::interrupted;
-}
-
 void read_specimen(SQLite::Database& database, std::int64_t id, lab::SpecimenInfo& s) {
   for_rows(database, id,
            "SELECT height_mm, diameter_mm, void_ratio, consolidated_void_ratio, "

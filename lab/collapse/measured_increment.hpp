@@ -2,6 +2,7 @@
 #pragma once
 // The increment that a test itself was going through at one of its readings.
 #include <cstdint>
+#include <numbers>
 #include <optional>
 
 #include "lab/collapse/path_rates.hpp"
@@ -19,6 +20,9 @@ struct MeasuredIncrement {
   double normalised = 0;             ///< dσ′:dε/(|dσ′| |dε|), Eq. (23)
   double normalised_error = 0;       ///< standard error
   std::int64_t window_readings = 0;  ///< of the longer of the windows
+
+  /// Beyond 45° of error the direction could be any.
+  bool has_direction() const { return angle_error < std::numbers::pi / 4; }
 };
 
 /// Takes the states of a test one at a time, in constant memory.

@@ -17,7 +17,7 @@ namespace {
 using Segment = sim::Segment<sim::Tensor>;
 using Vector = sim::Vector<sim::Tensor>;
 
-constexpr int kMostRows = 10'000;
+constexpr int kMostRowsOfCommand = 10'000;
 constexpr std::size_t kMostSegments = 100'000;
 constexpr int kMostSides = 20'000;
 constexpr int kMostRepetitions = 1'000'000;
@@ -29,7 +29,7 @@ Segment segment_of(const InpStep& step, const Vector& change, int rows) {
   segment.conditions.increment = change;
   segment.labels = step.labels;
   segment.end = step.end;
-  segment.rows = std::clamp(rows, 1, kMostRows);
+  segment.rows = std::clamp(rows, 1, kMostRowsOfCommand);
   return segment;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> kSettings = {"material", "void_ratio", "p_eff_kPa", "tolerance"};
 
-constexpr double kMostRows = 2e5;
+constexpr double kMostRowsOfStage = 2e5;
 constexpr double kMostParts = 4e6;
 
 double number_within(const std::string& key, const std::string& value, double lowest,
@@ -60,12 +60,12 @@ void check_length_of(const sim::Path<Space>& path, const std::string& source) {
   } catch (const std::invalid_argument& error) {
     throw BadInput(source, 0, error.what());
   }
-  if (rows > kMostRows)
+  if (rows > kMostRowsOfStage)
     throw BadInput(
         source, 0,
         fmt::format("{:.0f} rows of output with all repetitions; at most {:.0f} are possible: "
                     "lower rows of the segments",
-                    rows, kMostRows));
+                    rows, kMostRowsOfStage));
   if (parts > kMostParts)
     throw BadInput(
         source, 0,

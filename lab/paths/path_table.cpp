@@ -11,7 +11,7 @@
 namespace triax::lab {
 namespace {
 
-constexpr std::size_t kMostRows = 20000;
+constexpr std::size_t kMostTableRows = 20000;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ PathTable read_path_table(const std::string& path) {
     };
     if (cells.size() != table.headings.size())
       fail(fmt::format("{} cells, but {} headings", cells.size(), table.headings.size()));
-    if (table.rows.size() == kMostRows) fail(fmt::format("more than {} rows", kMostRows));
+    if (table.rows.size() == kMostTableRows) fail(fmt::format("more than {} rows", kMostTableRows));
     auto& row = table.rows.emplace_back(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (parse_cell(trimmed(cells[i]), mark, row[i]) != CellKind::number)

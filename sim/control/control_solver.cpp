@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/control/control_solver.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "sim/control/interpolated_solver.hpp"
 #include "sim/control/stiffness_solver.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 
 namespace triax::sim {
 
@@ -23,9 +22,9 @@ PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double mod
   }
   strain_driven = stress.isZero(0);
   if (!strain_driven) return;
-  const Eigen::FullPivLU<Matrix<Space>> lu(strain);
-  determined = lu.isInvertible();
-  if (determined) strain_increment = lu.solve(increment);
+  const auto found = solve_regular<Space>(strain, increment);
+  determined = found.has_value();
+  if (determined) strain_increment = *found;
 }
 
 template <class Space>
@@ -33,8 +32,7 @@ Vector<Space> left_null_vector(const Matrix<Space>& m) {
   Vector<Space> scale;
   for (int row = 0; row < Space::kSize; ++row) scale(row) = 1 / std::max(m.row(row).norm(), 1e-300);
   const Matrix<Space> scaled = scale.asDiagonal() * m;
-  const Eigen::SelfAdjointEigenSolver<Matrix<Space>> eigen(scaled * scaled.transpose());
-  return scale.cwiseProduct(eigen.eigenvectors().col(0));
+  return scale.cwiseProduct(Vector<Space>(least_eigenvector(scaled * scaled.transpose())));
 }
 
 template <class Space>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/control/interpolated_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/law/interpolated_compliance.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 
 namespace triax::sim {
 namespace {
@@ -33,7 +33,7 @@ class InterpolatedSolver {
     // Sign and size relative to the diagonal part, which is positive definite.
     const Matrix<Space> reference =
         control_.stress + control_.strain * Matrix<Space>(law_.mean().diagonal().asDiagonal());
-    rate_.determinant = jacobian.determinant() / reference.determinant();
+    rate_.determinant = determinant<Space>(jacobian) / determinant<Space>(reference);
     if (!found || !(rate_.determinant > 1e-9)) {
       rate_.culprit = culprit_row<Space>(left_null_vector<Space>(jacobian), control_.increment);
       rate_.determinant = std::min(rate_.determinant, 0.0);
@@ -51,7 +51,7 @@ class InterpolatedSolver {
   }
   Vector<Space> start() const {
     const Matrix<Space> a = control_.stress + control_.strain * law_.mean();
-    Vector<Space> v = a.partialPivLu().solve(control_.increment);
+    Vector<Space> v = sim::solve<Space>(a, control_.increment);
     if (!v.allFinite() || v.squaredNorm() == 0) v = identity<Space>();
     return v;
   }
@@ -62,7 +62,7 @@ class InterpolatedSolver {
       stress_ = v;
       if (r.norm() <= 1e-13 * size) return true;
       const Matrix<Space> jacobian = control_.stress + control_.strain * law_.tangent(v);
-      const Vector<Space> step = jacobian.partialPivLu().solve(r);
+      const Vector<Space> step = sim::solve<Space>(jacobian, r);
       if (!step.allFinite()) return false;
       double part = 1;
       for (;; part /= 2) {
@@ -82,7 +82,7 @@ class InterpolatedSolver {
   bool picard(Vector<Space> v, double size) {
     for (int i = 0; i < 100; ++i) {
       const Matrix<Space> a = control_.stress + control_.strain * law_.secant(v);
-      const Vector<Space> next = a.partialPivLu().solve(control_.increment);
+      const Vector<Space> next = sim::solve<Space>(a, control_.increment);
       if (!next.allFinite() || next.squaredNorm() == 0) return false;
       v = i < 30 ? next : Vector<Space>(0.5 * (v + next));
       if (residual(v).norm() <= 1e-6 * size) return newton(v, size);

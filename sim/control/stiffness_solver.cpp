@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/control/stiffness_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "sim/mechanics/linear_algebra.hpp"
 
 namespace triax::sim {
 namespace {
@@ -30,7 +31,7 @@ class ControlMatrix {
       inverse_ << a(1, 1), -a(0, 1), -a(1, 0), a(0, 0);
       inverse_ /= determinant;
     } else {
-      lu_.compute(a);
+      lu_ = Factors<Space>(a);
       determinant = lu_.determinant();
     }
     regular_ = std::abs(determinant) > kSingular * determinant_scale<Space>(a);
@@ -46,7 +47,7 @@ class ControlMatrix {
  private:
   struct Nothing {};
   std::conditional_t<Space::kSize == 2, Matrix<Space>, Nothing> inverse_;
-  std::conditional_t<Space::kSize == 2, Nothing, Eigen::PartialPivLU<Matrix<Space>>> lu_;
+  std::conditional_t<Space::kSize == 2, Nothing, Factors<Space>> lu_;
   bool regular_ = false;
 };
 
@@ -93,7 +94,7 @@ class StiffnessSolver {
     rate_.multiplier.fill(0);
     rate_.determinant = 0;
     rate_.culprit =
-        culprit_row<Space>(transposed.partialPivLu().solve(direction), control_.increment);
+        culprit_row<Space>(sim::solve<Space>(transposed, direction), control_.increment);
   }
 
   void solve_norm() {

@@ -6,12 +6,6 @@
 #include "sim/materials/strength.hpp"
 
 namespace triax::sim {
-namespace {
-
-/// A state this far (as a ratio) outside the cone is no round-off.
-constexpr double kFarOutside = 1e-6;
-
-}  // namespace
 
 const ParameterTable<DruckerPragerParameters>& drucker_prager_table() {
   static const auto table = elastic_and_strength_rows<DruckerPragerParameters>();

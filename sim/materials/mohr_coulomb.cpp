@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/materials/mohr_coulomb.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/materials/strength.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 
 namespace triax::sim {
 namespace {
 
-/// A state this far (as a ratio) outside the surface is no round-off.
-constexpr double kFarOutside = 1e-6;
 /// On an edge, principal stresses closer than this (as a ratio to the strength) have no axes of
 /// their own and take those of the remembered frame.
 constexpr double kTie = 1e-7;
@@ -85,13 +83,12 @@ typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(
     const PointState<Tensor>& state) const {
   Planes p;
   p.stress = matrix_of(state.stress);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(p.stress);
+  const Eigen::Matrix3d v = principal_axes(p.stress).directions;
   const double place = state.memory(6);
   if (place == kInside) {
-    p.axes = eigen.eigenvectors().rowwise().reverse();
+    p.axes = v.rowwise().reverse();
   } else {
     const Eigen::Matrix3d names = matrix_of(Vector<Tensor>(state.memory.head<6>()));
-    const Eigen::Matrix3d& v = eigen.eigenvectors();
     p.axes = sorted(v, (v.transpose() * names * v).diagonal());
     const int i = place == kCompressionEdge ? 1 : 0;
     const Eigen::Vector3d value = p.value();

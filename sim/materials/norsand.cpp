@@ -8,7 +8,7 @@ namespace triax::sim {
 namespace {
 
 /// Stress ratio by which a state must be inside the yield surface to count as elastic.
-constexpr double kInside = 1e-6;
+constexpr double kInsideSurface = 1e-6;
 
 /// Share of a rate's size that counts as none of it: round-off of the control's solution.
 constexpr double kNoRate = 1e-9;
@@ -36,7 +36,7 @@ constexpr const char* kSetForUndrained =
     "the volume changes, but this set is for undrained loading (pore_fluid_bulk_modulus_kPa is "
     "above 0); take one for drained loading, such as norsand/S28-MT-drained";
 
-constexpr double kLiquefied = 1;  // Pa; the law comes to p′ = 0 where e stays above Γ
+constexpr double kVanished = 1;  // Pa; the law comes to p′ = 0 where e stays above Γ
 
 /// (1, D) in terms of (ε_q, ε_v), or of (q, p): both the flow and the normal.
 Vector<Axisymmetric> shear_and_volume(double d) {
@@ -243,8 +243,8 @@ double NorSand::memory_scale(int entry) const {
 std::optional<std::string> NorSand::objection(const State& state) const {
   if (auto general = Law::objection(state)) return general;
   const double p = state.p();
-  if (p < kLiquefied)
-    return "p' is below " + short_number(kLiquefied / 1e3) +
+  if (p < kVanished)
+    return "p' is below " + short_number(kVanished / 1e3) +
            " kPa: liquefied, and the law's stiffness vanishes with p'";
   if (state.q() < -kOnYield * p)
     return "q is below 0, triaxial extension, and the law is one for compression";
@@ -261,7 +261,8 @@ std::optional<std::string> NorSand::objection(const State& state) const {
   if (!(i.stress_ratio > 0))
     return "the image state parameter is " + short_number(i.state_parameter) +
            ", with which M_i = M - χ_i N |ψ_i| is not above 0";
-  if (i.ratio > i.largest_ratio * (1 + kInside) && yield_distance(state, 0) < -kInside)
+  if (i.ratio > i.largest_ratio * (1 + kInsideSurface) &&
+      yield_distance(state, 0) < -kInsideSurface)
     return "inside the yield surface p' is below " +
            short_number(image_pressure(state) / i.largest_ratio / 1e3) +
            " kPa, the inner cap: a fall of p' below M_i is elastic and the stress ratio at the cap "
@@ -307,7 +308,7 @@ std::optional<std::string> NorSand::wrong_drainage(const State& state, const Rat
 }
 
 std::optional<std::string> NorSand::warning(const State& state) const {
-  if (yield_distance(state, 0) >= -kInside) return std::nullopt;
+  if (yield_distance(state, 0) >= -kInsideSurface) return std::nullopt;
   return "inside the yield surface, where the law is elastic and has no instability";
 }
 

@@ -7,8 +7,6 @@
 namespace triax::sim {
 namespace {
 
-const double kRoot = std::sqrt(2.0 / 3);
-
 /// p′/p_at below which the contraction is faded out.
 constexpr double kFade = 0.02;
 
@@ -71,9 +69,9 @@ PointState<Space> Sanisand<Space>::start(const Vector<Space>& stress, double voi
   State state{stress, void_ratio, Memory::Zero(3 * kSize)};
   // Consolidated under this stress: the yield surface stands around it.
   const Vector<Space> ratio = deviator<Space>(stress) / mean_stress<Space>(stress);
-  if (ratio.norm() > kRoot * parameters_.yield_radius)
+  if (ratio.norm() > kSanisandRoot * parameters_.yield_radius)
     state.memory.template segment<kSize>(0) =
-        ratio * (1 - kRoot * parameters_.yield_radius / ratio.norm());
+        ratio * (1 - kSanisandRoot * parameters_.yield_radius / ratio.norm());
   return state;
 }
 
@@ -149,7 +147,7 @@ double Sanisand<Space>::state_parameter(const State& state) const {
 template <class Space>
 double Sanisand<Space>::yield_distance(const State& state, int) const {
   const Vector<Space> from_axis = deviator<Space>(state.stress) / state.p() - alpha(state);
-  return from_axis.norm() - kRoot * parameters_.yield_radius;
+  return from_axis.norm() - kSanisandRoot * parameters_.yield_radius;
 }
 
 template <class Space>
@@ -157,7 +155,7 @@ void Sanisand<Space>::settle(State& state, unsigned mechanisms) const {
   if (mechanisms == 0) return;
   const Vector<Space> ratio = deviator<Space>(state.stress) / state.p();
   const Vector<Space> from_axis = ratio - alpha(state);
-  const double radius = kRoot * parameters_.yield_radius;
+  const double radius = kSanisandRoot * parameters_.yield_radius;
   state.memory.template segment<kSize>(0) = ratio - (radius / from_axis.norm()) * from_axis;
   if ((alpha(state) - alpha_in(state)).dot(from_axis) < 0)
     state.memory.template segment<kSize>(kSize) = alpha(state);
@@ -195,9 +193,9 @@ typename Sanisand<Space>::Loading Sanisand<Space>::loading(const State& state) c
   const double psi = state_parameter_at(relative_p, state.void_ratio);
   const double along = a.dot(l.n);
   const double limit = g * par.critical_stress_ratio;
-  l.bounding = kRoot * (limit * std::exp(-par.bounding_exponent * psi) - par.yield_radius);
+  l.bounding = kSanisandRoot * (limit * std::exp(-par.bounding_exponent * psi) - par.yield_radius);
   const double dilatancy_line =
-      kRoot * (limit * std::exp(par.dilatancy_exponent * psi) - par.yield_radius);
+      kSanisandRoot * (limit * std::exp(par.dilatancy_exponent * psi) - par.yield_radius);
   l.dilatancy =
       par.dilatancy_factor * (1 + std::max(0.0, fabric(state).dot(l.n))) * (dilatancy_line - along);
   if (l.dilatancy > 0) l.dilatancy *= contraction_fade(p);

@@ -21,9 +21,13 @@
 // a liquefying specimen to p′ = 0 at a finite strain.
 //
 // Memory: α, α_in, z, each with the components of the space.
+#include <cmath>
+
 #include "sim/law/parameters.hpp"
 
 namespace triax::sim {
+
+inline const double kSanisandRoot = std::sqrt(2.0 / 3);
 
 struct SanisandParameters {
   double shear_modulus_factor = 0;         ///< G₀

@@ -7,8 +7,6 @@
 namespace triax::sim {
 namespace {
 
-const double kRoot = std::sqrt(2.0 / 3);
-
 SanisandParameters without_fabric(SanisandParameters p) {
   p.fabric_limit = p.fabric_rate = 0;
   return p;
@@ -45,7 +43,7 @@ std::vector<std::string> SanisandModuli<Space>::memory_names() const {
 
 template <class Space>
 PointState<Space> SanisandModuli<Space>::standing(const State& state) const {
-  const double p = state.p(), radius = kRoot * law_.parameters().yield_radius;
+  const double p = state.p(), radius = kSanisandRoot * law_.parameters().yield_radius;
   Vector<Space> ratio = deviator<Space>(state.stress) / p;
   const double size = ratio.norm();
   const Vector<Space> n = size > 0 ? Vector<Space>(ratio / size) : compression<Space>();
@@ -106,7 +104,7 @@ double SanisandModuli<Space>::gone_back(const State& state) const {
   if (state.memory(kTurning) == 0) return 0;
   const State s = standing(state);
   const Vector<Space> way = law_.alpha(s) - state.memory.template segment<kSize>(kSize);
-  const double range = 2 * kRoot * law_.parameters().yield_radius;
+  const double range = 2 * kSanisandRoot * law_.parameters().yield_radius;
   return -state.memory(kRising) * way.dot(law_.loading(s).n) / range;
 }
 

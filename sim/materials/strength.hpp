@@ -6,6 +6,9 @@
 
 namespace triax::sim {
 
+/// A state this far (as a ratio) outside the yield surface is no round-off.
+inline constexpr double kFarOutside = 1e-6;
+
 /// Friction angle, cohesion and dilation angle, for a perfectly plastic law whose parameters hold
 /// friction_angle, cohesion_pa and dilation_angle (rad, Pa).
 template <class Parameters>

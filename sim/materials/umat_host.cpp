@@ -3,13 +3,13 @@
 
 #include <unistd.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "sim/materials/umat_exchange.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 
 namespace triax::sim {
 namespace {
@@ -117,17 +117,16 @@ void sinv_(const double* s, double* p, double* q, const int* direct, const int* 
 
 void sprinc_(const double* s, double* values, const int* kind, const int* direct,
              const int* shear) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor(s, *kind, *direct, *shear),
-                                                              Eigen::EigenvaluesOnly);
-  for (int i = 0; i < 3; ++i) values[i] = solver.eigenvalues()(i);
+  const auto [principal, axes] = principal_axes(tensor(s, *kind, *direct, *shear));
+  for (int i = 0; i < 3; ++i) values[i] = principal(i);
 }
 
 void sprind_(const double* s, double* values, double* directions, const int* kind,
              const int* direct, const int* shear) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor(s, *kind, *direct, *shear));
+  const auto [principal, axes] = principal_axes(tensor(s, *kind, *direct, *shear));
   for (int i = 0; i < 3; ++i) {
-    values[i] = solver.eigenvalues()(i);
-    for (int j = 0; j < 3; ++j) directions[i + 3 * j] = solver.eigenvectors()(j, i);
+    values[i] = principal(i);
+    for (int j = 0; j < 3; ++j) directions[i + 3 * j] = axes(j, i);
   }
 }
 

@@ -26,16 +26,17 @@ constexpr rlim_t kMostOutput = 256U << 20U;
 constexpr int kNameLength = 80;
 
 // Fortran's UMAT as Abaqus calls it; the last argument is the hidden length of CMNAME.
-using Umat = void (*)(double* stress, double* statev, double* ddsdde, double* sse, double* spd,
-                      double* scd, double* rpl, double* ddsddt, double* drplde, double* drpldt,
-                      const double* stran, const double* dstran, const double* time,
-                      const double* dtime, const double* temp, const double* dtemp,
-                      const double* predef, const double* dpred, const char* cmname, const int* ndi,
-                      const int* nshr, const int* ntens, const int* nstatv, const double* props,
-                      const int* nprops, const double* coords, const double* drot, double* pnewdt,
-                      const double* celent, const double* dfgrd0, const double* dfgrd1,
-                      const int* noel, const int* npt, const int* layer, const int* kspt,
-                      const int* kstep, const int* kinc, std::size_t cmname_length);
+using UmatRoutine = void (*)(double* stress, double* statev, double* ddsdde, double* sse,
+                             double* spd, double* scd, double* rpl, double* ddsddt, double* drplde,
+                             double* drpldt, const double* stran, const double* dstran,
+                             const double* time, const double* dtime, const double* temp,
+                             const double* dtemp, const double* predef, const double* dpred,
+                             const char* cmname, const int* ndi, const int* nshr, const int* ntens,
+                             const int* nstatv, const double* props, const int* nprops,
+                             const double* coords, const double* drot, double* pnewdt,
+                             const double* celent, const double* dfgrd0, const double* dfgrd1,
+                             const int* noel, const int* npt, const int* layer, const int* kspt,
+                             const int* kstep, const int* kinc, std::size_t cmname_length);
 
 int watched_parent = 0;
 
@@ -99,11 +100,11 @@ void become_a_worker(UmatExchange& exchange, int output, int parent) {
   _exit(0);
 }
 
-Umat load(const UmatPlugin& plugin, UmatExchange& exchange, void*& handle) {
+UmatRoutine load(const UmatPlugin& plugin, UmatExchange& exchange, void*& handle) {
   handle = dlopen(plugin.library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) refuse(exchange, dlerror());
   for (const char* name : {"umat_", "umat", "UMAT"})
-    if (void* found = dlsym(handle, name)) return reinterpret_cast<Umat>(found);
+    if (void* found = dlsym(handle, name)) return reinterpret_cast<UmatRoutine>(found);
   refuse(exchange, "has no subroutine UMAT (neither umat_ nor umat nor UMAT)");
 }
 
@@ -113,7 +114,7 @@ std::array<double, 9> deformation_gradient(const std::array<double, 6>& strain) 
   return {1 + strain[0], xy, xz, xy, 1 + strain[1], yz, xz, yz, 1 + strain[2]};
 }
 
-void call_once(Umat umat, const UmatPlugin& plugin, UmatCall& c) {
+void call_once(UmatRoutine umat, const UmatPlugin& plugin, UmatCall& c) {
   std::array<char, kNameLength> name{};
   name.fill(' ');
   plugin.name.copy(name.data(), name.size());
@@ -165,7 +166,7 @@ void run_umat(const UmatPlugin& plugin, UmatExchange& exchange, int output, int 
   become_a_worker(exchange, output, parent);
   umat_host_serve(&exchange);
   void* handle = nullptr;
-  const Umat umat = load(plugin, exchange, handle);
+  const UmatRoutine umat = load(plugin, exchange, handle);
   exchange.stage = UmatStage::ready;
   sem_post(&exchange.answered);
   for (;;) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/point/finite_driver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/control/control_solver.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 
 namespace triax::sim {
 namespace {
@@ -19,7 +20,7 @@ constexpr int kMostIterations = 25;
 /// Residual at which the control counts as met, of what is asked for and of the stress.
 constexpr double kMet = 1e-9, kRoundOff = 1e-13;
 /// det(S T + E) over the elastic one from which on a failure to meet the control is its loss.
-constexpr double kVanished = 0.02;
+constexpr double kVanishedTangent = 0.02;
 /// Strain of a rate, and strain by which a tangent is found by differences.
 constexpr double kRateStrain = 1e-7, kDifference = 1e-8;
 
@@ -48,14 +49,17 @@ class FiniteDriver {
 
   const PreparedControl<Space>& control() const { return control_; }
   const Matrix<Space>& elastic() const { return elastic_; }
-  bool regular() const { return Eigen::FullPivLU<Matrix<Space>>(matrix(elastic_)).isInvertible(); }
+  /// What an elastic law would answer; nothing where the conditions do not determine it.
+  std::optional<Vector<Space>> elastic_strain() const {
+    return solve_regular<Space>(matrix(elastic_), control_.increment);
+  }
   bool determined() const { return !control_.strain_driven || control_.determined; }
 
   Matrix<Space> matrix(const Matrix<Space>& tangent) const {
     return control_.stress * tangent + control_.strain;
   }
   double determinant(const Matrix<Space>& tangent) const {
-    return matrix(tangent).determinant() / matrix(elastic_).determinant();
+    return sim::determinant<Space>(matrix(tangent)) / sim::determinant<Space>(matrix(elastic_));
   }
 
   /// Newton's method on S Δσ(Δε) + E Δε = fraction dy, begun with `tangent`.
@@ -78,11 +82,12 @@ class FiniteDriver {
   /// Row that cannot be held, or −1 where the control is not at its limit. The plastic tangent is
   /// looked for beyond the state, where the increment leads.
   int culprit(const PointState<Space>& at, const Attempt<Space>& missed) const {
-    if (!regular()) return row_of(elastic_);
+    if (!elastic_strain()) return row_of(elastic_);
     const Matrix<Space> beyond =
         missed.strain.allFinite() ? differences(at, missed.strain) : missed.tangent;
     for (const Matrix<Space>& tangent : {beyond, missed.tangent})
-      if (tangent.allFinite() && determinant(tangent) < kVanished) return critical_row(tangent);
+      if (tangent.allFinite() && determinant(tangent) < kVanishedTangent)
+        return critical_row(tangent);
     return -1;
   }
 
@@ -154,7 +159,7 @@ class FiniteDriver {
   }
 
   Vector<Space> correction(const Matrix<Space>& tangent, const Vector<Space>& residual) const {
-    return matrix(tangent).partialPivLu().solve(residual);
+    return solve<Space>(matrix(tangent), residual);
   }
 
   const Law<Space>& law_;
@@ -252,14 +257,13 @@ PointRate<Space> finite_rate(const Law<Space>& law, const PointState<Space>& sta
     rate.controllable = true;
     return rate;
   }
-  const Vector<Space> elastic =
-      driver.matrix(driver.elastic()).fullPivLu().solve(driver.control().increment);
-  if (!driver.regular() || !elastic.allFinite()) {
+  const std::optional<Vector<Space>> elastic = driver.elastic_strain();
+  if (!elastic || !elastic->allFinite()) {
     rate.determinant = 0;
     rate.culprit = driver.culprit(state, {});
     return rate;
   }
-  const double fraction = kRateStrain / elastic.norm();
+  const double fraction = kRateStrain / elastic->norm();
   const auto small = driver.meet(state, fraction, driver.elastic());
   if (!small.failure.empty()) return rate;
   if (!small.met) {

@@ -23,11 +23,11 @@ Eigen::Matrix<double, 1, 2 * Space::kSize> direction(const MixedControl<Space>& 
 /// The first row that follows from those before it; −1 where all are independent.
 template <class Space>
 int dependent_row(const MixedControl<Space>& c) {
-  Eigen::Matrix<double, Eigen::Dynamic, 2 * Space::kSize> rows(0, 2 * Space::kSize);
+  Eigen::MatrixXd rows(0, 2 * Space::kSize);
   for (int row = 0; row < Space::kSize; ++row) {
     rows.conservativeResize(row + 1, Eigen::NoChange);
     rows.row(row) = direction(c, row);
-    Eigen::FullPivLU<decltype(rows)> lu(rows);
+    Eigen::FullPivLU<Eigen::MatrixXd> lu(rows);
     lu.setThreshold(1e-9);
     if (lu.rank() != row + 1) return row;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/point/point_driver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "sim/law/on_yield.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 #include "sim/point/finite_driver.hpp"
 #include "sim/point/self_driven.hpp"
 
@@ -276,11 +276,11 @@ void PointDriver<Space>::blame(const PointState<Space>& at, const Vector<Space>&
   law_.response(at, response_);
   const auto* form = std::get_if<StiffnessForm<Space>>(&response_);
   const Matrix<Space> compliance =
-      form != nullptr ? Matrix<Space>(form->stiffness.inverse())
+      form != nullptr ? inverse<Space>(form->stiffness)
                       : Matrix<Space>(std::get<InterpolatedForm<Space>>(response_).plus);
   const Matrix<Space> a = (control_.stress + control_.strain * compliance).transpose();
-  step.culprit = culprit_row<Space>(a.partialPivLu().solve(compliance.transpose() * direction),
-                                    control_.increment);
+  step.culprit =
+      culprit_row<Space>(solve<Space>(a, compliance.transpose() * direction), control_.increment);
 }
 
 /// Whether a strain that nothing holds has grown without end; the condition to blame is then the

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/stability/incremental_response.hpp"
 
-#include <Eigen/LU>
-
 #include "sim/law/on_yield.hpp"
+#include "sim/mechanics/linear_algebra.hpp"
 #include "sim/point/finite_driver.hpp"
 
 namespace triax::sim {
-namespace {
-
-template <class Space>
-std::optional<Matrix<Space>> inverse(const Matrix<Space>& m) {
-  if (!m.allFinite()) return std::nullopt;
-  const Eigen::PartialPivLU<Matrix<Space>> lu(m);
-  if (!(lu.rcond() > 1e-13)) return std::nullopt;
-  return lu.inverse();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 template <class Space>
 IncrementalResponse<Space>::IncrementalResponse(const Law<Space>& law,
@@ -106,7 +95,7 @@ Matrix<Space> IncrementalResponse<Space>::finite_tangent(const PointRate<Space>&
 template <class Space>
 std::optional<Matrix<Space>> IncrementalResponse<Space>::tangent_stiffness(
     const PointRate<Space>& rate) const {
-  if (compliance_) return inverse<Space>(compliance_->tangent(rate.stress));
+  if (compliance_) return regular_inverse<Space>(compliance_->tangent(rate.stress));
   if (law_.finite()) return finite_tangent(rate);
   const auto& form = std::get<StiffnessForm<Space>>(response_);
   Matrix<Space> tangent = form.stiffness;
@@ -130,7 +119,7 @@ template <class Space>
 std::optional<Matrix<Space>> IncrementalResponse<Space>::tangent_compliance(
     const PointRate<Space>& rate) const {
   if (compliance_) return compliance_->tangent(rate.stress);
-  return inverse<Space>(*tangent_stiffness(rate));
+  return regular_inverse<Space>(*tangent_stiffness(rate));
 }
 
 template class IncrementalResponse<Axisymmetric>;

@@ -10,7 +10,7 @@
 namespace triax::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 /// Steps below which a descent ends, rad: the minimum's value is then exact to round-off.
 constexpr double kFinest = 1e-8;
 
@@ -52,7 +52,7 @@ PointRate<Tensor> answer(const IncrementalResponse<Tensor>& response, ProbeKind 
 class Cells {
  public:
   explicit Cells(const Sphere& sphere)
-      : sphere_(sphere), step_(kPi / sphere.rings), unstable_(sphere.probes.size()) {
+      : sphere_(sphere), step_(kHalfTurn / sphere.rings), unstable_(sphere.probes.size()) {
     for (std::size_t i = 0; i < unstable_.size(); ++i) unstable_[i] = is_unstable(sphere.probes[i]);
   }
 
@@ -132,7 +132,7 @@ class Cells {
 double unstable_share(const IncrementalResponse<Tensor>& response, ProbeKind kind,
                       const Sphere& sphere, const Cells& cells) {
   constexpr int kParts = 6;
-  const double step = kPi / sphere.rings;
+  const double step = kHalfTurn / sphere.rings;
   const auto cut = cells.at_boundary();
   double share = 0;
   for (int cell = 0; cell < cells.count(); ++cell) {
@@ -168,7 +168,7 @@ SphereProbe probe_direction(const IncrementalResponse<Tensor>& response, ProbeKi
   probe.polar = std::acos(std::clamp(direction.sum() / std::sqrt(3.0), -1.0, 1.0));
   probe.azimuth = std::atan2((direction(1) - direction(2)) / std::sqrt(2.0),
                              (2 * direction(0) - direction(1) - direction(2)) / std::sqrt(6.0));
-  if (probe.azimuth < 0) probe.azimuth += 2 * kPi;
+  if (probe.azimuth < 0) probe.azimuth += 2 * kHalfTurn;
   probe.direction = direction;
   Vector<Tensor> imposed = Vector<Tensor>::Zero();
   imposed.head<3>() = direction;
@@ -183,7 +183,7 @@ SphereProbe probe_direction(const IncrementalResponse<Tensor>& response, ProbeKi
 Sphere probe_sphere(const IncrementalResponse<Tensor>& response, ProbeKind kind, int rings) {
   if (rings < 6) throw std::invalid_argument("a sphere needs at least 6 rings of directions");
   Sphere sphere{.rings = rings, .sectors = 2 * rings};
-  const double step = kPi / rings;
+  const double step = kHalfTurn / rings;
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < sphere.sectors; ++j) {
       const double polar = (i + 0.5) * step;

@@ -8,7 +8,7 @@
 namespace triax::sim {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWholeTurn = 2 * std::numbers::pi;
 
 Eigen::Matrix2d symmetric(const Eigen::Matrix2d& m) { return (m + m.transpose()) / 2; }
 
@@ -30,7 +30,7 @@ template <class Space>
 std::vector<std::optional<double>> works(const IncrementalResponse<Space>& response, int steps) {
   std::vector<std::optional<double>> all;
   for (int i = 0; i < steps; ++i) {
-    const auto rate = stress_rate(response, kTurn * i / steps);
+    const auto rate = stress_rate(response, kWholeTurn * i / steps);
     all.push_back(rate.controllable ? std::optional(rate.second_order_work()) : std::nullopt);
   }
   return all;
@@ -46,8 +46,8 @@ std::optional<StabilityDeterminant> own_eigenvector(const IncrementalResponse<Sp
     if (!h) return std::nullopt;
     const double turn = std::remainder(least_direction(*h) - angle, std::numbers::pi);
     if (std::abs(turn) < 1e-8) {
-      const double turns = std::floor(angle / kTurn);
-      return StabilityDeterminant{relative_determinant(*h), angle - turns * kTurn};
+      const double turns = std::floor(angle / kWholeTurn);
+      return StabilityDeterminant{relative_determinant(*h), angle - turns * kWholeTurn};
     }
     angle += turn;
   }
@@ -101,7 +101,7 @@ std::optional<StabilityDeterminant> stability_determinant(
   for (std::size_t i = 0; i < n; ++i) {
     const auto &before = work[(i + n - 1) % n], &here = work[i], &after = work[(i + 1) % n];
     if (!here || (before && *before < *here) || (after && *after < *here)) continue;
-    const auto found = own_eigenvector(response, kTurn * static_cast<double>(i) / directions);
+    const auto found = own_eigenvector(response, kWholeTurn * static_cast<double>(i) / directions);
     if (found && (!least || found->value < least->value)) least = found;
   }
   return least;

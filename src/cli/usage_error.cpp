@@ -16,7 +16,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-std::vector<std::string> option_names(const CLI::App& app) {
+std::vector<std::string> long_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const auto* option : app.get_options())
     for (const auto& name : option->get_lnames()) names.push_back("--" + name);
@@ -62,7 +62,7 @@ std::string superfluous(const CLI::App& command, const std::string& named) {
   for (const auto& text : rest)
     if (looks_like_option(text)) {
       const std::string name = text.substr(0, text.find('='));
-      const std::string near = lab::nearest(name, option_names(command));
+      const std::string near = lab::nearest(name, long_names(command));
       return fmt::format("unknown option {}{}", name,
                          near.empty() ? std::string() : fmt::format("; did you mean {}?", near));
     }

@@ -9,8 +9,6 @@
 namespace triax::src {
 namespace {
 
-constexpr double kPa = 1e3;
-
 Subject subject_of(const study::ReportedDomain& domain) {
   return {.material = domain.settings.material.name,
           .state = fmt::format("e = {:g}", domain.settings.grid.void_ratio),
@@ -30,15 +28,23 @@ FigureData data_of(const study::ReportedDomain& domain, const study::ConesPictur
                               {"test_alpha_deg", "°"}},
                   .rows = {}};
   for (const auto& at : picture.states) {
-    if (at.cones.empty()) data.rows.push_back({at.state.p / kPa, at.state.q / kPa, {}, {}, {}});
+    if (at.cones.empty())
+      data.rows.push_back({at.state.p / study::kKilo, at.state.q / study::kKilo, {}, {}, {}});
     for (const auto& [from, to] : at.cones)
-      data.rows.push_back(
-          {at.state.p / kPa, at.state.q / kPa, sim::degrees(from), sim::degrees(to), {}});
+      data.rows.push_back({at.state.p / study::kKilo,
+                           at.state.q / study::kKilo,
+                           sim::degrees(from),
+                           sim::degrees(to),
+                           {}});
   }
   for (const auto& test : picture.tests) {
     data.remarks.push_back(fmt::format("test_alpha_deg: {}, {}", test.name,
                                        test.simulated ? "simulated" : "recorded"));
-    data.rows.push_back({test.state.p / kPa, test.state.q / kPa, {}, {}, sim::degrees(test.angle)});
+    data.rows.push_back({test.state.p / study::kKilo,
+                         test.state.q / study::kKilo,
+                         {},
+                         {},
+                         sim::degrees(test.angle)});
   }
   return data;
 }

@@ -16,7 +16,7 @@
 namespace triax::src {
 namespace {
 
-struct Options {
+struct ElementOptions {
   std::string path;
   std::vector<std::string> sets;
   std::string output;
@@ -24,7 +24,7 @@ struct Options {
   std::string format;
 };
 
-void run(const Options& o) {
+void run_element(const ElementOptions& o) {
   const lab::PathDescription description =
       study::described_path(o.path, key_values(o.sets, "void_ratio=1.086"));
   refuse_overwriting("--output", o.output, description.files, "what the path is read from");
@@ -84,7 +84,7 @@ Command element_command() {
            {"triax element path.toml --set material=sanisand/Toyoura-DM04 --output rows.csv",
             "another material, and all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
-        const auto o = std::make_shared<Options>();
+        const auto o = std::make_shared<ElementOptions>();
         app.add_option("PATH", o->path,
                        "path file (.toml), folder of incrementalDriver files, or its test.inp")
             ->required()
@@ -100,7 +100,7 @@ Command element_command() {
                        "write an increment that could not be done as a path of its own")
             ->type_name("FILE.toml");
         add_format(app, o->format, {"text", "json", "csv"});
-        return [o] { run(*o); };
+        return [o] { run_element(*o); };
       }};
 }
 

@@ -12,13 +12,13 @@
 namespace triax::src {
 namespace {
 
-struct Options {
+struct MaterialsOptions {
   std::string name;
   std::string file;
   bool json = false;
 };
 
-void run(const Options& o) {
+void run_materials(const MaterialsOptions& o) {
   const auto sets = o.file.empty() ? lab::shipped_materials()
                                    : lab::read_materials(lab::read_text_file(o.file), o.file);
   if (o.name.empty()) return print(o.json ? materials_json(sets) : materials_text(sets));
@@ -43,12 +43,12 @@ Command materials_command() {
                        {"triax materials sanisand/S28-general", "the parameters of one set"},
                        {"triax materials --materials my_sand.toml", "your own sets"}},
           .set_up = [](CLI::App& app) -> std::function<void()> {
-            const auto o = std::make_shared<Options>();
+            const auto o = std::make_shared<MaterialsOptions>();
             app.add_option("NAME", o->name, "set LAW/SET, or law")->type_name("");
             app.add_option("--materials", o->file, "sets of this file instead of the shipped ones")
                 ->type_name("FILE.toml");
             add_json(app, o->json);
-            return [o] { run(*o); };
+            return [o] { run_materials(*o); };
           }};
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kRowsOfText = 20;
 
-std::string in_percent(const study::PathResult& path, const study::ResultPoint& at,
+std::string percent_of(const study::PathResult& path, const study::ResultPoint& at,
                        const char* column) {
   const auto value = path.value(at, column);
   return number(value ? std::optional(100 * *value) : std::nullopt, 3);
@@ -22,7 +22,7 @@ std::string in_percent(const study::PathResult& path, const study::ResultPoint& 
 
 std::string state_line(const study::PathResult& path, const study::ResultPoint& at) {
   const auto eta = path.told_eta(at);
-  return fmt::format("ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa", in_percent(path, at, "axial_strain"),
+  return fmt::format("ε₁ {} %, q {} kPa, p′ {} kPa, u {} kPa", percent_of(path, at, "axial_strain"),
                      number(path.value(at, "q_kPa"), 2), number(path.value(at, "p_eff_kPa"), 2),
                      number(path.value(at, "pore_pressure_kPa"), 2)) +
          (eta ? ", η " + number(eta, 4) : "");
@@ -39,8 +39,8 @@ Table rows_table(const study::PathResult& path) {
     // Evenly spread, first and last among them.
     const auto& row = path.rows[shown == 1 ? 0 : i * (count - 1) / (shown - 1)];
     table.rows.push_back(
-        {row.segment, in_percent(path, row, "axial_strain"),
-         in_percent(path, row, "volumetric_strain"), number(path.value(row, "q_kPa"), 2),
+        {row.segment, percent_of(path, row, "axial_strain"),
+         percent_of(path, row, "volumetric_strain"), number(path.value(row, "q_kPa"), 2),
          number(path.value(row, "p_eff_kPa"), 2), number(path.value(row, "pore_pressure_kPa"), 2),
          number(path.told_eta(row), 4), number(path.value(row, "void_ratio"), 5),
          number(path.value(row, "second_order_work_normalised"), 4)});

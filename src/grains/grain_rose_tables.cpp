@@ -14,7 +14,6 @@ namespace triax::src {
 namespace {
 
 std::string micro(double strain) { return number(1e6 * strain, 3); }
-std::string in_joule(double value) { return fmt::format("{:.2e}", value); }
 
 /// Decimals that show the smallest work with three digits.
 int work_decimals(const sim::ProbeRose& rose) {

@@ -18,7 +18,6 @@ Table with_columns(const std::vector<std::string>& left, const std::vector<std::
   return table;
 }
 
-std::string in_joule(double value) { return fmt::format("{:.2e}", value); }
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
 /// Value and strain, or unknown.

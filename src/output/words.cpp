@@ -39,6 +39,8 @@ std::string in_mm(std::optional<double> metres, int decimals) {
   return number(scaled(metres, 1e3), decimals);
 }
 
+std::string in_joule(double joule) { return fmt::format("{:.2e}", joule); }
+
 std::string with_unit(const std::string& number, const std::string& unit) {
   return number == kUnknown ? number : number + ' ' + unit;
 }

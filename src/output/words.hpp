@@ -17,6 +17,7 @@ std::string in_kPa(std::optional<double> pa, int decimals = 1);
 std::string in_degrees(std::optional<double> rad, int decimals = 2);
 std::string in_percent(std::optional<double> plain, int decimals = 2);
 std::string in_mm(std::optional<double> metres, int decimals = 2);
+std::string in_joule(double joule);
 /// With its unit: "12.5 s".
 std::string with_unit(const std::string& number, const std::string& unit);
 /// "41.0 s", "12.3 min" or "1.70 h", whichever is short.

@@ -17,6 +17,9 @@ struct EndPlot {
 };
 using OwnPlot = std::unique_ptr<QCustomPlot, EndPlot>;
 
+/// Of 1/72 inch, in a pixel of 1/96 inch.
+inline constexpr double kPointsPerPixel = 0.75;
+
 /// A finished plot. Its size is in CSS pixels (1/96 inch); text is laid out for that size.
 struct Drawing {
   OwnPlot plot;

@@ -18,8 +18,6 @@
 namespace triax::src {
 namespace {
 
-constexpr double kPointsPerPixel = 0.75;  // of 1/72 and 1/96 inch
-
 /// Blanks over the time of writing that Qt notes; as long as before, because a PDF finds its parts
 /// by their place in the file.
 std::string without_date(std::string pdf) {

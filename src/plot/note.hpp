@@ -2,9 +2,9 @@
 #pragma once
 // A line below a plot, written into the figure itself: a picture taken out of its report keeps what
 // it says of its origin.
-#include <qcustomplot.h>
-
 #include <string>
+
+class QCustomPlot;
 
 namespace triax::src {
 

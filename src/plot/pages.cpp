@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "lab/base/bad_input.hpp"
+#include "src/plot/drawing.hpp"
 #include "src/plot/plot_style.hpp"
 
 namespace triax::src {
@@ -15,7 +16,6 @@ namespace {
 
 // All lengths are in points of 1/72 inch: an A4 page is 595 by 842.
 constexpr int kPointsPerInch = 72;
-constexpr double kPointsPerPixel = 0.75;  // of a figure: 96 CSS pixels an inch
 constexpr double kMargin = 48;
 constexpr double kHeadHeight = 22;     // of the running head and of the line with the page number
 constexpr double kBroadFigure = 0.42;  // of a page's height

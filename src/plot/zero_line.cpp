@@ -12,10 +12,10 @@ namespace triax::src {
 namespace {
 
 /// A side of a square: its lower left place, and whether it runs up. A line crosses it once.
-struct Side {
+struct CellSide {
   int column, row;
   bool up;
-  auto operator<=>(const Side&) const = default;
+  auto operator<=>(const CellSide&) const = default;
 };
 
 class Lines {
@@ -29,7 +29,7 @@ class Lines {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     Points points;
     while (!ways_.empty()) {
-      std::list<Side> line = {ways_.begin()->first};
+      std::list<CellSide> line = {ways_.begin()->first};
       while (const auto next = step_from(line.back())) line.push_back(*next);
       while (const auto next = step_from(line.front())) line.push_front(*next);
       if (!points.empty()) points.emplace_back(kGap, kGap);
@@ -39,12 +39,12 @@ class Lines {
   }
 
  private:
-  std::array<double, 2> ends(const Side& side) const {
+  std::array<double, 2> ends(const CellSide& side) const {
     return {raster_.at(side.column, side.row), side.up ? raster_.at(side.column, side.row + 1)
                                                        : raster_.at(side.column + 1, side.row)};
   }
 
-  QPointF crossing(const Side& side) const {
+  QPointF crossing(const CellSide& side) const {
     const auto [a, b] = ends(side);
     const double part = a / (a - b);
     const double x = raster_.coordinate(side.column), y = raster_.coordinate(side.row);
@@ -54,11 +54,11 @@ class Lines {
 
   // A line enters and leaves a square where the sign changes along its sides.
   void add_square(int column, int row) {
-    const std::array<Side, 4> sides = {{{column, row, false},
-                                        {column + 1, row, true},
-                                        {column, row + 1, false},
-                                        {column, row, true}}};
-    std::vector<Side> crossed;
+    const std::array<CellSide, 4> sides = {{{column, row, false},
+                                            {column + 1, row, true},
+                                            {column, row + 1, false},
+                                            {column, row, true}}};
+    std::vector<CellSide> crossed;
     for (const auto& side : sides) {
       const auto [a, b] = ends(side);
       if (!std::isfinite(a) || !std::isfinite(b)) return;
@@ -71,10 +71,10 @@ class Lines {
   }
 
   /// Takes one way out of a crossing, both directions of it.
-  std::optional<Side> step_from(const Side& here) {
+  std::optional<CellSide> step_from(const CellSide& here) {
     const auto way = ways_.find(here);
     if (way == ways_.end()) return std::nullopt;
-    const Side there = way->second;
+    const CellSide there = way->second;
     ways_.erase(way);
     const auto [first, last] = ways_.equal_range(there);
     for (auto back = first; back != last; ++back)
@@ -86,7 +86,7 @@ class Lines {
   }
 
   const Raster& raster_;
-  std::multimap<Side, Side> ways_;
+  std::multimap<CellSide, CellSide> ways_;
 };
 
 }  // namespace

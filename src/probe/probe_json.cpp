@@ -8,10 +8,6 @@
 namespace triax::src {
 namespace {
 
-constexpr bool axisymmetric(const study::Probing& probing) {
-  return probing.plane == sim::ProbePlane::axisymmetric;
-}
-
 study::Json normalised(const sim::Probe& probe) {
   return probe.answered ? study::json_number(probe.normalised) : study::Json(nullptr);
 }
@@ -19,19 +15,19 @@ study::Json normalised(const sim::Probe& probe) {
 study::Json probing_json(const study::Probing& probing) {
   const bool stress = probing.kind == sim::ProbeKind::stress;
   return {{"kind", stress ? "stress" : "strain"},
-          {"plane", axisymmetric(probing) ? "axisymmetric" : "plane-strain"},
+          {"plane", probing.axisymmetric() ? "axisymmetric" : "plane-strain"},
           {"norm_kPa", stress ? study::json_kPa(probing.norm) : study::Json(nullptr)},
           {"norm_strain", stress ? study::Json(nullptr) : study::Json(probing.norm)},
           {"step_deg", probing.step_deg()},
           {"finite", probing.finite},
-          {"norms", axisymmetric(probing) ? "full" : "plane"}};
+          {"norms", probing.axisymmetric() ? "full" : "plane"}};
 }
 
 study::Json increment_json(const sim::PlaneVector& v, const study::Probing& probing, double unit,
                            const std::string& suffix) {
-  const double lateral = axisymmetric(probing) ? v.x() / std::numbers::sqrt2 : v.x();
+  const double lateral = probing.axisymmetric() ? v.x() / std::numbers::sqrt2 : v.x();
   return {{"axial" + suffix, study::json_number(v.y() / unit)},
-          {(axisymmetric(probing) ? "radial" : "lateral") + suffix,
+          {(probing.axisymmetric() ? "radial" : "lateral") + suffix,
            study::json_number(lateral / unit)}};
 }
 

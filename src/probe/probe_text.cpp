@@ -16,10 +16,6 @@
 namespace triax::src {
 namespace {
 
-bool axisymmetric(const study::Probing& probing) {
-  return probing.plane == sim::ProbePlane::axisymmetric;
-}
-
 std::string openings(const std::vector<sim::Cone>& cones) {
   std::string words;
   for (const auto& cone : cones)
@@ -27,7 +23,7 @@ std::string openings(const std::vector<sim::Cone>& cones) {
   return words.empty() ? kUnknown : words;
 }
 
-std::string normalised(const sim::Probe& probe) {
+std::string normalised_words(const sim::Probe& probe) {
   return number(probe.answered ? std::optional(probe.normalised) : std::nullopt, 4);
 }
 
@@ -50,16 +46,16 @@ Table state_table(const study::ProbeResult& result) {
     row.insert(row.end(), {in_kPa(state.p, 2), in_kPa(state.q, 2), number(state.eta(), 4),
                            number(state.void_ratio, 4),
                            cones_in_words(state.circle, result.probing.directions),
-                           openings(state.circle.cones), normalised(least),
+                           openings(state.circle.cones), normalised_words(least),
                            in_degrees(least.answered ? std::optional(least.angle) : std::nullopt),
-                           normalised(state.isotropic_unloading)});
+                           normalised_words(state.isotropic_unloading)});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 Table probes_table(const study::ProbeResult& result, const study::ProbedState& state) {
-  const double root = axisymmetric(result.probing) ? std::numbers::sqrt2 : 1;
+  const double root = result.probing.axisymmetric() ? std::numbers::sqrt2 : 1;
   Table table;
   for (const char* heading :
        {"α (°)", "W₂ norm.", "W₂ (Pa)", "dσ₁ (kPa)", "dσ₃ (kPa)", "dε₁", "dε₃"})
@@ -85,7 +81,7 @@ std::string own_words(const study::ProbedState& state) {
   std::string words = fmt::format("α {}° ± {}°, measured W₂ {} ± {}", in_degrees(own.angle, 1),
                                   in_degrees(own.angle_error, 1), number(own.normalised, 3),
                                   number(own.normalised_error, 3));
-  if (state.own) words += ", the law's W₂ there " + normalised(*state.own);
+  if (state.own) words += ", the law's W₂ there " + normalised_words(*state.own);
   return words;
 }
 
@@ -165,7 +161,7 @@ std::string probe_text(const study::ProbeResult& result, const ProbeDetails& det
   out += fmt::format(
       "  W₂ normalised, dσ′:dε/(|dσ′||dε|){}; the last column is that of isotropic "
       "unloading{}\n\n",
-      axisymmetric(result.probing) ? "" : ", norms in the plane",
+      result.probing.axisymmetric() ? "" : ", norms in the plane",
       result.probing.kind == sim::ProbeKind::strain ? ", a stress increment by the rate" : "");
   for (const study::ProbedState& state : result.states) {
     if (state.circle.unanswered > 0)
@@ -182,10 +178,10 @@ std::string probe_text(const study::ProbeResult& result, const ProbeDetails& det
   if (result.states.size() == 1) {
     const study::ProbedState& state = result.states.front();
     const std::string by = result.probing.finite ? "by the rate, " : "";
-    out += fact("control",
-                fmt::format("{}of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}", by,
-                            axisymmetric(result.probing) ? "2" : "", lost_in_words(state.control)));
-    out += fact(axisymmetric(result.probing) ? "Eq. (34)" : "Eq. (35)",
+    out += fact("control", fmt::format("{}of dε₁ + {}R dε₃ and dσ₁′ − dσ₃′/R: {}", by,
+                                       result.probing.axisymmetric() ? "2" : "",
+                                       lost_in_words(state.control)));
+    out += fact(result.probing.axisymmetric() ? "Eq. (34)" : "Eq. (35)",
                 by + roots_in_words(state.control));
   }
   for (const study::ProbedState& state : result.states)

@@ -11,7 +11,7 @@
 namespace triax::src {
 namespace {
 
-struct Options {
+struct QueryOptions {
   std::string text;
   std::string db = "triax.db";
   std::string format = "text";
@@ -25,7 +25,7 @@ void list_queries(ResultWriter& writer) {
   writer.finish();
 }
 
-void run(const Options& o) {
+void run_query(const QueryOptions& o) {
   const auto writer = make_result_writer(o.format);
   if (o.list || o.text.empty()) return list_queries(*writer);
   db::query(
@@ -55,12 +55,12 @@ Command query_command() {
                {"triax query \"SELECT reading, q_kPa FROM states WHERE test_id = 1\" --format csv",
                 "one test's readings for a spreadsheet"}},
           .set_up = [](CLI::App& app) -> std::function<void()> {
-            const auto o = std::make_shared<Options>();
+            const auto o = std::make_shared<QueryOptions>();
             app.add_option("NAME|SQL", o->text, "name of a query, or SQL")->type_name("");
             add_db(app, o->db);
             add_format(app, o->format, {"text", "csv", "json"});
             app.add_flag("--list", o->list, "list the named queries");
-            return [o] { run(*o); };
+            return [o] { run_query(*o); };
           }};
 }
 

@@ -15,15 +15,12 @@
 #include "src/output/progress_bar.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
+#include "src/triaxial/shown_on.hpp"
 
 namespace triax::src {
 namespace {
 
-lab::SessionListener shown_on(ProgressBar& bar) {
-  return {.progressed = [&bar](double fraction) { bar.show(fraction); }};
-}
-
-struct Options {
+struct ReplayOptions {
   std::vector<std::string> records;
   std::string dialect;
   std::vector<std::string> sets;
@@ -36,7 +33,7 @@ struct Options {
 /// All records opened, so that whatever can be seen in their heads is told before the first has run
 /// for minutes. Beyond the first hundred only the looking remains: files stay open no longer than
 /// the system allows.
-std::vector<std::unique_ptr<lab::RecordedRig>> look_at_all(const Options& o,
+std::vector<std::unique_ptr<lab::RecordedRig>> look_at_all(const ReplayOptions& o,
                                                            const lab::RecordOptions& options,
                                                            const lab::ReductionOptions& reduction) {
   constexpr std::size_t kMostOpen = 100;
@@ -51,7 +48,7 @@ std::vector<std::unique_ptr<lab::RecordedRig>> look_at_all(const Options& o,
   return rigs;
 }
 
-void run(const Options& o) {
+void run_replay(const ReplayOptions& o) {
   const lab::RecordOptions record{.dialect = o.dialect,
                                   .sets = key_values(o.sets, "specimen.height_mm=140")};
   const lab::ReductionOptions reduction{.membrane = o.membrane};
@@ -100,7 +97,7 @@ Command replay_command() {
             "the file lacks the specimen"},
            {"triax replay lab.txt --dialect my_lab.toml", "your own logger"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
-        const auto o = std::make_shared<Options>();
+        const auto o = std::make_shared<ReplayOptions>();
         app.add_option("RECORD", o->records, "record files")->required()->type_name("");
         app.add_option("--dialect", o->dialect, "name of a dialect, or file that describes one")
             ->type_name("NAME|FILE.toml");
@@ -119,7 +116,7 @@ Command replay_command() {
         add_db(app, o->db);
         add_speed(app, o->speed);
         add_json(app, o->json);
-        return [o] { run(*o); };
+        return [o] { run_replay(*o); };
       }};
 }
 

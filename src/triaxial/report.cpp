@@ -26,7 +26,7 @@
 namespace triax::src {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::vector<std::string> tests;
   std::string db = "triax.db";
   std::string format;  ///< empty: what the ending of --output says, or text
@@ -34,7 +34,7 @@ struct Options {
   std::string figures;
 };
 
-std::string chosen_format(const Options& o) {
+std::string chosen_format(const ReportOptions& o) {
   if (!o.format.empty()) return o.format;
   const std::string ending = std::filesystem::path(o.output).extension().string();
   for (const char* format : {"json", "html", "pdf"})
@@ -78,7 +78,7 @@ void write(const std::string& format, const Reported& all, const std::string& ou
     write_file(output, format == "json" ? json(all) : text(all));
 }
 
-void run(const Options& o) {
+void run_report(const ReportOptions& o) {
   const std::string format = chosen_format(o);
   const bool drawn = format == "html" || format == "pdf";
   const std::string output = !o.output.empty() ? o.output : drawn ? "triax_report." + format : "-";
@@ -127,7 +127,7 @@ Command report_command() {
                    {"triax report --figures pictures",
                     "the figures of all tests and runs of grains as files"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
-        const auto o = std::make_shared<Options>();
+        const auto o = std::make_shared<ReportOptions>();
         app.add_option("TEST", o->tests,
                        "numbers or names of tests, grains:1 a run of grains; all if none is given")
             ->type_name("");
@@ -139,7 +139,7 @@ Command report_command() {
             ->type_name("FILE");
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");
-        return [o] { run(*o); };
+        return [o] { run_report(*o); };
       }};
 }
 

@@ -18,16 +18,13 @@
 #include "src/output/written_files.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
+#include "src/triaxial/shown_on.hpp"
 #include "src/triaxial/sweep_command.hpp"
 
 namespace triax::src {
 namespace {
 
-lab::SessionListener shown_on(ProgressBar& bar) {
-  return {.progressed = [&bar](double fraction) { bar.show(fraction); }};
-}
-
-struct Options {
+struct SimulateOptions {
   std::string programme;
   std::optional<std::uint64_t> seed;
   std::string record;
@@ -46,7 +43,7 @@ std::vector<lab::TomlEdit> edits_of(const std::vector<std::string>& sets) {
 }
 
 /// Named after what is changed, as the tests of a sweep are.
-lab::Programme changed_programme(const Options& o) {
+lab::Programme changed_programme(const SimulateOptions& o) {
   lab::Programme programme = lab::load_programme(o.programme, edits_of(o.sets));
   std::string changes;
   for (const lab::TomlEdit& edit : programme.changes)
@@ -56,7 +53,7 @@ lab::Programme changed_programme(const Options& o) {
   return programme;
 }
 
-void run_test_of(const Options& o) {
+void run_test_of(const SimulateOptions& o) {
   const lab::Programme programme = changed_programme(o);
   refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
@@ -84,7 +81,7 @@ void run_test_of(const Options& o) {
     throw lab::WorkFailed("the test was aborted by the operator; it is stored up to there");
 }
 
-void run(const Options& o) {
+void run_simulate(const SimulateOptions& o) {
   if (o.sweeps.empty()) {
     if (o.jobs > 0) throw lab::BadInput("--jobs needs --sweep: a single test runs on one core");
     return run_test_of(o);
@@ -149,7 +146,7 @@ Command simulate_command() {
                     "150 tests; triax query sweep then gives eta at collapse by seed and void "
                     "ratio"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
-        const auto o = std::make_shared<Options>();
+        const auto o = std::make_shared<SimulateOptions>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
         app.add_option("--seed", o->seed, "seed of the noise; overrides the programme's")
             ->check(CLI::Validator(refusal_of_seed, ""))
@@ -168,7 +165,7 @@ Command simulate_command() {
         add_db(app, o->db);
         add_speed(app, o->speed);
         add_json(app, o->json);
-        return [o] { run(*o); };
+        return [o] { run_simulate(*o); };
       }};
 }
 

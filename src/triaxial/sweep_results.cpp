@@ -16,7 +16,7 @@
 namespace triax::src {
 namespace {
 
-constexpr std::size_t kMostLines = 40;
+constexpr std::size_t kMostMembers = 40;
 constexpr std::size_t kMostFailures = 10;
 
 std::string finding(const study::SweepMember& m) {
@@ -30,7 +30,7 @@ Table lines(const lab::Sweep& sweep, const std::vector<study::SweepMember>& memb
   for (const auto& [key, value] : sweep.values(1)) table.columns.push_back({key, Align::right});
   for (const char* heading : {"Collapse", "η_coll", "Time", "η true", "Time true"})
     table.columns.push_back({heading, *heading == 'C' ? Align::left : Align::right});
-  for (std::size_t i = 0; i < std::min(members.size(), kMostLines); ++i) {
+  for (std::size_t i = 0; i < std::min(members.size(), kMostMembers); ++i) {
     const study::SweepMember& m = members[i];
     auto& row = table.rows.emplace_back();
     row = {fmt::format("{}", m.place), m.id ? fmt::format("{}", *m.id) : kUnknown};
@@ -70,9 +70,9 @@ std::string truth_text(const study::SweepSummary& sum) {
 std::string sweep_text(const lab::Sweep& sweep, const std::vector<study::SweepMember>& members) {
   std::string text = "*** SIMULATED, not measured ***\n";
   text += to_text(lines(sweep, members));
-  if (members.size() > kMostLines)
+  if (members.size() > kMostMembers)
     text += fmt::format("... and {} more; `triax query sweep` lists all\n",
-                        members.size() - kMostLines);
+                        members.size() - kMostMembers);
   const auto sum = study::summary_of(members);
   text += '\n' + counts_text(sum) + "η at collapse: " + spread_text(sum.eta) + '\n';
   return without_controls(text + truth_text(sum));

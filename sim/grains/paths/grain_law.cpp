@@ -20,7 +20,6 @@ using Pair = Vector<Axisymmetric>;
 using Square = Matrix<Axisymmetric>;
 using Control = MixedControl<Axisymmetric>;
 
-constexpr double kStepOverCritical = 0.6;
 /// |Δε| of the increments that the first stiffness is found with, and of one that is tried.
 constexpr double kProbeStrain = 1e-6;
 /// Share of the elastic determinant below which a prediction is not believed.
@@ -108,7 +107,7 @@ GrainLaw::GrainLaw(const GrainState& state, const GrainDriving& how) : how_(how)
   Grains grains(state);
   const AxisDrive rests = strain_rate_drive(0);
   grains.drive(triaxial_drives(rests, rests));
-  grains.set_time_step(kStepOverCritical * critical_time_step(state));
+  grains.set_time_step(usual_time_step(state));
   calm(grains);
 
   const Pair carried = stress_of(grains.state());

@@ -15,7 +15,6 @@ namespace {
 using Pair = Vector<Axisymmetric>;
 using Square = Matrix<Axisymmetric>;
 
-constexpr double kStepOverCritical = 0.6;
 /// Shares of the elastic stiffness that is mixed in where the secant one meets nothing, and the
 /// share of the elastic determinant below which it does.
 constexpr std::array kMixed{0.0, 0.01, 0.03, 0.1, 0.3, 1.0};
@@ -137,7 +136,7 @@ Shot shoot(const GrainState& from, const Vector<Axisymmetric>& strain, const Str
   Grains grains(from);
   strain_box(grains, strain, steps);
   require_inside(grains.state());
-  grains.set_time_step(kStepOverCritical * critical_time_step(grains.state()));
+  grains.set_time_step(usual_time_step(grains.state()));
   shot.grains = grains.state();
   shot.stress = stress_of(shot.grains) - stress_of(from);
   shot.strain = components(axisymmetric_strain(from.box, shot.grains.box));

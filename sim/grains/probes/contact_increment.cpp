@@ -18,6 +18,19 @@ Quaterniond turn_of(const Vector3d& rotation) {
   return {std::cos(0.5 * angle), v.x(), v.y(), v.z()};
 }
 
+/// The smallest turn from one direction to the other; about any axis where they are opposite.
+Quaterniond turn_between(const Vector3d& from, const Vector3d& to) {
+  const Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  if (cosine < -1 + 1e-12) {
+    const Vector3d axis = a.unitOrthogonal();
+    return {0, axis.x(), axis.y(), axis.z()};
+  }
+  const double s = std::sqrt((1 + cosine) * 2);
+  const Vector3d v = a.cross(b) * (1 / s);
+  return {0.5 * s, v.x(), v.y(), v.z()};
+}
+
 Vector3d rotation_of(Quaterniond q) {
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   const double sine = q.vec().norm();
@@ -36,7 +49,7 @@ ContactIncrement contact_increment(const ContactInstant& before, const ContactIn
                                    const Vector3d& turn_b) {
   const double distance0 = before.branch_m.norm(), distance1 = after.branch_m.norm();
   const Vector3d normal = before.branch_m / distance0;
-  const Quaterniond tilt = Quaterniond::FromTwoVectors(before.branch_m, after.branch_m);
+  const Quaterniond tilt = turn_between(before.branch_m, after.branch_m);
   const Quaterniond a = tilt.conjugate() * turn_of(turn_a), b = tilt.conjugate() * turn_of(turn_b);
   const double twist = 0.5 * (twist_about(normal, a) + twist_about(normal, b));
   const Quaterniond about = turn_of(twist * normal), frame = tilt * about;

@@ -17,7 +17,6 @@
 namespace triax::sim {
 namespace {
 
-constexpr double kStepOverCritical = 0.6;
 constexpr std::int64_t kCheckEvery = 500;
 
 void check(const Compaction& how) {
@@ -50,7 +49,7 @@ void press(Grains& grains, const Compaction& how, const GrainProgress& progress,
        s += kCheckEvery) {
     advance(grains, kCheckEvery);
     require_inside(grains.state());
-    grains.set_time_step(kStepOverCritical * critical_time_step(grains.state()));
+    grains.set_time_step(usual_time_step(grains.state()));
     result.calm = calm_now(grains.state(), how);
     // A packing of spheres stands at a porosity of 0.36 to 0.43.
     const double now = porosity(grains.state());

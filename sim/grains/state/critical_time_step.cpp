@@ -37,4 +37,6 @@ double critical_time_step(const GrainState& state) {
   return 2 / std::sqrt(highest);
 }
 
+double usual_time_step(const GrainState& state) { return 0.6 * critical_time_step(state); }
+
 }  // namespace triax::sim

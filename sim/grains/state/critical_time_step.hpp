@@ -14,4 +14,7 @@ namespace triax::sim {
 /// least the two contacts of one held between its likes, so that a loose cloud has a step too.
 double critical_time_step(const GrainState& state);
 
+/// The step to take where none is given, s: 0.6 of the critical one.
+double usual_time_step(const GrainState& state);
+
 }  // namespace triax::sim

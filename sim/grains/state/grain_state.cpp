@@ -14,7 +14,6 @@
 namespace triax::sim {
 namespace {
 
-constexpr double kStepOverCritical = 0.6;
 constexpr std::size_t kMostGrains = 1U << 30U;
 
 void check_sphere(const Sphere& sphere, const GrainBox& box, std::size_t index) {
@@ -71,7 +70,7 @@ GrainState make_grain_state(const std::vector<Sphere>& spheres, const GrainBox& 
   state.margin = neighbour_margin(smallest);
   sort_grains(state);
   check_centres(state);
-  state.time_step_s = time_step_s > 0 ? time_step_s : kStepOverCritical * critical_time_step(state);
+  state.time_step_s = time_step_s > 0 ? time_step_s : usual_time_step(state);
   return state;
 }
 

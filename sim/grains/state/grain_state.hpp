@@ -94,7 +94,7 @@ struct GrainState {
 };
 
 /// Spheres at rest in a box, walls at rest, lists made. The margins follow from the smallest
-/// radius. time_step_s = 0 takes 0.6 of the critical step (critical_time_step.hpp). Throws
+/// radius. time_step_s = 0 takes usual_time_step (critical_time_step.hpp). Throws
 /// std::invalid_argument: no grain, a radius not above 0, a centre outside the box, more than 2³⁰
 /// grains, a law out of its range.
 GrainState make_grain_state(const std::vector<Sphere>& spheres, const GrainBox& box,

@@ -20,7 +20,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 560 + kOriginHeight;
+constexpr int kDomainWidth = 720, kDomainHeight = 560 + kOriginHeight;
 const QColor kUnknown(0xD6, 0xE6, 0xF2);
 
 /// Light to dark away from the domain's boundary, so that a print without colour shows the same
@@ -125,7 +125,10 @@ class Map {
  public:
   Map(const sim::DomainGrid& grid, const std::vector<sim::DomainColumn>& columns,
       const Subject& subject)
-      : grid_(grid), columns_(columns), subject_(subject), plot_(make_plot(kWidth, kHeight)) {
+      : grid_(grid),
+        columns_(columns),
+        subject_(subject),
+        plot_(make_plot(kDomainWidth, kDomainHeight)) {
     std::ranges::sort(columns_, {}, &sim::DomainColumn::column);
   }
 

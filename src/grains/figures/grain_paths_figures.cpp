@@ -15,7 +15,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 480 + kOriginHeight;
+constexpr int kGrainPathsWidth = 960, kGrainPathsHeight = 480 + kOriginHeight;
 constexpr double kRoomForLabels = 0.14;  // of the axis of strain, to the right of the curves
 
 using At = sim::GrainPathPoint;
@@ -122,7 +122,7 @@ std::vector<LabelledCurve> labelled(const std::vector<study::GrainCurve>& paths,
 /// Both sides with curves, markers and names of marks; the labels beside the curves on the right.
 OwnPlot drawn(const std::vector<study::GrainCurve>& paths, const Side& left_side,
               const Side& right_side, bool labels, const Subject& subject) {
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kGrainPathsWidth, kGrainPathsHeight);
   auto& left = *plot->axisRect();
   auto& right = add_axes_beside(*plot);
   style_axes(left, left_side.x_title, left_side.y_title);

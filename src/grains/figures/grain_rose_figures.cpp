@@ -18,7 +18,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 450 + kOriginHeight;
+constexpr int kGrainRoseWidth = 1000, kGrainRoseHeight = 450 + kOriginHeight;
 constexpr double kStepDeg = 60;  // between the numbers of an axis half as wide as the plot
 
 using Probes = std::vector<sim::GrainProbe>;
@@ -115,7 +115,7 @@ struct Panels {
 };
 
 Panels two_panels(const std::string& left_title, const std::string& right_title) {
-  Panels panels{make_plot(kWidth, kHeight), nullptr, nullptr};
+  Panels panels{make_plot(kGrainRoseWidth, kGrainRoseHeight), nullptr, nullptr};
   panels.left = panels.plot->axisRect();
   panels.right = &add_axes_beside(*panels.plot);
   constexpr auto kPlane = sim::ProbePlane::axisymmetric;

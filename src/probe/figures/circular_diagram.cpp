@@ -14,7 +14,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620, kHeight = 690 + kOriginHeight;
+constexpr int kCircularDiagramWidth = 620, kCircularDiagramHeight = 690 + kOriginHeight;
 const double kStep = sim::radians(1);
 constexpr double kPositiveWidth = 1.6, kNegativeWidth = 2.8;
 
@@ -110,7 +110,7 @@ Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject&
   const auto range = extremes(circles);
   if (!range.any) return {};
   const double constant = circular_constant(circles);
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kCircularDiagramWidth, kCircularDiagramHeight);
   auto& rect = *plot->axisRect();
   add_legend(*plot, circles, "W₂ > 0", "W₂ < 0");
   add_legend_line(rect, line(kInk, 1.2), "circle W₂ = 0");
@@ -138,7 +138,7 @@ Drawing circular_diagram(const std::vector<NamedCircle>& circles, const Subject&
 Drawing polar_diagram(const std::vector<NamedCircle>& circles, const Subject& subject) {
   const auto range = extremes(circles);
   if (!range.any || !(std::max(-range.least, range.largest) > 0)) return {};
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kCircularDiagramWidth, kCircularDiagramHeight);
   auto& rect = *plot->axisRect();
   add_legend(*plot, circles, "W₂ > 0", "W₂ < 0");
   if (marks_unloading(subject)) add_legend_line(rect, line(kGreen, 1.4), unloading_name(subject));

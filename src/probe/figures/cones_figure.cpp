@@ -15,13 +15,17 @@
 namespace triax::src {
 namespace {
 
-constexpr int kLeastWidth = 560, kWidth = 680, kLeastHeight = 400, kHeight = 640 + kOriginHeight;
+constexpr int kLeastWidth = 560, kConesWidth = 680, kLeastHeight = 400,
+              kConesHeight = 640 + kOriginHeight;
 constexpr double kArrow = 1.7;  // length of a test's arrow in radii of a fan
 
 class Picture {
  public:
   Picture(const study::ConesPicture& data, const Subject& subject, StressAxes plane)
-      : data_(data), subject_(subject), plane_(plane), plot_(make_plot(kWidth, kHeight)) {}
+      : data_(data),
+        subject_(subject),
+        plane_(plane),
+        plot_(make_plot(kConesWidth, kConesHeight)) {}
 
   Drawing draw() {
     style_axes(rect(),
@@ -128,11 +132,11 @@ class Picture {
   /// A plot as high, or as broad, as the data need where both axes have one scale.
   void trim(double height_over_width) {
     plot_->replot();
-    const int beside = kWidth - rect().width(), below = kHeight - rect().height();
+    const int beside = kConesWidth - rect().width(), below = kConesHeight - rect().height();
     const int high = static_cast<int>(rect().width() * height_over_width);
     const int broad = static_cast<int>(rect().height() / height_over_width);
-    const int width = std::clamp(broad + beside, kLeastWidth, kWidth);
-    const int height = std::clamp(high + below, kLeastHeight, kHeight);
+    const int width = std::clamp(broad + beside, kLeastWidth, kConesWidth);
+    const int height = std::clamp(high + below, kLeastHeight, kConesHeight);
     resize_plot(*plot_, width, height);
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Cones of unstable stress directions at their states (Fig. 12 of the paper).
+#include <QPointF>
+
 #include "src/plot/drawing.hpp"
 #include "src/plot/subject.hpp"
 #include "src/study/probe/cones_picture.hpp"

@@ -15,7 +15,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 680, kHeight = 460 + kOriginHeight;
+constexpr int kControlScanWidth = 680, kControlScanHeight = 460 + kOriginHeight;
 
 QCPScatterStyle limit_marker(const QColor& colour) {
   return {QCPScatterStyle::ssCircle, line(colour, 1.8), QBrush(Qt::white), 9};
@@ -99,7 +99,7 @@ Drawing control_scan_figure(const std::vector<NamedScan>& scans, const Subject& 
   for (const auto& scan : scans)
     for (const auto& point : curve_of(scan, axis)) y.add(point.y());
   y.add(0);
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kControlScanWidth, kControlScanHeight);
   auto& rect = *plot->axisRect();
   style_axes(rect, axisymmetric ? "R, of dε₁ + 2R dε₃ = 0 (–)" : "R, of dε₁ + R dε₃ = 0 (–)",
              "index of control (–)");

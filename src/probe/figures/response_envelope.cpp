@@ -16,7 +16,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 900, kHeight = 500 + kOriginHeight;
+constexpr int kResponseEnvelopeWidth = 900, kResponseEnvelopeHeight = 500 + kOriginHeight;
 constexpr double kMicro = 1e6, kKilo = 1e-3;  // strain in 10⁻⁶, stress in kPa
 
 QPen stable_pen() { return line(kBlue, 1.6); }
@@ -41,7 +41,7 @@ class Envelope {
   bool empty() const { return !any_; }
 
   Drawing draw() {
-    auto plot = make_plot(kWidth, kHeight);
+    auto plot = make_plot(kResponseEnvelopeWidth, kResponseEnvelopeHeight);
     auto& left = *plot->axisRect();
     auto& right = add_axes_beside(*plot);
     for (auto* rect : {&left, &right}) {

@@ -21,7 +21,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 520 + kOriginHeight;
+constexpr int kSphereWidth = 960, kSphereHeight = 520 + kOriginHeight;
 constexpr int kPlaces = 241;  // across a disc
 constexpr double kRange = 1.2;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -68,7 +68,7 @@ class SphereDrawing {
         spacing_(std::sqrt(4 * std::numbers::pi / static_cast<double>(directions.size()))) {}
 
   Drawing draw() {
-    auto plot = make_plot(kWidth, kHeight);
+    auto plot = make_plot(kSphereWidth, kSphereHeight);
     auto& left = *plot->axisRect();
     auto& right = add_axes_beside(*plot);
     auto* bar = add_colour_bar(*plot);

@@ -13,7 +13,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 480 + kOriginHeight;
+constexpr int kStrainPathsWidth = 960, kStrainPathsHeight = 480 + kOriginHeight;
 constexpr double kRoomForLabels = 0.14;  // of the axis of strain, to the right of the curves
 
 QCPScatterStyle peak_marker() {
@@ -86,7 +86,7 @@ Drawing strain_paths_figure(const std::vector<sim::StrainPath>& all, const Subje
   std::ranges::copy_if(all, std::back_inserter(paths),
                        [](const auto& path) { return !path.points.empty(); });
   if (paths.empty()) return {};
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kStrainPathsWidth, kStrainPathsHeight);
   auto& left = *plot->axisRect();
   auto& right = add_axes_beside(*plot);
   style_axes(left, "mean effective stress p′ (kPa)", "deviator stress q (kPa)");

@@ -14,7 +14,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 440 + kOriginHeight;
+constexpr int kWorkOverAngleWidth = 720, kWorkOverAngleHeight = 440 + kOriginHeight;
 
 /// α in degrees and the value of all probes, once around; a gap where one was not answered.
 Points curve_of(const std::vector<sim::Probe>& probes) {
@@ -70,7 +70,7 @@ Drawing work_over_angle(const std::vector<NamedCircle>& circles, const Subject& 
       }
   if (!any) return {};
   const bool stress = subject.kind == sim::ProbeKind::stress;
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kWorkOverAngleWidth, kWorkOverAngleHeight);
   auto& rect = *plot->axisRect();
   style_angle_axes(rect, subject.plane, subject.kind, "normalised second-order work (–)");
   plot->yAxis->setRange(range.with_margin(0.06, false));

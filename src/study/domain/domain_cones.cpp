@@ -8,8 +8,6 @@
 namespace triax::study {
 namespace {
 
-constexpr double kPa = 1e3;
-
 /// Some of `count` indices: the last, and others at equal steps before it.
 std::vector<std::size_t> spread(std::size_t count) {
   const std::size_t step = std::max<std::size_t>(1, (count + kMostFans - 1) / kMostFans);
@@ -25,7 +23,7 @@ std::vector<TriaxialState> line(const ReportedDomain& domain,
   std::vector<TriaxialState> states;
   for (const auto& column : domain.columns)
     if (const auto& at = column.*side.*mark)
-      states.push_back({column.p_eff_kPa * kPa, at->q_kPa * kPa});
+      states.push_back({column.p_eff_kPa * kKilo, at->q_kPa * kKilo});
   return states;
 }
 
@@ -40,7 +38,7 @@ ConesPicture cones_picture(const ReportedDomain& domain, const std::vector<Teste
       if (state.kind != sim::DomainStateKind::stable &&
           state.kind != sim::DomainStateKind::unstable)
         continue;
-      ConesAtState at{{column.p_eff_kPa * kPa, state.q_kPa * kPa}, {}};
+      ConesAtState at{{column.p_eff_kPa * kKilo, state.q_kPa * kKilo}, {}};
       for (const auto& [from, to] : state.cones_deg)
         at.cones.push_back({sim::radians(from), sim::radians(to)});
       picture.states.push_back(std::move(at));

@@ -13,7 +13,7 @@
 namespace triax::study {
 namespace {
 
-constexpr double kPa = 1e3, kDegree = std::numbers::pi / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 
 std::optional<double> in_degrees(const std::optional<double>& rad) {
   return rad ? std::optional(*rad / kDegree) : std::nullopt;
@@ -22,7 +22,7 @@ std::optional<double> in_degrees(const std::optional<double>& rad) {
 std::optional<DomainMark> mark(const std::optional<double>& q, double p,
                                const std::optional<double>& angle = {}) {
   if (!q) return std::nullopt;
-  return DomainMark{*q / kPa, *q / p, in_degrees(angle)};
+  return DomainMark{*q / kKilo, *q / p, in_degrees(angle)};
 }
 
 ReportedBoundary reported(const sim::DomainBoundary& b, double p) {
@@ -35,7 +35,7 @@ ReportedBoundary reported(const sim::DomainBoundary& b, double p) {
 }
 
 ReportedDomainState reported(const sim::DomainState& state) {
-  ReportedDomainState out{.q_kPa = state.q / kPa,
+  ReportedDomainState out{.q_kPa = state.q / kKilo,
                           .kind = state.kind,
                           .least_work = state.least_work,
                           .least_angle_deg = in_degrees(state.least_angle),
@@ -51,7 +51,7 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
 
 sim::DomainBoundary in_si(const ReportedBoundary& b) {
   const auto q = [](const std::optional<DomainMark>& mark) {
-    return mark ? std::optional(mark->q_kPa * kPa) : std::nullopt;
+    return mark ? std::optional(mark->q_kPa * kKilo) : std::nullopt;
   };
   sim::DomainBoundary out{.first_unstable_q = q(b.first_unstable),
                           .first_unstable_angle = b.first_unstable
@@ -66,13 +66,13 @@ sim::DomainBoundary in_si(const ReportedBoundary& b) {
 
 sim::DomainColumn in_si(const ReportedColumn& column) {
   sim::DomainColumn out{.column = column.column,
-                        .p = column.p_eff_kPa * kPa,
+                        .p = column.p_eff_kPa * kKilo,
                         .compression = in_si(column.compression),
                         .extension = in_si(column.extension),
                         .refusal = column.refusal};
   for (const ReportedDomainState& state : column.states) {
     sim::DomainState& at = out.states.emplace_back();
-    at = {.q = state.q_kPa * kPa,
+    at = {.q = state.q_kPa * kKilo,
           .kind = state.kind,
           .least_work = state.least_work,
           .least_angle = in_radians(state.least_angle_deg),
@@ -97,7 +97,7 @@ std::vector<std::string> range_warnings(const lab::MaterialSet& material,
   std::vector<std::string> all;
   if (auto words = lab::void_ratio_outside(material, grid.void_ratio)) all.push_back(*words);
   for (const double p_kPa : {grid.p_from_kPa, grid.p_to_kPa})
-    if (auto words = lab::p_eff_outside(material, p_kPa * kPa)) all.push_back(*words);
+    if (auto words = lab::p_eff_outside(material, p_kPa * kKilo)) all.push_back(*words);
   return all;
 }
 
@@ -146,11 +146,11 @@ DomainSettings domain_settings(const lab::MaterialSet& m, const DomainSettings::
 }
 
 sim::DomainGrid domain_grid(const DomainSettings::Grid& g) {
-  return {.p_from = g.p_from_kPa * kPa,
-          .p_to = g.p_to_kPa * kPa,
+  return {.p_from = g.p_from_kPa * kKilo,
+          .p_to = g.p_to_kPa * kKilo,
           .columns = g.columns,
-          .q_from = g.q_from_kPa * kPa,
-          .q_to = g.q_to_kPa * kPa,
+          .q_from = g.q_from_kPa * kKilo,
+          .q_to = g.q_to_kPa * kKilo,
           .rows = g.rows,
           .void_ratio = g.void_ratio,
           .plane = g.plane == "axisymmetric" ? sim::ProbePlane::axisymmetric
@@ -160,7 +160,7 @@ sim::DomainGrid domain_grid(const DomainSettings::Grid& g) {
 
 ReportedColumn reported_column(const sim::DomainColumn& column) {
   ReportedColumn out{.column = column.column,
-                     .p_eff_kPa = column.p / kPa,
+                     .p_eff_kPa = column.p / kKilo,
                      .compression = reported(column.compression, column.p),
                      .extension = reported(column.extension, column.p),
                      .refusal = column.refusal};

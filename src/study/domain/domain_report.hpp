@@ -14,6 +14,8 @@
 
 namespace triax::study {
 
+inline constexpr double kKilo = 1e3;  ///< Pa in a kPa
+
 /// What a domain was computed for; pieces of one domain have equal settings.
 struct DomainSettings {
   struct Material {

@@ -13,7 +13,7 @@ void count_on(GrainCurve& curve, const sim::AxisymmetricStrain& before) {
   const auto shift = [&](sim::GrainPathPoint& point) {
     point.strain.axial += before.axial;
     point.strain.radial += before.radial;
-    point.volumetric_strain += volumetric_strain(before);
+    point.volumetric_strain += sim::volumetric_strain(before);
   };
   for (auto& point : curve.points) shift(point);
   for (auto& mark : curve.marks) shift(mark.at);

@@ -18,6 +18,8 @@ struct Probing {
   std::vector<double> ratios = usual_ratios();  ///< R at which control is looked at
   std::vector<sim::NamedControl> conditions;    ///< besides; axisymmetry only
 
+  bool axisymmetric() const { return plane == sim::ProbePlane::axisymmetric; }
+
   double step_deg() const { return 360.0 / directions; }
 
   /// Of a circle of these probes: edges of cones by increments that are integrated are isolated to

@@ -12,9 +12,6 @@
 namespace triax::study {
 namespace {
 
-/// Of the direction of an increment: beyond it, it could be any.
-const double kLargestError = sim::radians(45);
-
 bool known(const lab::State& s) {
   return std::isfinite(s.effective_stress.axial) && std::isfinite(s.effective_stress.radial);
 }
@@ -92,7 +89,7 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
   store.for_each_scan(id, 1,
                       [&](const lab::Reading&, const lab::State& state) { watch.watch(state); });
   result.increment = watch.finish();
-  if (result.increment && result.increment->angle_error < kLargestError) return result;
+  if (result.increment && result.increment->has_direction()) return result;
   result.warnings.push_back(
       fmt::format("the increment of {} at reading {} is not known: {}", name, result.state.reading,
                   result.increment ? "its direction cannot be told from the noise"

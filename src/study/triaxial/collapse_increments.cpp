@@ -10,8 +10,6 @@
 namespace triax::study {
 namespace {
 
-/// Of the direction of an increment: beyond it, it could be any.
-const double kLargestError = sim::radians(45);
 /// At held q the increment is that between the means of two spans of this share of the stage's
 /// readings up to the onset: shorter ones follow the single steps of a pressure controller.
 constexpr double kSpan = 0.05;
@@ -35,7 +33,7 @@ std::optional<Direction> measured(const db::Store& store, const db::StoredTest& 
   lab::IncrementWatch watch(test.header, onset);
   visit_until(store, test, onset, [&](const lab::State& state) { watch.watch(state); });
   const auto increment = watch.finish();
-  if (!increment || !(increment->angle_error < kLargestError)) return std::nullopt;
+  if (!increment || !increment->has_direction()) return std::nullopt;
   return Direction{increment->rate.p, increment->rate.q};
 }
 

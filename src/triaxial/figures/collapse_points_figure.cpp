@@ -15,8 +15,8 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720;
-constexpr int kHeight = 520 + kNoteHeight;
+constexpr int kCollapsePointsWidth = 720;
+constexpr int kCollapsePointsHeight = 520 + kNoteHeight;
 
 QPointF place(const study::CollapsePoint& point) {
   return {point.stress.p_pa * 1e-3, point.stress.q_pa * 1e-3};
@@ -57,7 +57,7 @@ Drawing collapse_points_figure(const study::CollapsePoints& found) {
     p_range.add(place(point).x());
     q_range.add(place(point).y());
   }
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kCollapsePointsWidth, kCollapsePointsHeight);
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(p_range.with_margin(0.12, true));
   plot->yAxis->setRange(q_range.with_margin(0.35, true));

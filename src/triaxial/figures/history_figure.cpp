@@ -13,7 +13,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620;
+constexpr int kHistoryWidth = 620;
 constexpr int kPanelHeight = 150;
 constexpr int kAxisHeight = 50;
 constexpr int kMarkNameHeight = 16;
@@ -81,7 +81,7 @@ void fill_panel(QCPAxisRect& rect, const Panel& panel, const study::HistoryCurve
   range.widen_to(kLeastPart * (curve.largest * panel.unit - curve.smallest * panel.unit));
   rect.axis(QCPAxis::atLeft)->setRange(range.with_margin(0.08, false));
 
-  const QPointF scale(kWidth * axis.unit / (axis.end - axis.begin),
+  const QPointF scale(kHistoryWidth * axis.unit / (axis.end - axis.begin),
                       kPanelHeight / rect.axis(QCPAxis::atLeft)->range().size());
   auto pixels = points;
   for (auto& point : pixels) point = {point.x() * scale.x(), point.y() * scale.y()};
@@ -208,7 +208,8 @@ Drawing history_figure(const study::History& history) {
   const int count = static_cast<int>(history.curves.size()) + (history.work ? 1 : 0);
   const int names_height = kMarkNameHeight * static_cast<int>(history.marks.size());
 
-  auto plot = make_plot(kWidth, count * kPanelHeight + kAxisHeight + names_height + kNoteHeight);
+  auto plot =
+      make_plot(kHistoryWidth, count * kPanelHeight + kAxisHeight + names_height + kNoteHeight);
   plot->plotLayout()->clear();
   plot->plotLayout()->setRowSpacing(4);
   auto* margins = new QCPMarginGroup(plot.get());

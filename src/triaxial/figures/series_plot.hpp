@@ -34,4 +34,8 @@ void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number);
 /// "ICU 6, ICU 42 and ICU 7".
 std::string names_of(const std::vector<study::SeriesTest>& tests);
 
+/// p′ and q in the unit of their axes.
+inline double p_kPa(const lab::State& state) { return state.p_eff * 1e-3; }
+inline double q_kPa(const lab::State& state) { return state.q * 1e-3; }
+
 }  // namespace triax::src

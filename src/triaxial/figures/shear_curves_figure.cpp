@@ -13,12 +13,11 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 420 + kNoteHeight;
+constexpr int kShearCurvesWidth = 960, kShearCurvesHeight = 420 + kNoteHeight;
 /// The close view ends at so many times the largest strain at onset.
 constexpr double kOnsets = 3;
 
 double strain_pct(const lab::State& state) { return state.strain.axial * 100; }
-double q_kPa(const lab::State& state) { return state.q * 1e-3; }
 
 Points onsets_of(const study::ShearSeries& series) {
   Points onsets;
@@ -51,7 +50,7 @@ Drawing shear_curves_figure(const study::ShearSeries& series) {
   const auto whole = from_zero(strain.with_margin(0.04, true));
   const double close = std::min(kOnsets * (series.strain_at_onset * 100), whole.upper);
 
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kShearCurvesWidth, kShearCurvesHeight);
   auto& left = *plot->axisRect();
   auto* right = close > 0 ? &add_axes_beside(*plot) : nullptr;
   style_axes(left, "axial strain ε₁ (%)", "deviator stress q (kPa)");

@@ -13,9 +13,8 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 960, kHeight = 420 + kNoteHeight;
+constexpr int kStrainsOverPWidth = 960, kStrainsOverPHeight = 420 + kNoteHeight;
 
-double p_kPa(const lab::State& state) { return state.p_eff * 1e-3; }
 double axial_pct(const lab::State& state) { return state.strain.axial * 100; }
 double volumetric_pct(const lab::State& state) { return state.volumetric_strain * 100; }
 
@@ -46,7 +45,7 @@ Drawing strains_over_p_figure(const study::ShearBeginnings& beginnings) {
     }
   if (!any) return {};
 
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kStrainsOverPWidth, kStrainsOverPHeight);
   auto& left = *plot->axisRect();
   auto& right = add_axes_beside(*plot);
   style_axes(left, "mean effective stress p′ (kPa)", "axial strain ε₁ (%)");

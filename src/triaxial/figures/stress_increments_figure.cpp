@@ -15,7 +15,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 470 + kNoteHeight;
+constexpr int kStressIncrementsWidth = 720, kStressIncrementsHeight = 470 + kNoteHeight;
 constexpr double kArrow = 30;  // px
 
 QPointF place(const study::CollapseIncrement& at) { return {at.p_pa * 1e-3, at.q_pa * 1e-3}; }
@@ -43,7 +43,7 @@ Drawing stress_increments_figure(const std::vector<study::CollapseIncrement>& in
     q.add(place(at).y());
   }
   const ProgrammeLooks looks(programmes);
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kStressIncrementsWidth, kStressIncrementsHeight);
   auto& rect = *plot->axisRect();
   style_axes(rect, "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   for (const auto& name : looks.names())

@@ -15,8 +15,8 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 620;
-constexpr int kHeight = 460 + kNoteHeight;
+constexpr int kStressPathWidth = 620;
+constexpr int kStressPathHeight = 460 + kNoteHeight;
 
 QPointF place(const study::StressPoint& point) { return {point.p_pa * 1e-3, point.q_pa * 1e-3}; }
 
@@ -40,8 +40,8 @@ void draw_path(QCustomPlot& plot, const Points& path, const std::string& name, c
   if (path.empty()) return;
   auto pixels = path;
   for (auto& point : pixels)
-    point = {point.x() * kWidth / plot.xAxis->range().size(),
-             point.y() * kHeight / plot.yAxis->range().size()};
+    point = {point.x() * kStressPathWidth / plot.xAxis->range().size(),
+             point.y() * kStressPathHeight / plot.yAxis->range().size()};
   auto* curve = new QCPCurve(plot.xAxis, plot.yAxis);
   for (const auto i : points_to_draw(pixels, kInvisible)) curve->addData(path[i].x(), path[i].y());
   curve->setPen(pen);
@@ -68,7 +68,7 @@ Drawing stress_path_figure(const study::StressPath& path) {
   add(p_range, q_range, path.before);
   add(p_range, q_range, path.shear);
 
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kStressPathWidth, kStressPathHeight);
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(p_range.with_margin(0.06, true));
   plot->yAxis->setRange(q_range.with_margin(0.10, true));

@@ -12,10 +12,7 @@
 namespace triax::src {
 namespace {
 
-constexpr int kWidth = 720, kHeight = 480 + kNoteHeight;
-
-double p_kPa(const lab::State& state) { return state.p_eff * 1e-3; }
-double q_kPa(const lab::State& state) { return state.q * 1e-3; }
+constexpr int kStressPathsWidth = 720, kStressPathsHeight = 480 + kNoteHeight;
 
 }  // namespace
 
@@ -35,7 +32,7 @@ Drawing stress_paths_figure(const study::ShearSeries& series) {
   }
   if (!any) return {};
 
-  auto plot = make_plot(kWidth, kHeight);
+  auto plot = make_plot(kStressPathsWidth, kStressPathsHeight);
   auto& rect = *plot->axisRect();
   style_axes(rect, "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
   plot->xAxis->setRange(from_zero(p_range.with_margin(0.06, true)));

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Systems of as many equations as a space has components. Eigen solves them; it is compiled here
+// once for each space, since its decompositions are most of what the compiler has to do for sim.
+#include <Eigen/LU>
+#include <optional>
+
+#include "sim/mechanics/space.hpp"
+
+namespace triax::sim {
+
+/// LU with partial pivoting, kept where one matrix meets several right-hand sides.
+template <class Space>
+class Factors {
+ public:
+  Factors() = default;
+  explicit Factors(const Matrix<Space>& a);
+  double determinant() const;
+  /// Not finite where the matrix is singular.
+  Vector<Space> solve(const Vector<Space>& b) const;
+
+ private:
+  Eigen::PartialPivLU<Matrix<Space>> lu_;
+};
+
+/// x of a x = b; not finite where `a` is singular.
+template <class Space>
+Vector<Space> solve(const Matrix<Space>& a, const Vector<Space>& b);
+
+/// The same with full pivoting; nothing where `a` is singular to round-off.
+template <class Space>
+std::optional<Vector<Space>> solve_regular(const Matrix<Space>& a, const Vector<Space>& b);
+
+/// a⁻¹; not finite where `a` is singular.
+template <class Space>
+Matrix<Space> inverse(const Matrix<Space>& a);
+
+/// a⁻¹; nothing where `a` is not finite or its reciprocal condition is not above 1e-13.
+template <class Space>
+std::optional<Matrix<Space>> regular_inverse(const Matrix<Space>& a);
+
+template <class Space>
+double determinant(const Matrix<Space>& a);
+
+/// Principal values of a symmetric tensor, the smallest first, and their directions as columns.
+struct PrincipalAxes {
+  Eigen::Vector3d values;
+  Eigen::Matrix3d directions;
+};
+PrincipalAxes principal_axes(const Eigen::Matrix3d& symmetric);
+
+/// Eigenvector of the smallest eigenvalue of a symmetric matrix of any size, of length 1.
+Eigen::VectorXd least_eigenvector(const Eigen::MatrixXd& symmetric);
+
+}  // namespace triax::sim
