@@ -36,7 +36,7 @@ Vector<Space> left_null_vector(const Matrix<Space>& m) {
 }
 
 template <class Space>
-int culprit_row(const Vector<Space>& weight, const Vector<Space>& increment) {
+int row_that_limits(const Vector<Space>& weight, const Vector<Space>& increment) {
   Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
   // A row that asks for nothing can be held while another asks for something.
   if (share.isZero(0)) share = increment.cwiseAbs();
@@ -59,8 +59,9 @@ template struct PreparedControl<Axisymmetric>;
 template struct PreparedControl<Tensor>;
 template Vector<Axisymmetric> left_null_vector<Axisymmetric>(const Matrix<Axisymmetric>&);
 template Vector<Tensor> left_null_vector<Tensor>(const Matrix<Tensor>&);
-template int culprit_row<Axisymmetric>(const Vector<Axisymmetric>&, const Vector<Axisymmetric>&);
-template int culprit_row<Tensor>(const Vector<Tensor>&, const Vector<Tensor>&);
+template int row_that_limits<Axisymmetric>(const Vector<Axisymmetric>&,
+                                           const Vector<Axisymmetric>&);
+template int row_that_limits<Tensor>(const Vector<Tensor>&, const Vector<Tensor>&);
 template PointRate<Axisymmetric> solve_control(const Response<Axisymmetric>&,
                                                const PreparedControl<Axisymmetric>&, const Branch&,
                                                const Vector<Axisymmetric>&);

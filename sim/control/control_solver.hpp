@@ -15,9 +15,10 @@
 // from the stress increment before.
 //
 // Where the determinant vanishes the conditions cannot be met (loss of control in Nova's sense).
-// The culprit is then the row with the largest |w_i dy_i|, w the left null vector: the conditions
-// could be met only if w·dy were zero (Fredholm), and that row contributes most. For a mechanism
-// w = A⁻ᵗ m, for hypoplasticity A⁻ᵗ dε/|dε|: also where the determinant has jumped below zero.
+// The limiting variable is then the row with the largest |w_i dy_i|, w the left null vector: the
+// conditions could be met only if w·dy were zero (Fredholm), and that row contributes most. For a
+// mechanism w = A⁻ᵗ m, for hypoplasticity A⁻ᵗ dε/|dε|: also where the determinant has jumped below
+// zero.
 #include <optional>
 
 #include "sim/control/mixed_control.hpp"
@@ -45,7 +46,7 @@ Vector<Space> left_null_vector(const Matrix<Space>& control_matrix);
 /// Row of the control that cannot be held, from the left null vector of the singular control
 /// matrix.
 template <class Space>
-int culprit_row(const Vector<Space>& null_vector, const Vector<Space>& increment);
+int row_that_limits(const Vector<Space>& null_vector, const Vector<Space>& increment);
 
 /// Which mechanisms may load: those on yield; with `forced` exactly those in it do.
 struct Branch {

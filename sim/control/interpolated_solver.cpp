@@ -35,7 +35,8 @@ class InterpolatedSolver {
         control_.stress + control_.strain * Matrix<Space>(law_.mean().diagonal().asDiagonal());
     rate_.determinant = determinant<Space>(jacobian) / determinant<Space>(reference);
     if (!found || !(rate_.determinant > 1e-9)) {
-      rate_.culprit = culprit_row<Space>(left_null_vector<Space>(jacobian), control_.increment);
+      rate_.limiting_variable =
+          row_that_limits<Space>(left_null_vector<Space>(jacobian), control_.increment);
       rate_.determinant = std::min(rate_.determinant, 0.0);
       return rate_;
     }

@@ -93,8 +93,8 @@ class StiffnessSolver {
     const Matrix<Space> transposed = a.transpose();
     rate_.multiplier.fill(0);
     rate_.determinant = 0;
-    rate_.culprit =
-        culprit_row<Space>(sim::solve<Space>(transposed, direction), control_.increment);
+    rate_.limiting_variable =
+        row_that_limits<Space>(sim::solve<Space>(transposed, direction), control_.increment);
   }
 
   void solve_norm() {

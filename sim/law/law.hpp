@@ -34,7 +34,8 @@ struct PointState {
 template <class Space>
 struct PointRate {
   bool controllable = false;  ///< false: the conditions cannot be met, nothing else has meaning
-  int culprit = -1;  ///< row of the control that cannot be held; −1: the rows are not independent
+  int limiting_variable =
+      -1;  ///< row of the control that cannot be held; −1: the rows are not independent
   unsigned active = 0;                               ///< bit k: mechanism k loads
   std::array<double, kMostMechanisms> multiplier{};  ///< λ_k
   Vector<Space> stress = Vector<Space>::Zero();      ///< dσ′, Pa

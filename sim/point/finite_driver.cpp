@@ -81,7 +81,7 @@ class FiniteDriver {
 
   /// Row that cannot be held, or −1 where the control is not at its limit. The plastic tangent is
   /// looked for beyond the state, where the increment leads.
-  int culprit(const PointState<Space>& at, const Attempt<Space>& missed) const {
+  int limiting_variable(const PointState<Space>& at, const Attempt<Space>& missed) const {
     if (!elastic_strain()) return row_of(elastic_);
     const Matrix<Space> beyond =
         missed.strain.allFinite() ? differences(at, missed.strain) : missed.tangent;
@@ -109,7 +109,7 @@ class FiniteDriver {
 
  private:
   int row_of(const Matrix<Space>& tangent) const {
-    return culprit_row<Space>(left_null_vector<Space>(matrix(tangent)), control_.increment);
+    return row_that_limits<Space>(left_null_vector<Space>(matrix(tangent)), control_.increment);
   }
 
   /// The row that goes first on the way from the elastic tangent to this one, or a little further,
@@ -215,10 +215,11 @@ PointStep<Space> advance_finite(const Law<Space>& law, const PointState<Space>& 
         fraction = std::max(fraction / 4, 0.5 * tolerance.smallest_step);
         continue;
       }
-      step.culprit = second.failure.empty() ? driver.culprit(step.state, second) : -1;
-      step.outcome = step.culprit >= 0 ? StepOutcome::lost_control : StepOutcome::failed;
+      step.limiting_variable =
+          second.failure.empty() ? driver.limiting_variable(step.state, second) : -1;
+      step.outcome = step.limiting_variable >= 0 ? StepOutcome::lost_control : StepOutcome::failed;
       step.message = !second.failure.empty() ? second.failure
-                     : step.culprit >= 0
+                     : step.limiting_variable >= 0
                          ? "the control condition cannot be held any longer"
                          : "the law gives no increment that meets the control conditions";
       break;
@@ -260,14 +261,14 @@ PointRate<Space> finite_rate(const Law<Space>& law, const PointState<Space>& sta
   const std::optional<Vector<Space>> elastic = driver.elastic_strain();
   if (!elastic || !elastic->allFinite()) {
     rate.determinant = 0;
-    rate.culprit = driver.culprit(state, {});
+    rate.limiting_variable = driver.limiting_variable(state, {});
     return rate;
   }
   const double fraction = kRateStrain / elastic->norm();
   const auto small = driver.meet(state, fraction, driver.elastic());
   if (!small.failure.empty()) return rate;
   if (!small.met) {
-    rate.culprit = driver.culprit(state, small);
+    rate.limiting_variable = driver.limiting_variable(state, small);
     rate.determinant = 0;
     return rate;
   }

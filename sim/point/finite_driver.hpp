@@ -18,7 +18,7 @@ PointStep<Space> advance_finite(const Law<Space>& law, const PointState<Space>& 
                                 const PointTolerance& tolerance);
 
 /// point_rate of such a law: the quotient of a small increment (strain 1e-7) that meets the
-/// control. Not controllable with culprit −1 also where the law itself fails.
+/// control. Not controllable with limiting_variable −1 also where the law itself fails.
 template <class Space>
 PointRate<Space> finite_rate(const Law<Space>& law, const PointState<Space>& state,
                              const MixedControl<Space>& control);

@@ -166,12 +166,12 @@ class Runner {
         step.state.p() < kVanishedStress * std::max(mean_stress<Space>(path_.stress), 1e3);
     if (step.outcome == StepOutcome::lost_control) result_.message = kLostMessage;
     if (vanished) result_.message = kVanishedWords;
-    if (step.outcome == StepOutcome::lost_control && step.culprit >= 0) {
+    if (step.outcome == StepOutcome::lost_control && step.limiting_variable >= 0) {
       // Without stress any strain could be held: what is at an end is the material.
-      if (vanished && effective().control.stress.row(step.culprit).isZero(0))
+      if (vanished && effective().control.stress.row(step.limiting_variable).isZero(0))
         result_.outcome = StepOutcome::failed;
       else
-        lose_control(effective().labels[static_cast<std::size_t>(step.culprit)]);
+        lose_control(effective().labels[static_cast<std::size_t>(step.limiting_variable)]);
     }
     end_early();
     FailedIncrement<Space> failed{point(from), segment()};
@@ -182,11 +182,11 @@ class Runner {
     result_.failed = std::move(failed);
   }
 
-  void lose_control(const std::string& culprit) {
-    result_.culprit = culprit;
+  void lose_control(const std::string& limiting_variable) {
+    result_.limiting_variable = limiting_variable;
     PathPoint<Space> at = point(now_);
     at.determinant = 0;
-    result_.events.push_back({PathEventKind::control_limit, culprit, at});
+    result_.events.push_back({PathEventKind::control_limit, limiting_variable, at});
   }
 
   void note_event(const WitnessedEvent<Space>& event) {

@@ -19,10 +19,10 @@ struct FailedIncrement {
 template <class Space>
 struct PathResult {
   StepOutcome outcome = StepOutcome::accepted;
-  std::string message;    ///< in words; empty when accepted
-  std::string culprit;    ///< label of the condition that was lost
-  double error = 0;       ///< largest estimated error of an integration step, relative
-  PathPoint<Space> last;  ///< where the path ended, whatever the outcome
+  std::string message;            ///< in words; empty when accepted
+  std::string limiting_variable;  ///< label of the condition that was lost
+  double error = 0;               ///< largest estimated error of an integration step, relative
+  PathPoint<Space> last;          ///< where the path ended, whatever the outcome
   /// The first point of the largest |q|; empty where that stays below 1e-9 p′, round-off.
   std::optional<PathPoint<Space>> peak;
   std::vector<PathPoint<Space>>

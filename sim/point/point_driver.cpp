@@ -141,8 +141,8 @@ void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointR
     if (row >= tableau_.evaluations) break;
     const PointRate<Space> rate = respond(at, branch);
     if (!rate.controllable) {
-      trial.lost_control = rate.culprit >= 0;
-      trial.culprit = rate.culprit;
+      trial.lost_control = rate.limiting_variable >= 0;
+      trial.limiting_variable = rate.limiting_variable;
       return;
     }
     if (!keeps_branch(at, rate)) return;
@@ -252,15 +252,15 @@ bool PointDriver<Space>::attempt(const PointState<Space>& from, const PointRate<
   }
   if (trial_.possible) return true;
   if (trial_.lost_control) {
-    step.culprit = trial_.culprit;
+    step.limiting_variable = trial_.limiting_variable;
     return end(step, StepOutcome::lost_control, kLost);
   }
   if (!control_.strain_driven && law_.at_limit(trial_.state)) {
     blame(from, start.strain, step);
     // A strain can be held at a limit of stress; that the law ends there is no loss of control.
-    if (control_.strain.row(step.culprit).isZero(0))
+    if (control_.strain.row(step.limiting_variable).isZero(0))
       return end(step, StepOutcome::lost_control, kLost);
-    step.culprit = -1;
+    step.limiting_variable = -1;
   }
   // The branch changes within this smallest step: take it without loading.
   if (!trial_.refused && take_idle(from, fraction, trial_)) return true;
@@ -279,8 +279,8 @@ void PointDriver<Space>::blame(const PointState<Space>& at, const Vector<Space>&
       form != nullptr ? inverse<Space>(form->stiffness)
                       : Matrix<Space>(std::get<InterpolatedForm<Space>>(response_).plus);
   const Matrix<Space> a = (control_.stress + control_.strain * compliance).transpose();
-  step.culprit =
-      culprit_row<Space>(solve<Space>(a, compliance.transpose() * direction), control_.increment);
+  step.limiting_variable = row_that_limits<Space>(
+      solve<Space>(a, compliance.transpose() * direction), control_.increment);
 }
 
 /// Whether a strain that nothing holds has grown without end; the condition to blame is then the
@@ -330,8 +330,8 @@ PointStep<Space> PointDriver<Space>::advance(const PointState<Space>& state) {
   while (step.done < 1) {
     const PointRate<Space> start = begin(from);
     if (!start.controllable) {
-      step.culprit = start.culprit;
-      if (start.culprit >= 0)
+      step.limiting_variable = start.limiting_variable;
+      if (start.limiting_variable >= 0)
         end(step, StepOutcome::lost_control, kLost);
       else
         end(step, StepOutcome::failed, "the control conditions do not determine an increment");

@@ -17,7 +17,7 @@ namespace triax::sim {
 enum class StepOutcome {
   accepted,
   inaccurate,    ///< went to the end, but `error` exceeds the tolerance
-  lost_control,  ///< condition `culprit` cannot be held beyond `state`
+  lost_control,  ///< condition `limiting_variable` cannot be held beyond `state`
   failed,        ///< `message` says why; `state` is the last good one
 };
 
@@ -40,7 +40,7 @@ struct PointStep {
   Vector<Space> strain_increment = Vector<Space>::Zero();  ///< of the part done
   double error = 0;  ///< largest estimated error of an integration step, relative
   int steps = 0;     ///< integration steps tried
-  int culprit = -1;
+  int limiting_variable = -1;
   std::string message;  ///< empty when accepted
   /// Δσ′:Δε of the part done, Pa
   double second_order_work() const { return stress_increment.dot(strain_increment); }
@@ -74,7 +74,7 @@ class PointDriver {
     bool possible = false;      // every stage had a meaning and kept the branch
     bool lost_control = false;  // a stage could not meet the conditions
     bool refused = false;       // the law objects to where the step ends
-    int culprit = -1;
+    int limiting_variable = -1;
     PointState<Space> state;
     Vector<Space> strain;
     double error = 0;

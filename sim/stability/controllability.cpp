@@ -39,11 +39,12 @@ ControlAnswer answer_to(const IncrementalResponse<Space>& response,
                         const MixedControl<Space>& control) {
   const auto rate = response.to(control);
   if (rate.controllable)
-    return {ControlState::held, rate.determinant, stress_probe(rate), rate.culprit};
+    return {ControlState::held, rate.determinant, stress_probe(rate), rate.limiting_variable};
   // A law that integrates itself and meets no control, though no row is at its limit, tells
   // nothing.
-  const bool unknown = rate.culprit == kRefused || (response.law().finite() && rate.culprit < 0);
-  return {unknown ? ControlState::unanswered : ControlState::lost, {}, {}, rate.culprit};
+  const bool unknown =
+      rate.limiting_variable == kRefused || (response.law().finite() && rate.limiting_variable < 0);
+  return {unknown ? ControlState::unanswered : ControlState::lost, {}, {}, rate.limiting_variable};
 }
 
 template <class Space>
@@ -194,10 +195,10 @@ std::vector<ControlIndex> control_indices(const IncrementalResponse<Axisymmetric
   std::vector<ControlIndex> indices;
   for (const auto& [name, control, conditions] : controls) {
     ControlIndex index{name, answer_to(response, control)};
-    const auto row = static_cast<std::size_t>(std::max(index.answer.culprit, 0));
-    if (index.answer.state == ControlState::lost && index.answer.culprit >= 0 &&
+    const auto row = static_cast<std::size_t>(std::max(index.answer.limiting_variable, 0));
+    if (index.answer.state == ControlState::lost && index.answer.limiting_variable >= 0 &&
         row < conditions.size())
-      index.culprit = conditions[row];
+      index.limiting_variable = conditions[row];
     indices.push_back(std::move(index));
   }
   return indices;

@@ -34,8 +34,9 @@ struct ControlAnswer {
   /// the law's elastic or linear part (PointRate::determinant). 1 far from loss of control, towards
   /// 0 at it; empty where control is lost, as then there is no answer whose determinant it were.
   std::optional<double> index;
-  Probe probe;       ///< the increment under that control; answered only where control is held
-  int culprit = -1;  ///< where lost: the row of the control that cannot be held; −1: not known
+  Probe probe;  ///< the increment under that control; answered only where control is held
+  int limiting_variable =
+      -1;  ///< where lost: the row of the control that cannot be held; −1: not known
 
   bool held() const { return state == ControlState::held; }
 };
@@ -102,7 +103,8 @@ std::vector<NamedControl> triaxial_controls();
 struct ControlIndex {
   std::string name;
   ControlAnswer answer;
-  std::string culprit = {};  ///< where lost: the condition that cannot be held, if it has a name
+  std::string limiting_variable =
+      {};  ///< where lost: the condition that cannot be held, if it has a name
 };
 std::vector<ControlIndex> control_indices(const IncrementalResponse<Axisymmetric>& response,
                                           const std::vector<NamedControl>& controls);

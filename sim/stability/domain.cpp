@@ -95,7 +95,8 @@ class ColumnWalk {
       for (int i = 0; i < kDirections; ++i) {
         const PlaneVector v = unit_direction(2 * std::numbers::pi * i / kDirections);
         const auto rate = response.to_stress(as_tensor(Vector<Axisymmetric>(v.y(), v.x())));
-        if (!rate.controllable) ++(rate.culprit == kRefused ? found.refused : found.missing);
+        if (!rate.controllable)
+          ++(rate.limiting_variable == kRefused ? found.refused : found.missing);
       }
     }
     return found;
@@ -143,7 +144,7 @@ class ColumnWalk {
       for (int i = 0; i < grid_.directions && !law_.finite(); ++i) {
         const PlaneVector v = unit_direction(2 * std::numbers::pi * i / grid_.directions);
         const auto rate = response.to_stress({v.y(), v.x()});
-        if (rate.culprit != kRefused) continue;
+        if (rate.limiting_variable != kRefused) continue;
         if (const auto words = law_.refusal(response.state(), rate)) return *words;
       }
     return "the law gives no result in some directions";

@@ -41,7 +41,7 @@ template <class Space>
 PointRate<Space> IncrementalResponse<Space>::accepted(PointRate<Space> rate) const {
   if (rate.controllable && law_.refusal(state_, rate)) {
     rate.controllable = false;
-    rate.culprit = kRefused;
+    rate.limiting_variable = kRefused;
   }
   return rate;
 }
@@ -56,7 +56,7 @@ PointRate<Space> IncrementalResponse<Space>::to(const MixedControl<Space>& contr
   if (law_.finite()) {
     PointRate<Space> rate = finite_rate(law_, state_, control);
     // At its limit the determinant vanishes; without an answer it is not known.
-    if (!rate.controllable && rate.determinant != 0) rate.culprit = kRefused;
+    if (!rate.controllable && rate.determinant != 0) rate.limiting_variable = kRefused;
     return rate;
   }
   return solve(PreparedControl<Space>(control, modulus_));

@@ -7,8 +7,8 @@
 
 namespace triax::sim {
 
-/// PointRate::culprit of a direction that the law refuses (Law::refusal) or, a foreign law, fails
-/// in: not controllable, but no limit of control either.
+/// PointRate::limiting_variable of a direction that the law refuses (Law::refusal) or, a foreign
+/// law, fails in: not controllable, but no limit of control either.
 inline constexpr int kRefused = -2;
 
 /// What a law answers at one state, dε = M(dσ) dσ of Eq. (24), made ready for very many directions:

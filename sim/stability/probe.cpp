@@ -26,7 +26,7 @@ Prober finite_prober(const Law<Space>& law, const PointState<Space>& state, Prob
 template <class Rate>
 Probe probe_of_rate(double angle, const Rate& rate) {
   Probe probe = probe_of(angle, rate.controllable, in_plane(rate.stress), in_plane(rate.strain));
-  probe.refused = !rate.controllable && rate.culprit == kRefused;
+  probe.refused = !rate.controllable && rate.limiting_variable == kRefused;
   return probe;
 }
 

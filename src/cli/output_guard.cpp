@@ -53,25 +53,60 @@ std::vector<std::string> files_of_prefix(const std::string& prefix,
   return files;
 }
 
+namespace {
+
+void check_writable(const fs::path& folder, const std::string& target) {
+  if (::access((folder / "").c_str(), W_OK | X_OK) != 0)
+    throw lab::WorkFailed(fmt::format("{}: cannot write: {}", target, std::strerror(errno)));
+}
+
+void check_file(const std::string& option, const std::string& output, const std::string& target) {
+  std::error_code none;
+  const fs::path file = lab::behind_links(target);
+  const auto kind = fs::status(file, none).type();
+  if (kind == fs::file_type::directory)
+    throw lab::BadInput(fmt::format("{} {}: {} is a folder", option, output, target));
+  if (kind == fs::file_type::character || kind == fs::file_type::fifo) return;
+  check_writable(file.has_parent_path() ? file.parent_path() : ".", target);
+}
+
+}  // namespace
+
+std::string prefix_in(const std::string& folder, const std::string& command) {
+  return folder.empty() ? "" : (fs::path(folder) / command).string();
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw lab::WorkFailed(fmt::format("{}: cannot write: {}", folder, failed.message()));
+}
+
+void check_folder(const std::string& option, const std::string& folder,
+                  const std::vector<std::string>& targets) {
+  if (folder.empty()) return;
+  std::error_code none;
+  if (fs::exists(folder, none)) {
+    if (!fs::is_directory(folder, none))
+      throw lab::BadInput(fmt::format("{} {}: this is a file; expected a folder", option, folder));
+    for (const auto& target : targets) check_file(option, folder, target);
+    return;
+  }
+  // The nearest that there is has to let folders be made in it.
+  fs::path above = fs::absolute(folder, none).lexically_normal();
+  while (!fs::exists(above, none) && above.has_relative_path()) above = above.parent_path();
+  if (!fs::is_directory(above, none))
+    throw lab::BadInput(
+        fmt::format("{} {}: {} is a file; expected a folder", option, folder, above.string()));
+  check_writable(above, folder);
+}
+
 void check_targets(const std::string& option, const std::string& output,
                    const std::vector<std::string>& targets) {
-  const auto refuse = [&](const std::string& why) {
-    throw lab::BadInput(fmt::format("{} {}: {}", option, output, why));
-  };
   if (output.empty() || output == "-") return;
   if (output.back() == '/')
-    refuse(
-        fmt::format("this is a folder; expected the beginning of file names, as in {}x", output));
-  for (const auto& target : targets) {
-    std::error_code none;
-    const fs::path file = lab::behind_links(target);
-    const auto kind = fs::status(file, none).type();
-    if (kind == fs::file_type::directory) refuse(fmt::format("{} is a folder", target));
-    if (kind == fs::file_type::character || kind == fs::file_type::fifo) continue;
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    if (::access((folder / "").c_str(), W_OK | X_OK) != 0)
-      throw lab::WorkFailed(fmt::format("{}: cannot write: {}", target, std::strerror(errno)));
-  }
+    throw lab::BadInput(fmt::format("{} {}: this is a folder; expected a file", option, output));
+  for (const auto& target : targets) check_file(option, output, target);
 }
 
 }  // namespace triax::src

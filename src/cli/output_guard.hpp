@@ -14,13 +14,25 @@ std::vector<std::string> database_files(const std::string& db);
 void refuse_overwriting(const std::string& option, const std::string& output,
                         const std::vector<std::string>& kept, const std::string& what);
 
+/// What the names of a command's files in the folder of --output begin with: "FOLDER/probe"; empty
+/// for an empty folder.
+std::string prefix_in(const std::string& folder, const std::string& command);
+
+/// Makes the folder of --output; files are written only after. Throws lab::WorkFailed.
+void make_folder(const std::string& folder);
+
 /// PREFIX with each of these names and each ending of data and figures: "x_cones.svg".
 std::vector<std::string> files_of_prefix(const std::string& prefix,
                                          const std::vector<std::string>& names = {""});
 
-/// Finds out before anything is computed whether these files could be written at the end. Throws
-/// lab::BadInput where `output`, as the user gave it, ends in '/' or a target is a folder,
-/// lab::WorkFailed where a folder is missing or lets nothing be written in it. "-" is always
+/// Finds out before anything is computed whether the folder could be made, if there is none yet,
+/// and these files in it be written at the end. Throws lab::BadInput where a file stands in its
+/// place or a target is a folder, lab::WorkFailed where nothing can be written there.
+void check_folder(const std::string& option, const std::string& folder,
+                  const std::vector<std::string>& targets);
+
+/// The same of single files. Throws lab::BadInput where `output`, as the user gave it, is a folder,
+/// lab::WorkFailed where its folder is missing or lets nothing be written in it. "-" is always
 /// possible.
 void check_targets(const std::string& option, const std::string& output,
                    const std::vector<std::string>& targets);

@@ -75,9 +75,9 @@ void check_output(const DomainOptions& o, const std::optional<lab::MaterialSet>&
   if (o.output.empty()) return;
   const auto files =
       o.piece.empty()
-          ? files_of_prefix(o.output, {"", "_boundaries", "_cones_pq", "_cones_rendulic"})
+          ? files_of_prefix(o.prefix(), {"", "_boundaries", "_cones_pq", "_cones_rendulic"})
           : std::vector{o.output};
-  check_targets("--output", o.output, files);
+  (o.piece.empty() ? check_folder : check_targets)("--output", o.output, files);
   for (const auto& file : files) {
     refuse_overwriting("--output", file, o.merge, "a piece of --merge");
     if (!o.material.file.empty())
@@ -111,7 +111,10 @@ void run(const DomainOptions& o) {
   const std::vector<study::TestedState> tests = tests_on_top(o);
   const study::ReportedDomain domain = material ? compute(o, *material, {}) : merge(o);
   refuse_if_nothing_is_answered(domain);
-  if (!o.output.empty()) write_files(domain, tests, o.output);
+  if (!o.output.empty()) {
+    make_folder(o.output);
+    write_files(domain, tests, o.prefix());
+  }
   print(o.json ? study::domain_json(domain) : domain_text(domain));
 }
 

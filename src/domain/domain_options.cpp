@@ -90,11 +90,12 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
       ->type_name("I/N");
   app.add_option("--merge", o.merge, "merge these pieces only, compute nothing")
       ->type_name("FILE...");
-  app.add_option("--output", o.output,
-                 "write PREFIX.csv (states), PREFIX_boundaries.csv, PREFIX.json, the map as "
-                 "PREFIX.svg, .png and .pdf, and the cones at some states as PREFIX_cones_pq and "
-                 "PREFIX_cones_rendulic; with --piece the file of the piece")
-      ->type_name("PREFIX");
+  app.add_option(
+         "--output", o.output,
+         "write into FOLDER domain.csv (states), domain_boundaries.csv, domain.json, the map "
+         "as domain.svg, .png and .pdf, and the cones at some states as domain_cones_pq and "
+         "domain_cones_rendulic; with --piece the file of the piece")
+      ->type_name("FOLDER");
   app.add_option("--test", o.tests,
                  "put the measured increment of this test at its collapse on the figures of "
                  "cones; may be repeated")

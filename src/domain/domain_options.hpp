@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/cli/material_option.hpp"
+#include "src/cli/output_guard.hpp"
 #include "src/study/domain/domain_report.hpp"
 
 namespace triax::src {
@@ -18,7 +19,8 @@ struct DomainOptions {
   int jobs = 0;                    ///< threads; 0: all cores
   std::string piece;               ///< I/N; empty: the whole domain
   std::vector<std::string> merge;  ///< files of pieces; empty: the domain is computed
-  std::string output;
+  std::string output;              ///< folder; with `piece` a file
+  std::string prefix() const { return prefix_in(output, "domain"); }
   std::vector<std::string> tests;
   std::string db = "triax.db";
   std::vector<std::string> criteria;  ///< asked for, of sim::domain_criterion_kinds()

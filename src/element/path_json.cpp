@@ -27,7 +27,7 @@ std::string path_json(const study::PathResult& path) {
                           {"material", study::json_material(path.material)},
                           {"start", point_json(path, path.start)},
                           {"outcome", word_of(path.outcome)},
-                          {"culprit", study::json_text(path.culprit)},
+                          {"limiting_variable", study::json_text(path.limiting_variable)},
                           {"message", study::json_text(path.message)},
                           {"error", study::json_number(path.error)},
                           {"peak", path.peak ? point_json(path, *path.peak) : study::Json(nullptr)},

@@ -43,7 +43,7 @@ GrainOutputs::GrainOutputs(const lab::GrainProgramme& programme, std::string pre
     if (prefix_.empty() && (stage.save || for_lammps(stage) || pictures_of(stage) > 0))
       throw lab::BadInput(
           programme.source, stage.line,
-          fmt::format("stage '{}' writes files: name them by --output PREFIX", stage.name));
+          fmt::format("stage '{}' writes files: say where by --output FOLDER", stage.name));
 }
 
 std::string GrainOutputs::named(const lab::GrainStage& stage, const std::string& ending) const {

@@ -85,7 +85,7 @@ std::string null_words(const study::GrainRoseFindings& found, const sim::GrainPr
 
 RoseTables rose_tables(const lab::ReportedGrainRose& rose) {
   RoseTables tables{right_columns({"α (°)", "dε₁ (10⁻⁶)", "dε₃ (10⁻⁶)", "W₂ norm.", "sliding (%)",
-                                   "non-perm. (%)", "largest K (J)", "steps", "settled"}),
+                                   "non-perm. (%)", "largest K (J)", "steps", "at rest"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
                                    "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed"})};
   const int decimals = work_decimals(rose.made.rose);
@@ -106,7 +106,7 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedG
            in_kPa(stress.radial, 2),
            number(p > 0 ? std::optional(sim::deviator_stress(stress) / p) : std::nullopt, 4),
            rose.norm_pa / 1e3)},
-      {"made", fmt::format("{} of {} probes, {} settled", found.made, rose.made.rose.probes.size(),
+      {"made", fmt::format("{} of {} probes, {} at rest", found.made, rose.made.rose.probes.size(),
                            found.settled)},
       {"null probe", null_words(found, rose.made.rose.null_probe)}};
   if (found.made == 0) return facts;

@@ -37,7 +37,7 @@ struct Came {
       case sim::GrainPathEnd::stress_ratio:
         return fmt::format("η = {} reached", number(last.stress_ratio(), 3));
       case sim::GrainPathEnd::settled:
-        return fmt::format("settled at p = {} kPa", in_kPa(last.p_pa));
+        return fmt::format("at rest at p = {} kPa", in_kPa(last.p_pa));
       case sim::GrainPathEnd::collapse:
         return fmt::format("COLLAPSED at ε₁ = {} %", in_percent(last.strain.axial));
       default:
@@ -45,12 +45,12 @@ struct Came {
     }
   }
   std::string operator()(const lab::ReportedGrainRest& rest) const {
-    return rest.rest.settled ? "settled" : "NOT SETTLED";
+    return rest.rest.settled ? "at rest" : "NOT AT REST";
   }
   std::string operator()(const lab::ReportedGrainRose& rose) const {
     int settled = 0;
     for (const auto& probe : rose.made.rose.probes) settled += probe.settled;
-    return fmt::format("{} of {} probes settled", settled, rose.made.rose.probes.size());
+    return fmt::format("{} of {} probes at rest", settled, rose.made.rose.probes.size());
   }
   std::string operator()(const lab::ReportedPerturbation& perturbation) const {
     return perturbation.end == sim::PerturbationEnd::collapsed ? "COLLAPSED"
@@ -151,7 +151,7 @@ Table marks_table(const lab::GrainReport& report) {
 }
 
 Table rests_table(const lab::GrainReport& report) {
-  Table table = with_columns({"stage", "from", "held", "settled"},
+  Table table = with_columns({"stage", "from", "held", "at rest"},
                              {"steps", "unbalanced", "stress error (Pa)", "σ₁−σ₃/R (kPa)"});
   for_each<lab::ReportedGrainRest>(report, [&](const auto& stage, const auto& came) {
     const auto& settling = came.rest.settling;

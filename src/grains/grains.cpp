@@ -29,7 +29,8 @@ struct Options {
   std::string piece;
   std::vector<std::string> merge;
   std::string db = "triax.db";
-  std::string output;
+  std::string output;  // folder; with `piece` a file
+  std::string prefix() const { return prefix_in(output, "grains"); }
   int jobs = 0;
   bool json = false;
 };
@@ -55,8 +56,8 @@ void check_output(const Options& o, const lab::GrainProgramme& programme,
                   std::vector<std::string> files) {
   refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
   if (o.output.empty()) return;
-  files.push_back(o.piece.empty() ? o.output + ".json" : o.output);
-  check_targets("--output", o.output, files);
+  files.push_back(o.piece.empty() ? o.prefix() + ".json" : o.output);
+  (o.piece.empty() ? check_folder : check_targets)("--output", o.output, files);
   for (const auto& file : files) {
     refuse_overwriting("--output", file, programme.files, "what the programme is read from");
     refuse_overwriting("--output", file, o.merge, "a piece of --merge");
@@ -67,9 +68,10 @@ void check_output(const Options& o, const lab::GrainProgramme& programme,
 void write_and_print(const Options& o, const db::StoredGrainRun& run) {
   const lab::GrainReport& report = run.report;
   if (!o.output.empty()) {
-    write_file(o.output + ".json", grain_json(report));
-    for (const NamedBytes& csv : grain_csvs(report)) write_file(o.output + csv.suffix, csv.bytes);
-    for (const NamedFigure& figure : grain_figures(report)) write_named_figure(figure, o.output);
+    make_folder(o.output);
+    write_file(o.prefix() + ".json", grain_json(report));
+    for (const NamedBytes& csv : grain_csvs(report)) write_file(o.prefix() + csv.suffix, csv.bytes);
+    for (const NamedFigure& figure : grain_figures(report)) write_named_figure(figure, o.prefix());
   }
   print(o.json ? grain_json(report) : grain_text(run));
 }
@@ -130,8 +132,9 @@ void run(const Options& o) {
   const lab::GrainProgramme programme = programme_of(o);
   if (!o.piece.empty()) return run_piece(o, programme);
   if (!o.merge.empty()) return run_merge(o, programme);
-  GrainOutputs outputs(programme, o.output);
+  GrainOutputs outputs(programme, o.prefix());
   check_output(o, programme, outputs.files());
+  if (!outputs.files().empty()) make_folder(o.output);
   const auto stored = run_stages(o, programme, outputs);
   if (!stored) throw lab::WorkFailed(kStoppedEarly);
   write_and_print(o, *stored);
@@ -158,7 +161,7 @@ Command grains_command() {
            "same bits on any number of threads, and a saved state continues as if the run had "
            "never "
            "ended.",
-           "--output PREFIX writes PREFIX.json, a CSV a stage, the figures, and the files that "
+           "--output FOLDER writes grains.json, a CSV a stage, the figures, and the files that "
            "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
            "after the current step; completed stages are stored.",
            "The probes of a saved state do not depend on each other: --piece I/N makes every N-th "
@@ -189,8 +192,10 @@ Command grains_command() {
                        "another value for a key of the programme; may be repeated")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--output", o->output, "also write files whose names begin like this")
-            ->type_name("PREFIX");
+        app.add_option("--output", o->output,
+                       "also write document, data and figures into FOLDER; with --piece the file "
+                       "of the piece")
+            ->type_name("FOLDER");
         add_jobs(app, o->jobs, "threads; results do not depend on them", 64);
         app.add_option("--piece", o->piece,
                        "make every N-th probe from the I-th on only, and write them to the file "

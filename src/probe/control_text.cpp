@@ -90,7 +90,7 @@ Table named_controls_table(const study::Controllability& control) {
 std::string condition_words(const sim::ControlIndex& at) {
   std::string words = at.name + ": " + words_of(at.answer.state);
   if (at.answer.index) words += ", index " + number(at.answer.index, 4);
-  if (!at.culprit.empty()) words += ", " + at.culprit + " cannot be held";
+  if (!at.limiting_variable.empty()) words += ", " + at.limiting_variable + " cannot be held";
   return words;
 }
 

@@ -31,21 +31,23 @@ void keep_what_is_read(const ProbeOptions& o, const std::string& prefix) {
 /// it is known that none of it would replace what was read.
 void write_files(const ProbeOptions& o, const study::ProbeResult& result) {
   const auto figures = probe_figures(result);
-  std::vector<std::string> prefixes = {o.output};
-  for (const auto& figure : figures) prefixes.push_back(o.output + '_' + figure.name);
+  std::vector<std::string> prefixes = {o.prefix()};
+  for (const auto& figure : figures) prefixes.push_back(o.prefix() + '_' + figure.name);
   for (const auto& prefix : prefixes) keep_what_is_read(o, prefix);
-  write_file(o.output + ".json", probe_json(result));
-  write_file(o.output + ".csv", to_csv(probes_data(result)));
-  for (const auto& figure : figures) write_named_figure(figure, o.output);
+  make_folder(o.output);
+  write_file(o.prefix() + ".json", probe_json(result));
+  write_file(o.prefix() + ".csv", to_csv(probes_data(result)));
+  for (const auto& figure : figures) write_named_figure(figure, o.prefix());
 }
 
 void run_strain_paths(const ProbeOptions& o) {
   const auto result = study::strain_paths(strain_paths_request(o));
   if (!o.output.empty()) {
-    keep_what_is_read(o, o.output);
-    write_figure(strain_paths_drawing(result), o.output);
-    write_file(o.output + ".csv", to_csv(strain_paths_data(result)));
-    write_file(o.output + ".json", strain_paths_json(result));
+    keep_what_is_read(o, o.prefix());
+    make_folder(o.output);
+    write_figure(strain_paths_drawing(result), o.prefix());
+    write_file(o.prefix() + ".csv", to_csv(strain_paths_data(result)));
+    write_file(o.prefix() + ".json", strain_paths_json(result));
   }
   print(o.json ? strain_paths_json(result) : strain_paths_text(result));
 }
@@ -53,11 +55,12 @@ void run_strain_paths(const ProbeOptions& o) {
 void run_sphere(const ProbeOptions& o) {
   const auto result = study::run_sphere(sphere_request(o), progress_bars());
   if (!o.output.empty()) {
-    keep_what_is_read(o, o.output);
-    write_file(o.output + ".json", sphere_json(result));
-    write_file(o.output + ".csv", to_csv(sphere_data(result)));
+    keep_what_is_read(o, o.prefix());
+    make_folder(o.output);
+    write_file(o.prefix() + ".json", sphere_json(result));
+    write_file(o.prefix() + ".csv", to_csv(sphere_data(result)));
     if (const Drawing drawing = sphere_drawing(result); drawing.plot)
-      write_figure(drawing, o.output);
+      write_figure(drawing, o.prefix());
   }
   print(o.json ? sphere_json(result) : sphere_text(result));
   if (!result.any_answer()) throw lab::WorkFailed("the law gives no result in any direction");
@@ -76,7 +79,7 @@ void run_probe(const ProbeOptions& o) {
 }
 
 void run(const ProbeOptions& o) {
-  check_targets("--output", o.output, files_of_prefix(o.output));
+  check_folder("--output", o.output, files_of_prefix(o.prefix()));
   if (!o.strain_paths.empty()) return run_strain_paths(o);
   if (o.plane == "3d") return run_sphere(o);
   run_probe(o);

@@ -143,7 +143,7 @@ study::Json control_json(const study::Controllability& control) {
   for (const auto& at : control.named) named.push_back(named_json(at));
   for (const auto& at : control.conditions) {
     conditions.push_back(named_json(at));
-    conditions.back()["culprit"] = study::json_text(at.culprit);
+    conditions.back()["limiting_variable"] = study::json_text(at.limiting_variable);
   }
   for (const auto& root : control.roots)
     roots.push_back({{"R", study::json_number(root.R)},

@@ -176,10 +176,10 @@ void add_probe_options(CLI::App& app, ProbeOptions& o) {
   app.add_option("--axial-strain", o.axial_strain,
                  "to which the strain paths go, a plain number [0.05]")
       ->type_name("STRAIN");
-  app.add_option(
-         "--output", o.output,
-         "also write PREFIX.csv, PREFIX.json and the figures (SVG, PNG, PDF) with their data")
-      ->type_name("PREFIX");
+  app.add_option("--output", o.output,
+                 "also write probe.csv, probe.json and the figures (SVG, PNG, PDF) with their data "
+                 "into FOLDER")
+      ->type_name("FOLDER");
   add_json(app, o.json);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/cli/material_option.hpp"
+#include "src/cli/output_guard.hpp"
 #include "src/study/probe/run_probe.hpp"
 #include "src/study/probe/strain_paths.hpp"
 
@@ -41,7 +42,8 @@ struct ProbeOptions {
 
   std::vector<double> strain_paths;    ///< R; another run altogether
   std::optional<double> axial_strain;  ///< empty: kUsualAxialStrain
-  std::string output;
+  std::string output;                  ///< folder
+  std::string prefix() const { return prefix_in(output, "probe"); }
   bool json = false;
 };
 

@@ -76,8 +76,8 @@ TEST_CASE("neither threads nor pieces show in a byte of what is written") {
       here.triax("domain --merge piece3.json piece1.json piece2.json --output m");
   CHECK(merged.status == 0);
   CHECK(merged.out == here.triax(kSmall).out);
-  const auto file = [&](const char* prefix, const char* ending) {
-    return content(here / std::string(prefix).append(ending));
+  const auto file = [&](const char* folder, const char* ending) {
+    return content(here / (std::string(folder) + "/domain" + ending));
   };
   for (const char* ending : {".csv", "_boundaries.csv", ".json", ".svg", ".png", ".pdf"}) {
     INFO(ending);
@@ -87,7 +87,7 @@ TEST_CASE("neither threads nor pieces show in a byte of what is written") {
   }
   // --merge --json prints the same document as a file holds.
   CHECK((here.triax("domain --merge piece1.json piece2.json piece3.json --json").out ==
-         content(here / "whole.json")));
+         content(here / "whole/domain.json")));
 }
 
 TEST_CASE("pieces that do not belong together are one line and status 2") {
@@ -116,7 +116,7 @@ TEST_CASE("pieces that do not belong together are one line and status 2") {
         Bad{"--merge 1.json 2.json --localisation", "--localisation and --merge"},
         Bad{"--merge 1.json 2.json --jobs 2", "--jobs and --merge"},
         Bad{"--merge 1.json 2.json --piece 1/2", "--piece and --merge"},
-        Bad{"--merge m.json --output m", "would be overwritten"}}) {
+        Bad{"--merge m/domain.json --output m", "would be overwritten"}}) {
     const Outcome outcome = here.triax(std::string("domain ") + bad.arguments);
     INFO(bad.says << "\n" << outcome.err);
     CHECK(outcome.status == 2);
@@ -155,7 +155,6 @@ TEST_CASE("settings that make no domain are one line and status 2, and nothing i
         Bad{sand + "--piece 1 --output x", "I/N"},
         Bad{sand + "--piece 1/2", "--piece needs --output"},
         Bad{sand + "--piece 1/2 --output x --json", "--piece and --json"},
-        Bad{sand + "--output x/", "this is a folder"},
         Bad{"--material norsand/S28-MT --void-ratio 1 --localisation",
             "--localisation needs the full tensor"},
         Bad{sand + "--p-kPa 10:20/2 --piece 1/3 --output x", "only 2 columns"},
@@ -180,38 +179,44 @@ TEST_CASE("what is read is not overwritten, by a domain or by a piece of one") {
       " --material elastic/Hostun-loose --void-ratio 1 --p-kPa 50:100/2 --q-kPa 0:50/3 "
       "--directions 8 ";
   for (const std::string arguments :
-       {"--materials y.json --output y", "--materials w.toml --piece 1/2 --output w.toml",
-        "--materials z_cones_pq.csv --output ./z"}) {
-    for (const char* file : {"y.json", "w.toml", "z_cones_pq.csv"}) write(here / file, set);
+       {"--materials y/domain.json --output y", "--materials w.toml --piece 1/2 --output w.toml",
+        "--materials z/domain_cones_pq.csv --output ./z/"}) {
+    for (const char* folder : {"y", "z"}) std::filesystem::create_directories(here / folder);
+    for (const char* file : {"y/domain.json", "w.toml", "z/domain_cones_pq.csv"})
+      write(here / file, set);
     const Outcome outcome = here.triax("domain" + small + arguments);
     INFO(outcome.err);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find("would be overwritten") != std::string::npos);
-    for (const char* file : {"y.json", "w.toml", "z_cones_pq.csv"})
+    for (const char* file : {"y/domain.json", "w.toml", "z/domain_cones_pq.csv"})
       CHECK(content(here / file) == set);
-    CHECK_FALSE(here.has("y.csv"));
+    CHECK_FALSE(here.has("y/domain.csv"));
   }
 }
 
 TEST_CASE("targets that cannot be written are found before anything is computed or written") {
   const Workplace here;
-  std::filesystem::create_directories(here / "x.pdf");
+  for (const char* taken : {"x/domain.pdf", "x/probe.pdf"})
+    std::filesystem::create_directories(here / taken);
+  write(here / "file", "");
   // So large that computing it would not end within a test.
   const std::string large =
       " --material inl2/S28-general --void-ratio 1.086 --p-kPa 10:800/1000 --q-kPa 0:900/4000 ";
   const std::string state = " --material inl2/S28-general --void-ratio 1.086 --p-kPa 70 --eta 0.5 ";
-  for (const std::string& command : {"domain" + large, "probe" + state}) {
-    const Outcome folder = here.triax(command + "--output x");
+  for (const auto& [name, rest] : {std::pair<std::string, std::string>{"domain", large},
+                                   std::pair<std::string, std::string>{"probe", state}}) {
+    const Outcome folder = here.triax(name + rest + "--output x");
     INFO(folder.err);
     CHECK(folder.status == 2);
-    CHECK(folder.err.find("x.pdf is a folder") != std::string::npos);
-    CHECK_FALSE(here.has("x.csv"));
-    CHECK_FALSE(here.has("x.json"));
-    const Outcome missing = here.triax(command + "--output nodir/x");
-    CHECK(missing.status == 1);
-    CHECK(missing.err.find("nodir/x.csv: cannot write: No such file or directory") !=
-          std::string::npos);
-    CHECK(here.triax(command + "--output here/").status == 2);
+    CHECK(folder.err.find("x/" + name + ".pdf is a folder") != std::string::npos);
+    CHECK_FALSE(here.has("x/" + name + ".csv"));
+    CHECK_FALSE(here.has("x/" + name + ".json"));
+    for (const char* within : {"file", "file/deep/down"}) {
+      const Outcome no_folder = here.triax(name + rest + "--output " + within);
+      INFO(no_folder.err);
+      CHECK(no_folder.status == 2);
+      CHECK(no_folder.err.find("is a file; expected a folder") != std::string::npos);
+    }
   }
 }
 
@@ -224,7 +229,7 @@ TEST_CASE("a domain of which the law answers no state is no result") {
   CHECK(outcome.out.empty());
   CHECK(outcome.err.find("gives no result at any state of the grid") != std::string::npos);
   CHECK(outcome.err.find("the void ratio is 5") != std::string::npos);
-  CHECK_FALSE(here.has("x.csv"));
+  CHECK_FALSE(here.has("x"));
 }
 
 TEST_CASE(
@@ -242,13 +247,13 @@ TEST_CASE(
   CHECK(merged.out.find("η localisation") != std::string::npos);
   CHECK(merged.out.find("plane strain") != std::string::npos);
   for (const char* ending : {".csv", "_boundaries.csv", ".json"})
-    CHECK((content(here / (std::string("m") + ending)) ==
-           content(here / (std::string("whole") + ending))));
+    CHECK((content(here / (std::string("m/domain") + ending)) ==
+           content(here / (std::string("whole/domain") + ending))));
   REQUIRE(here.triax("simulate " + source("samples/programmes/icu_6.toml")).status == 0);
   const Outcome test = here.triax("domain --merge 1.json 2.json --test 1 --output t");
   CHECK(test.status == 2);
   CHECK(test.err.find("the pieces of --merge are of plane-strain") != std::string::npos);
-  CHECK_FALSE(here.has("t.csv"));
+  CHECK_FALSE(here.has("t"));
 }
 
 TEST_CASE("a run that is killed on the way leaves nothing") {
@@ -293,7 +298,7 @@ TEST_CASE("a UMAT that misbehaves everywhere is status 1 with its words, and not
     CHECK(outcome.out.empty());
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     CHECK(outcome.err.find("gives no result at any state of the grid") != std::string::npos);
-    CHECK_FALSE(here.has("x.csv"));
+    CHECK_FALSE(here.has("x"));
   }
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("undrained compression as JSON: peak, events, rows") {
   CHECK(outcome.err.empty());
   const json d = json::parse(outcome.out);
   CHECK(d["outcome"] == "accepted");
-  CHECK(d["culprit"].is_null());
+  CHECK(d["limiting_variable"].is_null());
   CHECK(d["message"].is_null());
   CHECK(d["path"]["origin"] == "simulated");
   for (const char* key : {"name", "law", "source", "range"}) CHECK(d["material"][key].is_string());
@@ -77,7 +77,7 @@ TEST_CASE("undrained compression as JSON: peak, events, rows") {
   CHECK(denser["peak"]["q_kPa"].get<double>() > d["peak"]["q_kPa"].get<double>());
 }
 
-TEST_CASE("a load beyond the limit: status 1, the culprit, and the failure as a file") {
+TEST_CASE("a load beyond the limit: status 1, the limiting variable, and the failure as a file") {
   const Workplace here;
   const Outcome outcome =
       here.triax("element " + kBeyond + " --json --save-failure step.toml --output rows.csv");
@@ -87,7 +87,7 @@ TEST_CASE("a load beyond the limit: status 1, the culprit, and the failure as a 
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 2);
   const json d = json::parse(outcome.out);
   CHECK(d["outcome"] == "lost_control");
-  CHECK(d["culprit"] == "q_kPa");
+  CHECK(d["limiting_variable"] == "q_kPa");
   CHECK(d["last"]["eta"].get<double>() < 1);
   CHECK(d["events"].back()["kind"] == "control_limit");
   const std::string csv = content(here / "rows.csv");
@@ -97,7 +97,7 @@ TEST_CASE("a load beyond the limit: status 1, the culprit, and the failure as a 
   const Outcome again = here.triax("element step.toml --json");
   CHECK(again.status == 1);
   const json e = json::parse(again.out);
-  CHECK(e["culprit"] == "q_kPa");
+  CHECK(e["limiting_variable"] == "q_kPa");
   CHECK(e["last"]["q_kPa"].get<double>() == Approx(d["last"]["q_kPa"].get<double>()).epsilon(1e-9));
 
   CHECK(here.triax("element " + kIcu + " --save-failure none.toml").status == 0);

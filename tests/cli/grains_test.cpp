@@ -28,15 +28,16 @@ TEST_CASE("grains: report, document, files and database tell the same run") {
   write(here / "g.toml", kSmallGrains);
   const Outcome outcome = here.triax("grains g.toml --output out --json");
   CHECK(outcome.status == 0);
-  CHECK(outcome.err == "triax: wrote 42 files: out_at_rest.grains to out_load_steps.json\n");
+  CHECK(outcome.err ==
+        "triax: wrote 42 files: out/grains_at_rest.grains to out/grains_load_steps.json\n");
   const json d = json::parse(outcome.out);
   CHECK(d["origin"] == "simulated");
   CHECK(d["stages"].size() == 7);
-  CHECK(json::parse(content(here / "out.json")) == d);
-  for (const char* file : {"out_at_rest.grains", "out_drained_points.csv", "out_probes_probes.csv",
-                           "out_hit_points.csv"}) {
+  CHECK(json::parse(content(here / "out/grains.json")) == d);
+  for (const char* file :
+       {"at_rest.grains", "drained_points.csv", "probes_probes.csv", "hit_points.csv"}) {
     INFO(file);
-    CHECK(here.has(file));
+    CHECK(here.has(std::string("out/grains_") + file));
   }
   CHECK(count_of(here, "grain_runs WHERE status = 'complete'") == 1);
   CHECK(count_of(here, "grain_stages") == 7);
@@ -73,10 +74,10 @@ TEST_CASE("grains: report tells a run from the database as grains told it") {
   CHECK(document["status"] == "complete");
   for (const char* of_the_database : {"id", "name", "status", "recorded_at", "stored_whole"})
     document.erase(of_the_database);
-  CHECK(document == json::parse(content(here / "out.json")));
+  CHECK(document == json::parse(content(here / "out/grains.json")));
 
   CHECK(here.triax("report small --figures pictures").status == 0);
-  CHECK(content(here / "pictures/small_drained.svg") == content(here / "out_drained.svg"));
+  CHECK(content(here / "pictures/small_drained.svg") == content(here / "out/grains_drained.svg"));
   REQUIRE(here.triax("report small --format html --output r.html").status == 0);
   CHECK_THAT(content(here / "r.html"), Catch::Contains("<section id=\"grains-1\">") &&
                                            Catch::Contains("SIMULATED") && Catch::Contains("<svg"));
@@ -93,7 +94,7 @@ TEST_CASE("grains: a saved state goes on in another programme; --set changes a v
         kSmallGrains.substr(0, kSmallGrains.find("[[stages]]\nname = \"probes\"")));
   REQUIRE(here.triax("grains g.toml --output out").status == 0);
   write(here / "p.toml",
-        "[run]\nname = \"p\"\n[specimen]\nstate = \"out_at_rest.grains\"\n"
+        "[run]\nname = \"p\"\n[specimen]\nstate = \"out/grains_at_rest.grains\"\n"
         "[[stages]]\nname = \"probes\"\naction = \"probes\"\ndirections = 4\n");
   const json whole = json::parse(here.triax("grains p.toml --json").out);
   const json fewer =
@@ -118,9 +119,9 @@ TEST_CASE("grains: bad input is one line and status 2, and leaves nothing behind
   };
   write(here / "g.toml", kSmallGrains);
   refused("none.toml", "none.toml");
-  refused("g.toml", "--output PREFIX");
+  refused("g.toml", "--output FOLDER");
   refused("g.toml --output out --set specimen.grains=many", "grains");
-  refused("g.toml --output out/", "--output out/: this is a folder");
+  refused("g.toml --output g.toml", "--output g.toml: this is a file; expected a folder");
   refused("g.toml --output out --db g.toml", "would be overwritten");
   write(here / "empty.toml", "");
   refused("empty.toml", "run");

@@ -154,7 +154,7 @@ TEST_CASE("what makes no sense is one line and status 2, and nothing is written"
     CHECK(outcome.out.empty());
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     CHECK(outcome.err.find(says) != std::string::npos);
-    CHECK_FALSE(here.has("x.json"));
+    CHECK_FALSE(here.has("x"));
   }
   const Workplace here;
   CHECK(here.triax("probe --p-kPa 70 --eta 0.6 --void-ratio 1").err.find("--material") !=
@@ -167,18 +167,19 @@ TEST_CASE("--output writes the document, the table and every figure with its dat
   const Workplace here;
   const std::string arguments = kLoose + "--p-kPa 70 --eta 0.6 ";
   REQUIRE(here.triax(arguments + "--output x").status == 0);
-  CHECK(content(here / "x.json") == here.triax(arguments + "--json").out);
-  CHECK(content(here / "x.csv").find("origin = \"simulated\"") != std::string::npos);
+  CHECK(content(here / "x/probe.json") == here.triax(arguments + "--json").out);
+  CHECK(content(here / "x/probe.csv").find("origin = \"simulated\"") != std::string::npos);
   for (const char* figure :
        {"circular", "polar", "work", "envelope", "control", "cones_pq", "cones_rendulic"})
     for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"}) {
       INFO(figure << ending);
-      CHECK(content(here / (std::string("x_") + figure + ending)).size() > 100);
+      CHECK(content(here / (std::string("x/probe_") + figure + ending)).size() > 100);
     }
-  CHECK(here.triax(arguments + "--output no/where/x").status != 0);
-  write(here / "p.json", content(kPath));
-  CHECK(here.triax("probe --path p.json --output p").status == 2);  // it would be replaced
-  CHECK(content(here / "p.json") == content(kPath));
+  CHECK(here.triax(arguments + "--output new/deep").status == 0);  // folders are made
+  CHECK(content(here / "new/deep/probe.json") == content(here / "x/probe.json"));
+  write(here / "probe.json", content(kPath));
+  CHECK(here.triax("probe --path probe.json --output .").status == 2);  // it would be replaced
+  CHECK(content(here / "probe.json") == content(kPath));
 }
 
 TEST_CASE("control is part of the document, and of the text where it is asked for") {
@@ -201,13 +202,14 @@ TEST_CASE("control is part of the document, and of the text where it is asked fo
 TEST_CASE("proportional strain paths: peaks as JSON, files, and what they do not take") {
   const Workplace here;
   const std::string paths = kLoose + "--p-kPa 100 --strain-paths 0.8,1.0 --axial-strain 0.02";
-  const json d =
-      document(here, paths + " --output f", "triax: wrote f.svg, f.png, f.pdf, f.csv and f.json\n");
+  const json d = document(
+      here, paths + " --output f",
+      "triax: wrote f/probe.svg, f/probe.png, f/probe.pdf, f/probe.csv and f/probe.json\n");
   REQUIRE(d["strain_paths"].size() == 2);
   CHECK(d["strain_paths"][1]["R"] == 1.0);
   CHECK(d["strain_paths"][1]["peak"]["q_kPa"].get<double>() == Approx(44.62).margin(0.05));
   for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
-    CHECK(content(here / (std::string("f") + ending)).size() > 100);
+    CHECK(content(here / (std::string("f/probe") + ending)).size() > 100);
   for (const std::string bad : {"--strain-paths 0.8", "--p-kPa 100 --strain-paths 0",
                                 "--p-kPa 100 --strain-paths 1 --eta 0.5",
                                 "--p-kPa 100 --strain-paths 1 --plane plane-strain",
@@ -229,13 +231,14 @@ TEST_CASE("the norms of normalised work are told: in the plane in plane strain, 
 
 TEST_CASE("all directions of space: the document, and files") {
   const Workplace here;
-  const json d = document(here, kLoose + "--p-kPa 70 --eta 0.6 --plane 3d --output s",
-                          "triax: wrote s.json, s.csv, s.svg, s.png and s.pdf\n");
+  const json d = document(
+      here, kLoose + "--p-kPa 70 --eta 0.6 --plane 3d --output s",
+      "triax: wrote s/probe.json, s/probe.csv, s/probe.svg, s/probe.png and s/probe.pdf\n");
   CHECK(d["probing"]["plane"] == "3d");
   CHECK(d["unstable_regions"] == 1);
   CHECK(d["probes"].size() == 18 * 36);
   for (const char* ending : {".svg", ".png", ".pdf", ".csv", ".json"})
-    CHECK(content(here / (std::string("s") + ending)).size() > 100);
+    CHECK(content(here / (std::string("s/probe") + ending)).size() > 100);
   CHECK(here.triax(kLoose + "--p-kPa 70 --eta 0.6 --plane 3d --finite").status == 2);
 }
 
@@ -264,7 +267,8 @@ TEST_CASE("along a path the first unstable state lies between rows, and the last
 }
 
 TEST_CASE(
-    "conditions in the words of path files have an index, and a culprit where control is lost") {
+    "conditions in the words of path files have an index, and a limiting variable where control is "
+    "lost") {
   const Workplace here;
   const std::string asked =
       " --conditions 'q_kPa = 1, axial_strain + 2*radial_strain = 0' "
@@ -273,7 +277,7 @@ TEST_CASE(
   const json& conditions = d["control"]["conditions"];
   REQUIRE(conditions.size() == 2);
   CHECK(conditions[0]["controllable"] == false);
-  CHECK(conditions[0]["culprit"] == "q_kPa");
+  CHECK(conditions[0]["limiting_variable"] == "q_kPa");
   CHECK(conditions[0]["index"].is_null());
   CHECK(conditions[1]["controllable"] == true);
   CHECK(conditions[1]["index"].get<double>() > 0);

@@ -93,9 +93,9 @@ bool tolerable(const Shot& shot, const PreparedControl<Axisymmetric>& control, d
   return !shot.ran_away && shot.missed_pa <= kTolerableMiss * p && strains(control);
 }
 
-int culprit(const PreparedControl<Axisymmetric>& control, const Square& stiffness) {
+int limiting_variable(const PreparedControl<Axisymmetric>& control, const Square& stiffness) {
   const Square matrix = control.stress * stiffness + control.strain;
-  return culprit_row<Axisymmetric>(left_null_vector<Axisymmetric>(matrix), control.increment);
+  return row_that_limits<Axisymmetric>(left_null_vector<Axisymmetric>(matrix), control.increment);
 }
 
 }  // namespace
@@ -248,7 +248,7 @@ Shot GrainLaw::taken(const State& state, const PreparedControl<Axisymmetric>& co
     step.message = "the grains jumped";
     return shot;
   }
-  step.culprit = culprit(control, shot.stiffness);
+  step.limiting_variable = limiting_variable(control, shot.stiffness);
   step.outcome = StepOutcome::lost_control;
   step.message = kLost;
   step.done = halved(from, control, limits, step.steps, shot);
@@ -276,7 +276,7 @@ GrainLaw::Rate GrainLaw::rate(const State& state, const Control& wanted) const {
   rate.determinant = matrix(stiffness).determinant() / matrix(secant.elastic).determinant();
   rate.stress = stiffness * rate.strain;
   rate.controllable = rate.determinant > kDoubtful;
-  if (!rate.controllable) rate.culprit = culprit(control, stiffness);
+  if (!rate.controllable) rate.limiting_variable = limiting_variable(control, stiffness);
   return rate;
 }
 

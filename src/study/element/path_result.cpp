@@ -33,7 +33,7 @@ std::string verdict(const PathResult& path, const std::string& message) {
                   number_text(100 * path.value(path.last, "progress").value_or(0), 2),
                   state_in_words(path, path.last));
   if (path.outcome == sim::StepOutcome::lost_control)
-    return fmt::format("control of {} is lost, {}: {}", path.culprit, message, where);
+    return fmt::format("control of {} is lost, {}: {}", path.limiting_variable, message, where);
   return fmt::format("{}: {}", message, where);
 }
 
@@ -94,7 +94,7 @@ PathResult path_result(const lab::PathDescription& description,
   out.last = point(result.last);
   if (result.peak) out.peak = point(*result.peak);
   out.outcome = result.outcome;
-  out.culprit = result.culprit;
+  out.limiting_variable = result.limiting_variable;
   out.error = result.error;
   for (const auto& event : result.events)
     out.events.push_back({event.kind, event.what, point(event.at)});

@@ -30,7 +30,7 @@ struct PathResult {
   ResultPoint start, last;
   std::optional<ResultPoint> peak;  ///< largest |q|; empty where there was none but round-off
   sim::StepOutcome outcome = sim::StepOutcome::accepted;
-  std::string culprit;  ///< label of the condition that was lost; empty: none
+  std::string limiting_variable;  ///< label of the condition that was lost; empty: none
   std::string message;  ///< of an outcome that is not `accepted`, one sentence with the state
   double error = 0;     ///< largest estimated error of an integration step, relative
   std::vector<ResultEvent> events;

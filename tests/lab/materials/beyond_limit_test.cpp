@@ -69,8 +69,8 @@ template <class Space>
 void check_end(const Law<Space>& law, const PointState<Space>& from,
                const MixedControl<Space>& control) {
   const auto step = advance_point(law, from, control, kQuick);
-  INFO("outcome " << static_cast<int>(step.outcome) << ", done " << step.done << ", culprit "
-                  << step.culprit << ", " << step.message);
+  INFO("outcome " << static_cast<int>(step.outcome) << ", done " << step.done
+                  << ", limiting_variable " << step.limiting_variable << ", " << step.message);
   CHECK(step.state.stress.allFinite());
   CHECK(step.strain_increment.allFinite());
   CHECK(std::isfinite(step.state.void_ratio));
@@ -83,9 +83,9 @@ void check_end(const Law<Space>& law, const PointState<Space>& from,
   CHECK_FALSE(step.message.empty());
   CHECK_FALSE(law.objection(step.state));
   if (step.outcome != StepOutcome::lost_control) return;
-  REQUIRE(step.culprit >= 0);
-  REQUIRE(step.culprit < Space::kSize);
-  CHECK(control.increment(step.culprit) != 0);  // a row that asks for nothing can be held
+  REQUIRE(step.limiting_variable >= 0);
+  REQUIRE(step.limiting_variable < Space::kSize);
+  CHECK(control.increment(step.limiting_variable) != 0);  // a row that asks for nothing can be held
   CHECK(step.done < 1);
 }
 
@@ -94,7 +94,7 @@ void check_end(const Law<Space>& law, const PointState<Space>& from,
 struct ClearLimit {
   const char* name;
   MixedControl<Axisymmetric> control;
-  int culprit;
+  int limiting_variable;
 };
 
 std::vector<ClearLimit> clear_limits() {
@@ -138,8 +138,8 @@ MixedControl<Space> exchanged(MixedControl<Space> control) {
 }
 
 template <class Space>
-void check_culprit(const Law<Space>& law, const MixedControl<Space>& control, int culprit,
-                   const std::string& why_none) {
+void check_limiting(const Law<Space>& law, const MixedControl<Space>& control,
+                    int limiting_variable, const std::string& why_none) {
   // Full tensors come near their limit in many small steps.
   const PointTolerance tolerance{.relative = 1e-6, .smallest_step = 1e-8, .step_limit = 400000};
   for (const bool exchange : {false, true}) {
@@ -147,7 +147,8 @@ void check_culprit(const Law<Space>& law, const MixedControl<Space>& control, in
     const auto asked = exchange ? exchanged(control) : control;
     const auto step = advance_point(law, start, asked, tolerance);
     INFO("exchanged " << exchange << ", outcome " << static_cast<int>(step.outcome) << ", done "
-                      << step.done << ", culprit " << step.culprit << ", " << step.message);
+                      << step.done << ", limiting_variable " << step.limiting_variable << ", "
+                      << step.message);
     if (!why_none.empty()) {
       INFO(why_none);
       const bool refused = law.refusal(start, point_rate(law, start, asked)).has_value();
@@ -155,15 +156,16 @@ void check_culprit(const Law<Space>& law, const MixedControl<Space>& control, in
       continue;
     }
     CHECK(step.outcome == StepOutcome::lost_control);
-    CHECK(step.culprit == (exchange ? 1 - culprit : culprit));
+    CHECK(step.limiting_variable == (exchange ? 1 - limiting_variable : limiting_variable));
     CHECK(step.done < 1);
   }
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every law: where mechanics is clear, the right culprit is named at the limit",
-                   "", Axisymmetric, Tensor) {
+TEMPLATE_TEST_CASE(
+    "every law: where mechanics is clear, the right limiting variable is named at the limit", "",
+    Axisymmetric, Tensor) {
   for (const ClearLimit& limit : clear_limits()) {
     INFO(limit.name);
     Counted limits_of;
@@ -171,9 +173,9 @@ TEMPLATE_TEST_CASE("every law: where mechanics is clear, the right culprit is na
       const std::string why_none = why_no_limit(set.name, limit.name);
       if (why_none.empty() || set.law->name == "elastic") ++limits_of[set.law->name];
       if constexpr (TestType::kSize == 2)
-        check_culprit(law, limit.control, limit.culprit, why_none);
+        check_limiting(law, limit.control, limit.limiting_variable, why_none);
       else
-        check_culprit(law, widened(limit.control), limit.culprit, why_none);
+        check_limiting(law, widened(limit.control), limit.limiting_variable, why_none);
     });
     limits_of.require_all<TestType>();
   }

@@ -58,7 +58,7 @@ std::string refusal(const std::string& steps) { return refusal(Files(steps)); }
 /// The state at the end, which must have been reached.
 sim::PathPoint<Tensor> run(const IncrementalDriverTest& test) {
   const auto result = sim::run_path(*test.material.material.tensor, test.path);
-  INFO(result.message << " " << result.culprit);
+  INFO(result.message << " " << result.limiting_variable);
   REQUIRE((result.outcome == sim::StepOutcome::accepted ||
            result.outcome == sim::StepOutcome::inaccurate));
   return result.last;

@@ -28,7 +28,7 @@ void check_failure_repeats(const std::string& toml) {
   CHECK(short_path.segments.size() == 1);
   const auto repeated = sim::run_path(*again.material.material.law<Space>(), short_path);
   CHECK(repeated.outcome == result.outcome);
-  CHECK(repeated.culprit == result.culprit);
+  CHECK(repeated.limiting_variable == result.limiting_variable);
   CHECK(repeated.last.q() == Approx(result.last.q()).epsilon(1e-9));
   CHECK(repeated.last.pore_pressure == Approx(result.last.pore_pressure).epsilon(1e-9));
   CHECK(repeated.last.void_ratio == Approx(result.last.void_ratio).epsilon(1e-9));

@@ -74,8 +74,8 @@ TEMPLATE_TEST_CASE("whatever is solved with a norm term satisfies law and condit
     const auto rate = solve(response, control);
     if (!rate.controllable) {
       ++lost;
-      CHECK(rate.culprit >= 0);
-      CHECK(rate.culprit < TestType::kSize);
+      CHECK(rate.limiting_variable >= 0);
+      CHECK(rate.limiting_variable < TestType::kSize);
       continue;
     }
     ++met;
@@ -134,16 +134,17 @@ TEST_CASE("of two solutions the smaller is taken, and none is missed") {
   CHECK(never > 50);
 }
 
-TEST_CASE("of conditions out of reach the culprit is the one that its direction is short of") {
+TEST_CASE(
+    "of conditions out of reach the limiting_variable is the one that its direction is short of") {
   // dσ = C dε − N |dε| with C = 1 and N along (1, 1): stress cannot rise along N. Asked for mostly
   // by the second row.
   const auto response = norm_form<Axisymmetric>(Matrix<Axisymmetric>::Identity(), {1.2, 1.2});
   MixedControl<Axisymmetric> c = MixedControl<Axisymmetric>::stresses({0.1, 1});
   auto rate = solve(response, c);
   CHECK_FALSE(rate.controllable);
-  CHECK(rate.culprit == 1);
+  CHECK(rate.limiting_variable == 1);
   c.increment = {1, 0.1};
-  CHECK(solve(response, c).culprit == 0);
+  CHECK(solve(response, c).limiting_variable == 0);
   c.increment = {-1, -1};
   rate = solve(response, c);
   REQUIRE(rate.controllable);

@@ -89,7 +89,7 @@ TEST_CASE("Cam-Clay: an overconsolidated state is elastic up to its surface, the
   // Drained at constant p': yield at q = M √(p (p_c − p)).
   const auto loaded = advance_point(law, state, Control::stress_path(0, 500e3));
   REQUIRE(loaded.outcome == StepOutcome::lost_control);
-  CHECK(loaded.culprit == 1);
+  CHECK(loaded.limiting_variable == 1);
   CHECK(loaded.state.q() == Approx(std::sqrt(50e3 * 350e3)).epsilon(1e-6));
   CHECK(law.preconsolidation(loaded.state) == Approx(400e3));
   // Strain control goes on: dilation, and q falls to M p.
@@ -108,7 +108,7 @@ TEST_CASE("Cam-Clay: q raised beyond the critical state loses control of q there
   const auto step =
       advance_point(law, law.isotropic(200e3, 1.2), Control::stress_path(200e3, 600e3));
   REQUIRE(step.outcome == StepOutcome::lost_control);
-  CHECK(step.culprit == 1);
+  CHECK(step.limiting_variable == 1);
   // The critical state is approached and never reached: control ends at a strain of 100 %.
   CHECK(step.state.q() == Approx(300e3).epsilon(1e-5));
   CHECK(step.state.q() / step.state.p() == Approx(1).epsilon(1e-5));

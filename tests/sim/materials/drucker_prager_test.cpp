@@ -47,7 +47,7 @@ TEST_CASE("Drucker-Prager: strength at constant p' is M_f p + k, in compression 
     const auto step =
         advance_point(law, law.isotropic(200e3, 0.9), Control::stress_path(0, side * 900e3));
     REQUIRE(step.outcome == StepOutcome::lost_control);
-    CHECK(step.culprit == 1);
+    CHECK(step.limiting_variable == 1);
     CHECK(side * step.state.q() == Approx(expected).epsilon(1e-9));
     CHECK(step.done == Approx(expected / 900e3).epsilon(1e-9));
   }
@@ -91,7 +91,7 @@ TEST_CASE("Drucker-Prager: q raised beyond the strength loses control of q there
   const auto step =
       advance_point(law, law.isotropic(100e3, 0.9), Control::stress_path(200e3, 600e3));
   REQUIRE(step.outcome == StepOutcome::lost_control);
-  CHECK(step.culprit == 1);
+  CHECK(step.limiting_variable == 1);
   CHECK(step.state.q() == Approx(3 * 100e3 * m / (3 - m)).epsilon(1e-6));
 }
 

@@ -271,7 +271,7 @@ TEST_CASE("a drained path that asks for more than the limit stops on it and name
        {Control::stress_path(0, 300e3), Control::stress_path(200e3, 600e3)}) {
     const auto step = advance_point(law, dense, control);
     REQUIRE(step.outcome == StepOutcome::lost_control);
-    CHECK(control.stress.row(step.culprit).isApprox(control.stress.row(1)));
+    CHECK(control.stress.row(step.limiting_variable).isApprox(control.stress.row(1)));
     CHECK(step.done > 0.3);
     CHECK(step.done < 1);
     CHECK(norm_ratio(law, step.state) == Approx(1).margin(1e-3));
@@ -282,11 +282,11 @@ TEST_CASE("a drained path that asks for more than the limit stops on it and name
   const State sheared = run(law, dense, Control::stress_path(0, 100e3));
   const auto fall = advance_point(law, sheared, Control::stress_path(-90e3, 0));
   REQUIRE(fall.outcome == StepOutcome::lost_control);
-  CHECK(fall.culprit == 0);
+  CHECK(fall.limiting_variable == 0);
   CHECK(norm_ratio(law, fall.state) == Approx(1).margin(1e-3));
 }
 
-TEST_CASE("undrained load control is lost at the peak, and q is the culprit") {
+TEST_CASE("undrained load control is lost at the peak, and q is the limiting_variable") {
   const Triaxial law(test::hostun_moist_tamped());
   Control load;  // q raised at constant volume
   load.stress << 1, -1 / std::sqrt(2.0), 0, 0;
@@ -294,7 +294,7 @@ TEST_CASE("undrained load control is lost at the peak, and q is the culprit") {
   load.increment << 60e3, 0;
   const auto step = advance_point(law, law.isotropic(100e3, 1.086), load);
   REQUIRE(step.outcome == StepOutcome::lost_control);
-  CHECK(step.culprit == 0);
+  CHECK(step.limiting_variable == 0);
   const State peak = undrained_peak(law, 100, 1.086);
   CHECK(step.state.q() == Approx(peak.q()).epsilon(1e-6));
 }

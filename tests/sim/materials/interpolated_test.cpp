@@ -253,7 +253,7 @@ TEST_CASE("the strain that runs away under stress control names the condition th
   for (const auto& material : {inl2(), octo()}) {
     const auto step = advance_point(material, material.isotropic(100e3, 1.086), drained);
     CHECK(step.outcome == StepOutcome::lost_control);
-    CHECK(step.culprit == 0);
+    CHECK(step.limiting_variable == 0);
     CHECK(step.strain_increment.norm() < 20);
   }
 }
@@ -282,7 +282,7 @@ TEST_CASE("control of q is lost at the undrained peak of INL2 and octolinear") {
     double strain = 0;
     const State peak = undrained_peak(material, 100, 1.086, strain);
     CHECK(step.outcome == StepOutcome::lost_control);
-    CHECK(step.culprit == 0);
+    CHECK(step.limiting_variable == 0);
     CHECK(step.state.q() == Approx(peak.q()).epsilon(1e-6));
   }
 }

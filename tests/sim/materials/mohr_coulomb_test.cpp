@@ -66,8 +66,8 @@ TEST_CASE("Mohr-Coulomb: strength at constant p', compression and extension, bot
                                  TensorControl::stress_path(0, side * 900e3));
     REQUIRE(a.outcome == StepOutcome::lost_control);
     REQUIRE(t.outcome == StepOutcome::lost_control);
-    CHECK(a.culprit == 1);
-    CHECK(t.culprit == 1);
+    CHECK(a.limiting_variable == 1);
+    CHECK(t.limiting_variable == 1);
     CHECK(side * a.state.q() == Approx(expected).epsilon(1e-9));
     CHECK(t.state.q() == Approx(expected).epsilon(1e-9));
   }
@@ -151,12 +151,12 @@ TEST_CASE("Mohr-Coulomb: q raised beyond the strength loses control of q there")
   const double m = compression_slope(34), expected = 3 * 100e3 * m / (3 - m);
   const auto a = advance_point(law, law.isotropic(100e3, 0.9), Control::stress_path(200e3, 600e3));
   REQUIRE(a.outcome == StepOutcome::lost_control);
-  CHECK(a.culprit == 1);
+  CHECK(a.limiting_variable == 1);
   CHECK(a.state.q() == Approx(expected).epsilon(1e-6));
   const auto t =
       advance_point(full, full.isotropic(100e3, 0.9), TensorControl::stress_path(200e3, 600e3));
   REQUIRE(t.outcome == StepOutcome::lost_control);
-  CHECK(t.culprit == 1);
+  CHECK(t.limiting_variable == 1);
   CHECK(t.state.q() == Approx(expected).epsilon(1e-6));
 }
 

@@ -352,7 +352,7 @@ TEST_CASE("drained load beyond the peak is lost and named; undrained at its peak
       dense, dense.isotropic(200e3, dense.critical_void_ratio(200e3) - 0.1),
       Control::stress_path(400e3, 1200e3));
   REQUIRE(drained.outcome == StepOutcome::lost_control);
-  CHECK(drained.culprit == 1);
+  CHECK(drained.limiting_variable == 1);
   CHECK(eta(drained.state) > 1.55);
 
   const NorSand law(test::nerlerk());
@@ -363,7 +363,7 @@ TEST_CASE("drained load beyond the peak is lost and named; undrained at its peak
   load.increment << 300e3, 0;
   const auto undrained = advance_point<Axisymmetric>(law, loose(law, 500, 0.108), load);
   REQUIRE(undrained.outcome == StepOutcome::lost_control);
-  CHECK(undrained.culprit == 0);
+  CHECK(undrained.limiting_variable == 0);
   const Peak peak =
       peak_on(law, loose(law, 500, 0.108), [](double d) { return undrained_with_water(d, 1e9); });
   CHECK(undrained.state.q() == Approx(peak.state.q()).epsilon(1e-6));

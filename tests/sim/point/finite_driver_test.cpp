@@ -83,7 +83,7 @@ TEST_CASE("stress control of a finite law ends at its peak, and the row is named
     }
     const auto step = advance_point(law, start, control);
     CHECK(step.outcome == StepOutcome::lost_control);
-    CHECK(step.culprit == row);
+    CHECK(step.limiting_variable == row);
     CHECK(step.state.stress(0) == Approx(150e3).epsilon(1e-7));
     CHECK(step.state.memory(0) == Approx(0.01).epsilon(1e-3));
     CHECK(step.done == Approx(100.0 / 120).epsilon(1e-7));
@@ -109,7 +109,7 @@ TEST_CASE("a rate of a finite law is the quotient of a small increment") {
   CHECK(point_rate(law, start, stresses(0, 0)).controllable);
   const auto lost = point_rate(law, at(0.01), stresses(1, 0));
   CHECK_FALSE(lost.controllable);
-  CHECK(lost.culprit == 0);
+  CHECK(lost.limiting_variable == 0);
 }
 
 TEST_CASE("an increment that the law finds too large is cut") {
@@ -142,13 +142,13 @@ TEST_CASE("a load beyond the strength of a UMAT is stopped at the strength") {
   const auto step = advance_point(law, law.isotropic(100e3, 0.8), load);
   INFO(step.message);
   CHECK(step.outcome == StepOutcome::lost_control);
-  CHECK(step.culprit == 1);
+  CHECK(step.limiting_variable == 1);
   CHECK(step.state.q() == Approx(strength).epsilon(1e-8));
   CHECK(step.done == Approx(0.5).epsilon(1e-8));
 
   const auto rate = point_rate(law, step.state, load);
   CHECK_FALSE(rate.controllable);
-  CHECK(rate.culprit == 1);
+  CHECK(rate.limiting_variable == 1);
   const auto unloading = point_rate(law, step.state, Control::drained_compression(-1));
   REQUIRE(unloading.controllable);
   const double young = 9 * kBulk * kShear / (3 * kBulk + kShear) * 1e3;

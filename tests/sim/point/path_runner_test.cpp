@@ -115,7 +115,7 @@ TEST_CASE("a load beyond the peak: control of q is lost, with name and state") {
     const auto result = run_path(kSand, path);
     INFO(result.message);
     CHECK(result.outcome == StepOutcome::lost_control);
-    CHECK(result.culprit == "q_kPa");
+    CHECK(result.limiting_variable == "q_kPa");
     CHECK_FALSE(result.message.empty());
     REQUIRE(find(result, PathEventKind::control_limit));
     CHECK(*find(result, PathEventKind::control_limit)->at.determinant == 0);
@@ -131,7 +131,7 @@ TEST_CASE("a load beyond the peak: control of q is lost, with name and state") {
     again.segments = {result.failed->segment};
     const auto repeated = run_path(kSand, again);
     CHECK(repeated.outcome == StepOutcome::lost_control);
-    CHECK(repeated.culprit == "q_kPa");
+    CHECK(repeated.limiting_variable == "q_kPa");
     CHECK(repeated.last.q() == result.last.q());  // the same step, to the bit
   }
 }
@@ -143,7 +143,7 @@ TEST_CASE("constant shear drained: the second-order work vanishes long before th
   path.segments = {load, unloading_at_constant_q(-105e3)};
   const auto result = run_path(kSand, path);
   CHECK(result.outcome == StepOutcome::lost_control);
-  CHECK(result.culprit == "p_kPa");
+  CHECK(result.limiting_variable == "p_kPa");
   CHECK(*result.last.stress_ratio() > 1);
   const auto* work = find(result, PathEventKind::second_order_work);
   REQUIRE(work);
@@ -252,7 +252,7 @@ TEST_CASE("a stress that vanishes is a failure that says so, and large strains a
   const auto loose = run_path(kSand, path);
   CHECK(loose.outcome == StepOutcome::failed);
   CHECK(loose.message.find("vanished") != std::string::npos);
-  CHECK(loose.culprit.empty());
+  CHECK(loose.limiting_variable.empty());
   CHECK(find(loose, PathEventKind::control_limit) == nullptr);
   CHECK(loose.failed);
 

@@ -38,7 +38,7 @@ TEST_CASE("mixed conditions are met to round-off of the integration") {
         Approx(0).margin(1e-14));
 }
 
-TEST_CASE("control of q is lost at the undrained peak and the culprit is named") {
+TEST_CASE("control of q is lost at the undrained peak and the limiting_variable is named") {
   const Triaxial law(test::s28_general());
   const auto start = law.isotropic(100e3, 1.086);
   Control load;  // q raised at constant volume
@@ -47,7 +47,7 @@ TEST_CASE("control of q is lost at the undrained peak and the culprit is named")
   load.increment << 60e3, 0;
   const auto step = advance_point(law, start, load);
   CHECK(step.outcome == StepOutcome::lost_control);
-  CHECK(step.culprit == 0);
+  CHECK(step.limiting_variable == 0);
   CHECK(step.state.q() / 1e3 == Approx(37.21).margin(0.006));
   CHECK(step.done == Approx(37.21 / 60).margin(2e-4));
   CHECK(step.state.q() / step.state.p() == Approx(0.5878).margin(5e-4));

@@ -203,7 +203,7 @@ TEST_CASE("in extension control is lost where sigma1 - sigma3/R falls, at the ed
     CHECK_FALSE(point.controllable);
     CHECK_FALSE(point.unloading.index);
     CHECK_FALSE(point.index);
-    CHECK(point.unloading.culprit >= 0);
+    CHECK(point.unloading.limiting_variable >= 0);
   }
   CHECK(looked_at >= 3);
 }

@@ -39,7 +39,7 @@ int check(const Law<Space>& law, double p, double eta, double void_ratio) {
     INFO("p " << p << " eta " << eta << " direction " << i);
     if (!found) continue;
     CHECK(found->answered == rate.controllable);
-    CHECK(found->refused == (!rate.controllable && rate.culprit == kRefused));
+    CHECK(found->refused == (!rate.controllable && rate.limiting_variable == kRefused));
     if (!rate.controllable || !found->answered) continue;
     const PlaneVector strain(rate.strain(kRadial), rate.strain(0));
     CHECK((PlaneVector(found->radial_strain, found->axial_strain) - strain).norm() <

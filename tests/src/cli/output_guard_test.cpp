@@ -39,6 +39,29 @@ TEST_CASE("an output is refused under every name of a kept file, and only then")
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("a folder for the output: one that is there, one that can be made, and none of both") {
+  const auto base =
+      std::filesystem::temp_directory_path() / ("triax_folder_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(base / "there" / "probe.svg");
+  std::ofstream(base / "file") << "x";
+  const auto check = [&](const std::string& name, const std::string& command) {
+    const std::string folder = (base / name).string();
+    src::check_folder("--output", folder, src::files_of_prefix(src::prefix_in(folder, command)));
+    CHECK((std::filesystem::exists(folder) == (name == "there")));  // looking makes nothing
+  };
+  CHECK_NOTHROW(check("there", "domain"));
+  CHECK_NOTHROW(check("none/yet", "domain"));
+  CHECK_THROWS_WITH(check("there", "probe"), Contains("probe.svg is a folder"));
+  CHECK_THROWS_WITH(check("file", "probe"), Contains("this is a file; expected a folder"));
+  CHECK_THROWS_WITH(check("file/deep", "probe"), Contains("file is a file; expected a folder"));
+  CHECK_NOTHROW(src::check_folder("--output", "", {"x"}));
+  CHECK(src::prefix_in("", "probe").empty());
+  src::make_folder((base / "a/b").string());
+  CHECK(std::filesystem::is_directory(base / "a/b"));
+  CHECK_THROWS_AS(src::make_folder((base / "file/b").string()), lab::WorkFailed);
+  std::filesystem::remove_all(base);
+}
+
 TEST_CASE("targets are looked at before the work: folders, missing folders, a name that is none") {
   const auto folder =
       std::filesystem::temp_directory_path() / ("triax_targets_" + std::to_string(::getpid()));

@@ -25,7 +25,7 @@ TEST_CASE("the text says what is simulated, of which grains, with which contacts
 TEST_CASE("the text says what came of every stage") {
   const std::string text = grain_text(test::stored(test::sample_run()));
   CHECK(contains(text, "COLLAPSED at ε₁ = 0.40 %"));
-  CHECK(contains(text, "35 of 36 probes settled"));
+  CHECK(contains(text, "35 of 36 probes at rest"));
   CHECK(contains(text, "Eq. (7): 220° to 230°"));
   CHECK(contains(text, "NOT AT REST 140° to 140°"));
   CHECK(contains(text, "strains by 1.00e-08, 0.10 % of the smallest probe's"));

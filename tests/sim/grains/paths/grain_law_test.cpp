@@ -154,7 +154,7 @@ TEST_CASE("Loose grains under an undrained load lose control near the peak that 
   REQUIRE(s.q() < 0.9 * peak);
   const auto lost = until_lost(law, undrained_load(500), 200);
   REQUIRE(lost.outcome == StepOutcome::lost_control);
-  CHECK(lost.culprit == 0);
+  CHECK(lost.limiting_variable == 0);
   CHECK(lost.done < 1);
   CHECK(lost.state.q() > 0.4 * peak);
   CHECK(lost.state.q() < 1.2 * peak);

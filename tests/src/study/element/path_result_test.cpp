@@ -35,7 +35,7 @@ TEST_CASE("the verdict of a lost control names condition, place and state") {
   const auto result = result_of(lab::test::with(
       lab::test::with(lab::test::kPath, "axial_strain = 0.02", "q_kPa = 300"), "1.0", "1.086"));
   CHECK(result.outcome == sim::StepOutcome::lost_control);
-  CHECK(result.culprit == "q_kPa");
+  CHECK(result.limiting_variable == "q_kPa");
   for (const char* part : {"q_kPa", "compression", "37.211 kPa", "p'"})
     CHECK(result.message.find(part) != std::string::npos);
   const std::string text = src::path_text(result);
@@ -51,7 +51,7 @@ TEST_CASE("where the stress vanishes no ratio of it is told, and round-off is no
   const auto gone =
       result_of(lab::test::with(dilated, "axial_strain = 0.02", "axial_strain = 0.05"));
   CHECK(gone.outcome == sim::StepOutcome::failed);
-  CHECK(gone.culprit.empty());
+  CHECK(gone.limiting_variable.empty());
   CHECK(gone.message.find("the effective stress has vanished") != std::string::npos);
   CHECK(gone.message.find("eta") == std::string::npos);
   CHECK_FALSE(gone.told_eta(gone.last));

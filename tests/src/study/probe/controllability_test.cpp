@@ -121,7 +121,7 @@ TEST_CASE(
   CHECK(src::lost_in_words(control).find("unloading lost for R 0.77") == 0);
 }
 
-TEST_CASE("any two conditions have an index, or a culprit") {
+TEST_CASE("any two conditions have an index, or a limiting variable") {
   const auto undrained = sim::triaxial_controls()[0];
   sim::NamedControl asked{"q_kPa = 1, volume = 0", undrained.control, {"q_kPa", "volume"}};
   const auto set = lab::find_material("inl2/S28-general");
