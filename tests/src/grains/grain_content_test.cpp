@@ -7,7 +7,7 @@
 #include "src/grains/grain_json.hpp"
 #include "src/grains/grain_markup.hpp"
 #include "src/grains/grain_text.hpp"
-#include "tests/src/plot/plot_contents.hpp"
+#include "tests/src/contains.hpp"
 #include "tests/src/sample_grains.hpp"
 
 using namespace triax;

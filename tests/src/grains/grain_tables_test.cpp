@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/src/plot/plot_contents.hpp"
+#include "tests/src/contains.hpp"
 #include "tests/src/sample_grains.hpp"
 
 using namespace triax;

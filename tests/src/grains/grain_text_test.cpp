@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "src/output/table.hpp"
-#include "tests/src/plot/plot_contents.hpp"
+#include "tests/src/contains.hpp"
 #include "tests/src/sample_grains.hpp"
 
 using namespace triax;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/plot/drawing.hpp"
+#include "tests/src/contains.hpp"
 
 namespace triax::src::test {
 
@@ -79,10 +80,6 @@ inline bool words_are_readable(QCustomPlot& plot) {
       if (place.intersects(place_of(*words[k]))) return false;
   }
   return true;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace triax::src::test
