@@ -25,8 +25,7 @@ struct GrainStore::Impl {
   SQLite::Database database;
 };
 
-GrainStore::GrainStore(const std::string& path)
-    : impl_(std::make_unique<Impl>(path, open_for_reading(path))) {}
+GrainStore::GrainStore(const std::string& path) : impl_(new Impl{path, open_for_reading(path)}) {}
 GrainStore::~GrainStore() = default;
 
 std::vector<std::int64_t> GrainStore::all() const {

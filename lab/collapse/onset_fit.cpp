@@ -169,8 +169,8 @@ PathPoint point_at(const Fit& fit, double x) {
 
 std::optional<OnsetFit> fit_onset(std::span<const PathSample> blocks, Witness witness,
                                   double near_reading) {
-  constexpr std::size_t kLeast = 32;
-  if (blocks.size() < kLeast) return std::nullopt;
+  constexpr std::size_t kLeastBlocks = 32;
+  if (blocks.size() < kLeastBlocks) return std::nullopt;
   const Fit fit(blocks);
   const auto x = root_near(fit, witness, fit.x_of(near_reading));
   if (!x) return std::nullopt;

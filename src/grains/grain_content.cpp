@@ -128,7 +128,8 @@ Table grain_summary_table(const std::vector<db::StoredGrainRun>& runs) {
                {"Last stage"}},
               {}};
   for (const auto& run : runs) {
-    const auto& [programme, source, specimen, stages] = run.report;
+    const auto& [programme, source, made, stages] = run.report;
+    const auto& specimen = made;  // clang 14 captures no part of a structured binding
     const auto measure = [&](double sim::GrainMeasures::*member) {
       return specimen ? std::optional(specimen->measures.*member) : std::nullopt;
     };
