@@ -12,9 +12,10 @@
 namespace triax::src {
 namespace {
 
-constexpr double kMarker = 12;       // px a marker takes
-constexpr double kLineStep = 4;      // px between the points that stand for a line
-constexpr std::ptrdiff_t kMuch = 4;  // points of lines under a text: it is put farther off
+constexpr double kMarker = 12;        // px a marker takes
+constexpr double kLineStep = 4;       // px between the points that stand for a line
+constexpr double kLongestLine = 1e5;  // px; beyond it the points stand farther apart
+constexpr std::ptrdiff_t kMuch = 4;   // points of lines under a text: it is put farther off
 constexpr std::array<double, 2> kFarther = {8, 16};  // px
 
 struct Side {
@@ -47,7 +48,8 @@ void add_segment(std::vector<QPointF>& points, const QPointF& from, const QPoint
                  const QRectF& inside) {
   if (!inside.intersects(QRectF(from, to).normalized().adjusted(-1, -1, 1, 1))) return;
   const QPointF way = to - from;
-  const int steps = static_cast<int>(std::hypot(way.x(), way.y()) / kLineStep) + 1;
+  const double length = std::min(std::hypot(way.x(), way.y()), kLongestLine);
+  const int steps = static_cast<int>(length / kLineStep) + 1;
   for (int i = 1; i <= steps; ++i) points.push_back(from + way * i / steps);
 }
 
@@ -59,9 +61,13 @@ std::vector<QPointF> lines_of(const QCPAxisRect& axes, const QRectF& inside) {
     if (curve != nullptr && curve->lineStyle() == QCPCurve::lsNone) continue;
     auto* data = plottable->interface1D();
     if (data == nullptr) continue;
-    std::optional<QPointF> before;
+    std::optional<QPointF> before;  // none behind a gap in the line: a value that is not known
     for (int k = 0; k < data->dataCount(); ++k) {
       const auto at = plottable->coordsToPixels(data->dataMainKey(k), data->dataMainValue(k));
+      if (!std::isfinite(at.x()) || !std::isfinite(at.y())) {
+        before.reset();
+        continue;
+      }
       if (before) add_segment(points, *before, at, inside);
       before = at;
     }

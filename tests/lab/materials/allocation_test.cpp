@@ -5,7 +5,16 @@
 
 #include "tests/lab/materials/each_law.hpp"
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__GLIBC__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TRIAX_SANITIZER_ALLOCATES
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TRIAX_SANITIZER_ALLOCATES
+#endif
+
+#if defined(TRIAX_SANITIZER_ALLOCATES) || !defined(__GLIBC__)
 constexpr bool kCounts = false;  // the allocator is not ours to replace there
 static long allocations = 0;
 #else

@@ -2,6 +2,7 @@
 #include "src/plot/point_labels.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "src/plot/axes.hpp"
 #include "src/plot/plot_style.hpp"
@@ -49,4 +50,14 @@ TEST_CASE("labels of the second axes stand beside their points there") {
   REQUIRE(test::words_of(*plot).size() == 1);
   const auto at = test::place_of(*test::words_of(*plot)[0]).center();
   CHECK(QRectF(beside.rect()).contains(at));
+}
+
+TEST_CASE("a line with a gap, or one that runs far beyond the plot, leaves room for its label") {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  auto plot = square_plot();
+  auto* curve = new QCPCurve(plot->xAxis, plot->yAxis);  // the plot owns it
+  curve->setData({0, 1, 2, 3, 4}, {1, 5, unknown, 5, 1e12}, {0, 4, unknown, 6, 1e12});
+  place_labels(*plot, {{5, 5, "label", kInk}});
+  CHECK(test::words_of(*plot).size() == 1);
+  CHECK(test::words_are_readable(*plot));
 }
