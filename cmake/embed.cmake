@@ -9,9 +9,9 @@ foreach(file IN LISTS files)
 endforeach()
 file(WRITE "${OUT}" "#include \"lab/base/embedded.hpp\"
 namespace triax::lab {
-namespace { constexpr EmbeddedFile k${SYMBOL}Files[] = {
+namespace { constexpr EmbeddedFile kFiles[] = {
 ${body}}; }
 extern const std::span<const EmbeddedFile> ${SYMBOL};
-const std::span<const EmbeddedFile> ${SYMBOL}{k${SYMBOL}Files};
+const std::span<const EmbeddedFile> ${SYMBOL}{kFiles};
 }  // namespace triax::lab
 ")

@@ -49,7 +49,8 @@ struct PrincipalAxes {
 };
 PrincipalAxes principal_axes(const Eigen::Matrix3d& symmetric);
 
-/// Eigenvector of the smallest eigenvalue of a symmetric matrix of any size, of length 1.
+/// Eigenvector of the smallest eigenvalue of a symmetric matrix of any size, of length 1. It
+/// allocates: for what is asked once a path, as at a loss of control.
 Eigen::VectorXd least_eigenvector(const Eigen::MatrixXd& symmetric);
 
 }  // namespace triax::sim

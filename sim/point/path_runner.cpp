@@ -14,7 +14,7 @@ constexpr std::size_t kMostWarnings = 50;
 /// Share of the stress at the start at which nothing is left of it.
 constexpr double kVanishedStress = 1e-6;
 constexpr const char* kLostMessage = "it cannot be held any longer";
-constexpr const char* kVanishedWords =
+constexpr const char* kVanishedMessage =
     "the effective stress has vanished, and the law has no tension";
 /// Share of the mean stress that a deviator stress of round-off may have.
 constexpr double kNoDeviator = 1e-9;
@@ -165,7 +165,7 @@ class Runner {
         !law_.carries_tension() &&
         step.state.p() < kVanishedStress * std::max(mean_stress<Space>(path_.stress), 1e3);
     if (step.outcome == StepOutcome::lost_control) result_.message = kLostMessage;
-    if (vanished) result_.message = kVanishedWords;
+    if (vanished) result_.message = kVanishedMessage;
     if (step.outcome == StepOutcome::lost_control && step.limiting_variable >= 0) {
       // Without stress any strain could be held: what is at an end is the material.
       if (vanished && effective().control.stress.row(step.limiting_variable).isZero(0))

@@ -11,7 +11,7 @@
 namespace triax::sim {
 namespace {
 
-constexpr double kRootHalf = 1 / std::numbers::sqrt2;  // a₃ from its orthonormal component
+constexpr double kRoot = 1 / std::numbers::sqrt2;  // a₃ from its orthonormal component
 /// What the conditions may be missed by: force over itself, but at least over this share of that of
 /// p′; water over the volume.
 constexpr double kSmallForce = 1e-2;
@@ -101,8 +101,8 @@ void ImplicitStep::balance_force(const SpecimenState& start, const Instant& at, 
   const double by_height =
       at.force + membrane.axial_slope_pa(at.height) * at.area + k * at.height - stress * at.area;
   const double by_volume = stress * at.area - at.force;
-  found.control.stress.row(0) << at.area, -at.area * kRootHalf;
-  found.control.strain.row(0) << by_height + by_volume, 2 * kRootHalf * by_volume;
+  found.control.stress.row(0) << at.area, -at.area * kRoot;
+  found.control.strain.row(0) << by_height + by_volume, 2 * kRoot * by_volume;
   found.control.increment(0) =
       at.area * about.q + by_height * about.axial + by_volume * about.volume - missed;
   const double size =
@@ -146,8 +146,8 @@ void ImplicitStep::balance_water(const SpecimenState& start, const Instant& at, 
                          std::max(round_off, told.stress_pa * by_radial + told.strain * by_volume);
     found.linear = found.linear && !drained && by_radial == 0 && flowed == 0;
   }
-  found.control.strain.row(1) << by_volume, 2 * kRootHalf * by_volume;
-  found.control.stress.row(1) << 0, kRootHalf * by_radial;
+  found.control.strain.row(1) << by_volume, 2 * kRoot * by_volume;
+  found.control.stress.row(1) << 0, kRoot * by_radial;
   found.control.increment(1) = missed + by_volume * about.volume + by_radial * about.radial;
 }
 
@@ -155,7 +155,7 @@ ImplicitStep::Increment ImplicitStep::predict(const SpecimenState& start,
                                               const Conditions& conditions) const {
   const auto rate = point_rate(specimen_.law(), start.material, conditions.control);
   if (!rate.controllable || !(rate.strain.norm() < kPredictable)) return {};
-  return {deviator_stress<Axisymmetric>(rate.stress), kRootHalf * rate.stress(1), rate.strain(0),
+  return {deviator_stress<Axisymmetric>(rate.stress), kRoot * rate.stress(1), rate.strain(0),
           trace<Axisymmetric>(rate.strain)};
 }
 

@@ -76,10 +76,12 @@ std::string prefix_in(const std::string& folder, const std::string& command) {
   return folder.empty() ? "" : (fs::path(folder) / command).string();
 }
 
-void make_folder(const std::string& folder) {
+void make_folder(const std::string& option, const std::string& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed) throw lab::WorkFailed(fmt::format("{}: cannot write: {}", folder, failed.message()));
+  if (!fs::is_directory(folder))
+    throw lab::BadInput(fmt::format("{} {}: cannot create folder{}", option, folder,
+                                    failed ? ": " + failed.message() : std::string()));
 }
 
 void check_folder(const std::string& option, const std::string& folder,

@@ -18,8 +18,9 @@ void refuse_overwriting(const std::string& option, const std::string& output,
 /// for an empty folder.
 std::string prefix_in(const std::string& folder, const std::string& command);
 
-/// Makes the folder of --output; files are written only after. Throws lab::WorkFailed.
-void make_folder(const std::string& folder);
+/// Makes the folder that the user gave with `option`; files are written only after. Throws
+/// lab::BadInput where there is none afterwards.
+void make_folder(const std::string& option, const std::string& folder);
 
 /// PREFIX with each of these names and each ending of data and figures: "x_cones.svg".
 std::vector<std::string> files_of_prefix(const std::string& prefix,

@@ -112,7 +112,7 @@ void run(const DomainOptions& o) {
   const study::ReportedDomain domain = material ? compute(o, *material, {}) : merge(o);
   refuse_if_nothing_is_answered(domain);
   if (!o.output.empty()) {
-    make_folder(o.output);
+    make_folder("--output", o.output);
     write_files(domain, tests, o.prefix());
   }
   print(o.json ? study::domain_json(domain) : domain_text(domain));

@@ -68,7 +68,7 @@ void check_output(const Options& o, const lab::GrainProgramme& programme,
 void write_and_print(const Options& o, const db::StoredGrainRun& run) {
   const lab::GrainReport& report = run.report;
   if (!o.output.empty()) {
-    make_folder(o.output);
+    make_folder("--output", o.output);
     write_file(o.prefix() + ".json", grain_json(report));
     for (const NamedBytes& csv : grain_csvs(report)) write_file(o.prefix() + csv.suffix, csv.bytes);
     for (const NamedFigure& figure : grain_figures(report)) write_named_figure(figure, o.prefix());
@@ -134,7 +134,7 @@ void run(const Options& o) {
   if (!o.merge.empty()) return run_merge(o, programme);
   GrainOutputs outputs(programme, o.prefix());
   check_output(o, programme, outputs.files());
-  if (!outputs.files().empty()) make_folder(o.output);
+  if (!outputs.files().empty()) make_folder("--output", o.output);
   const auto stored = run_stages(o, programme, outputs);
   if (!stored) throw lab::WorkFailed(kStoppedEarly);
   write_and_print(o, *stored);

@@ -34,7 +34,7 @@ void write_files(const ProbeOptions& o, const study::ProbeResult& result) {
   std::vector<std::string> prefixes = {o.prefix()};
   for (const auto& figure : figures) prefixes.push_back(o.prefix() + '_' + figure.name);
   for (const auto& prefix : prefixes) keep_what_is_read(o, prefix);
-  make_folder(o.output);
+  make_folder("--output", o.output);
   write_file(o.prefix() + ".json", probe_json(result));
   write_file(o.prefix() + ".csv", to_csv(probes_data(result)));
   for (const auto& figure : figures) write_named_figure(figure, o.prefix());
@@ -44,7 +44,7 @@ void run_strain_paths(const ProbeOptions& o) {
   const auto result = study::strain_paths(strain_paths_request(o));
   if (!o.output.empty()) {
     keep_what_is_read(o, o.prefix());
-    make_folder(o.output);
+    make_folder("--output", o.output);
     write_figure(strain_paths_drawing(result), o.prefix());
     write_file(o.prefix() + ".csv", to_csv(strain_paths_data(result)));
     write_file(o.prefix() + ".json", strain_paths_json(result));
@@ -56,7 +56,7 @@ void run_sphere(const ProbeOptions& o) {
   const auto result = study::run_sphere(sphere_request(o), progress_bars());
   if (!o.output.empty()) {
     keep_what_is_read(o, o.prefix());
-    make_folder(o.output);
+    make_folder("--output", o.output);
     write_file(o.prefix() + ".json", sphere_json(result));
     write_file(o.prefix() + ".csv", to_csv(sphere_data(result)));
     if (const Drawing drawing = sphere_drawing(result); drawing.plot)

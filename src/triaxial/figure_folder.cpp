@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "lab/base/bad_input.hpp"
+#include "src/cli/output_guard.hpp"
 #include "src/plot/figure_files.hpp"
 #include "src/study/triaxial/tests_origin.hpp"
 #include "src/triaxial/figures/collapse_points_figure.hpp"
@@ -29,17 +29,11 @@ std::string file_name(const std::string& name) {
   return out.empty() ? "_" : out;
 }
 
-void need_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw lab::BadInput(fmt::format("--figures {}: cannot create folder{}", folder,
-                                    error ? ": " + error.message() : std::string()));
-}
-
 class FigureFolder {
  public:
-  explicit FigureFolder(const std::string& folder) : folder_(folder) { need_folder(folder); }
+  explicit FigureFolder(const std::string& folder) : folder_(folder) {
+    make_folder("--figures", folder);
+  }
 
   void add(const std::string& name, const Drawing& drawing) {
     if (!drawing.plot) return;

@@ -120,3 +120,13 @@ TEST_CASE("a stage that follows does not bend the last increment of the one befo
   REQUIRE(own);
   CHECK(own->angle == Approx(angle_at(path, 399 * path.strain_step)).margin(0.02));
 }
+
+TEST_CASE("a direction that could be any is none: beyond 45 degrees of standard error") {
+  constexpr double kDegree = std::numbers::pi / 180;
+  MeasuredIncrement own;
+  CHECK(own.has_direction());
+  own.angle_error = 44 * kDegree;
+  CHECK(own.has_direction());
+  own.angle_error = 46 * kDegree;
+  CHECK_FALSE(own.has_direction());
+}

@@ -56,9 +56,10 @@ TEST_CASE("a folder for the output: one that is there, one that can be made, and
   CHECK_THROWS_WITH(check("file/deep", "probe"), Contains("file is a file; expected a folder"));
   CHECK_NOTHROW(src::check_folder("--output", "", {"x"}));
   CHECK(src::prefix_in("", "probe").empty());
-  src::make_folder((base / "a/b").string());
+  src::make_folder("--output", (base / "a/b").string());
   CHECK(std::filesystem::is_directory(base / "a/b"));
-  CHECK_THROWS_AS(src::make_folder((base / "file/b").string()), lab::WorkFailed);
+  CHECK_THROWS_WITH(src::make_folder("--output", (base / "file/b").string()),
+                    Contains("file/b: cannot create folder: Not a directory"));
   std::filesystem::remove_all(base);
 }
 
