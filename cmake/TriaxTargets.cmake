@@ -17,11 +17,20 @@ if(TRIAX_SANITIZE)
   # -Wno-maybe-uninitialized: g++ 12 sees ghosts inside <regex> once it is instrumented.
   target_compile_options(triax_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
     -fsanitize=${TRIAX_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(triax_flags INTERFACE
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/sanitizers_ignore.txt>)
   target_link_options(triax_flags INTERFACE -fsanitize=${TRIAX_SANITIZE})
 endif()
-if(TRIAX_FUZZ)
-  target_compile_options(triax_flags INTERFACE -fsanitize=fuzzer-no-link)
-endif()
+
+# triax_show_coverage(TARGET): what is compiled of it tells the fuzzers where it has been. Not sim's loops: for them every
+# comparison would be a call.
+function(triax_show_coverage target)
+  if(TRIAX_FUZZ AND target STREQUAL "triax_sim")
+    target_compile_options(${target} PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
+  elseif(TRIAX_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
 
 # triax_precompile(TARGET HEADERS...): what most sources of a target include, parsed once. Only headers of
 # others: ours change too often.
@@ -53,6 +62,7 @@ function(triax_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
   add_library(${name} STATIC ${sources})
   triax_folders_as_units(${name})
+  triax_show_coverage(${name})
   # Our warnings are ours: who uses an installed library has flags of their own.
   target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:triax_flags>)
 endfunction()

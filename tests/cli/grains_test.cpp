@@ -132,7 +132,8 @@ TEST_CASE("grains: bad input is one line and status 2, and leaves nothing behind
   refused("s.toml", "s.grains");
 }
 
-TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, the run is marked") {
+TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, the run is marked",
+          "[slow]") {
   const Workplace here;
   // The last stage alone takes minutes.
   write(here / "g.toml",

@@ -15,7 +15,7 @@ const std::string kIcu6 = source("samples/programmes/icu_6.toml");
 
 }  // namespace
 
-TEST_CASE("a sweep gives the same table and documents with one job and with two") {
+TEST_CASE("a sweep gives the same table and documents with one job and with two", "[slow]") {
   const Workplace here;
   const std::string sweep =
       "simulate " + kIcu6 + " --sweep seed=1:3:1 --sweep specimen.void_ratio=1.1,1.12";

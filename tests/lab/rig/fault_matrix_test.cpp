@@ -149,7 +149,8 @@ TEST_CASE("short tests without a fault collapse where the specimen does, the den
   }
 }
 
-TEST_CASE("every fault alone: said, noticed where it can be, no verdict on a dead sensor") {
+TEST_CASE("every fault alone: said, noticed where it can be, no verdict on a dead sensor",
+          "[slow]") {
   for (const Subject& s : subjects()) {
     const std::string sound = s.sound.said();
     for (const double at : {s.consolidating_s(), s.shearing_s(), s.afterwards_s()}) {
@@ -199,7 +200,7 @@ bool has(const Pair& pair, FaultKind kind) {
 
 }  // namespace
 
-TEST_CASE("faults in pairs: both are said, the dense specimen never collapses by them") {
+TEST_CASE("faults in pairs: both are said, the dense specimen never collapses by them", "[slow]") {
   // A share of them in each test, for time; the strides have no common factor, and each test begins
   // elsewhere, so that the shares differ. A specimen that drains under its load takes the law a
   // hundred times as long as one that does not.

@@ -37,7 +37,8 @@ Programme grain_programme(const GrainFolder& folder, const std::string& grains,
 
 }  // namespace
 
-TEST_CASE("loose grains flow in an undrained test, as the verdict and the truth have it") {
+TEST_CASE("loose grains flow in an undrained test, as the verdict and the truth have it",
+          "[slow]") {
   const GrainFolder folder;
   folder.make("loose.grains", kLoose);
   const Programme programme = grain_programme(

@@ -21,7 +21,8 @@ TestSummary run(const std::string& programme, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE(
-    "ICU, CSD and CSU: the stress ratio at onset is the specimen's own within 0.02, any noise") {
+    "ICU, CSD and CSU: the stress ratio at onset is the specimen's own within 0.02, any noise",
+    "[slow]") {
   for (const char* programme : {"icu_6", "icu_42", "csd_51", "csd_58", "csd_60", "csu_26", "csu_27",
                                 "csu_31", "csu_41", "icu_7"}) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {

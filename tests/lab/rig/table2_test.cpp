@@ -138,7 +138,7 @@ TEST_CASE(
   CHECK(std::sqrt(squares / std::size(kTable2)) <= 0.045);
 }
 
-TEST_CASE("Table 2 by a set of parameters a test: each stress ratio within 0.02") {
+TEST_CASE("Table 2 by a set of parameters a test: each stress ratio within 0.02", "[slow]") {
   for (const Row& row : kTable2) {
     const double eta = eta_found(row, run(with_own_parameters(row)).summary);
     INFO(row.programme);

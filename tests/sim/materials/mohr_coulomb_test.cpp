@@ -197,7 +197,8 @@ TEST_CASE("Mohr-Coulomb: axes do not matter, on planes nor at corners") {
     const auto there = advance_point(law, law.start(turned * stress, 0.9),
                                      TensorControl::strains(turned * strain));
     REQUIRE(here.outcome == there.outcome);
-    CHECK((turned * here.state.stress - there.state.stress).norm() < 1e-3);  // Pa
+    // Round-off may isolate an edge a little earlier in one frame: 1e-7 of the stress.
+    CHECK((turned * here.state.stress - there.state.stress).norm() < 1e-2);  // Pa
 
     const auto control = TensorControl::drained_compression(i % 2 == 0 ? 0.02 : -0.02);
     const auto straight = advance_point(law, law.isotropic(100e3, 0.9), control);

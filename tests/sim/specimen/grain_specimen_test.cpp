@@ -90,7 +90,8 @@ TEST_CASE("a specimen of grains that rests is left alone") {
   CHECK(later.pore_pressure == Approx(300e3).margin(5));
 }
 
-TEST_CASE("a load that loose grains do not carry runs away, with energy from the grains") {
+TEST_CASE("a load that loose grains do not carry runs away, with energy from the grains",
+          "[slow]") {
   const auto law = very_loose_grains();
   SpecimenProperties stiff = bare();
   stiff.water_compressibility = 1 / 2.2e9;
