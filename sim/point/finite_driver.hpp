@@ -14,8 +14,7 @@ namespace triax::sim {
 /// det(S T + E) has vanished against that of the elastic response; failed is everything else.
 template <class Space>
 PointStep<Space> advance_finite(const Law<Space>& law, const PointState<Space>& state,
-                                const MixedControl<Space>& control,
-                                const PointTolerance& tolerance);
+                                const MixedControl<Space>& wanted, const PointTolerance& tolerance);
 
 /// point_rate of such a law: the quotient of a small increment (strain 1e-7) that meets the
 /// control. Not controllable with limiting_variable −1 also where the law itself fails.

@@ -135,7 +135,7 @@ class Runner {
   /// True, with `now_` there, where one of the events ends the segment; the later ones are not
   /// reached.
   bool note_events(const std::vector<WitnessedEvent<Space>>& events) {
-    for (const auto& event : events) {
+    for (const auto& event : events) {  // NOLINT(readability-use-anyofallof): each is noted
       note_event(event);
       if (event.kind != PathEventKind::end_condition) continue;
       now_ = event.at;

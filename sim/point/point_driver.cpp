@@ -24,9 +24,9 @@ constexpr const char* kLost = "the control condition cannot be held any longer";
 
 /// Ends a step; false, for the caller to pass on.
 template <class Space>
-bool end(PointStep<Space>& step, StepOutcome outcome, std::string message) {
+bool end(PointStep<Space>& step, StepOutcome outcome, const std::string& message) {
   step.outcome = outcome;
-  step.message = std::move(message);
+  step.message = message;
   return false;
 }
 

@@ -69,7 +69,7 @@ class ImplicitStep : DrivenSpecimen {
                      const Increment& about, Conditions& found) const;
   void balance_water(const SpecimenState& start, const Instant& at, double elapsed_s, double dt_s,
                      const Increment& about, Conditions& found) const;
-  Increment predict(const SpecimenState& start, const Conditions& linear) const;
+  Increment predict(const SpecimenState& start, const Conditions& conditions) const;
   SpecimenStep integrate(const SpecimenState& start, const Conditions& conditions,
                          double dt_s) const;
   void settle_water(const SpecimenState& start, SpecimenStep& step) const;

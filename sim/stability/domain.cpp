@@ -42,6 +42,7 @@ class ColumnWalk {
 
   DomainColumn run() {
     std::vector<Assessed> rows;
+    rows.reserve(static_cast<std::size_t>(grid_.rows));
     for (int row = 0; row < grid_.rows; ++row) rows.push_back(assess(grid_.q(row)));
     for (const double side : {1.0, -1.0}) {
       std::vector<Assessed*> outward;
@@ -51,6 +52,7 @@ class ColumnWalk {
       if (side < 0) std::ranges::reverse(outward);
       std::vector<Assessed> inner = up_to(outward.front()->state.q);
       std::vector<Assessed*> line;
+      line.reserve(inner.size() + outward.size());
       for (Assessed& state : inner) line.push_back(&state);
       line.insert(line.end(), outward.begin(), outward.end());
       name_what_is_behind_the_limit(line);

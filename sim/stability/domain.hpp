@@ -92,7 +92,7 @@ struct DomainColumn {
 /// σ′ of a state of the grid, σ₂ = σ₃.
 template <class Space>
 Vector<Space> domain_stress(double p, double q) {
-  const auto stress = components(AxisymmetricStress{p + 2 * q / 3, p - q / 3});
+  auto stress = components(AxisymmetricStress{p + 2 * q / 3, p - q / 3});
   if constexpr (Space::kSize == 2)
     return stress;
   else

@@ -26,7 +26,7 @@ constexpr std::int64_t kMostValues = 1'000'000;  // of a range; a grid has fewer
 /// FROM:TO/COUNT, FROM:TO:STEP or FROM:TO; `usual` where nothing is given.
 study::GridLine line(const char* option, const std::string& text, const study::GridLine& usual) {
   if (text.empty()) return usual;
-  const bool ends_only = std::ranges::count(text, ':') == 1 && text.find('/') == text.npos;
+  const bool ends_only = std::ranges::count(text, ':') == 1 && text.find('/') == std::string::npos;
   try {
     const lab::Range range =
         lab::read_range(ends_only ? fmt::format("{}/{}", text, usual.count) : text, kMostValues);

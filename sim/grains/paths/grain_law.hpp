@@ -53,10 +53,10 @@ class GrainLaw final : public Law<Axisymmetric>, public SelfDriven<Axisymmetric>
 
   // SelfDriven
   PointStep<Axisymmetric> drive(const State& state,
-                                const MixedControl<Axisymmetric>& control) const override;
+                                const MixedControl<Axisymmetric>& wanted) const override;
   /// By the secant stiffness of the last increments.
-  Rate rate(const State& state, const MixedControl<Axisymmetric>& control) const override;
-  bool sustains(const State& state, const MixedControl<Axisymmetric>& control) const override;
+  Rate rate(const State& state, const MixedControl<Axisymmetric>& wanted) const override;
+  bool sustains(const State& state, const MixedControl<Axisymmetric>& wanted) const override;
   DrivingTolerance tolerance(const State& state) const override;
 
  private:

@@ -5,6 +5,7 @@
 
 namespace triax::sim {
 
+// NOLINTBEGIN(modernize-avoid-c-arrays): kernels load the rows as they lie
 struct alignas(32) Grain {
   double position[3], radius;        ///< m
   double velocity[3], inverse_mass;  ///< m/s, half a step behind the position; 1/kg
@@ -19,5 +20,6 @@ struct alignas(64) GrainLoad {
   double moment[3], moment_pad;  ///< N m about the centre
 };
 static_assert(sizeof(GrainLoad) == 64);
+// NOLINTEND(modernize-avoid-c-arrays)
 
 }  // namespace triax::sim
