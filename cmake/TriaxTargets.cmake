@@ -22,13 +22,15 @@ if(TRIAX_SANITIZE)
   target_link_options(triax_flags INTERFACE -fsanitize=${TRIAX_SANITIZE})
 endif()
 
-# triax_show_coverage(TARGET): what is compiled of it tells the fuzzers where it has been. Not sim's loops: for them every
-# comparison would be a call.
-function(triax_show_coverage target)
-  if(TRIAX_FUZZ AND target STREQUAL "triax_sim")
-    target_compile_options(${target} PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
-  elseif(TRIAX_FUZZ)
-    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+# triax_fuzzed(TARGET [FLAG]): what is compiled of it tells the fuzzers where it has been, and what it compared unless FLAG
+# asks for less.
+function(triax_fuzzed target)
+  if(TRIAX_FUZZ)
+    set(flag -fsanitize=fuzzer-no-link)
+    if(ARGC GREATER 1)
+      set(flag ${ARGV1})
+    endif()
+    target_compile_options(${target} PRIVATE ${flag})
   endif()
 endfunction()
 
@@ -62,7 +64,6 @@ function(triax_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
   add_library(${name} STATIC ${sources})
   triax_folders_as_units(${name})
-  triax_show_coverage(${name})
   # Our warnings are ours: who uses an installed library has flags of their own.
   target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:triax_flags>)
 endfunction()

@@ -66,7 +66,7 @@ struct StageRow {
   lab::ReportedGrainStage told;
   std::int64_t number = 0;
   std::string ending;
-  std::optional<std::int64_t> settled;
+  std::optional<std::int64_t> at_rest;
   std::optional<double> strain_path_ratio, seconds;
   double radial_stress_pa = 0;
 };
@@ -80,7 +80,7 @@ void visit_stage(Row& row, Stage& s) {
   row("started_from", s.told.from);
   row.follows("strain_path_R", s.strain_path_ratio);
   row("ending", s.ending);
-  row("settled", s.settled);
+  row("at_rest", s.at_rest);
   row.follows("porosity", after.porosity);
   row.follows("coordination", after.coordination);
   row.follows("floating_grains", after.floating_grains);
@@ -174,7 +174,7 @@ void visit_probe(Row& row, Probe& r) {
   auto& w = p.work;
   row("alpha_deg", r.angle, "deg");
   row("norm_kPa", p.norm_pa, "kPa");
-  row("settled", p.settled);
+  row("at_rest", p.at_rest);
   row("axial_strain", p.strain.axial);
   row("radial_strain", p.strain.radial);
   row("work_lagrangian_J_per_m3", w.lagrangian);

@@ -117,7 +117,7 @@ class StageReader {
       came.rest.settling.unbalanced = came.rest.settling.stress_error_pa =
           came.rest.path_stress_pa = kNaN;
     }
-    came.rest.settled = came.rest.settling.settled = stage.settled == 1;
+    came.rest.at_rest = came.rest.settling.at_rest = stage.at_rest == 1;
     return came;
   }
 

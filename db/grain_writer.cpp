@@ -112,10 +112,10 @@ std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgra
 
 void insert_grain_stage(SQLite::Database& database, std::int64_t run, std::int64_t number,
                         const lab::GrainStageResult& result) {
-  const auto settled = lab::settled(result);
+  const auto at_rest = lab::at_rest(result);
   StageRow stage{
       lab::reported(result), number, lab::ending(result), {}, ratio_of(*result.stage), {}, 0};
-  if (settled) stage.settled = *settled ? 1 : 0;
+  if (at_rest) stage.at_rest = *at_rest ? 1 : 0;
   if (result.seconds > 0) stage.seconds = result.seconds;
   const auto& stress = result.after.wall_stress_pa;
   stage.radial_stress_pa = 0.5 * (stress[sim::kRadial[0]] + stress[sim::kRadial[1]]);

@@ -3,8 +3,8 @@
 //   KIND: strain_path (of R; 1 is undrained), drained, or isotropic to twice the pressure. Settles
 //   a packing at 100 kPa, writes the path from there for LAMMPS as PREFIX.lammps.data and
 //   PREFIX.lammps.in (whose table is PREFIX.lammps.csv) and follows it here: PREFIX.triax.csv from
-//   the state as it is, PREFIX.bare.csv from one that lost its tangential forces and settled again,
-//   as LAMMPS has to.
+//   the state as it is, PREFIX.bare.csv from one that lost its tangential forces and came to rest
+//   again, as LAMMPS has to.
 // PACKING: "N lox hix loy hiy loz hiz", then "x y z r" for each grain, in metres.
 #include <fmt/format.h>
 
@@ -38,12 +38,12 @@ sim::GrainState read_packing(const std::string& path) {
   return sim::make_grain_state(spheres, box, sim::ContactLaw{}, 1.5e-6);
 }
 
-sim::GrainState settled(const sim::GrainState& state) {
+sim::GrainState at_rest(const sim::GrainState& state) {
   sim::Grains grains(state, 2);
   grains.drive(sim::triaxial_drives(sim::stress_drive(kStress_Pa), sim::stress_drive(kStress_Pa)));
   const sim::Settled how = sim::settle(grains, {});
   sim::calm(grains);
-  fmt::print("# settled in {} steps: unbalanced {:.2g}, off by {:.3g} Pa\n", how.steps,
+  fmt::print("# at rest in {} steps: unbalanced {:.2g}, off by {:.3g} Pa\n", how.steps,
              how.unbalanced, how.stress_error_pa);
   return grains.state();
 }
@@ -90,7 +90,7 @@ int run(int count, char** words) {
   };
   const std::string prefix = words[3];
   const sim::GrainPath path = path_of(words[1], number(4, 1), number(5, 0.02), number(6, 0.2));
-  const sim::GrainState state = settled(read_packing(words[2]));
+  const sim::GrainState state = at_rest(read_packing(words[2]));
   const std::string name = std::filesystem::path(prefix).filename().string();
   const lab::LammpsExport files = lab::lammps_export(
       state, path,
@@ -98,7 +98,7 @@ int run(int count, char** words) {
   write(prefix + ".lammps.data", files.data);
   write(prefix + ".lammps.in", files.script);
   follow(state, path, prefix + ".triax.csv");
-  follow(settled(sim::make_grain_state(sim::spheres_of(state), state.box, state.law,
+  follow(at_rest(sim::make_grain_state(sim::spheres_of(state), state.box, state.law,
                                        state.time_step_s)),
          path, prefix + ".bare.csv");
   return 0;

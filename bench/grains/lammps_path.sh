@@ -4,7 +4,7 @@
 #                             [--rate RATE] [--bins N] [--ranks N] [--output PREFIX]
 # The same path here and in LAMMPS under MPI, from one state at 100 kPa: settles the packing, writes the path for LAMMPS,
 # follows it in both, and prints q, p and s1 - s3/R (kPa) at equal strains: "triax" as it is, "bare" from a state that
-# lost its tangential forces and settled again as LAMMPS has to, and "lammps"; then the largest differences from triax.
+# lost its tangential forces and came to rest again as LAMMPS has to, and "lammps"; then the largest differences from triax.
 # FILE: "N lox hix loy hiy loz hiz", then "x y z r" a grain, in metres; without it a specimen of 1,000 grains is made.
 # PREFIX keeps the files (PREFIX.lammps.in, .lammps.data, .lammps.csv, .triax.csv, .bare.csv).
 set -euo pipefail

@@ -40,7 +40,7 @@ struct GrainPathStage {
   bool lammps = false;                  ///< the stage is written for LAMMPS too
 };
 /// The stresses are held (rest), or the walls where `strain_held` (equilibrium), until the specimen
-/// is settled, which is then calmed.
+/// is at rest, which is then calmed.
 struct GrainRestStage {
   bool strain_held = false;
   /// Of a rest: what is held; empty: what the servo's goal is, or what the walls carry.

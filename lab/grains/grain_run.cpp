@@ -161,7 +161,7 @@ class Stages {
     if (work.strain_held) {
       sim::Equilibrium found =
           equilibrium_at(start, work.ratio, work.settling, threads_, progress_);
-      result.settling = found.settled;
+      result.settling = found.rest;
       end_ = std::move(found.state);
     } else {
       sim::AxisymmetricStress held;
@@ -175,7 +175,7 @@ class Stages {
       end_ = grains.state();
     }
     stopped_ = result.settling.stopped;
-    result.settled = result.settling.settled;
+    result.at_rest = result.settling.at_rest;
     result.path_stress_pa = path_stress(axisymmetric_stress(end_), work.ratio);
     return result;
   }

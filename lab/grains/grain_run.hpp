@@ -22,7 +22,7 @@ struct GrainsMade {
 };
 
 struct GrainRest {
-  bool settled = false;
+  bool at_rest = false;
   sim::Settled settling;
   double path_stress_pa = 0;  ///< σ₁ − σ₃/R at the end, with the R that the stage names
 };

@@ -6,9 +6,9 @@
 namespace triax::lab {
 namespace {
 
-bool all_settled(const sim::ProbeRose& rose) {
-  return rose.null_probe.settled && std::all_of(rose.probes.begin(), rose.probes.end(),
-                                                [](const auto& probe) { return probe.settled; });
+bool all_at_rest(const sim::ProbeRose& rose) {
+  return rose.null_probe.at_rest && std::all_of(rose.probes.begin(), rose.probes.end(),
+                                                [](const auto& probe) { return probe.at_rest; });
 }
 
 }  // namespace
@@ -23,8 +23,8 @@ std::string word(sim::GrainPathEnd end) {
       return "axial_strain";
     case sim::GrainPathEnd::stress_ratio:
       return "stress_ratio";
-    case sim::GrainPathEnd::settled:
-      return "settled";
+    case sim::GrainPathEnd::at_rest:
+      return "at rest";
     case sim::GrainPathEnd::collapse:
       return "collapse";
     case sim::GrainPathEnd::most_steps:
@@ -49,8 +49,8 @@ std::string word(sim::GrainPathKind kind) {
 
 std::string word(sim::PerturbationEnd end) {
   switch (end) {
-    case sim::PerturbationEnd::settled:
-      return "settled";
+    case sim::PerturbationEnd::at_rest:
+      return "at rest";
     case sim::PerturbationEnd::collapsed:
       return "collapsed";
     case sim::PerturbationEnd::undecided:
@@ -65,25 +65,31 @@ std::string ending(const GrainStageResult& result) {
   struct {
     std::string operator()(const sim::GrainPathResult& r) const { return word(r.end); }
     std::string operator()(const GrainRest& r) const {
-      return r.settled ? "settled" : "not at rest";
+      return r.at_rest ? "at rest" : "not at rest";
     }
     std::string operator()(const GrainRose& r) const {
-      return all_settled(r.rose) ? "all at rest" : "some not at rest";
+      return all_at_rest(r.rose) ? "all at rest" : "some not at rest";
     }
     std::string operator()(const sim::PerturbationResult& r) const { return word(r.end); }
   } const of;
   return std::visit(of, result.outcome);
 }
 
-std::optional<bool> settled(const GrainStageResult& result) {
-  if (const auto* path = std::get_if<sim::GrainPathResult>(&result.outcome)) {
-    const auto& work = std::get<GrainPathStage>(result.stage->work);
-    if (work.path.kind != sim::GrainPathKind::isotropic) return std::nullopt;
-    return path->end == sim::GrainPathEnd::settled;
-  }
-  if (const auto* rest = std::get_if<GrainRest>(&result.outcome)) return rest->settled;
-  if (const auto* rose = std::get_if<GrainRose>(&result.outcome)) return all_settled(rose->rose);
-  return std::get<sim::PerturbationResult>(result.outcome).end == sim::PerturbationEnd::settled;
+std::optional<bool> at_rest(const GrainStageResult& result) {
+  struct {
+    const decltype(GrainStage::work)& work;
+    std::optional<bool> operator()(const sim::GrainPathResult& r) const {
+      if (std::get<GrainPathStage>(work).path.kind != sim::GrainPathKind::isotropic)
+        return std::nullopt;
+      return r.end == sim::GrainPathEnd::at_rest;
+    }
+    std::optional<bool> operator()(const GrainRest& r) const { return r.at_rest; }
+    std::optional<bool> operator()(const GrainRose& r) const { return all_at_rest(r.rose); }
+    std::optional<bool> operator()(const sim::PerturbationResult& r) const {
+      return r.end == sim::PerturbationEnd::at_rest;
+    }
+  } const of{result.stage->work};
+  return std::visit(of, result.outcome);
 }
 
 }  // namespace triax::lab

@@ -12,16 +12,16 @@ namespace triax::lab {
 std::string word(sim::StiffnessReading reading);
 /// "isotropic", "drained", "strain_path"
 std::string word(sim::GrainPathKind kind);
-/// "axial_strain", "stress_ratio", "settled", "collapse", "most_steps", "stopped"
+/// "axial_strain", "stress_ratio", "at rest", "collapse", "most_steps", "stopped"
 std::string word(sim::GrainPathEnd end);
-/// "settled", "collapsed", "undecided", "stopped"
+/// "at rest", "collapsed", "undecided", "stopped"
 std::string word(sim::PerturbationEnd end);
 
-/// How a stage ended: a word of the above, "settled" or "not at rest" of a rest, and of a rose
+/// How a stage ended: a word of the above, "at rest" or "not at rest" of a rest, and of a rose
 /// "all at rest" or "some not at rest".
 std::string ending(const GrainStageResult& result);
 
 /// Whether it came to rest where it had to; empty for a path that is not isotropic.
-std::optional<bool> settled(const GrainStageResult& result);
+std::optional<bool> at_rest(const GrainStageResult& result);
 
 }  // namespace triax::lab

@@ -182,7 +182,7 @@ void write_hand_over(Script& out) {
 }
 
 void write_rest(Script& out, const sim::GrainState& s, std::int64_t every) {
-  out("\n# Rest: the stresses of the start are held until the grains have settled without the "
+  out("\n# Rest: the stresses of the start are held until the grains are at rest without the "
       "tangential forces.");
   for (int a = 0; a < 3; ++a)
     out("variable goal{} equal {:.10g}", kAxis[a], sim::wall_stress(s.walls, s.box, a));
@@ -257,7 +257,7 @@ void write_ends(Script& out, const sim::GrainPath& path, std::int64_t every) {
     std::string where;
     for (int a = 0; a < 3; ++a)
       where += fmt::format("($(abs(f_now[{}]-{})) <= {}) && ", a + 4, path.pressure_pa, most);
-    end(where + fmt::format("($(f_now[8]) <= {})", path.unbalanced), "settled");
+    end(where + fmt::format("($(f_now[8]) <= {})", path.unbalanced), "at rest");
   } else {
     end(fmt::format("$(abs(v_nz)) >= {:.12g}", path.axial_strain * (1 - 1e-9)), "axial strain");
     end(fmt::format("$(v_p) < $({}*v_p0)", path.collapse_share), "collapse");

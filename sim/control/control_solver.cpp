@@ -28,19 +28,20 @@ PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double mod
 }
 
 template <class Space>
-Vector<Space> left_null_vector(const Matrix<Space>& m) {
+Vector<Space> left_null_vector(const Matrix<Space>& control_matrix) {
   Vector<Space> scale;
-  for (int row = 0; row < Space::kSize; ++row) scale(row) = 1 / std::max(m.row(row).norm(), 1e-300);
-  const Matrix<Space> scaled = scale.asDiagonal() * m;
+  for (int row = 0; row < Space::kSize; ++row)
+    scale(row) = 1 / std::max(control_matrix.row(row).norm(), 1e-300);
+  const Matrix<Space> scaled = scale.asDiagonal() * control_matrix;
   return scale.cwiseProduct(Vector<Space>(least_eigenvector(scaled * scaled.transpose())));
 }
 
 template <class Space>
-int row_that_limits(const Vector<Space>& weight, const Vector<Space>& increment) {
-  Vector<Space> share = weight.cwiseProduct(increment).cwiseAbs();
+int row_that_limits(const Vector<Space>& null_vector, const Vector<Space>& increment) {
+  Vector<Space> share = null_vector.cwiseProduct(increment).cwiseAbs();
   // A row that asks for nothing can be held while another asks for something.
   if (share.isZero(0)) share = increment.cwiseAbs();
-  if (share.isZero(0)) share = weight.cwiseAbs();
+  if (share.isZero(0)) share = null_vector.cwiseAbs();
   Eigen::Index row = 0;
   share.maxCoeff(&row);
   return static_cast<int>(row);

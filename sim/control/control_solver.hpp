@@ -39,14 +39,14 @@ struct PreparedControl {
   PreparedControl(const MixedControl<Space>& control, double modulus_pa);
 };
 
-/// Left vector of the smallest singular value of a (nearly) singular control matrix m, which a step
+/// Left vector of the smallest singular value of a (nearly) singular control matrix, which a step
 /// may have gone past.
 template <class Space>
-Vector<Space> left_null_vector(const Matrix<Space>& m);
+Vector<Space> left_null_vector(const Matrix<Space>& control_matrix);
 /// Row of the control that cannot be held, from the left null vector of the singular control
-/// matrix, by whose components rows are weighed.
+/// matrix.
 template <class Space>
-int row_that_limits(const Vector<Space>& weight, const Vector<Space>& increment);
+int row_that_limits(const Vector<Space>& null_vector, const Vector<Space>& increment);
 
 /// Which mechanisms may load: those on yield; with `forced` exactly those in it do.
 struct Branch {

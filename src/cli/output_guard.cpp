@@ -79,7 +79,7 @@ std::string prefix_in(const std::string& folder, const std::string& command) {
 void make_folder(const std::string& option, const std::string& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (!fs::is_directory(folder))
+  if (std::error_code none; !fs::is_directory(folder, none))
     throw lab::BadInput(fmt::format("{} {}: cannot create folder{}", option, folder,
                                     failed ? ": " + failed.message() : std::string()));
 }

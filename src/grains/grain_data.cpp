@@ -85,7 +85,7 @@ const std::vector<DataColumn> kProbeColumns = {{"alpha_deg", "°"},
                                                {"sliding_share", ""},
                                                {"non_permanent_share", ""},
                                                {"kinetic_energy_J", "J"},
-                                               {"settled", ""},
+                                               {"at_rest", ""},
                                                {"steps", ""},
                                                {"unbalanced", ""},
                                                {"stress_error_Pa", "Pa"}};
@@ -118,7 +118,7 @@ Row probe_row(const sim::GrainProbe& p, std::optional<double> angle, bool parts_
                            p.sliding_share,
                            w.non_permanent_share(),
                            p.most_kinetic_j,
-                           p.settled ? 1.0 : 0.0,
+                           p.at_rest ? 1.0 : 0.0,
                            static_cast<double>(p.steps),
                            p.unbalanced,
                            p.stress_error_pa});

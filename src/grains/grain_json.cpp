@@ -125,7 +125,7 @@ study::Json came_json(const lab::ReportedGrainPath& came) {
 study::Json came_json(const lab::ReportedGrainRest& came) {
   const auto& settling = came.rest.settling;
   return {{"held", came.strain_held ? "walls" : "stresses"},
-          {"settled", came.rest.settled},
+          {"at_rest", came.rest.at_rest},
           {"steps", count_json(settling.steps)},
           {"unbalanced", study::json_number(settling.unbalanced)},
           {"stress_error_Pa",
@@ -143,7 +143,7 @@ study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle, bo
   one["stopped"] = p.stopped;
   if (p.stopped) return one;
   const auto& w = p.work;
-  one.update({{"settled", p.settled},
+  one.update({{"at_rest", p.at_rest},
               {"stress", stress_json(p.stress)},
               {"strain", strain_json(p.strain)},
               {"w2_J_per_m3",
@@ -190,7 +190,7 @@ study::Json came_json(const lab::ReportedGrainRose& came) {
       {"norm_kPa", study::json_kPa(came.norm_pa)},
       {"stress", stress_json(stress)},
       {"made", found.made},
-      {"settled", found.settled},
+      {"at_rest", found.at_rest},
       {"negative_w2", ranges_json(found.negative)},
       {"least_w2_normalised", study::json_number(found.least_normalised)},
       {"least_alpha_deg", study::json_deg(found.least_angle)},
@@ -200,7 +200,7 @@ study::Json came_json(const lab::ReportedGrainRose& came) {
         {"ranges", ranges_json(found.irreversible)}}},
       {"dynamic",
        {{"times_least_kinetic_energy", study::kDynamic}, {"ranges", ranges_json(found.dynamic)}}},
-      {"unsettled", ranges_json(found.unsettled)},
+      {"not_at_rest", ranges_json(found.not_at_rest)},
       {"kinetic_energy_most_J",
        any ? study::json_number(found.most_kinetic_j) : study::Json(nullptr)},
       {"smallest_strain", study::json_number(found.smallest_strain)},

@@ -24,8 +24,8 @@ int work_decimals(const sim::ProbeRose& rose) {
   return std::clamp(2 - static_cast<int>(std::floor(std::log10(least))), 3, 8);
 }
 
-std::string settled_word(const sim::GrainProbe& probe) {
-  return probe.stopped ? "stopped" : probe.settled ? "yes" : "NO";
+std::string at_rest_word(const sim::GrainProbe& probe) {
+  return probe.stopped ? "stopped" : probe.at_rest ? "yes" : "NO";
 }
 
 Table right_columns(const std::vector<std::string>& headings) {
@@ -62,7 +62,7 @@ void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::stri
             number(probe.norm_pa > 0 ? study::fixed_over_macro(probe) : std::nullopt, 4)};
   }
   response.resize(tables.responses.columns.size(), kUnknown);
-  response.back() = settled_word(probe);
+  response.back() = at_rest_word(probe);
   work.resize(tables.work.columns.size(), kUnknown);
 }
 
@@ -107,13 +107,13 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedG
            number(p > 0 ? std::optional(sim::deviator_stress(stress) / p) : std::nullopt, 4),
            rose.norm_pa / 1e3)},
       {"made", fmt::format("{} of {} probes, {} at rest", found.made, rose.made.rose.probes.size(),
-                           found.settled)},
+                           found.at_rest)},
       {"null probe", null_words(found, rose.made.rose.null_probe)}};
   if (found.made == 0) return facts;
   const auto add = [&](const char* label, std::string words) {
     facts.emplace_back(label, std::move(words));
   };
-  if (!found.unsettled.empty()) add("NOT AT REST", ranges_words(found.unsettled));
+  if (!found.not_at_rest.empty()) add("NOT AT REST", ranges_words(found.not_at_rest));
   add("W₂ < 0", "Eq. (7): " + ranges_words(found.negative));
   if (found.least_normalised)
     add("least W₂",

@@ -36,7 +36,7 @@ struct Came {
         return fmt::format("ε₁ = {} % reached", in_percent(last.strain.axial));
       case sim::GrainPathEnd::stress_ratio:
         return fmt::format("η = {} reached", number(last.stress_ratio(), 3));
-      case sim::GrainPathEnd::settled:
+      case sim::GrainPathEnd::at_rest:
         return fmt::format("at rest at p = {} kPa", in_kPa(last.p_pa));
       case sim::GrainPathEnd::collapse:
         return fmt::format("COLLAPSED at ε₁ = {} %", in_percent(last.strain.axial));
@@ -45,12 +45,12 @@ struct Came {
     }
   }
   std::string operator()(const lab::ReportedGrainRest& rest) const {
-    return rest.rest.settled ? "at rest" : "NOT AT REST";
+    return rest.rest.at_rest ? "at rest" : "NOT AT REST";
   }
   std::string operator()(const lab::ReportedGrainRose& rose) const {
-    int settled = 0;
-    for (const auto& probe : rose.made.rose.probes) settled += probe.settled;
-    return fmt::format("{} of {} probes at rest", settled, rose.made.rose.probes.size());
+    int at_rest = 0;
+    for (const auto& probe : rose.made.rose.probes) at_rest += probe.at_rest;
+    return fmt::format("{} of {} probes at rest", at_rest, rose.made.rose.probes.size());
   }
   std::string operator()(const lab::ReportedPerturbation& perturbation) const {
     return perturbation.end == sim::PerturbationEnd::collapsed ? "COLLAPSED"
@@ -157,7 +157,7 @@ Table rests_table(const lab::GrainReport& report) {
     const auto& settling = came.rest.settling;
     table.rows.push_back(
         {stage.name, stage.from.empty() ? "as made" : stage.from,
-         came.strain_held ? "walls" : "stresses", yes_no(came.rest.settled),
+         came.strain_held ? "walls" : "stresses", yes_no(came.rest.at_rest),
          settling.steps == lab::kNotStored ? kUnknown : fmt::format("{}", settling.steps),
          in_joule(settling.unbalanced),
          came.strain_held ? kUnknown : number(settling.stress_error_pa, 2),

@@ -71,7 +71,7 @@ class Bits {
   }
   Bits& operator<<(const sim::GrainProbe& p) {
     const sim::GrainWork& w = p.work;
-    return *this << p.angle << p.norm_pa << std::int64_t{p.settled} << std::int64_t{p.stopped}
+    return *this << p.angle << p.norm_pa << std::int64_t{p.at_rest} << std::int64_t{p.stopped}
                  << p.stress.axial << p.stress.radial << p.strain.axial << p.strain.radial
                  << w.lagrangian << w.stress_part << w.volume_part << w.transport_part
                  << w.normalised << w.normal_part << w.tangential_part << w.non_permanent_part
@@ -99,7 +99,7 @@ class Bits {
   }
   Bits& operator<<(const lab::ReportedGrainRest& came) {
     const auto& settling = came.rest.settling;
-    return *this << std::int64_t{came.strain_held} << std::int64_t{came.rest.settled}
+    return *this << std::int64_t{came.strain_held} << std::int64_t{came.rest.at_rest}
                  << settling.steps << settling.unbalanced << settling.stress_error_pa
                  << came.rest.path_stress_pa;
   }
@@ -274,7 +274,10 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
   CHECK(std::isnan(rose.made.rose.probes[0].stress.axial));
   const auto& rest = std::get<lab::ReportedGrainRest>(run.report.stages[2].came);
   CHECK(rest.strain_held);
-  CHECK(rest.rest.settled);
+  CHECK(rest.rest.at_rest);
+  CHECK(SQLite::Database(folder.file("t.db"))
+            .execAndGet("SELECT ending FROM grain_stages WHERE number = 3")
+            .getString() == "at rest");
   CHECK(rest.rest.settling.steps == lab::kNotStored);
   CHECK(run.report.stages[2].steps == 700);
   CHECK(std::isnan(rest.rest.path_stress_pa));

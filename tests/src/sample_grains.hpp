@@ -50,7 +50,7 @@ inline sim::GrainProbe probe_at(double degrees, double work, double ratio = 1) {
   sim::GrainProbe probe;
   probe.angle = sim::radians(degrees);
   probe.norm_pa = 1000;
-  probe.settled = true;
+  probe.at_rest = true;
   probe.stress = {1000 * std::sin(probe.angle), 1000 * std::cos(probe.angle) / std::numbers::sqrt2};
   probe.strain = {1e-5 * std::sin(probe.angle), 1e-5 * std::cos(probe.angle) / std::numbers::sqrt2};
   probe.work.lagrangian = work;
@@ -79,7 +79,7 @@ inline sim::ProbeRose rose() {
     sim::GrainProbe probe = probe_at(degrees, unstable ? -0.002 : 0.01, apart ? 1.2 : 1.01);
     if (degrees >= 50 && degrees <= 260) probe.sliding_share = 0.05;
     if (degrees >= 80 && degrees <= 210) probe.most_kinetic_j = 1e-6;
-    probe.settled = degrees != 140;
+    probe.at_rest = degrees != 140;
     made.probes.push_back(probe);
   }
   made.null_probe = probe_at(0, 0);
@@ -158,14 +158,14 @@ inline lab::GrainReport sample_run() {
   sim::GrainPath isotropic, drained;
   isotropic.kind = sim::GrainPathKind::isotropic;
   follow("press", "isotropic", isotropic, {path_point(0, 0, 1), path_point(0.001, 0, 1, 90e3)},
-         sim::GrainPathEnd::settled);
+         sim::GrainPathEnd::at_rest);
   follow("shear", "drained", drained, rising_and_falling(1), sim::GrainPathEnd::axial_strain);
   follow("R-0.8", "strain_path", strain_path(0.8), rising_and_falling(0.8),
          sim::GrainPathEnd::collapse);
   follow("R-1", "undrained", strain_path(1), rising_and_falling(1),
          sim::GrainPathEnd::axial_strain);
   lab::GrainRest rest;
-  rest.settled = true;
+  rest.at_rest = true;
   rest.settling.steps = 500;
   rest.path_stress_pa = 12.5e3;
   tell(stage("calm", "rest", "shear"), lab::GrainRestStage{}, rest);
@@ -174,14 +174,14 @@ inline lab::GrainReport sample_run() {
   lab::GrainPerturbationStage load, energy;
   load.perturbation.load_step_pa = 500;
   energy.perturbation.kinetic_energy_j = 1e-4;
-  sim::PerturbationResult settled, collapsed;
-  settled.end = sim::PerturbationEnd::settled;
-  settled.points = decaying(1.02);
+  sim::PerturbationResult at_rest, collapsed;
+  at_rest.end = sim::PerturbationEnd::at_rest;
+  at_rest.points = decaying(1.02);
   collapsed.end = sim::PerturbationEnd::collapsed;
   collapsed.points = decaying(0.05);
   collapsed.grains_hit = 40;
   collapsed.most_kinetic_j = 1e-4;
-  tell(stage("load a", "perturbation", "ES_a"), load, settled);
+  tell(stage("load a", "perturbation", "ES_a"), load, at_rest);
   tell(stage("load b", "perturbation", "ES_b"), load, collapsed);
   tell(stage("energy b", "perturbation", "ES_b"), energy, collapsed);
   // As if they had been taken out on the way: a mark passed and one that never was.

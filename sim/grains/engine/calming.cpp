@@ -37,9 +37,9 @@ Settled settle(Grains& grains, const Settling& settling, const GrainProgress& pr
     require_inside(grains.state());
     result.unbalanced = measure(grains.state()).unbalanced;
     result.stress_error_pa = stress_error(grains.state());
-    result.settled = result.unbalanced < settling.unbalanced &&
+    result.at_rest = result.unbalanced < settling.unbalanced &&
                      result.stress_error_pa < settling.stress_error_pa;
-    if (result.settled) return result;
+    if (result.at_rest) return result;
     done = std::max(done, std::min(1.0, settling.unbalanced / (result.unbalanced + 1e-300)));
     result.stopped = !goes_on(progress, done, "settling");
     if (result.stopped) return result;
@@ -49,11 +49,11 @@ Settled settle(Grains& grains, const Settling& settling, const GrainProgress& pr
 
 Settled rest(Grains& grains, const AxisymmetricStress& stress, const Settling& settling,
              const GrainProgress& progress) {
-  constexpr double kSpeedLimit = 0.005;  // a settled specimen needs no more
+  constexpr double kSpeedLimit = 0.005;  // a specimen at rest needs no more
   grains.drive(triaxial_drives(stress_drive(stress.axial, kSpeedLimit),
                                stress_drive(stress.radial, kSpeedLimit)));
   const Settled first = settle(grains, settling, progress);
-  if (!first.settled) return first;
+  if (!first.at_rest) return first;
   calm(grains);
   Settled second = settle(grains, settling, progress);
   second.steps += first.steps;

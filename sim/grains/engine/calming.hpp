@@ -21,7 +21,7 @@ struct Settling {
 };
 
 struct Settled {
-  bool settled = false;  ///< false: the bound of steps was reached, or it was stopped
+  bool at_rest = false;  ///< false: the bound of steps was reached, or it was stopped
   bool stopped = false;  ///< by the progress
   std::int64_t steps = 0;
   double unbalanced = 0;
@@ -31,7 +31,7 @@ struct Settled {
 /// How far the servos are from their goals, Pa: the largest of all stress-driven axes.
 double stress_error(const GrainState& state);
 
-/// Steps until the specimen is settled. Throws GrainsFailed, also when a grain lies outside.
+/// Steps until the specimen is at rest. Throws GrainsFailed, also when a grain lies outside.
 Settled settle(Grains& grains, const Settling& settling, const GrainProgress& progress = {});
 
 /// Holds these stresses (axis 1 and both others, Pa, > 0) by servos, settles, calms, and settles

@@ -171,7 +171,7 @@ class Follower {
     const bool due = steps / kSettlingCheck > (steps - path_.check_every) / kSettlingCheck;
     if (!due || stress_error(grains_.state()) > path_.pressure_share * path_.pressure_pa) return {};
     if (measure(grains_.state()).unbalanced > path_.unbalanced) return {};
-    return GrainPathEnd::settled;
+    return GrainPathEnd::at_rest;
   }
   double done(const AxisymmetricStress& stress, double axial) const {
     const double share = path_.kind == Kind::isotropic ? (mean_stress(stress) - start_p_) /

@@ -72,7 +72,7 @@ struct GrainPathPoint {
 enum class GrainPathEnd : std::uint8_t {
   axial_strain,
   stress_ratio,
-  settled,  ///< isotropic: at rest at the pressure
+  at_rest,  ///< isotropic: at rest at the pressure
   collapse,
   most_steps,
   stopped  ///< by the progress

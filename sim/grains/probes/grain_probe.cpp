@@ -88,13 +88,13 @@ GrainProbe probe(const GrainState& state, double angle, const GrainProbing& how,
       how));
   Watch watch(grains, result, how.sample_every);
   watch.step(how.ramp_steps);
-  while (!result.settled && !result.stopped && result.steps < how.most_steps) {
+  while (!result.at_rest && !result.stopped && result.steps < how.most_steps) {
     watch.step(std::min(how.check_every, how.most_steps - result.steps));
     result.unbalanced = measure(grains.state()).unbalanced;
     result.stress_error_pa = stress_error(grains.state());
-    result.settled =
+    result.at_rest =
         result.unbalanced < how.unbalanced && result.stress_error_pa < how.stress_error_pa;
-    result.stopped = !result.settled && !goes_on(progress, 0, "probing");
+    result.stopped = !result.at_rest && !goes_on(progress, 0, "probing");
   }
   require_inside(grains.state());
   result.work = grain_work(state, grains.state(), watch.rotations().turned());

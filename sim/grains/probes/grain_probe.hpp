@@ -32,7 +32,7 @@ struct GrainProbing {
 struct GrainProbe {
   double angle = 0;           ///< α, rad
   double norm_pa = 0;         ///< d; 0: a null probe
-  bool settled = false;       ///< false: the bound of steps was reached, or it was stopped
+  bool at_rest = false;       ///< false: the bound of steps was reached, or it was stopped
   bool stopped = false;       ///< by the progress: its values say nothing
   AxisymmetricStress stress;  ///< what was reached, Pa, on the walls
   AxisymmetricStrain strain;  ///< natural

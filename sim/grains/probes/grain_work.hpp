@@ -44,7 +44,7 @@ struct GrainWork {
   double fixed_frame = 0;
   /// Σ F_ext · δ²u over grains at walls, with δ²u = change of their velocity × duration, which is
   /// all that two states tell. F_ext is the whole force, not its change: the rest of motion at a
-  /// settled end makes this larger than W₂ itself. A sign of motion, no correction; the paper
+  /// end at rest makes this larger than W₂ itself. A sign of motion, no correction; the paper
   /// neglects it.
   double boundary_part = 0;
 

@@ -127,7 +127,7 @@ class Perturbed {
         std::abs(point.axial_strain) > how_.collapse_strain)
       end = PerturbationEnd::collapsed;
     else if (at_rest >= kChecksAtRest)
-      end = PerturbationEnd::settled;
+      end = PerturbationEnd::at_rest;
     else if (!goes_on(progress, std::min(0.99, point.time_s / how_.longest_s), "perturbed"))
       end = PerturbationEnd::stopped;
     else
@@ -151,7 +151,7 @@ Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling
   grains.drive({});
   calm(grains);
   Equilibrium result;
-  result.settled = settle(grains, settling, progress);
+  result.rest = settle(grains, settling, progress);
   calm(grains);
   result.state = grains.state();
   result.path_stress_pa = path_stress(axisymmetric_stress(result.state), ratio);

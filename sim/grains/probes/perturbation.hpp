@@ -13,12 +13,12 @@
 namespace triax::sim {
 
 /// A state from a moving path brought to an equilibrium at its strain: walls stopped, motion taken
-/// out, settled, calmed. (Under stress control a state past the peak could run away meanwhile.) Its
+/// out, at rest, calmed. (Under stress control a state past the peak could run away meanwhile.) Its
 /// σ₁ − σ₃/R is a little lower then. Throws GrainsFailed.
 struct Equilibrium {
   GrainState state;           ///< walls at rest
   double path_stress_pa = 0;  ///< σ₁ − σ₃/R that it carries
-  Settled settled;
+  Settled rest;
 };
 Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling& settling = {},
                            int threads = 1, const GrainProgress& progress = {});
@@ -52,7 +52,7 @@ struct PerturbationPoint {
   double unbalanced = 0;
 };
 
-enum class PerturbationEnd : std::uint8_t { settled, collapsed, undecided, stopped };
+enum class PerturbationEnd : std::uint8_t { at_rest, collapsed, undecided, stopped };
 
 struct PerturbationResult {
   PerturbationEnd end = PerturbationEnd::undecided;  ///< undecided: followed to the longest time

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPanelWidth = 480, kPanelHeight = 360, kLegendHeight = 30;
 constexpr int kMostColumns = 3;
-/// χ of a settled state moves by less; a range so narrow would show noise only.
+/// χ of a state at rest moves by less; a range so narrow would show noise only.
 constexpr double kLeastChi = 0.005;
 
 QPen share_pen() { return line(kBlue, 1.8); }

@@ -10,7 +10,7 @@
 namespace triax::src {
 
 struct DrawnPerturbation {
-  std::string title;  ///< "ES_a + 500 Pa: settled"
+  std::string title;  ///< "ES_a + 500 Pa: at rest"
   std::vector<sim::PerturbationPoint> points;
 };
 

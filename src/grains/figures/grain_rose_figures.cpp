@@ -127,12 +127,12 @@ Panels two_panels(const std::string& left_title, const std::string& right_title)
 /// Of a probe at rest: one that runs away would leave no room for the others.
 template <class Work>
 double at_rest(const sim::GrainProbe& probe, const Work& work) {
-  return probe.settled ? work(probe.work) : std::numeric_limits<double>::quiet_NaN();
+  return probe.at_rest ? work(probe.work) : std::numeric_limits<double>::quiet_NaN();
 }
 double kinetic(const sim::GrainProbe& p) { return p.most_kinetic_j; }
 
-std::string unsettled_words(const Probes& probes) {
-  const auto count = std::ranges::count(probes, false, &sim::GrainProbe::settled);
+std::string not_at_rest_words(const Probes& probes) {
+  const auto count = std::ranges::count(probes, false, &sim::GrainProbe::at_rest);
   return count > 0 ? fmt::format(" {} of {} probes did not come to rest.", count, probes.size())
                    : std::string();
 }
@@ -142,8 +142,8 @@ std::string unsettled_words(const Probes& probes) {
 Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm_pa, const Subject& subject) {
   const Probes probes = made(rose);
   Drawing drawing = response_envelope(study::circle_of(rose, norm_pa), norm_pa, subject);
-  if (drawing.plot && !unsettled_words(probes).empty())
-    drawing.caption += unsettled_words(probes) + " They are left out.";
+  if (drawing.plot && !not_at_rest_words(probes).empty())
+    drawing.caption += not_at_rest_words(probes) + " They are left out.";
   return drawing;
 }
 
@@ -178,12 +178,12 @@ Drawing grain_work_figure(const sim::ProbeRose& rose, const Subject& subject) {
   if (!found.negative.empty()) name_shade(*left, kVermilion, "W₂ < 0");
   if (!found.agreeing.empty())
     name_shade(*right, kGreen, fmt::format("micro = macro within {:g} %", 100 * study::kAgreement));
-  if (!found.unsettled.empty()) name_shade(*left, kGrey, "not at rest, left out");
+  if (!found.not_at_rest.empty()) name_shade(*left, kGrey, "not at rest, left out");
   legend_below(*plot, 4);
   origin_below(*plot, subject);
   left->axis(QCPAxis::atLeft)->setRange(range_of(probes, macro));
   right->axis(QCPAxis::atLeft)->setRange(range_of(probes, micro));
-  for (auto* rect : {left, right}) shade(*rect, probes, found.unsettled, kGrey);
+  for (auto* rect : {left, right}) shade(*rect, probes, found.not_at_rest, kGrey);
   shade(*left, probes, found.negative, kVermilion);
   shade(*right, probes, found.agreeing, kGreen);
   draw_series(*left, probes, macro);
@@ -192,7 +192,7 @@ Drawing grain_work_figure(const sim::ProbeRose& rose, const Subject& subject) {
           fmt::format("Density of second-order work over the direction of the stress probe: "
                       "macroscopic with the parts of the Eulerian form (left), macroscopic and "
                       "microscopic (right).{} {}",
-                      unsettled_words(probes), simulated_with(subject))};
+                      not_at_rest_words(probes), simulated_with(subject))};
 }
 
 Drawing grain_contacts_figure(const sim::ProbeRose& rose, const Subject& subject) {
@@ -233,7 +233,7 @@ Drawing grain_contacts_figure(const sim::ProbeRose& rose, const Subject& subject
   return {std::move(plot), fmt::format("Sliding and non-permanent contacts (left) and the largest "
                                        "kinetic energy (right) over the direction of the stress "
                                        "probe.{} {}",
-                                       unsettled_words(probes), simulated_with(subject))};
+                                       not_at_rest_words(probes), simulated_with(subject))};
 }
 
 }  // namespace triax::src

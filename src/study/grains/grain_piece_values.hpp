@@ -31,7 +31,7 @@ void visit_probing(Visit& v, Specimen& s) {
 
 template <class Visit, class Probe>
 void visit_probe(Visit& v, Probe& p) {
-  v("angle_rad", p.angle), v("norm_Pa", p.norm_pa), v("settled", p.settled);
+  v("angle_rad", p.angle), v("norm_Pa", p.norm_pa), v("at_rest", p.at_rest);
   v("axial_stress_Pa", p.stress.axial), v("radial_stress_Pa", p.stress.radial);
   v("axial_strain", p.strain.axial), v("radial_strain", p.strain.radial);
   auto& w = p.work;

@@ -79,11 +79,11 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
   };
   const auto kinetic = [](const auto& probe) { return probe.most_kinetic_j; };
   const auto [quietest, loudest] = std::minmax_element(made.begin(), made.end(), below(kinetic));
-  found.settled = static_cast<int>(
-      std::count_if(made.begin(), made.end(), [](const auto& probe) { return probe.settled; }));
+  found.at_rest = static_cast<int>(
+      std::count_if(made.begin(), made.end(), [](const auto& probe) { return probe.at_rest; }));
   found.most_kinetic_j = loudest->most_kinetic_j;
   for (const auto& probe : made) {
-    if (!probe.settled || probe.work.normalised >= found.least_normalised.value_or(2)) continue;
+    if (!probe.at_rest || probe.work.normalised >= found.least_normalised.value_or(2)) continue;
     found.least_normalised = probe.work.normalised;
     found.least_angle = probe.angle;
   }
@@ -100,7 +100,7 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
   const double usual = rose.null_probe.stopped ? 0 : changed_contacts(rose.null_probe);
   found.irreversible = ranges_where(
       made, [usual](const auto& p) { return changed_contacts(p) > usual + kIrreversible; });
-  found.unsettled = ranges_where(made, [](const auto& p) { return !p.settled; });
+  found.not_at_rest = ranges_where(made, [](const auto& p) { return !p.at_rest; });
   found.dynamic = ranges_where(made, [least = quietest->most_kinetic_j](const auto& p) {
     return p.most_kinetic_j > kDynamic * least;
   });
@@ -113,7 +113,7 @@ sim::Circle circle_of(const sim::ProbeRose& rose, double norm_pa) {
     if (probe.stopped) continue;
     sim::Probe one;
     one.angle = probe.angle;
-    one.answered = probe.settled;
+    one.answered = probe.at_rest;
     one.stress = norm_pa * sim::unit_direction(probe.angle);
     one.strain = {std::numbers::sqrt2 * probe.strain.radial, probe.strain.axial};
     one.second_order_work = probe.work.lagrangian;

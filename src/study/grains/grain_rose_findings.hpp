@@ -33,14 +33,14 @@ double changed_contacts(const sim::GrainProbe& probe);
 double strain_norm(const sim::GrainProbe& probe);
 
 struct GrainRoseFindings {
-  int made = 0, settled = 0;
+  int made = 0, at_rest = 0;
   std::vector<AngleRange> negative;  ///< semi-Lagrangian W₂ < 0: cones of unstable directions
   std::vector<AngleRange> agreeing;  ///< micro- and macroscopic W₂ within kAgreement
   /// Sliding and non-permanent contacts together more than kIrreversible above the null probe's:
   /// contacts that are at their limit already when the probes begin count in all of them.
   std::vector<AngleRange> irreversible;
   std::vector<AngleRange> dynamic;        ///< kinetic energy above kDynamic times the least
-  std::vector<AngleRange> unsettled;      ///< did not come to rest within the bound of steps
+  std::vector<AngleRange> not_at_rest;    ///< did not come to rest within the bound of steps
   std::optional<double> smallest_strain;  ///< strain_norm of the probes
   std::optional<double> drift;  ///< strain_norm of the null probe over that; empty: not made
   double most_kinetic_j = 0;

@@ -88,11 +88,11 @@ TEST_CASE("a rest holds what the servos held and what the other walls carried, w
   const auto after = axisymmetric_stress(t.ends.at("at rest"));
   CHECK(after.axial == Approx(before.axial).epsilon(2e-3));
   CHECK(after.radial == Approx(120e3).epsilon(2e-3));
-  CHECK(std::get<GrainRest>(t.results.at("at rest").outcome).settled);
+  CHECK(std::get<GrainRest>(t.results.at("at rest").outcome).at_rest);
   CHECK(t.results.at("at rest").after.kinetic_energy_j <
         1e-3 * t.results.at("drained").after.kinetic_energy_j);
-  CHECK(settled(t.results.at("at rest")) == true);
-  CHECK(ending(t.results.at("at rest")) == "settled");
+  CHECK(at_rest(t.results.at("at rest")) == true);
+  CHECK(ending(t.results.at("at rest")) == "at rest");
 }
 
 TEST_CASE("an equilibrium tells the stress of its path; probes and perturbations have their ends") {

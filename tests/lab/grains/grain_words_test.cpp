@@ -15,27 +15,27 @@ TEST_CASE("how a stage of grains ended, in words") {
   path.end = sim::GrainPathEnd::collapse;
   result.outcome = path;
   CHECK(ending(result) == "collapse");
-  CHECK(!settled(result));
+  CHECK(!at_rest(result));
   std::get<GrainPathStage>(stage.work).path.kind = sim::GrainPathKind::isotropic;
-  CHECK(settled(result) == false);
+  CHECK(at_rest(result) == false);
 
   GrainRose rose;
-  rose.rose.null_probe.settled = true;
+  rose.rose.null_probe.at_rest = true;
   rose.rose.probes.resize(2);
-  rose.rose.probes[0].settled = true;
+  rose.rose.probes[0].at_rest = true;
   result.outcome = rose;
   CHECK(ending(result) == "some not at rest");
-  CHECK(settled(result) == false);
-  rose.rose.probes[1].settled = true;
+  CHECK(at_rest(result) == false);
+  rose.rose.probes[1].at_rest = true;
   result.outcome = rose;
   CHECK(ending(result) == "all at rest");
-  CHECK(settled(result) == true);
+  CHECK(at_rest(result) == true);
 
   sim::PerturbationResult hit;
   hit.end = sim::PerturbationEnd::undecided;
   result.outcome = hit;
   CHECK(ending(result) == "undecided");
-  CHECK(settled(result) == false);
+  CHECK(at_rest(result) == false);
   CHECK(word(sim::StiffnessReading::literal) == "literal");
   CHECK(word(sim::GrainPathEnd::most_steps) == "most_steps");
   CHECK(word(sim::GrainPathKind::strain_path) == "strain_path");

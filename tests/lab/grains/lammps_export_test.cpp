@@ -144,7 +144,7 @@ TEST_CASE("each kind of path drives the axes that it drives here") {
   isotropic.kind = sim::GrainPathKind::isotropic;
   isotropic.pressure_pa = 54321;
   CHECK_THAT(exported(isotropic).script,
-             Contains("variable goalz equal 54321\n") && Contains("'end: settled'"));
+             Contains("variable goalz equal 54321\n") && Contains("'end: at rest'"));
   isotropic.stress_rate_pa_per_s = 1e6;
   CHECK_THAT(exported(isotropic).script,
              Contains("variable risenz equal \"1000000*(step-v_s0)*dt"));

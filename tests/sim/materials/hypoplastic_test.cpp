@@ -9,10 +9,17 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sim/point/point_driver.hpp"
+#include "tests/sim/materials/hypoplastic_paths.hpp"
 #include "tests/sim/materials/hypoplastic_sets.hpp"
 
 using namespace triax::sim;
+using triax::sim::test::Dice;
+using triax::sim::test::eta;
+using triax::sim::test::first_without;
+using triax::sim::test::kHostunTests;
+using triax::sim::test::run;
+using triax::sim::test::strained;
+using triax::sim::test::undrained_peak;
 using Triaxial = Hypoplastic<Axisymmetric>;
 using Full = Hypoplastic<Tensor>;
 using Control = MixedControl<Axisymmetric>;
@@ -23,12 +30,6 @@ namespace {
 struct Row {
   double strain_pct, q_kPa, p_kPa;
 };
-
-State run(const Triaxial& law, const State& from, const Control& control) {
-  const auto step = advance_point(law, from, control);
-  REQUIRE(step.outcome == StepOutcome::accepted);
-  return step.state;
-}
 
 std::vector<Row> undrained(const Triaxial& law, double p0_kPa, double e,
                            const std::vector<double>& strains_pct) {
@@ -43,36 +44,6 @@ std::vector<Row> undrained(const Triaxial& law, double p0_kPa, double e,
   return rows;
 }
 
-/// First state on the path at which `ahead` no longer holds of the rate, isolated by halving.
-template <class Ahead>
-State first_without(const Triaxial& law, State state, const Control& increment, Ahead ahead) {
-  for (int i = 0; i < 2000; ++i) {
-    const State next = run(law, state, increment);
-    if (ahead(point_rate(law, next, increment))) {
-      state = next;
-      continue;
-    }
-    double low = 0, high = 1;
-    State at = state;
-    for (int k = 0; k < 50; ++k) {
-      const double middle = 0.5 * (low + high);
-      Control part = increment;
-      part.increment *= middle;
-      at = run(law, state, part);
-      (ahead(point_rate(law, at, increment)) ? low : high) = middle;
-    }
-    return at;
-  }
-  FAIL("no such state on the path");
-  return state;
-}
-
-State undrained_peak(const Triaxial& law, double p0_kPa, double e) {
-  return first_without(
-      law, law.isotropic(p0_kPa * 1e3, e), Control::strain_path(2e-4),
-      [](const auto& rate) { return deviator_stress<Axisymmetric>(rate.stress) > 0; });
-}
-
 /// Drained shear to q = 0.3 p0′, then falling p′: where the volume begins to contract.
 State collapse_at_constant_q(const Triaxial& law, double p0_kPa, double e) {
   const double p0 = p0_kPa * 1e3;
@@ -81,16 +52,6 @@ State collapse_at_constant_q(const Triaxial& law, double p0_kPa, double e) {
                        [](const auto& rate) { return trace<Axisymmetric>(rate.strain) < 0; });
 }
 
-double eta(const State& state) { return state.q() / state.p(); }
-
-struct Test {
-  double p0_kPa, e;
-};
-// Table 2 of Darve et al. (2007): ICU 6, 42, 7; CSD 51, 58, 60; CSU 31, 26, 41, 27.
-const std::vector<Test> kTests = {{100, 1.086}, {300, 1.060}, {750, 1.083}, {100, 1.192},
-                                  {300, 1.068}, {300, 1.161}, {100, 1.136}, {300, 1.070},
-                                  {300, 1.101}, {750, 1.136}};
-
 /// |L⁻¹N|
 template <class Space>
 double norm_ratio(const Hypoplastic<Space>& law, const PointState<Space>& state) {
@@ -98,43 +59,6 @@ double norm_ratio(const Hypoplastic<Space>& law, const PointState<Space>& state)
   const auto& form = std::get<StiffnessForm<Space>>(response);
   return form.stiffness.fullPivLu().solve(form.norm_term).norm();
 }
-
-template <class Space>
-PointRate<Space> strained(const Law<Space>& law, const PointState<Space>& state,
-                          const Vector<Space>& rate) {
-  return point_rate(law, state, MixedControl<Space>::strains(rate));
-}
-
-class Dice {
- public:
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Eigen::Matrix3d turn() {
-    return Eigen::Quaterniond(normal_(engine_), normal_(engine_), normal_(engine_),
-                              normal_(engine_))
-        .normalized()
-        .toRotationMatrix();
-  }
-  template <class Space>
-  Vector<Space> direction() {
-    return Vector<Space>::NullaryExpr([this] { return normal_(engine_); }).normalized();
-  }
-  PointState<Tensor> state(const Full& law) {
-    const Eigen::Matrix3d q = turn();
-    const Eigen::Vector3d principal((*this)(30e3, 400e3), (*this)(30e3, 400e3),
-                                    (*this)(30e3, 400e3));
-    auto s = law.start(components(Eigen::Matrix3d(q * principal.asDiagonal() * q.transpose())),
-                       (*this)(0.62, 1.2));
-    if (law.has_intergranular_strain())
-      s.memory = law.parameters().intergranular_range * (*this)(0.1, 1) * direction<Tensor>();
-    return s;
-  }
-
- private:
-  std::mt19937 engine_{11};
-  std::normal_distribution<double> normal_;
-};
 
 }  // namespace
 
@@ -181,7 +105,7 @@ TEST_CASE("the undrained peak and the collapse at constant q lie on the closed-f
   for (const auto& set :
        {test::hostun_hg99(), test::hostun_schranz(), test::hostun_moist_tamped()}) {
     const Triaxial law(set);
-    for (const Test& t : kTests) {
+    for (const auto& t : kHostunTests) {
       INFO("p0' " << t.p0_kPa << " kPa, e " << t.e << ", alpha " << set.peak_exponent);
       const State peak = undrained_peak(law, t.p0_kPa, t.e);
       CHECK(eta(peak) == Approx(law.instability_stress_ratio(peak).value()).epsilon(1e-6));
@@ -197,9 +121,9 @@ TEST_CASE("stress ratios at the undrained peak are the published ones") {
   const std::vector<double> of_hg99 = {0.873, 0.871, 0.837};
   const std::vector<double> of_schranz = {0.970, 0.967, 0.925};
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(eta(undrained_peak(hg99, kTests[i].p0_kPa, kTests[i].e)) ==
+    CHECK(eta(undrained_peak(hg99, kHostunTests[i].p0_kPa, kHostunTests[i].e)) ==
           Approx(of_hg99[i]).margin(6e-4));
-    CHECK(eta(undrained_peak(schranz, kTests[i].p0_kPa, kTests[i].e)) ==
+    CHECK(eta(undrained_peak(schranz, kHostunTests[i].p0_kPa, kHostunTests[i].e)) ==
           Approx(of_schranz[i]).margin(6e-4));
   }
 }
@@ -211,8 +135,8 @@ TEST_CASE("the moist-tamped set gives the stress ratios it was calibrated for") 
   const std::vector<double> published = {0.623, 0.618, 0.554, 0.522, 0.611,
                                          0.521, 0.568, 0.606, 0.570, 0.509};
   double squares = 0;
-  for (std::size_t i = 0; i < kTests.size(); ++i) {
-    const auto [p0, e] = kTests[i];
+  for (std::size_t i = 0; i < kHostunTests.size(); ++i) {
+    const auto [p0, e] = kHostunTests[i];
     const double peak = eta(undrained_peak(law, p0, e));
     const double collapse = eta(collapse_at_constant_q(law, p0, e));
     INFO("p0' " << p0 << " kPa, e " << e);
@@ -377,98 +301,6 @@ TEST_CASE("the response is homogeneous of degree one, and not linear") {
     }
     CHECK(asymmetry > 0.3);
   }
-}
-
-TEST_CASE("with the intergranular strain full along the path the base law remains") {
-  Dice dice;
-  const auto set = test::hostun_moist_tamped();
-  const Full base(set), law(test::with_intergranular_strain(set));
-  for (int i = 0; i < 50; ++i) {
-    auto state = dice.state(law);
-    const Vector<Tensor> along = dice.direction<Tensor>();
-    state.memory = 1e-4 * along;
-    const auto expected = strained<Tensor>(base, state, along).stress;
-    CHECK((strained<Tensor>(law, state, along).stress - expected).norm() < 1e-9 * expected.norm());
-  }
-}
-
-TEST_CASE("after a reversal the stiffness is m_R times the linear part, after a turn m_T times") {
-  Dice dice;
-  const auto set = test::hostun_moist_tamped();
-  const Full base(set), law(test::with_intergranular_strain(set));
-  for (int i = 0; i < 50; ++i) {
-    auto state = dice.state(law);
-    const Vector<Tensor> along = dice.direction<Tensor>();
-    state.memory = 1e-4 * along;
-    const auto response = base.response(state);
-    const Matrix<Tensor>& linear = std::get<StiffnessForm<Tensor>>(response).stiffness;
-    CHECK(strained<Tensor>(law, state, -along).stress.isApprox(-5 * linear * along, 1e-9));
-    Vector<Tensor> across = dice.direction<Tensor>();
-    across = (across - across.dot(along) * along).eval();
-    CHECK(strained<Tensor>(law, state, across).stress.isApprox(2 * linear * across, 1e-9));
-    // Nothing remembered: m_R in every direction.
-    state.memory.setZero();
-    CHECK(strained<Tensor>(law, state, along).stress.isApprox(5 * linear * along, 1e-9));
-  }
-}
-
-TEST_CASE("intergranular strain follows the strain, never beyond its range") {
-  const Triaxial law(test::with_intergranular_strain(test::hostun_moist_tamped()));
-  State state = law.isotropic(200e3, 0.95);
-  CHECK(law.mobilisation(state) == Approx(1));
-  CHECK(state.memory(0) == Approx(1e-4 / std::sqrt(3.0)));
-  double smallest = 1;
-  for (int cycle = 0; cycle < 3; ++cycle)
-    for (const double amplitude : {4e-4, -8e-4, 4e-4})
-      for (int i = 0; i < 40; ++i) {
-        state = run(law, state, Control::strain_path(amplitude / 40));
-        CHECK(law.mobilisation(state) <= 1 + 1e-9);
-        smallest = std::min(smallest, law.mobilisation(state));
-      }
-  CHECK(smallest < 0.3);
-  // From nothing, along a straight path, ρ grows to 1 as dρ = (1 − √ρ) dε/R.
-  state.memory.setZero();
-  const double strain = 3e-4, length = strain * std::sqrt(1.5);
-  state = run(law, state, Control::strain_path(strain));
-  const double root = std::sqrt(law.mobilisation(state));
-  CHECK(-2 * (root + std::log(1 - root)) == Approx(length / 1e-4).epsilon(1e-6));
-}
-
-TEST_CASE("the path through a reversal does not depend on how it is cut") {
-  const Triaxial law(test::with_intergranular_strain(test::hostun_moist_tamped()));
-  const State loaded = run(law, law.isotropic(200e3, 0.95), Control::drained_compression(0.003));
-  const State at_once = run(law, loaded, Control::drained_compression(-0.002));
-  State cut = loaded;
-  for (int i = 0; i < 37; ++i) cut = run(law, cut, Control::drained_compression(-0.002 / 37));
-  CHECK(cut.q() == Approx(at_once.q()).epsilon(1e-6));
-  CHECK(cut.void_ratio == Approx(at_once.void_ratio).epsilon(1e-8));
-}
-
-TEST_CASE("with full intergranular strain the undrained peak moves by less than 2 %") {
-  const auto set = test::hostun_moist_tamped();
-  const Triaxial base(set), law(test::with_intergranular_strain(set));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [p0, e] = kTests[i];
-    const State with = undrained_peak(law, p0, e), without = undrained_peak(base, p0, e);
-    CHECK(with.q() == Approx(without.q()).epsilon(0.02));
-    CHECK(eta(with) == Approx(eta(without)).epsilon(0.02));
-    CHECK(with.q() != without.q());
-  }
-}
-
-TEST_CASE("small cycles barely change the state once the intergranular strain is there") {
-  const auto set = test::hostun_moist_tamped();
-  const Triaxial base(set), law(test::with_intergranular_strain(set));
-  double fall = 0, fall_without = 0;
-  for (const Triaxial* which : {&law, &base}) {
-    State state = which->isotropic(200e3, 0.9);
-    for (int cycle = 0; cycle < 10; ++cycle)
-      for (const double part : {2e-5, -4e-5, 2e-5})
-        state = run(*which, state, Control::strain_path(part));
-    (which == &law ? fall : fall_without) = 200e3 - state.p();
-  }
-  CHECK(fall_without > 5e3);
-  CHECK(fall < 0.2 * fall_without);
 }
 
 TEST_CASE("void ratios outside the limits are allowed, with words") {

@@ -58,7 +58,7 @@ class Failing : public Interpolated<Axisymmetric> {
 }  // namespace
 
 TEST_CASE("the number of threads does not show in a single bit", "[threads]") {
-  // Localisation is dear: its witness has a worker of its own in two of the columns.
+  // Localisation is dear, so that it is looked for in two of the columns only.
   const std::vector<int> few{4, 9};
   const auto run = [](const std::vector<int>& columns, int threads,
                       const std::vector<std::string>& criteria) {

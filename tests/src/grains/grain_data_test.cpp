@@ -47,7 +47,7 @@ TEST_CASE("the data of a rose hold every probe and the null probe without a dire
   check_rows(data, 37);
   CHECK(*data.rows[9][column(data, "alpha_deg")] == Approx(90));
   CHECK(*data.rows[9][column(data, "w2_microscopic_J_per_m3")] == Approx(0.012));
-  CHECK(*data.rows[14][column(data, "settled")] == 0);
+  CHECK(*data.rows[14][column(data, "at_rest")] == 0);
   CHECK(*data.rows[2][column(data, "alpha_deg")] == Approx(20));
   CHECK_FALSE(data.rows[2][column(data, "axial_strain_increment")]);
   CHECK_FALSE(data.rows[36][column(data, "alpha_deg")]);

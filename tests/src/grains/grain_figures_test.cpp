@@ -41,7 +41,7 @@ TEST_CASE("paths are named by R, perturbations by where they start and how they 
   CHECK(test::in_legend(*figure(figures, "strain_paths").drawing.plot, "R = 0.8"));
   CHECK(test::in_legend(*figure(figures, "drained").drawing.plot, "shear"));
   const auto& caption = figure(figures, "load_steps").drawing.caption;
-  CHECK(test::contains(caption, "ES_a, +500 Pa: settled; ES_b, +500 Pa: collapsed"));
+  CHECK(test::contains(caption, "ES_a, +500 Pa: at rest; ES_b, +500 Pa: collapsed"));
   CHECK(test::contains(figure(figures, "energies").drawing.caption, "ES_b, 0.1 mJ: collapsed"));
   // Two paths of one R are told apart by their stages.
   report.stages.push_back(report.stages[2]);

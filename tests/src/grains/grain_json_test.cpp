@@ -68,7 +68,7 @@ TEST_CASE("a rose holds its probes, the null probe and the ranges") {
   CHECK(rose["null_probe_over_smallest"].get<double>() == Approx(1e-3));
   CHECK(rose["negative_w2"][0]["from_deg"].get<double>() == Approx(220));
   CHECK(rose["agreement"]["ranges"][0]["to_deg"].get<double>() == Approx(420));
-  CHECK(rose["settled"] == 35);
+  CHECK(rose["at_rest"] == 35);
 }
 
 TEST_CASE("a perturbation and a rest tell how they ended") {

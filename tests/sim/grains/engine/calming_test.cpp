@@ -28,11 +28,11 @@ TEST_CASE("Settling: ends when at rest at the goals, or at the bound of steps") 
   how.stress_error_pa = 10;
   how.most_steps = 700;
   const Settled few = settle(grains, how);
-  CHECK_FALSE(few.settled);
+  CHECK_FALSE(few.at_rest);
   CHECK(few.steps == 700);
   how.most_steps = 200000;
   const Settled enough = settle(grains, how);
-  CHECK(enough.settled);
+  CHECK(enough.at_rest);
   CHECK(enough.unbalanced < 1e-4);
   CHECK(stress_error(grains.state()) < 10);
   how.unbalanced = 1e-30;

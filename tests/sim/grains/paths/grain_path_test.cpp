@@ -71,7 +71,7 @@ TEST_CASE("Grain path: isotropic loading comes to rest at its pressure") {
   path.pressure_pa = 2e5;
   path.samples = 8;
   const GrainPathResult r = follow(test::dense_specimen().state, path);
-  REQUIRE(r.end == GrainPathEnd::settled);
+  REQUIRE(r.end == GrainPathEnd::at_rest);
   const GrainPathPoint& end = r.points.back();
   CHECK(end.stress.axial == Approx(2e5).epsilon(1e-3));
   CHECK(end.stress.radial == Approx(2e5).epsilon(1e-3));

@@ -27,7 +27,7 @@ double degrees_of(double angle) { return angle * std::numbers::pi / 180; }
 
 TEST_CASE("Grain probe: the increment has the direction of Fig. 13 and its norm") {
   const GrainProbe p = probe(test::calm_state(), degrees_of(60), small_probe());
-  REQUIRE(p.settled);
+  REQUIRE(p.at_rest);
   CHECK(p.stress.axial == Approx(100 * std::sin(degrees_of(60))).margin(1));
   CHECK(p.stress.radial == Approx(100 * std::cos(degrees_of(60)) / std::sqrt(2.0)).margin(1));
   CHECK(p.work.lagrangian > 0);
@@ -103,7 +103,7 @@ TEST_CASE("Grain probe: pieces of a rose are its probes to the bit, and each is 
       const GrainProbe &one = some.probes[k],
                        &same = numbers[k] == 0 ? rose.null_probe : rose.probes[numbers[k] - 1];
       ++made[numbers[k]];
-      CHECK(one.settled);
+      CHECK(one.at_rest);
       CHECK(one.angle == same.angle);
       CHECK(one.norm_pa == same.norm_pa);
       CHECK(one.strain.axial == same.strain.axial);

@@ -37,7 +37,7 @@ Perturbation gentle() {
 
 TEST_CASE("Perturbation: an equilibrium of a path is at rest with its walls") {
   const Equilibrium& e = before_peak();
-  REQUIRE(e.settled.settled);
+  REQUIRE(e.rest.at_rest);
   CHECK(e.path_stress_pa > 1e4);
   CHECK(measure(e.state).unbalanced < 1e-3);
   for (const double rate : e.state.walls.strain_rate_per_s) CHECK(rate == 0);
@@ -47,7 +47,7 @@ TEST_CASE("Perturbation: an equilibrium before the peak takes a load step and re
   Perturbation how = gentle();
   how.load_step_pa = 500;
   const PerturbationResult r = perturb(before_peak().state, how);
-  REQUIRE(r.end == PerturbationEnd::settled);
+  REQUIRE(r.end == PerturbationEnd::at_rest);
   CHECK(r.points.back().path_stress_pa ==
         Approx(before_peak().path_stress_pa + 500).margin(how.stress_error_pa));
   CHECK(r.points.front().stress_share == Approx(1));
@@ -75,7 +75,7 @@ TEST_CASE("Perturbation: energy given to floating grains is what was asked for")
   Perturbation how = gentle();
   how.kinetic_energy_j = 1e-7;
   const PerturbationResult r = perturb(before_peak().state, how);
-  CHECK(r.end == PerturbationEnd::settled);
+  CHECK(r.end == PerturbationEnd::at_rest);
   CHECK(r.most_kinetic_j < 2e-7);
 }
 

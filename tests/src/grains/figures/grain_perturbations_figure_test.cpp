@@ -11,7 +11,7 @@ using namespace triax::src;
 
 TEST_CASE("a panel each, with the share on the left and the energy on the right axis") {
   const Drawing drawing = grain_perturbations_figure(
-      {{"ES_a: settled", test::decaying(1.02)}, {"ES_b: collapsed", test::decaying(0.05)}},
+      {{"ES_a: at rest", test::decaying(1.02)}, {"ES_b: collapsed", test::decaying(0.05)}},
       {"sample", ""});
   REQUIRE(drawing.plot);
   const QCustomPlot& plot = *drawing.plot;

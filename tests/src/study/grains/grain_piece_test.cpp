@@ -180,7 +180,7 @@ TEST_CASE("what is no whole piece of a rose is refused in one line that names th
     CHECK(message.find('\n') == std::string::npos);
     CHECK(message.find(words) != std::string::npos);
   };
-  says(refusal([](Json& d) { d["version"] = 2; }), "format version '2'");
+  says(refusal([](Json& d) { d["version"] = 3; }), "format version '3'");
   says(refusal([](Json& d) { d["piece"]["index"] = 4; }), "index must be a whole number, 1 to 3");
   says(refusal([](Json& d) { d["piece"]["index"] = 1; }), "number must be 0, as the piece says");
   says(refusal([](Json& d) { d["piece"]["count"] = 1; }), "index must be");
@@ -202,7 +202,7 @@ TEST_CASE("what is no whole piece of a rose is refused in one line that names th
   says(refusal([](Json& d) { d["probes"][0]["axial_strain"] = nullptr; }),
        "probes[0]: axial_strain must be a number");
   says(refusal([](Json& d) { d["probes"][0].erase("w2_normalised"); }), "w2_normalised is missing");
-  says(refusal([](Json& d) { d["probes"][0]["settled"] = 1; }), "settled must be true or false");
+  says(refusal([](Json& d) { d["probes"][0]["at_rest"] = 1; }), "at_rest must be true or false");
 }
 
 TEST_CASE("more pieces than probes: the last ones are empty, and belong") {

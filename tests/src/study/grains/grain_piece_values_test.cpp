@@ -48,7 +48,7 @@ TEST_CASE("every value of a probe is visited") {
   Shift shift;
   visit_probe(shift, probe);
   CHECK(probe.angle + probe.norm_pa + probe.stress.axial + probe.stress.radial == 4);
-  CHECK(probe.settled);
+  CHECK(probe.at_rest);
   CHECK(probe.strain.axial + probe.strain.radial == 2);
   CHECK(probe.work.eulerian() == 3);
   CHECK(probe.work.microscopic() == 3);

@@ -23,12 +23,12 @@ void check_range(const std::vector<AngleRange>& ranges, double from_deg, double 
 TEST_CASE("the ranges of a rose are those that it was made with") {
   const auto found = rose_findings(test::rose());
   CHECK(found.made == 36);
-  CHECK(found.settled == 35);
+  CHECK(found.at_rest == 35);
   check_range(found.negative, 220, 230, 2);
   check_range(found.agreeing, 230, 420, 20);  // through 0° to 60°
   check_range(found.irreversible, 50, 260, 22);
   check_range(found.dynamic, 80, 210, 14);
-  check_range(found.unsettled, 140, 140, 1);
+  check_range(found.not_at_rest, 140, 140, 1);
   CHECK(found.most_kinetic_j == 1e-6);
   CHECK(*found.least_normalised == Approx(-0.2));
   CHECK(sim::degrees(*found.least_angle) == Approx(220));
