@@ -136,13 +136,14 @@ std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_
 void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
   for_rows(
       database, id,
-      "SELECT EXISTS (SELECT 1 FROM work_points w WHERE w.id BETWEEN v.test_id << 32 AND "
-      "(v.test_id << 32) | 4294967295), kind, inside_limit_surface, "
-      "second_order_work_normalised, second_order_work_error, limit_stress_ratio, "
-      "limit_source, judged_until_reading, judged_until_reason FROM verdicts v WHERE test_id = ?",
+      "SELECT kind, inside_limit_surface, second_order_work_normalised, second_order_work_error, "
+      "limit_stress_ratio, limit_source, judged_until_reading, judged_until_reason, "
+      "judged_from_reading, strength_lost, nearest_reading, nearest_normalised, nearest_error "
+      "FROM verdicts WHERE test_id = ?",
       [&](Columns& c) {
-        collapse.judged = c.truth().value_or(false);
-        collapse.kind = lab::collapse_kind_from(c.text()).value_or(collapse.kind);
+        const auto kind = lab::collapse_kind_from(c.text());
+        collapse.judged = kind.has_value();
+        collapse.kind = kind.value_or(lab::CollapseKind::none);
         collapse.inside_limit_surface = c.truth();
         collapse.second_order_work_normalised = c.number();
         collapse.second_order_work_error = c.number();
@@ -150,6 +151,10 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
         collapse.limit_source = c.text();
         collapse.judged_until = c.integer();
         collapse.judged_until_reason = c.text();
+        collapse.judged_from = c.integer();
+        collapse.strength_lost = c.number();
+        if (const auto reading = c.integer())
+          collapse.nearest = lab::Nearest{*reading, c.number().value_or(0), c.number().value_or(0)};
       });
   collapse.onset = read_instant(database, id, "onset");
   for_rows(database, id,
@@ -158,12 +163,11 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
            [&](Columns& c) {
              lab::Criterion& criterion = collapse.criteria.emplace_back();
              criterion.name = c.text();
-             criterion.detected = c.truth().value_or(false);
+             criterion.detected = c.truth();
              criterion.reading = c.integer();
              criterion.time_s = c.number();
              criterion.eta = c.number();
              criterion.evidence = c.text();
-             collapse.judged = collapse.judged || criterion.detected;
            });
 }
 

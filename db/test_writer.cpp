@@ -95,10 +95,10 @@ void insert_instant(SQLite::Database& database, std::int64_t id, std::string_vie
 }
 
 void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
-  Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?)");
+  Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder(insert)
       .integer(id)
-      .text(to_string(c.kind))
+      .text_or_null(c.judged ? to_string(c.kind) : std::string_view())
       .integer(c.inside_limit_surface)
       .number(c.second_order_work_normalised)
       .number(c.second_order_work_error)
@@ -106,6 +106,11 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
       .text_or_null(c.limit_source)
       .integer(c.judged_until)
       .text_or_null(c.judged_until_reason)
+      .integer(c.judged_from)
+      .number(c.strength_lost)
+      .integer(c.nearest ? std::optional(c.nearest->reading) : std::nullopt)
+      .number(c.nearest ? std::optional(c.nearest->normalised) : std::nullopt)
+      .number(c.nearest ? std::optional(c.nearest->error) : std::nullopt)
       .run();
   insert_instant(database, id, "onset", c.onset);
   Statement criterion(database,

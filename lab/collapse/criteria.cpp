@@ -42,7 +42,7 @@ Criterion criterion_of(const CriterionRow& row, const std::optional<Finding>& fi
 std::vector<Criterion> no_criteria(const std::string& reason) {
   std::vector<Criterion> all;
   for (const CriterionRow& row : kCriteria)
-    all.push_back({.name = std::string(row.name), .evidence = reason});
+    all.push_back({.name = std::string(row.name), .detected = std::nullopt, .evidence = reason});
   return all;
 }
 

@@ -51,7 +51,8 @@ double Descent::strength_regained() const {
   return lost > 0 ? (q_regained - q_least) / lost : 0.0;
 }
 
-void DescentTracker::start_stage() {
+void DescentTracker::start_stage(bool drained) {
+  drained_ = drained;
   turn_negative_.clear();
   turn_positive_.clear();
   before_.reset();
@@ -126,7 +127,8 @@ void DescentTracker::open(const PathPoint& point) {
                       .q_lost = 0,
                       .q_least = onset.strength(),
                       .q_regained = onset.strength(),
-                      .axial_strain_last = onset.axial_strain};
+                      .axial_strain_last = onset.axial_strain,
+                      .drained = drained_};
   }
   follow(point);
 }

@@ -22,6 +22,9 @@ struct Descent {
   double q_least = 0;     ///< smallest |q| since the onset, Pa
   double q_regained = 0;  ///< largest |q| since that smallest one, Pa
   double axial_strain_last = 0;
+  /// Strength was lost with the drainage open and the axis moved by displacement: failure of the
+  /// skeleton at the peak that it has under that lateral stress.
+  bool drained = false;
   bool ended = false;      ///< with its stage, or because
   bool came_back = false;  ///< second-order work turned positive again
 
@@ -42,8 +45,8 @@ class DescentTracker {
   const std::optional<Descent>& latest() const { return latest_; }
   /// Gives the latest descent a sharper onset.
   void sharpen(const PathPoint& onset);
-  /// A new stage begins: no onset may be placed before it.
-  void start_stage();
+  /// A new stage begins: no onset may be placed before it. `drained`: see Descent.
+  void start_stage(bool drained);
 
  private:
   void start_over(const PathPoint& point);
@@ -59,6 +62,7 @@ class DescentTracker {
   std::optional<Descent> latest_, worst_;
   std::optional<PathPoint> previous_;
   double q_lost_ = 0;  ///< since after_
+  bool drained_ = false;
 };
 
 }  // namespace triax::lab

@@ -14,6 +14,17 @@ LimitSurface::LimitSurface(const SpecimenInfo& specimen) {
   given_angle_ = specimen.limit_friction_angle_rad;
 }
 
+namespace {
+
+constexpr double kNear = 0.95;  ///< of the limit's stress ratio
+
+double ratio_at(double angle, bool compression) {
+  return compression ? sim::stress_ratio_at_friction_angle(angle)
+                     : 6 * std::sin(angle) / (3 + std::sin(angle));
+}
+
+}  // namespace
+
 void LimitSurface::add(const PathPoint& point) {
   // Near p' = 0 the ratio of two small numbers says nothing; 3 and −1.5 are the ratios at σ₃' = 0
   // and σ₁' = 0.
@@ -21,6 +32,23 @@ void LimitSurface::add(const PathPoint& point) {
   if (point.p_eff < 0.03 * p_largest_ || point.eta() > 3 || point.eta() < -1.5) return;
   const double angle = sim::mobilised_friction_angle(point.eta());
   largest_angle_ = std::max(largest_angle_.value_or(0), angle);
+  follow_walk(point, angle);
+}
+
+void LimitSurface::follow_walk(const PathPoint& point, double angle) {
+  const bool near = std::sin(angle) >= kNear * std::sin(*largest_angle_);
+  // A new largest ratio beyond the walk's begins another one.
+  if (!near || std::sin(angle) * kNear > std::sin(walk_angle_)) {
+    walk_start_.reset();
+    walk_angle_ = 0;
+  }
+  if (!near) return;
+  if (!walk_start_) walk_start_ = point.strength();
+  walk_start_ = std::min(*walk_start_, point.strength());
+  walk_angle_ = std::max(walk_angle_, angle);
+  if (point.strength() < (1 + kWalk) * *walk_start_) return;
+  if (!walks_.empty() && walk_angle_ <= 1.01 * walks_.back().angle) return;
+  if (walks_.size() < kMostWalks) walks_.push_back({point.reading, walk_angle_});
 }
 
 std::optional<double> LimitSurface::stress_ratio() const {
@@ -30,15 +58,19 @@ std::optional<double> LimitSurface::stress_ratio() const {
 
 std::string LimitSurface::source() const {
   if (given_angle_) return "friction angle of the specimen";
-  return largest_angle_ ? "largest stress ratio mobilised in this test" : "unknown";
+  return largest_angle_ ? "largest stress ratio mobilised in this test; the limit itself is unknown"
+                        : "unknown";
 }
 
-bool LimitSurface::inside(double eta) const {
-  const auto& angle = given_angle_ ? given_angle_ : largest_angle_;
-  if (!angle) return false;
-  const double in_extension = 6 * std::sin(*angle) / (3 + std::sin(*angle));
-  const double limit = eta >= 0 ? sim::stress_ratio_at_friction_angle(*angle) : in_extension;
-  return std::fabs(eta) < 0.95 * limit;
+std::optional<bool> LimitSurface::inside(double eta, double onset_reading) const {
+  const auto below = [eta](double angle) {
+    return std::fabs(eta) < kNear * ratio_at(angle, eta >= 0);
+  };
+  if (given_angle_) return below(*given_angle_);
+  if (largest_angle_ && below(*largest_angle_)) return true;
+  for (const Walk& walk : walks_)
+    if (walk.reading < onset_reading && !below(walk.angle)) return false;
+  return std::nullopt;
 }
 
 }  // namespace triax::lab

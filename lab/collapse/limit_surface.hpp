@@ -2,30 +2,47 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lab/collapse/path_rates.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 
-/// The Mohr-Coulomb line η = M against which an onset is judged: from the friction angle that the
-/// specimen's description gives, else the largest stress ratio that the test itself mobilised.
+/// The Mohr-Coulomb line η = M against which an onset is judged, from the friction angle that the
+/// specimen's description gives. Without that a test knows of its own limit only what it showed:
+///   an onset at a ratio well below one that was mobilised at any time lies inside;
+///   an onset lies on the limit where the path had walked along it before: q grew by kWalk while
+///   the friction angle stayed within 5 % of its largest;
+///   else nobody knows, and nothing is excused by the ratio at which a specimen fell.
 class LimitSurface {
  public:
   explicit LimitSurface(const SpecimenInfo& specimen);
 
   void add(const PathPoint& point);
-  /// M in compression, unless nothing is known yet.
+  /// M in compression: of the angle that was given, else of the largest that was mobilised; empty
+  /// while nothing is known.
   std::optional<double> stress_ratio() const;
   /// Where M comes from, in words.
   std::string source() const;
-  /// True if η lies strictly inside: more than 5 % below the limit, M in compression and
-  /// 6 sin φ/(3 + sin φ) in extension (η < 0); that is about one degree of φ.
-  bool inside(double eta) const;
+  /// Whether an onset at η lies strictly inside: more than 5 % below the limit, M in compression
+  /// and 6 sin φ/(3 + sin φ) in extension (η < 0); that is about one degree of φ. Empty: unknown.
+  std::optional<bool> inside(double eta, double onset_reading) const;
 
  private:
+  static constexpr double kWalk = 0.2;
+  static constexpr std::size_t kMostWalks = 64;
+  struct Walk {
+    double reading = 0;  ///< at which it had been long enough
+    double angle = 0;
+  };
+  void follow_walk(const PathPoint& point, double angle);
+
   std::optional<double> given_angle_, largest_angle_;  ///< friction angles, rad
   double p_largest_ = 0;
+  std::optional<double> walk_start_;  ///< |q| where the present walk along the limit began
+  double walk_angle_ = 0;             ///< largest in it
+  std::vector<Walk> walks_;           ///< each with a larger angle than the one before
 };
 
 }  // namespace triax::lab

@@ -12,6 +12,7 @@
 #include "lab/collapse/instant.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
+#include "lab/collapse/measured_span.hpp"
 #include "lab/collapse/onset_refiner.hpp"
 #include "lab/collapse/path_sampler.hpp"
 #include "lab/collapse/second_order_work.hpp"
@@ -39,6 +40,7 @@ struct CollapseMonitor::Impl {
   void start_stage(const State& state);
   void watch(const State& state);
   void take(const PathPoint& point);
+  void look_nearer(const PathPoint& point);
   void tell_of_descent();
   void sharpen();
   void place_fall(const Finding& burst);
@@ -66,6 +68,8 @@ struct CollapseMonitor::Impl {
   bool held_q = false;          ///< in the stage under way
   bool held_undrained = false;  ///< in any stage so far
   std::int64_t watched_states = 0, points = 0;
+  std::optional<std::int64_t> first_state;
+  std::optional<Nearest> nearest;
   std::optional<double> told_onset;
 };
 
@@ -92,6 +96,7 @@ void CollapseMonitor::Impl::watch(const State& s) {
   if (!is_watched(header.stage(s.stage))) return;
   if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
   ++watched_states;
+  if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
 
   const auto sample = sampler.sample(s);
@@ -108,6 +113,7 @@ void CollapseMonitor::Impl::sharpen() {
     sharpened_descent = descent->onset.reading;
     descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work,
                         history);
+    work.sharpen(within_measured(descent->onset, history));
   } else {
     descent_onset.follow(history);
   }
@@ -115,7 +121,7 @@ void CollapseMonitor::Impl::sharpen() {
   if (burst && control.sudden() && !fall) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   if (descent && is_sharper(descent_onset.onset(), descent->onset))
-    work.sharpen(descent_onset.onset()->point);
+    work.sharpen(within_measured(descent_onset.onset()->point, history));
 
   const auto& turn = control_peak.turn_of_pore_pressure();
   if (turn && sharpened_turn != turn) {
@@ -150,6 +156,7 @@ void CollapseMonitor::Impl::end_stage() {
 void CollapseMonitor::Impl::take(const PathPoint& point) {
   ++points;
   if (!control.found()) before_fall = point;
+  look_nearer(point);
   limit.add(point);
   criteria.add_point(point, header.has_time);
   tell(listeners, &CollapseListener::second_order_work,
@@ -162,18 +169,26 @@ void CollapseMonitor::Impl::take(const PathPoint& point) {
   tell_of_descent();
 }
 
+void CollapseMonitor::Impl::look_nearer(const PathPoint& point) {
+  if (point.normalised_error > ChangePoint::kUseless) return;
+  if (nearest && nearest->normalised <= point.work.normalised) return;
+  nearest = Nearest{std::llround(point.reading), point.work.normalised, point.normalised_error};
+}
+
 void CollapseMonitor::Impl::tell_of_descent() {
   const auto& descent = work.latest();
   if (!work.latest_counts() || told_onset == descent->onset.reading) return;
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
-  const bool inside = limit.inside(descent->best_onset().eta());
+  const bool on_limit =
+      limit.inside(descent->best_onset().eta(), descent->best_onset().reading) == false;
   if (!is_heard(listeners, &CollapseListener::happened)) return;
   tell(listeners, &CollapseListener::happened,
        Event{
            .reading = at.reading,
            .time_s = at.time_s,
-           .kind = inside ? EventKind::loss_of_sustainability : EventKind::limit_surface,
+           .kind = on_limit || descent->drained ? EventKind::limit_surface
+                                                : EventKind::loss_of_sustainability,
            .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
                                  "{:.3f} and stays negative",
                                  *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
@@ -191,6 +206,8 @@ Collapse CollapseMonitor::Impl::judge() const {
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
                   .points = points,
+                  .first_state = first_state,
+                  .nearest = nearest,
                   .limit = limit,
                   .has_time = header.has_time},
                  criteria.criteria());

@@ -31,8 +31,9 @@ bool lasts_at_held_q(const Descent& descent) {
 }
 
 void SecondOrderWork::start_stage(const StageInfo* stage) {
-  descents_.start_stage();
   held_q_ = stage && stage->control == AxialControl::constant_q;
+  const bool load = stage && stage->control == AxialControl::load;
+  descents_.start_stage(stage && stage->drainage == Drainage::open && !held_q_ && !load);
 }
 
 void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {

@@ -10,11 +10,14 @@ namespace triax::lab {
 namespace {
 
 constexpr double kFlowLoss = 0.5;
+/// Share of the strength from which a drained peak is told as a failure.
+constexpr double kFailureLoss = 0.02;
 
 CollapseKind kind_of(const Descent& descent) {
   const double loss = descent.strength_loss();
-  if (loss >= kFlowLoss && descent.strength_regained() < 0.5) return CollapseKind::flow;
-  return loss >= Descent::kWorthALoss ? CollapseKind::limited : CollapseKind::none;
+  if (loss < Descent::kWorthALoss) return CollapseKind::none;
+  if (descent.strength_regained() >= 0.5) return CollapseKind::limited;
+  return loss >= kFlowLoss ? CollapseKind::flow : CollapseKind::partial;
 }
 
 /// A specimen that yielded at held q flows unless it caught itself with its q.
@@ -39,31 +42,55 @@ void prove_by_fall(const FallWork& work, Collapse& c) {
 Collapse not_judged(const Evidence& e) {
   Collapse c;
   c.judged = false;
+  c.judged_until_reason =
+      fmt::format("too few readings in shear, {} complete states of the {} needed", e.states,
+                  static_cast<int>(BlockPyramid::kBlocks));
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
-  c.criteria = no_criteria(
-      fmt::format("not judged: too few readings in shear, {} complete states of the {} needed",
-                  e.states, static_cast<int>(BlockPyramid::kBlocks)));
+  c.criteria = no_criteria("not judged: " + c.judged_until_reason);
   return c;
+}
+
+void take_descent(const Evidence& e, const Descent& descent, Collapse& c) {
+  c.kind = e.at_held_q ? kind_at_held_q(e) : kind_of(descent);
+  const bool failed = descent.drained && descent.strength_loss() >= kFailureLoss &&
+                      descent.evidence.significantly_negative();
+  if (c.kind == CollapseKind::none && !failed) return;
+  c.onset = instant_of(descent.best_onset(), e.has_time);
+  c.second_order_work_normalised = descent.evidence.work.normalised;
+  c.second_order_work_error = descent.evidence.normalised_error;
+  c.strength_lost = descent.strength_loss();
+}
+
+/// What strength was lost on the limit surface, or by a drained peak of which nobody knows that it
+/// lies inside, is a failure and no collapse.
+void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
+  if (!c.onset || !c.onset->eta()) return;
+  c.inside_limit_surface = e.limit.inside(*c.onset->eta(), static_cast<double>(c.onset->reading));
+  const bool on_limit = c.inside_limit_surface == false;
+  const bool drained_failure = drained && !e.loss_of_control && c.inside_limit_surface != true;
+  if (!on_limit && !drained_failure) return;
+  c.kind = CollapseKind::none;
+  c.criteria.front().detected = false;
+  c.criteria.front().evidence += on_limit
+                                     ? "; a failure on the limit surface, not a collapse inside it"
+                                     : "; a drained failure at the peak of q";
 }
 
 }  // namespace
 
 Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
-  Collapse c;
   if (e.points == 0 && !e.loss_of_control) return not_judged(e);
+  Collapse c;
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
+  c.judged_from = e.first_state;
+  c.nearest = e.nearest;
+  c.criteria = std::move(criteria);
 
   // The descent at held q, if any, began before q itself was lost: it is the earlier onset.
   const auto& descent = e.at_held_q ? e.at_held_q : e.worst;
-  if (descent) c.kind = e.at_held_q ? kind_at_held_q(e) : kind_of(*descent);
-  if (descent && c.kind != CollapseKind::none) {
-    c.onset = instant_of(descent->best_onset(), e.has_time);
-    c.second_order_work_normalised = descent->evidence.work.normalised;
-    c.second_order_work_error = descent->evidence.normalised_error;
-  }
-  c.criteria = std::move(criteria);
+  if (descent) take_descent(e, *descent, c);
 
   if (c.kind == CollapseKind::none && e.loss_of_control) {
     // Over before any window was full: the burst itself is the evidence.
@@ -71,15 +98,9 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
     c.onset = e.loss_of_control->instant;
   }
   if (c.onset && e.fall) c.onset = e.fall;
-  if (c.onset && e.fall_work && !c.criteria.front().detected) prove_by_fall(*e.fall_work, c);
+  if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
-  if (!c.onset || !c.onset->eta() || !c.limit_stress_ratio) return c;
-  c.inside_limit_surface = e.limit.inside(*c.onset->eta());
-  if (!*c.inside_limit_surface) {
-    c.kind = CollapseKind::none;
-    c.criteria.front().detected = false;
-    c.criteria.front().evidence += "; a failure on the limit surface, not a collapse inside it";
-  }
+  tell_failures_apart(e, descent && descent->drained && !e.at_held_q, c);
   return c;
 }
 

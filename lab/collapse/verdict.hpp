@@ -25,17 +25,22 @@ struct Evidence {
   /// At held q with the valve closed the measured volume stands still and second-order work is zero
   /// within its error until q is lost; the pore pressure, gauge of the volume, gives the onset.
   bool volume_by_pore_pressure = false;
-  std::int64_t states = 0;  ///< that the monitor watched in shear
-  std::int64_t points = 0;  ///< of second-order work that came of them
+  std::int64_t states = 0;                  ///< that the monitor watched in shear
+  std::int64_t points = 0;                  ///< of second-order work that came of them
+  std::optional<std::int64_t> first_state;  ///< reading of the first of them
+  std::optional<Nearest> nearest;
   const LimitSurface& limit;
   bool has_time = true;
 };
 
 /// flow: half the strength or more is lost and not half of that comes back, or the specimen yields
-/// at held q to the end; limited: a tenth or more is lost, and it stops or comes back; none: less,
-/// or the onset lies on the limit surface (softening of dense sand is a failure there, no diffuse
-/// collapse). `criteria` are those of Criteria::criteria(): they stand in the verdict, the first of
-/// them, second-order work, as a fall proves it or the limit surface refutes it.
+/// at held q to the end; limited: a tenth or more is lost, and half of that comes back; partial: a
+/// tenth or more, and neither; none: less, or the onset lies on the limit surface (softening of
+/// dense sand is a failure there, no diffuse collapse). So is a peak of q with the drainage open
+/// under prescribed displacement, unless the friction angle is known to be larger; that is told
+/// from a fiftieth of the strength on. `criteria` are those of Criteria::criteria(): they stand in
+/// the verdict, the first of them, second-order work, as a fall proves it or the limit surface
+/// refutes it.
 Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

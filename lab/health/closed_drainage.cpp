@@ -55,7 +55,10 @@ void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State&
     mark_ = true;
     start_ = believed.number - 1;
     start_difference_ = pore - back_;
+    start_pore_ = pore;
   }
+  if (!std::isnan(start_volume_) && wet_ == 0)
+    largest_alone_ = std::max(largest_alone_, std::fabs(pore - start_pore_));
   if (std::isnan(start_p_) || std::isnan(start_p_eff_)) {
     start_p_eff_ = state.p_eff;
     start_p_ = total_p;
@@ -107,7 +110,8 @@ bool ClosedDrainage::is_silent_near(double size, double total_p) {
 void ClosedDrainage::look_for_silence(double total_p) {
   const double loading = std::fabs(total_p - start_p_);
   if (answered_ || !(loading >= kLoading * start_p_eff_)) return;
-  answered_ = largest_ >= std::min(kAnswer * loading, kWorth * start_p_eff_);
+  answered_ =
+      std::max(largest_, largest_alone_) >= std::min(kAnswer * loading, kWorth * start_p_eff_);
   if (answered_) return;
   conclude(start_,
            fmt::format("the pore pressure stayed at the back pressure while the mean total stress "

@@ -21,6 +21,8 @@ namespace triax::lab {
 ///           comes to u_b and stays, while a specimen that dilates passes it by;
 ///   silence the mean total stress p = σ_c + q/3 changed by kLoading p′_0 and |d| not by kAnswer of
 ///           that, nor did it reach kWorth p′_0: a saturated specimen answers with B, of nearly 1.
+///           A controller that holds its volume, which then stands still, instead of its pressure
+///           goes along with u: there the change of u itself is the answer.
 /// The last two are known late. The verdict then ends where |d| began to shrink, or where the valve
 /// was shut. Where the back pressure is not read its last value stands, the value of u at the start
 /// if there was none; p and p′_0 are those of the first reading at which they are known. Slow
@@ -77,7 +79,9 @@ class ClosedDrainage {
   double start_difference_ = NAN, start_p_ = NAN, start_p_eff_ = NAN;
   std::int64_t start_ = -1;  ///< reading before the first with the valve shut
   bool answered_ = false;
-  double largest_ = 0;        ///< of |d|
+  double largest_ = 0;  ///< of |d|
+  double start_pore_ = NAN;
+  double largest_alone_ = 0;  ///< of |u − u_start| while the volume that was read stood still
   bool returning_ = false;    ///< |d| fell below kTurned of the largest, not above kNotTurned since
   std::int64_t turned_ = -1;  ///< reading before it did
   struct Answer {

@@ -123,6 +123,10 @@ bool JudgedStates::watch_drainage(Judged& entry, const StageInfo* stage) {
   drainage_.add(believed(entry), believed_state(entry));
   entry.mark = drainage_.is_mark();
   const auto& doubt = drainage_.doubt();
+  if (stage->drainage_was_said) {
+    if (doubt) doubt_of_what_was_said_ = doubt->reason;
+    return true;
+  }
   const auto known = end();
   if (!doubt || (known && known->last <= doubt->last)) return !drainage_.wet();
   const bool any = judged_first_ >= 0 && judged_first_ <= doubt->last;
@@ -178,20 +182,24 @@ void JudgedStates::bound(Collapse& collapse) const {
     collapse.onset.reset();
     collapse.inside_limit_surface.reset();
     collapse.judged_until_reason = withheld_;
-    for (Criterion& c : collapse.criteria) c.detected = false;
+    for (Criterion& c : collapse.criteria) c.detected.reset();
     return;
   }
   const auto end = this->end();
   if (!end) return;
   collapse.judged_until_reason = end->reason;
-  if (end->last >= 0)
-    collapse.judged_until = end->last;
-  else
-    collapse.judged = false;
+  if (end->last >= 0) collapse.judged_until = end->last;
+  // What was found stands; that nothing was found says nothing of what came after.
+  collapse.judged = collapse.judged && end->last >= 0 && collapse.onset;
+  for (Criterion& c : collapse.criteria)
+    if (!c.found()) c.detected.reset();
 }
 
 std::vector<Warning> JudgedStates::warnings() const {
   std::vector<Warning> all = health_.warnings();
+  if (!doubt_of_what_was_said_.empty())
+    all.push_back({0, "the drainage was said to be closed and is judged so, although " +
+                          doubt_of_what_was_said_});
   if (!withheld_.empty()) {
     all.push_back({0, "no verdict: " + withheld_});
   } else if (const auto end = this->end()) {

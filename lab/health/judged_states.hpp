@@ -92,7 +92,8 @@ class JudgedStates {
   ChannelSet wrong_at_shear_ = 0, wrong_in_b_check_ = 0;
   bool sheared_ = false;
   std::optional<End> end_;
-  std::string withheld_;  ///< why the verdict cannot stand; empty: it can
+  std::string doubt_of_what_was_said_;  ///< that the drainage is closed; empty: none
+  std::string withheld_;                ///< why the verdict cannot stand; empty: it can
 };
 
 /// The reading without the channels that cannot be believed.

@@ -92,6 +92,7 @@ void read_keys(Dialect& dialect, const TomlTable& document, const std::string& g
   const auto known = metadata_keys();
   for (const auto& name : table->keys()) {
     const auto key = fmt::format("{}.{}", group, name);
+    std::erase_if(dialect.keys, [&](const DialectKey& one) { return one.key == key; });
     if (std::ranges::find(known, key) == known.end())
       throw BadInput(
           table->file(), table->line(name),
@@ -101,11 +102,9 @@ void read_keys(Dialect& dialect, const TomlTable& document, const std::string& g
 }
 
 void read_defaults(Dialect& dialect, const TomlTable& document) {
-  dialect.stage.role = StageRole::shear;
-  dialect.stage.control = AxialControl::displacement;
   const auto table = document.table("defaults");
   if (!table) return;
-  dialect.programme = table->text("programme").value_or("");
+  dialect.programme = table->text("programme").value_or(dialect.programme);
   RecordHeader probe;
   for (const char* key : {"role", "drainage", "control"}) {
     const auto text = table->text(key);
@@ -124,32 +123,56 @@ void read_defaults(Dialect& dialect, const TomlTable& document) {
   table->finish();
 }
 
+/// What a dialect begins with: nothing but the usual stage, or all of the one that it extends.
+Dialect begun_dialect(const TomlTable& document) {
+  Dialect dialect;
+  dialect.stage.role = StageRole::shear;
+  dialect.stage.control = AxialControl::displacement;
+  const auto base = document.text("extends");
+  if (!base) return dialect;
+  std::vector<std::string> names;
+  for (const Dialect& shipped : shipped_dialects()) {
+    if (shipped.name == *base) return shipped;
+    names.push_back(shipped.name);
+  }
+  document.fail("extends",
+                fmt::format("unknown dialect {}; {}", excerpt(*base), suggestion(*base, names)));
+}
+
+void put_column(Dialect& dialect, const DialectColumn& column) {
+  std::erase_if(dialect.columns, [&](const DialectColumn& one) {
+    return one.role == column.role && one.quantity == column.quantity;
+  });
+  dialect.columns.push_back(column);
+}
+
 }  // namespace
 
 Dialect parse_dialect(std::string_view toml, const std::string& file) {
   const auto document = TomlTable::parse(toml, file);
-  Dialect dialect;
+  Dialect dialect = begun_dialect(document);
   dialect.name = document.text("name").value_or("");
   dialect.about = document.text("about").value_or("");
   if (trimmed(dialect.name).empty())
     throw BadInput(file, 1, "a dialect needs a name: name = \"my_lab\"");
   if (const auto table = document.table("recognise")) {
-    dialect.headings = table->texts("headings");
-    dialect.contains = table->texts("contains");
-    dialect.own_headings = table->flag("own_headings").value_or(false);
+    if (table->has("headings")) dialect.headings = table->texts("headings");
+    if (table->has("contains")) dialect.contains = table->texts("contains");
+    dialect.own_headings = table->flag("own_headings").value_or(dialect.own_headings);
     table->finish();
   }
   if (const auto table = document.table("table")) {
-    dialect.separator = read_separator(*table, "separator");
-    dialect.heading_separator = read_separator(*table, "heading_separator");
-    dialect.decimal = read_decimal(*table);
-    dialect.comment = table->text("comment").value_or("");
-    dialect.comment_is_toml = table->flag("comment_is_toml").value_or(false);
-    dialect.missing_words = table->flag("missing_words").value_or(true);
+    if (table->has("separator")) dialect.separator = read_separator(*table, "separator");
+    if (table->has("heading_separator"))
+      dialect.heading_separator = read_separator(*table, "heading_separator");
+    if (table->has("decimal")) dialect.decimal = read_decimal(*table);
+    dialect.comment = table->text("comment").value_or(dialect.comment);
+    dialect.comment_is_toml = table->flag("comment_is_toml").value_or(dialect.comment_is_toml);
+    dialect.missing_words = table->flag("missing_words").value_or(dialect.missing_words);
     table->finish();
   }
   if (const auto table = document.table("columns"))
-    for (const auto& key : table->keys()) dialect.columns.push_back(read_column(*table, key));
+    for (const auto& key : table->keys()) put_column(dialect, read_column(*table, key));
   if (dialect.columns.empty())
     throw BadInput(file, 0, "a dialect needs [columns], for example axial_strain = \"eps1\"");
   read_keys(dialect, document, "test");

@@ -50,7 +50,9 @@ struct Dialect {
   bool drainage_from_columns = true;  ///< judge by the programme's name, then by the columns
 };
 
-/// Throws BadInput "FILE:LINE: ..." on unknown keys, quantities, units and separators.
+/// With extends = "NAME" what the file says is added to that shipped dialect, or stands in its
+/// place: columns and keys one by one, everything else where it is said. Throws BadInput
+/// "FILE:LINE: ..." on unknown keys, dialects, quantities, units and separators.
 Dialect parse_dialect(std::string_view toml, const std::string& file);
 /// The dialects inside the program, our own first.
 const std::vector<Dialect>& shipped_dialects();

@@ -111,6 +111,7 @@ StageInfo single_stage(const TableLayout& layout, std::string_view programme) {
   const bool has_pore_pressure =
       has(Quantity::pore_pressure) || has(Quantity::excess_pore_pressure);
   const bool named = name.ends_with('u') || name.ends_with('d');
+  if (!named && has(Quantity::back_volume)) return stage;
   const bool drained = named ? name.ends_with('d') : has(Quantity::volumetric_strain);
   if (named || drained || has_pore_pressure)
     stage.drainage = drained ? Drainage::open : Drainage::closed;

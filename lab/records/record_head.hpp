@@ -21,7 +21,7 @@ std::string toml_preamble(const TableLayout& layout);
 
 /// The one stage of a record that has no stage column: the dialect's, with the drainage judged by
 /// the programme (…U, …D) or the columns (pore pressure; volume change) if the dialect leaves it
-/// open.
+/// open. Where the back volume was read only its readings can tell, and it stays unknown here.
 StageInfo single_stage(const TableLayout& layout, std::string_view programme);
 
 }  // namespace triax::lab

@@ -18,7 +18,14 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 constexpr std::array kCandidates{Separator::tab, Separator::semicolon, Separator::comma,
-                                 Separator::blanks};
+                                 Separator::blanks, Separator::wide_blanks};
+
+/// The line without the marks that some put before headings: "** eps1", "# time".
+std::string_view heading_text(std::string_view line) {
+  const auto text = line.find_first_not_of("*#%");
+  const bool marked = text != std::string_view::npos && text > 0 && line[text] == ' ';
+  return marked ? line.substr(text) : line;
+}
 
 struct Head {
   std::vector<std::string> lines;  // UTF-8
@@ -93,7 +100,7 @@ std::optional<Candidate> find_heading_line(const Dialect& dialect, const Head& h
   for (std::size_t line = 0; line < head.lines.size(); ++line) {
     if (is_comment(dialect, head.lines[line])) continue;
     for (const Separator separator : separators) {
-      split_cells(head.lines[line], separator, cells);
+      split_cells(heading_text(head.lines[line]), separator, cells);
       if (!has_headings(dialect, cells) || !holds_texts(dialect, head, line)) continue;
       const auto known = count_known(dialect, cells);
       if (known < kFewestKnown || (best && known <= best->known)) continue;
@@ -128,13 +135,13 @@ void refuse_other_separator(const ByteSource& source, const Head& head) {
   std::size_t best_line = 0;
   for (std::size_t line = 0; line < head.lines.size(); ++line)
     for (const Separator separator : kCandidates) {
-      split_cells(head.lines[line], separator, cells);
+      split_cells(heading_text(head.lines[line]), separator, cells);
       std::erase_if(cells, [](std::string_view cell) {
         DecimalMark mark = DecimalMark::open;
         double value = 0;
         return parse_cell(cell, mark, value) != CellKind::text;
       });
-      if (separator == Separator::blanks && !best.empty()) continue;
+      if (character(separator) == 0 && !best.empty()) continue;
       if (cells.size() <= best.size()) continue;
       best = cells;
       best_line = line;
@@ -189,7 +196,9 @@ std::vector<std::optional<std::string>> units_row(std::string_view line, Separat
 // Where headings are set apart in another way than rows, the first row tells how.
 Separator row_separator(const TableLayout& layout, std::string_view row) {
   if (layout.dialect.separator != Separator::automatic) return layout.dialect.separator;
-  if (layout.dialect.heading_separator == Separator::automatic) return layout.heading_separator;
+  if (layout.dialect.heading_separator == Separator::automatic &&
+      layout.heading_separator != Separator::wide_blanks)
+    return layout.heading_separator;
   Cells cells;
   for (const Separator separator : kCandidates) {
     split_cells(row, separator, cells);
@@ -251,7 +260,7 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
   if (row >= lines.size() && head.whole_file)
     throw BadInput(layout.file, layout.heading_line,
                    "headings without a row of readings; nothing was recorded");
-  const auto unknown = plan_columns(layout, lines[best->line], units, findings);
+  const auto unknown = plan_columns(layout, heading_text(lines[best->line]), units, findings);
   layout.separator = row_separator(layout, row < lines.size() ? lines[row] : std::string());
   if (const auto missing = missing_channels(layout.quantities()); !missing.empty())
     throw BadInput(layout.file, layout.heading_line,

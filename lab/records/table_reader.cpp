@@ -28,6 +28,17 @@ std::size_t slot_of(const PlannedColumn& column, std::size_t time, std::size_t s
   return index(column.quantity);
 }
 
+/// Nothing but the byte with which DOS ended its text files, as it is or as a spreadsheet writes
+/// it.
+bool is_end_mark(std::string_view line) {
+  constexpr std::string_view kAround = " \t,;\"";
+  const auto first = line.find_first_not_of(kAround);
+  if (first == std::string_view::npos) return false;
+  const auto last = line.find_last_not_of(kAround);
+  const auto text = line.substr(first, last - first + 1);
+  return text == "\x1A" || text == "_x001A_";
+}
+
 double limit_of(const PlannedColumn& column) {
   if (column.role != ColumnRole::quantity) return std::numeric_limits<double>::infinity();
   return sim::to_si(info(column.quantity).raw.absurd, *sim::find_unit(info(column.quantity).unit));
@@ -98,6 +109,10 @@ bool TableReader::parse_fast(std::string_view line) {
 }
 
 bool TableReader::skipped(std::string_view line) {
+  if (is_end_mark(line)) {
+    findings_.note("end mark", lines_.line_number(), "the mark of an old file's end is left out");
+    return true;
+  }
   if (trimmed(line).empty()) {
     if (blank_line_ == 0) blank_line_ = lines_.line_number();
     return true;
@@ -161,6 +176,14 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
   if (before != decimal_ && decimal_ == DecimalMark::comma)
     findings_.note("decimal comma", lines_.line_number(),
                    "the decimal mark is a comma: " + excerpt(cell) + " is read that way");
+  if (kind == CellKind::text && plan.slot == kTime) {
+    if (const auto seconds = clock_seconds(cell)) {
+      values_[kTime] = clock_.since_start(*seconds);
+      findings_.note("clock", lines_.line_number(),
+                     "the time is a clock's: counted from the first reading");
+      return;
+    }
+  }
   const auto& heading = plan.column->heading;
   const bool empty_only = !layout_.dialect.missing_words;
   const char* remedy = empty_only ? "; leave the cell empty if the reading is missing" : "";

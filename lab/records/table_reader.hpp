@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/base/line_reader.hpp"
+#include "lab/records/clock_time.hpp"
 #include "lab/records/table_layout.hpp"
 #include "lab/results/reading.hpp"
 
@@ -64,6 +65,7 @@ class TableReader {
   std::array<double, kUnwanted + 1> values_{};
   DecimalMark decimal_;
   char separator_;
+  Clock clock_;
   std::int64_t blank_line_ = 0;
   std::string trailer_;
   std::int64_t trailer_line_ = 0;

@@ -15,7 +15,12 @@ namespace triax::lab {
 
 struct Reduction::Impl {
   Impl(const RecordHeader& h, const ReductionOptions& options)
-      : header(h), raw(h.is_raw()), from_raw(h, options), from_columns(h) {}
+      : header(h), raw(h.is_raw()), from_raw(h, options), from_columns(h) {
+    if (!raw && options.membrane != MembraneCorrection::none)
+      throw BadInput(h.source, 0,
+                     "the record holds reduced stresses, no raw channels: whoever reduced it chose "
+                     "the membrane correction, and no other can be applied; leave --membrane out");
+  }
 
   const RecordHeader header;
   const bool raw;

@@ -13,6 +13,7 @@ namespace {
 constexpr auto kCollapseKinds =
     std::to_array<std::pair<CollapseKind, std::string_view>>({{CollapseKind::none, "none"},
                                                               {CollapseKind::limited, "limited"},
+                                                              {CollapseKind::partial, "partial"},
                                                               {CollapseKind::flow, "flow"}});
 constexpr auto kEventKinds = std::to_array<std::pair<EventKind, std::string_view>>(
     {{EventKind::stage_started, "stage_started"},

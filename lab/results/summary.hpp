@@ -11,7 +11,9 @@
 
 namespace triax::lab {
 
-enum class CollapseKind { none, limited, flow };
+/// What a collapse came to: `flow`, a large loss of strength that does not come back; `partial`, a
+/// loss that neither runs on nor comes back; `limited`, one that comes back (quasi-steady state).
+enum class CollapseKind { none, limited, partial, flow };
 std::string_view to_string(CollapseKind kind);
 std::optional<CollapseKind> collapse_kind_from(std::string_view text);
 
@@ -58,7 +60,9 @@ struct Instant {
 /// One criterion's own finding.
 struct Criterion {
   std::string name;  ///< of its row in lab/collapse/criteria.cpp: "second_order_work"
-  bool detected = false;
+  /// Empty: not judged, which is neither of the two.
+  std::optional<bool> detected = false;
+  bool found() const { return detected.value_or(false); }
   std::optional<std::int64_t> reading;
   std::optional<double> time_s;
   std::optional<double> eta;
@@ -103,21 +107,40 @@ struct Check {
   std::string note;  ///< why, in one sentence
 };
 
+/// Where a test that did not collapse came nearest to it.
+struct Nearest {
+  std::int64_t reading = 0;
+  double normalised = 0;  ///< least second-order work there, of windows that say something
+  double error = 0;       ///< its standard error
+};
+
+/// One of three answers, never mixed: collapse (`detected()`), none (`judged` and not detected:
+/// shear was judged to its end), or not judged.
 struct Collapse {
-  bool judged = true;  ///< false: too few states in shear to say anything; kind is then none
+  /// False: nothing is known of shear, or of its end while nothing was found before; kind is none
+  /// then and says nothing.
+  bool judged = true;
   CollapseKind kind = CollapseKind::none;
   std::optional<bool> inside_limit_surface;
+  /// Of the collapse; where kind is none, of a failure: strength lost on the limit surface, or with
+  /// the drainage open.
   std::optional<Instant> onset;
   std::optional<double> second_order_work_normalised;  ///< at the first significant window (or the
                                                        ///< nearest to it), or over a fall
   std::optional<double> second_order_work_error;
+  /// Share of |q| at the onset that was lost while second-order work was negative.
+  std::optional<double> strength_lost;
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
   std::string limit_source;                  ///< where M comes from, in words
   std::vector<Criterion> criteria;
-  /// Last reading the verdict covers, where a sensor died before the end of shear; see
-  /// lab/health/judged_states.hpp. Empty: all of shear, or nothing (judged is false then).
+  std::optional<Nearest> nearest;  ///< to second-order work that vanishes, over what was judged
+  /// First reading of shear that was judged; empty: none was.
+  std::optional<std::int64_t> judged_from;
+  /// Last reading the verdict covers, where something ends it before shear does, a dead sensor for
+  /// one (lab/health/judged_states.hpp). Empty: all of shear, or nothing.
   std::optional<std::int64_t> judged_until;
-  std::string judged_until_reason;  ///< which sensor, and what became of it; empty: none
+  std::string
+      judged_until_reason;  ///< why it ends there, or why nothing is judged; empty: it does not
   bool detected() const { return kind != CollapseKind::none; }
 };
 

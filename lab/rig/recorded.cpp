@@ -64,6 +64,7 @@ struct RecordedRig::Impl {
   void read_document(const std::string& metadata_file, const std::string& metadata);
   void apply_sets(const RecordOptions& options, bool stages);
   void settle_stages();
+  std::vector<StageSummary> stages_of_rows();
   void check_stages_to_set(const RecordOptions& options);
   std::set<int> stages_in_rows();
   void look_for_typed_height(const std::vector<StageSummary>& summaries);
@@ -113,25 +114,37 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
     if (key == "test.origin" || key == "test.seed")
       throw BadInput(where + ": " + key + " says where the record came from; " +
                      "it cannot be set");
-    if (key.starts_with("stages.") == stages) set_metadata(header, where, key, value);
+    if (key.starts_with("stages.") != stages) continue;
+    set_metadata(header, where, key, value);
+    if (key.ends_with(".drainage"))
+      std::ranges::find(header.stages, *stage_in(key), &StageInfo::number)->drainage_was_said =
+          true;
   }
 }
 
 void RecordedRig::Impl::settle_stages() {
   if (!header.stages.empty()) return;
   if (!layout.has(ColumnRole::stage)) {
-    header.stages.push_back(single_stage(layout, header.programme));
+    StageInfo& only = header.stages.emplace_back(single_stage(layout, header.programme));
+    const bool told_by_rows =
+        only.drainage == Drainage::unknown && layout.dialect.drainage_from_columns &&
+        std::ranges::find(header.columns, Quantity::back_volume) != header.columns.end();
+    if (told_by_rows) only.drainage = infer_stages(stages_of_rows(), header.specimen)[0].drainage;
     return;
   }
   // The file numbers its stages but does not say what they are: look at all of it once.
+  const auto summaries = stages_of_rows();
+  header.stages = infer_stages(summaries, header.specimen);
+  look_for_typed_height(summaries);
+}
+
+std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() {
   std::vector<Warning> repeated;
   Findings scratch(repeated);
   TableReader reader(*source, layout, scratch);
   StageNumbers numbers(layout.file);
-  const auto summaries = summarise_stages(
+  return summarise_stages(
       reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); });
-  header.stages = infer_stages(summaries, header.specimen);
-  look_for_typed_height(summaries);
 }
 
 std::set<int> RecordedRig::Impl::stages_in_rows() {

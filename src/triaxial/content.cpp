@@ -79,17 +79,62 @@ std::string shear_start_line(const db::StoredTest& test) {
   return parts.empty() ? kUnknown : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string collapse_word(lab::CollapseKind kind) {
+  switch (kind) {
+    case lab::CollapseKind::none:
+      return "none";
+    case lab::CollapseKind::limited:
+      return "limited: strength is lost and recovers";
+    case lab::CollapseKind::partial:
+      return "partial: a part of the strength is lost for good";
+    case lab::CollapseKind::flow:
+      return "flow: strength is lost and does not return";
+  }
+  return kUnknown;
+}
+
+/// "5 % of q lost": of a collapse or a failure.
+std::string loss_words(const lab::Collapse& collapse) {
+  return collapse.strength_lost
+             ? fmt::format("{:.0f} % of q was lost", *collapse.strength_lost * 100)
+             : std::string("strength was lost");
+}
+
+std::string judged_words(const db::StoredTest& test) {
+  const lab::Collapse& c = test.summary.collapse;
+  std::string words = "shear was judged to its end";
+  if (c.judged_from) words += fmt::format(", from reading {}", *c.judged_from);
+  if (c.nearest)
+    words += fmt::format("; second-order work was least at reading {} ({:.3f} ± {:.3f})",
+                         c.nearest->reading, c.nearest->normalised, c.nearest->error);
+  return words;
+}
+
+std::string not_judged_line(const lab::Collapse& c) {
+  if (c.judged_until)
+    return fmt::format("not judged after reading {}: {}; until then no collapse", *c.judged_until,
+                       c.judged_until_reason);
+  return "not judged: " + (c.judged_until_reason.empty() ? std::string("too few readings in shear")
+                                                         : c.judged_until_reason);
+}
+
+std::string failure_line(const lab::Collapse& c) {
+  return fmt::format("none: {} {}, which is failure, not collapse", loss_words(c),
+                     c.inside_limit_surface == false ? "on the limit surface"
+                                                     : "past the peak with the drainage open");
+}
+
 std::string verdict_line(const db::StoredTest& test) {
   if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
-  if (!study::has_verdict(test)) return "not judged: too few readings in shear";
   const auto& collapse = test.summary.collapse;
-  if (study::failure_onset(test))
-    return "none: strength was lost on the limit surface, which is failure, not collapse";
-  if (!collapse.detected()) return "none found: the specimen stayed controllable";
-  std::string line = collapse.kind == lab::CollapseKind::flow
-                         ? "flow: strength is lost and does not return"
-                         : "limited: strength is lost and recovers";
-  if (collapse.inside_limit_surface)
+  if (!study::has_verdict(test)) return not_judged_line(collapse);
+  if (study::failure_onset(test)) return failure_line(collapse);
+  if (!collapse.detected())
+    return "none found: the specimen stayed controllable; " + judged_words(test);
+  std::string line = collapse_word(collapse.kind);
+  if (!collapse.inside_limit_surface)
+    line += "; limit surface unknown";
+  else
     line += *collapse.inside_limit_surface ? "; inside the Mohr-Coulomb limit surface"
                                            : "; on the Mohr-Coulomb limit surface";
   return line;
@@ -150,6 +195,11 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
     facts.push_back({"Runaway", run_away_lines(test.summary.truth->run_aways)});
 }
 
+std::string detected_word(const lab::Criterion& criterion) {
+  if (!criterion.detected) return "not judged";
+  return *criterion.detected ? "yes" : "no";
+}
+
 Table criteria_table(const db::StoredTest& test) {
   Table table{{{"Criterion"},
                {"Detected"},
@@ -159,7 +209,7 @@ Table criteria_table(const db::StoredTest& test) {
                {"Evidence"}},
               {}};
   for (const auto& criterion : test.summary.collapse.criteria)
-    table.rows.push_back({spaced(criterion.name), criterion.detected ? "yes" : "no",
+    table.rows.push_back({spaced(criterion.name), detected_word(criterion),
                           criterion.reading ? fmt::format("{}", *criterion.reading) : kUnknown,
                           duration(criterion.time_s), number(criterion.eta, 2),
                           criterion.evidence});

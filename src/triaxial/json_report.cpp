@@ -125,12 +125,27 @@ Json criteria_json(const std::vector<lab::Criterion>& criteria) {
   Json list = Json::array();
   for (const auto& criterion : criteria)
     list.push_back({{"name", criterion.name},
-                    {"detected", criterion.detected},
+                    {"detected", maybe(criterion.detected)},
                     {"reading", maybe(criterion.reading)},
                     {"time_s", study::json_number(criterion.time_s)},
                     {"eta", study::json_number(criterion.eta)},
                     {"evidence", study::json_text(criterion.evidence)}});
   return list;
+}
+
+Json judged_json(const db::StoredTest& test) {
+  const lab::Collapse& c = test.summary.collapse;
+  return {{"from_reading", maybe(c.judged_from)},
+          {"to_reading", maybe(c.judged_until)},
+          {"complete", study::has_verdict(test) && c.judged_until_reason.empty()},
+          {"reason", study::json_text(c.judged_until_reason)}};
+}
+
+Json nearest_json(const std::optional<lab::Nearest>& nearest) {
+  if (!nearest) return nullptr;
+  return {{"reading", nearest->reading},
+          {"second_order_work_normalised", study::json_number(nearest->normalised)},
+          {"second_order_work_error", study::json_number(nearest->error)}};
 }
 
 Json collapse_json(const db::StoredTest& test) {
@@ -139,11 +154,14 @@ Json collapse_json(const db::StoredTest& test) {
   Json object;
   object["detected"] = known ? Json(collapse.detected()) : Json(nullptr);
   object["kind"] = known ? Json(lab::to_string(collapse.kind)) : Json(nullptr);
+  object["judged"] = judged_json(test);
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);
   object["second_order_work_error"] = study::json_number(collapse.second_order_work_error);
+  object["strength_lost"] = study::json_number(collapse.strength_lost);
+  object["nearest"] = nearest_json(collapse.nearest);
   object["limit_stress_ratio"] = study::json_number(collapse.limit_stress_ratio);
   object["limit_source"] = study::json_text(collapse.limit_source);
   object["criteria"] = criteria_json(collapse.criteria);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -30,22 +31,50 @@ struct ReplayOptions {
   bool json = false;
 };
 
-/// All records opened, so that whatever can be seen in their heads is told before the first has run
-/// for minutes. Beyond the first hundred only the looking remains: files stay open no longer than
-/// the system allows.
-std::vector<std::unique_ptr<lab::RecordedRig>> look_at_all(const ReplayOptions& o,
-                                                           const lab::RecordOptions& options,
-                                                           const lab::ReductionOptions& reduction) {
-  constexpr std::size_t kMostOpen = 100;
-  std::vector<std::unique_ptr<lab::RecordedRig>> rigs;
-  for (const auto& path : o.records)
-    if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
-  for (const auto& path : o.records) {
-    auto rig = lab::open_record(path, options);
-    const lab::Reduction can_be_reduced(rig->header(), reduction);
-    if (rigs.size() < kMostOpen) rigs.push_back(std::move(rig));
+/// What went wrong with single records; told at once, and counted for the end.
+class BadRecords {
+ public:
+  explicit BadRecords(std::size_t records) : records_(records) {}
+
+  /// The only record of a call fails as any command does.
+  void add(const lab::BadInput& error) {
+    if (records_ == 1) throw error;
+    ++bad_;
+    std::fprintf(stderr, "%s %s\n", alarming("triax:", stderr).c_str(),
+                 on_one_line(error.what()).c_str());
   }
-  return rigs;
+  void finish() const {
+    if (bad_ > 0)
+      throw lab::BadInput(
+          fmt::format("{} of {} records could not be read (see above)", bad_, records_));
+  }
+
+ private:
+  std::size_t records_, bad_ = 0;
+};
+
+/// A record that was looked at: opened, so that whatever can be seen in its head is told before the
+/// first has run for minutes. Beyond the first hundred files are closed again.
+struct Looked {
+  std::string path;
+  std::unique_ptr<lab::RecordedRig> rig;
+};
+
+std::vector<Looked> look_at_all(const ReplayOptions& o, const lab::RecordOptions& options,
+                                const lab::ReductionOptions& reduction, BadRecords& bad) {
+  constexpr std::size_t kMostOpen = 100;
+  std::vector<Looked> good;
+  for (const auto& path : o.records) {
+    try {
+      if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
+      auto rig = lab::open_record(path, options);
+      const lab::Reduction can_be_reduced(rig->header(), reduction);
+      good.push_back({path, good.size() < kMostOpen ? std::move(rig) : nullptr});
+    } catch (const lab::BadInput& error) {
+      bad.add(error);
+    }
+  }
+  return good;
 }
 
 void run_replay(const ReplayOptions& o) {
@@ -53,22 +82,20 @@ void run_replay(const ReplayOptions& o) {
                                   .sets = key_values(o.sets, "specimen.height_mm=140")};
   const lab::ReductionOptions reduction{.membrane = o.membrane};
   refuse_overwriting("--db", o.db, o.records, "a record that is read");
-  auto rigs = look_at_all(o, record, reduction);
+  BadRecords bad(o.records.size());
   std::vector<std::int64_t> ids;
-  try {
-    for (std::size_t i = 0; i < o.records.size(); ++i) {
-      const auto& path = o.records[i];
-      const auto rig = i < rigs.size() ? std::move(rigs[i]) : lab::open_record(path, record);
-      ProgressBar bar(std::filesystem::path(path).filename().string());
+  for (Looked& one : look_at_all(o, record, reduction, bad)) {
+    try {
+      const auto rig = one.rig ? std::move(one.rig) : lab::open_record(one.path, record);
+      ProgressBar bar(std::filesystem::path(one.path).filename().string());
       ids.push_back(
           study::run_test(*rig, {.reduction = reduction, .speed = o.speed}, o.db, {shown_on(bar)}));
+    } catch (const lab::BadInput& error) {
+      bad.add(error);
     }
-  } catch (const lab::BadInput&) {
-    // The tests before are done and kept: what they came to is not lost for the one that is bad.
-    if (!ids.empty()) print_tests(o.db, ids, o.json);
-    throw;
   }
-  print_tests(o.db, ids, o.json);
+  if (!ids.empty()) print_tests(o.db, ids, o.json);
+  bad.finish();
 }
 
 }  // namespace
@@ -89,7 +116,7 @@ Command replay_command() {
           {{"... does not say the height of the specimen ...", "give --set specimen.height_mm=..."},
            {"FILE:LINE: ...",
             "the file is not valid at this line; nothing of it is stored. Of several "
-            "records those before it are stored and reported, those after it are not read"}},
+            "records the others are stored and reported, and the status at the end is 2"}},
       .examples =
           {{"triax replay test.csv", "a record in triax's own form"},
            {"triax replay *.gds --json", "several files, as one JSON document"},

@@ -51,7 +51,7 @@ std::optional<double> void_ratio(const db::StoredTest& test) {
 std::vector<std::string> agreeing_criteria(const db::StoredTest& test) {
   std::vector<std::string> names;
   for (const auto& criterion : test.summary.collapse.criteria)
-    if (criterion.detected) names.push_back(criterion.name);
+    if (criterion.found()) names.push_back(criterion.name);
   return names;
 }
 

@@ -54,18 +54,18 @@ TEST_CASE("all criteria of a test are fed, and each tells its own finding") {
   for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].name == collapse_criteria()[i].name);
   const auto peak = criteria.of<ControlPeak>().finding();
   REQUIRE(peak);
-  CHECK(all[2].detected);
+  CHECK(all[2].found());
   CHECK(all[2].reading == peak->instant.reading);
   CHECK(all[2].eta == peak->instant.eta());
   CHECK(all[2].evidence == peak->evidence);
-  CHECK_FALSE(all[1].detected);
+  CHECK_FALSE(all[1].found());
   CHECK(all[1].evidence == collapse_criteria()[1].otherwise);
 }
 
 TEST_CASE("a criterion that looked at something and saw no collapse says both") {
   const Finding dip{.instant = {.reading = 7}, .evidence = "a dip", .detected = false};
   const Criterion c = criterion_of(collapse_criteria()[0], dip);
-  CHECK_FALSE(c.detected);
+  CHECK_FALSE(c.found());
   CHECK(c.reading == 7);
   CHECK(c.evidence == "a dip");
 }
@@ -74,7 +74,7 @@ TEST_CASE("where nothing can be judged every criterion gives the reason") {
   const auto all = no_criteria("too short");
   REQUIRE(all.size() == collapse_criteria().size());
   for (const Criterion& c : all) {
-    CHECK_FALSE(c.detected);
+    CHECK_FALSE(c.detected);  // neither yes nor no
     CHECK(c.evidence == "too short");
   }
 }

@@ -8,25 +8,58 @@
 using namespace triax;
 using namespace triax::lab;
 
-TEST_CASE("a given friction angle rules; without it the test's own largest ratio does") {
-  SpecimenInfo specimen;
-  PathPoint point;
-  point.p_eff = 100e3;
-  point.q = 138e3;
-  LimitSurface measured(specimen);
-  CHECK_FALSE(measured.stress_ratio());
-  CHECK_FALSE(measured.inside(0.5));
-  measured.add(point);
-  CHECK(*measured.stress_ratio() == Approx(1.38));
-  point.p_eff = 1e3;  // noise near p' = 0 must not set the limit
-  point.q = 2.5e3;
-  measured.add(point);
-  CHECK(*measured.stress_ratio() == Approx(1.38));
-  CHECK(measured.inside(1.30));
-  CHECK_FALSE(measured.inside(1.35));
+namespace {
 
+PathPoint at(double reading, double q, double p_eff) {
+  PathPoint point;
+  point.reading = reading;
+  point.q = q;
+  point.p_eff = p_eff;
+  return point;
+}
+
+}  // namespace
+
+TEST_CASE("a given friction angle is the limit, in compression and in extension") {
+  SpecimenInfo specimen;
   specimen.limit_friction_angle_rad = sim::radians(32);
   LimitSurface given(specimen);
-  given.add(point);
+  given.add(at(1, 250e3, 100e3));  // what the test mobilised does not matter then
   CHECK(*given.stress_ratio() == Approx(1.2872).epsilon(1e-4));
+  CHECK(given.inside(1.20, 5) == true);
+  CHECK(given.inside(1.25, 5) == false);
+  CHECK(given.inside(-0.85, 5) == true);  // 6 sin φ/(3 + sin φ) = 0.9008
+  CHECK(given.inside(-0.88, 5) == false);
+}
+
+TEST_CASE("without one the ratio at which a specimen fell excuses nothing") {
+  LimitSurface own({});
+  CHECK_FALSE(own.stress_ratio());
+  CHECK_FALSE(own.inside(0.5, 5));
+  for (int i = 0; i < 100; ++i) own.add(at(i, 1e3 * i, 140e3));  // to η = 0.71, the largest
+  CHECK(*own.stress_ratio() == Approx(0.707).margin(1e-3));
+  CHECK_FALSE(own.inside(0.70, 98));
+  CHECK(own.inside(0.60, 85) == true);  // the test itself went beyond
+}
+
+TEST_CASE("what is mobilised later shows that an onset lay inside") {
+  LimitSurface own({});
+  own.add(at(10, 70e3, 100e3));
+  CHECK_FALSE(own.inside(0.7, 10));
+  own.add(at(200, 13e3, 10e3));
+  CHECK(own.inside(0.7, 10) == true);
+}
+
+TEST_CASE("a path that had walked along its largest ratio before knew its limit") {
+  LimitSurface own({});
+  for (int i = 0; i <= 100; ++i) own.add(at(i, 1.35 * 1e3 * (100 + i), 1e3 * (100 + i)));
+  CHECK(own.inside(1.34, 100) == false);
+  CHECK_FALSE(own.inside(1.34, 15));  // not yet: q had grown by less than a fifth
+}
+
+TEST_CASE("noise near p' = 0 sets no limit") {
+  LimitSurface own({});
+  own.add(at(1, 138e3, 100e3));
+  own.add(at(2, 2.5e3, 1e3));
+  CHECK(*own.stress_ratio() == Approx(1.38));
 }

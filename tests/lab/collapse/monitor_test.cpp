@@ -26,9 +26,9 @@ TEST_CASE("a clean peak is a flow collapse with its onset at the peak") {
   CHECK(std::abs(c.onset->reading - 600) <= 3);
   CHECK(*c.onset->q_pa == Approx(140e3).epsilon(1e-3));
   REQUIRE(c.criteria.size() == 3);
-  CHECK(c.criteria[0].detected);
-  CHECK_FALSE(c.criteria[1].detected);  // a prescribed displacement is never lost
-  CHECK(c.criteria[2].detected);
+  CHECK(c.criteria[0].found());
+  CHECK_FALSE(c.criteria[1].found());  // a prescribed displacement is never lost
+  CHECK(c.criteria[2].found());
   CHECK(*c.second_order_work_normalised < 0);
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("hardening to the end is no collapse, over many seeds") {
     const Collapse c = judge(path, 4900);  // ends just before the peak
     INFO("seed " << seed);
     CHECK(c.kind == CollapseKind::none);
-    CHECK_FALSE(c.criteria[0].detected);
+    CHECK_FALSE(c.criteria[0].found());
   }
 }
 

@@ -51,7 +51,8 @@ TEST_CASE("kinds follow what was lost and what came back") {
   CHECK(kind(descent(100e3, 150e3, 95e3, 6e3)) == CollapseKind::flow);
   CHECK(kind(descent(100e3, 150e3, 60e3, 75e3)) ==
         CollapseKind::limited);  // more than half came back
-  CHECK(kind(descent(100e3, 150e3, 28e3, 72e3)) == CollapseKind::limited);
+  CHECK(kind(descent(100e3, 150e3, 28e3, 90e3)) == CollapseKind::limited);
+  CHECK(kind(descent(100e3, 150e3, 28e3, 72e3)) == CollapseKind::partial);  // and stops there
   CHECK(kind(descent(100e3, 150e3, 8e3, 92e3)) == CollapseKind::none);
 }
 
@@ -61,8 +62,57 @@ TEST_CASE("on the limit surface nothing is a diffuse collapse") {
       verdict({.worst = descent(126e3, 100e3, 60e3, 66e3), .points = 50, .limit = limit});
   CHECK(c.kind == CollapseKind::none);
   CHECK(c.inside_limit_surface == false);
-  CHECK_FALSE(c.criteria[0].detected);
+  CHECK_FALSE(c.criteria[0].found());
   CHECK(c.criteria[0].evidence.find("a failure on the limit surface") != std::string::npos);
+}
+
+TEST_CASE("a drained peak is a failure where nobody knows that it lies inside the limit") {
+  const LimitSurface unknown({}), given = sand();
+  Descent peak = descent(100e3, 120e3, 16e3, 84e3);
+  peak.drained = true;
+  const Collapse c = verdict({.worst = peak, .points = 50, .limit = unknown});
+  CHECK(c.judged);
+  CHECK(c.kind == CollapseKind::none);
+  CHECK(c.onset);
+  CHECK(*c.strength_lost == Approx(0.16));
+  CHECK_FALSE(c.inside_limit_surface);
+  CHECK_THAT(c.criteria[0].evidence, Catch::Contains("drained failure"));
+  CHECK(verdict({.worst = peak, .points = 50, .limit = given}).kind == CollapseKind::partial);
+  peak.drained = false;
+  CHECK(verdict({.worst = peak, .points = 50, .limit = unknown}).kind == CollapseKind::partial);
+
+  // From a fiftieth on it is told, if second-order work was surely negative.
+  Descent small = descent(100e3, 120e3, 4e3, 96e3);
+  small.drained = true;
+  small.evidence.normalised_error = 0.05;
+  CHECK(verdict({.worst = small, .points = 50, .limit = unknown}).onset);
+  small.evidence.normalised_error = 0.1;
+  CHECK_FALSE(verdict({.worst = small, .points = 50, .limit = unknown}).onset);
+}
+
+TEST_CASE("a burst on a limit that only the burst shows is a collapse") {
+  LimitSurface own({});
+  PathPoint last;
+  last.q = 60e3;
+  last.p_eff = 90e3;
+  own.add(last);
+  const Finding burst{.instant = {.reading = 20, .q_pa = 60e3, .p_eff_pa = 90e3},
+                      .evidence = "ran"};
+  const Collapse c = verdict({.loss_of_control = burst, .points = 50, .limit = own});
+  CHECK(c.kind == CollapseKind::flow);
+  CHECK_FALSE(c.inside_limit_surface);
+}
+
+TEST_CASE("none says how near it came") {
+  const LimitSurface limit = sand();
+  const Collapse c = verdict({.points = 50,
+                              .first_state = 7,
+                              .nearest = Nearest{.reading = 30, .normalised = 0.1, .error = 0.02},
+                              .limit = limit});
+  CHECK(c.judged);
+  CHECK(c.judged_from == 7);
+  REQUIRE(c.nearest);
+  CHECK(c.nearest->reading == 30);
 }
 
 TEST_CASE("yielding at held q is a flow unless the specimen catches itself with its q") {
@@ -94,7 +144,9 @@ TEST_CASE("too little seen of shear is not judged, which is not the same as no c
   const LimitSurface limit = sand();
   const Collapse c = verdict({.states = 5, .limit = limit});
   CHECK_FALSE(c.judged);
+  CHECK(c.judged_until_reason == "too few readings in shear, 5 complete states of the 7 needed");
   REQUIRE(c.criteria.size() == 3);
+  CHECK_FALSE(c.criteria[0].detected);
   CHECK(c.criteria[0].evidence.find(
             "too few readings in shear, 5 complete states of the 7 needed") != std::string::npos);
   CHECK(verdict({.points = 1, .limit = limit}).judged);

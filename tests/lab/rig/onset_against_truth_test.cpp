@@ -46,7 +46,7 @@ TEST_CASE(
   const auto lost = std::ranges::find(s.collapse.criteria, "loss_of_control", &Criterion::name);
   REQUIRE(lost != s.collapse.criteria.end());
   // At the last reading before it, which belongs to the stage before.
-  CHECK(lost->detected);
+  CHECK(lost->found());
   REQUIRE(lost->time_s);
   CHECK(*lost->time_s <= fall.start_s);
   CHECK(*lost->time_s > fall.start_s - 0.5);

@@ -63,7 +63,7 @@ std::vector<std::string> verdict(const TestSummary& s) {
                   exact(c.height_m), exact(c.diameter_m)),
       std::to_string(s.readings)};
   for (const Criterion& one : s.collapse.criteria)
-    lines.push_back(fmt::format("{} {} {} {} {} {}", one.name, one.detected, exact(one.reading),
+    lines.push_back(fmt::format("{} {} {} {} {} {}", one.name, one.found(), exact(one.reading),
                                 exact(one.time_s), exact(one.eta), one.evidence));
   for (const Check& one : s.checks)
     lines.push_back(fmt::format("{} {} {}", to_string(one.kind), exact(one.measured), one.ok));
