@@ -95,7 +95,7 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
                              before_->volumetric_strain * 100)
                : fmt::format(
                      "the pore pressure (measure of the volume change while the valve is closed) "
-                     "started started to rise while p' fell (u {:.2f} kPa, ",
+                     "started to rise while p' fell (u {:.2f} kPa, ",
                      before_->pore_pressure / 1e3);
   finding_ = Finding{instant_of(*before_, has_time),
                      what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3)};

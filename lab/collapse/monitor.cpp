@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lab/base/listeners.hpp"
+#include "lab/collapse/axis_rest.hpp"
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/criteria.hpp"
 #include "lab/collapse/fall_fit.hpp"
@@ -40,17 +41,19 @@ struct CollapseMonitor::Impl {
   void start_stage(const State& state);
   void watch(const State& state);
   void take(const PathPoint& point);
+  void judge(const PathPoint& point);
   void look_nearer(const PathPoint& point);
   void tell_of_descent();
   void sharpen();
   void place_fall(const Finding& burst);
   void end_stage();
-  Collapse judge() const;
+  Collapse verdict_so_far() const;
 
   const RecordHeader header;
   const CollapseListeners listeners;
   PathSampler sampler;
   PathRates rates;
+  AxisRest rest;
   PathHistory history;  ///< of the stage under way
   OnsetRefiner descent_onset, pore_turn;
   std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
@@ -87,6 +90,7 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   stage = state.stage;
   const StageInfo* info = header.stage(state.stage);
   criteria.start_stage(info);
+  rest.start_stage(info, header.has_time);
   held_q = info && info->control == AxialControl::constant_q;
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
@@ -146,6 +150,7 @@ void CollapseMonitor::Impl::place_fall(const Finding& burst) {
 
 void CollapseMonitor::Impl::end_stage() {
   rates.finish();
+  for (const PathPoint& point : rest.finish()) judge(point);
   sharpen();
   descent_onset.finish(history, history.last_reading());
   pore_turn.finish(history, history.last_reading());
@@ -155,10 +160,6 @@ void CollapseMonitor::Impl::end_stage() {
 
 void CollapseMonitor::Impl::take(const PathPoint& point) {
   ++points;
-  if (!control.found()) before_fall = point;
-  look_nearer(point);
-  limit.add(point);
-  criteria.add_point(point, header.has_time);
   tell(listeners, &CollapseListener::second_order_work,
        SecondOrderWorkPoint{.reading = std::llround(point.reading),
                             .time_s = header.has_time ? point.progress : kMissing,
@@ -166,6 +167,14 @@ void CollapseMonitor::Impl::take(const PathPoint& point) {
                             .normalised_error = point.normalised_error,
                             .window_readings = point.window_readings,
                             .axial_strain_path = header.has_time ? kMissing : point.progress});
+  for (const PathPoint& driven : rest.add(point)) judge(driven);
+}
+
+void CollapseMonitor::Impl::judge(const PathPoint& point) {
+  if (!control.found()) before_fall = point;
+  look_nearer(point);
+  limit.add(point);
+  criteria.add_point(point, header.has_time);
   tell_of_descent();
 }
 
@@ -196,7 +205,7 @@ void CollapseMonitor::Impl::tell_of_descent() {
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
-Collapse CollapseMonitor::Impl::judge() const {
+Collapse CollapseMonitor::Impl::verdict_so_far() const {
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
                   .loss_of_control = control.finding(),
@@ -208,16 +217,17 @@ Collapse CollapseMonitor::Impl::judge() const {
                   .points = points,
                   .first_state = first_state,
                   .nearest = nearest,
+                  .fall_at_rest = rest.unlikely(),
                   .limit = limit,
                   .has_time = header.has_time},
                  criteria.criteria());
 }
 
-Collapse CollapseMonitor::so_far() const { return impl_->judge(); }
+Collapse CollapseMonitor::so_far() const { return impl_->verdict_so_far(); }
 
 Collapse CollapseMonitor::finish() {
   impl_->end_stage();
-  return impl_->judge();
+  return impl_->verdict_so_far();
 }
 
 std::optional<Instant> CollapseMonitor::peak() const {

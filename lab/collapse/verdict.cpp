@@ -77,6 +77,22 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
                                      : "; a drained failure at the peak of q";
 }
 
+/// |q| fell by much while the axial strain stood: who knows whether the specimen did.
+void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
+  if (c.onset && c.onset->reading <= fall.reading) return;
+  const std::string reason = fmt::format(
+      "q fell by {:.0f} % after reading {} while the axial strain did not move at all: more than "
+      "relaxation; the displacement transducer may be stuck",
+      fall.share * 100, fall.reading);
+  c.judged = false;
+  c.kind = CollapseKind::none;
+  c.onset.reset();
+  c.judged_until = fall.reading;
+  c.judged_until_reason = reason;
+  for (Criterion& criterion : c.criteria)
+    if (!criterion.found()) criterion.detected.reset();
+}
+
 }  // namespace
 
 Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
@@ -101,6 +117,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   tell_failures_apart(e, descent && descent->drained && !e.at_held_q, c);
+  if (e.fall_at_rest) end_at_doubtful_rest(*e.fall_at_rest, c);
   return c;
 }
 

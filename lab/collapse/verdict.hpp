@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "lab/collapse/axis_rest.hpp"
 #include "lab/collapse/descent.hpp"
 #include "lab/collapse/fall_work.hpp"
 #include "lab/collapse/finding.hpp"
@@ -29,6 +30,7 @@ struct Evidence {
   std::int64_t points = 0;                  ///< of second-order work that came of them
   std::optional<std::int64_t> first_state;  ///< reading of the first of them
   std::optional<Nearest> nearest;
+  std::optional<AxisRest::Fall> fall_at_rest;  ///< that no relaxation explains
   const LimitSurface& limit;
   bool has_time = true;
 };

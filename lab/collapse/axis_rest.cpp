@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/collapse/axis_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triax::lab {
+namespace {
+
+constexpr int kKnown = 4;        ///< points that make a rate
+constexpr int kMemory = 64;      ///< points that the usual rate remembers
+constexpr double kDead = 0.002;  ///< of the usual rate: the strain does not move at all
+
+bool falls(const PathPoint& from, const PathPoint& to) {
+  return to.strength() < from.strength() &&
+         std::fabs(to.p_eff - from.p_eff) <= std::fabs(to.q - from.q);
+}
+
+}  // namespace
+
+void AxisRest::start_stage(const StageInfo* stage, bool has_time) {
+  const auto unlikely = unlikely_;
+  *this = AxisRest();
+  unlikely_ = unlikely;
+  has_time_ = has_time;
+  looks_ = !stage || stage->control == AxialControl::displacement ||
+           stage->control == AxialControl::unknown;
+}
+
+double AxisRest::lapse(const PathPoint& from, const PathPoint& to) const {
+  return has_time_ ? to.progress - from.progress : to.reading - from.reading;
+}
+
+double AxisRest::rate(const PathPoint& from, const PathPoint& to) const {
+  const double dt = lapse(from, to);
+  return dt > 0 ? std::fabs(to.axial_strain - from.axial_strain) / dt : typical_;
+}
+
+void AxisRest::take(const PathPoint& point) {
+  if (before_) {
+    const double weight = 1.0 / std::min(++driven_, kMemory);
+    typical_ += weight * (rate(*before_, point) - typical_);
+  }
+  out_.push_back(point);
+}
+
+void AxisRest::release() {
+  out_.insert(out_.end(), held_.begin(), held_.end());
+  held_.clear();
+  slow_from_.reset();
+}
+
+double AxisRest::advance(const PathPoint& point) const {
+  return std::copysign(1.0, slow_from_->q) * (point.axial_strain - slow_from_->axial_strain);
+}
+
+/// From where it went slow the strain did not advance, as far as its scatter lets tell.
+bool AxisRest::has_stopped(const PathPoint& point) const {
+  if (!slow_from_ || !falls(*slow_from_, point)) return false;
+  const double expected = typical_ * lapse(*slow_from_, point);
+  const double scatter = std::sqrt(point.strain_variance + slow_from_->strain_variance);
+  const bool unloads = advance(point) < -std::max(3 * scatter, kDead * expected);
+  return !unloads && advance(point) < kRests * expected && expected > 4 * scatter;
+}
+
+void AxisRest::watch_fall(const PathPoint& point) {
+  const double share = 1 - point.strength() / strength_at_stop_;
+  const bool dead = std::fabs(advance(point)) < kDead * typical_ * lapse(*slow_from_, point);
+  if (!(share > kUnlikely) || !dead) return;
+  if (!unlikely_ || unlikely_->reading == stopped_at_) unlikely_ = Fall{stopped_at_, share};
+}
+
+void AxisRest::doubt(const PathPoint& point, double now) {
+  if (held_.empty()) {
+    strength_at_stop_ = before_->strength();
+    stopped_at_ = std::llround(before_->reading);
+  }
+  if (now >= kResumes * typical_)
+    slow_from_.reset();
+  else if (!slow_from_)
+    slow_from_ = before_;
+  held_.push_back(point);
+  if (has_stopped(point)) {
+    rests_ = true;
+    held_.clear();
+    watch_fall(point);
+  } else if (held_.size() >= kHeld) {
+    release();
+    driven_ = 0;  // it goes slower from now on
+  }
+}
+
+const std::vector<PathPoint>& AxisRest::add(const PathPoint& point) {
+  out_.clear();
+  const bool known = looks_ && driven_ >= kKnown && before_;
+  const double now = known ? rate(*before_, point) : 0;
+  if (rests_ && now < kResumes * typical_) {
+    watch_fall(point);
+  } else if (rests_) {
+    rests_ = false;
+    slow_from_.reset();
+    driven_ = 0;  // the drive may go on at another rate
+    out_.push_back(point);
+  } else if (known && now < kSlow * typical_ && falls(*before_, point)) {
+    doubt(point, now);
+  } else {
+    release();
+    take(point);
+  }
+  before_ = point;
+  return out_;
+}
+
+const std::vector<PathPoint>& AxisRest::finish() {
+  out_.clear();
+  release();
+  return out_;
+}
+
+}  // namespace triax::lab
