@@ -82,23 +82,25 @@ void read_stages(SQLite::Database& database, std::int64_t id, std::vector<lab::S
 
 void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) {
   lab::RecordHeader& h = test.header;
-  for_rows(database, id,
-           "SELECT id, name, origin, programme, source, dialect, seed, status, recorded_at, "
-           "has_time, columns, readings FROM tests WHERE id = ?",
-           [&](Columns& c) {
-             test.id = c.integer().value_or(0);
-             h.name = c.text();
-             h.origin = c.text() == "simulated" ? lab::Origin::simulated : lab::Origin::recorded;
-             h.programme = c.text();
-             h.source = c.text();
-             h.dialect = c.text();
-             if (const auto seed = c.integer()) h.seed = static_cast<std::uint64_t>(*seed);
-             test.status = status_of(c.text());
-             test.recorded_at = c.text();
-             h.has_time = c.truth().value_or(true);
-             h.columns = quantities_in(c.text());
-             test.summary.readings = c.integer().value_or(0);
-           });
+  for_rows(
+      database, id,
+      "SELECT id, name, origin, programme, source, dialect, digest, seed, status, recorded_at, "
+      "has_time, columns, readings FROM tests WHERE id = ?",
+      [&](Columns& c) {
+        test.id = c.integer().value_or(0);
+        h.name = c.text();
+        h.origin = c.text() == "simulated" ? lab::Origin::simulated : lab::Origin::recorded;
+        h.programme = c.text();
+        h.source = c.text();
+        h.dialect = c.text();
+        h.digest = c.text();
+        if (const auto seed = c.integer()) h.seed = static_cast<std::uint64_t>(*seed);
+        test.status = status_of(c.text());
+        test.recorded_at = c.text();
+        h.has_time = c.truth().value_or(true);
+        h.columns = quantities_in(c.text());
+        test.summary.readings = c.integer().value_or(0);
+      });
   read_specimen(database, id, h.specimen);
   read_stages(database, id, h.stages);
 }
@@ -238,6 +240,11 @@ void read_sweep(SQLite::Database& database, std::int64_t id, std::optional<Sweep
            });
 }
 
+void read_tags(SQLite::Database& database, std::int64_t id, std::vector<std::string>& tags) {
+  for_rows(database, id, "SELECT tag FROM tags WHERE test_id = ? ORDER BY tag",
+           [&](Columns& c) { tags.push_back(c.text()); });
+}
+
 void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::Event>& events) {
   for_rows(database, id,
            "SELECT reading, time_s, kind, detail FROM events WHERE test_id = ? ORDER BY id",
@@ -264,6 +271,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_truth(database, id, test.summary.truth);
   read_events(database, id, test.events);
   read_sweep(database, id, test.sweep);
+  read_tags(database, id, test.tags);
   return test;
 }
 

@@ -100,6 +100,7 @@ struct RecordHeader {
   std::string programme;  ///< "ICU", "CSD", "CSU", "CIU"...; empty if unknown
   std::string source;     ///< file the record came from
   std::string dialect;    ///< name of the dialect that read it; empty for a simulation
+  std::string digest;     ///< SHA-256 of the bytes of `source` in hex; empty for a simulation
   std::optional<std::uint64_t> seed;
   SpecimenInfo specimen;
   std::vector<StageInfo> stages;  ///< may be empty: everything is then one stage of unknown role
