@@ -24,7 +24,7 @@ using SQLite::Statement;
 constexpr const char* kListed =
     "SELECT t.id, t.name, t.origin, t.programme, t.status, v.kind, "
     "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
-    "AND t.id << 32 | 4294967295)), t.recorded_at, t.source, t.digest, "
+    "AND t.id << 32 | 4294967295)), t.stored_at, t.source, t.digest, "
     "t.id IN (SELECT test_id FROM counted_tests) "
     "FROM tests t LEFT JOIN verdicts v ON v.test_id = t.id "
     "WHERE ?1 = '' OR EXISTS (SELECT 1 FROM tags g WHERE g.test_id = t.id AND g.tag = ?1) "
@@ -39,7 +39,7 @@ ListedTest listed(Columns c) {
   test.status = status_of(c.text());
   test.kind = lab::collapse_kind_from(c.text());
   test.readings = c.integer().value_or(0);
-  test.recorded_at = c.text();
+  test.stored_at = c.text();
   test.source = c.text();
   test.digest = c.text();
   test.counted = c.truth().value_or(true);

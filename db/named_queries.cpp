@@ -7,7 +7,7 @@ const std::vector<NamedQuery>& named_queries() {
   static const std::vector<NamedQuery> queries{
       {"tests",
        "every test: what it was, where it came from, how it ended, whether statistics count it",
-       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.recorded_at, "
+       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.stored_at, "
        "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
        "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed, "
        "t.id IN (SELECT test_id FROM counted_tests) AS counted FROM tests t ORDER BY t.id"},

@@ -31,7 +31,7 @@ study::Json listed_json(const db::ListedTest& test) {
           {"status", db::to_string(test.status)},
           {"kind", test.kind ? study::Json(lab::to_string(*test.kind)) : study::Json(nullptr)},
           {"readings", test.readings},
-          {"recorded_at", study::json_text(test.recorded_at)},
+          {"stored_at", study::json_text(test.stored_at)},
           {"source", study::json_text(test.source)},
           {"digest", study::json_text(test.digest)},
           {"counted", test.counted},
@@ -55,7 +55,7 @@ std::string test_list_text(const std::vector<db::ListedTest>& tests) {
                           test.origin == lab::Origin::simulated ? "SIMULATED" : "recorded",
                           test.programme.empty() ? kUnknown : test.programme,
                           verdict_word(test.status, test.kind), fmt::format("{}", test.readings),
-                          to_the_minute(test.recorded_at), lab::joined(test.tags)});
+                          to_the_minute(test.stored_at), lab::joined(test.tags)});
   std::string text = to_text(table, text_width());
   const auto again = std::ranges::count(tests, false, &db::ListedTest::counted);
   if (again > 0)

@@ -86,7 +86,7 @@ TEST_CASE("tests are listed oldest first, with what a line needs") {
   CHECK(tests[0].status == db::TestStatus::complete);
   CHECK(tests[0].kind == lab::CollapseKind::limited);
   CHECK(tests[0].readings == 3);
-  CHECK(tests[0].recorded_at.size() == 20);
+  CHECK(tests[0].stored_at.size() == 20);
   CHECK(tests[0].source == "a.csv");
   CHECK(tests[0].digest == "aa");
   CHECK_FALSE(tests[0].counted);

@@ -20,7 +20,7 @@ std::vector<db::ListedTest> two_readings_of_one_file() {
   first.status = db::TestStatus::complete;
   first.kind = lab::CollapseKind::flow;
   first.readings = 1200;
-  first.recorded_at = "2026-01-02T03:04:05Z";
+  first.stored_at = "2026-01-02T03:04:05Z";
   first.source = "csu_26.csv";
   first.digest = "ab12";
   first.counted = false;
@@ -73,7 +73,7 @@ TEST_CASE("JSON has every key, null where nothing is known") {
   CHECK(d[0]["counted"] == false);
   CHECK(d[0]["digest"] == "ab12");
   CHECK(d[0]["tags"] == json::array({"loose", "thesis"}));
-  CHECK(d[0]["recorded_at"] == "2026-01-02T03:04:05Z");
+  CHECK(d[0]["stored_at"] == "2026-01-02T03:04:05Z");
   CHECK(d[1]["kind"].is_null());
   CHECK(d[1]["source"].is_null());
   CHECK(d[1]["digest"].is_null());
