@@ -32,11 +32,11 @@ struct StageInfo {
   std::string name;
   StageRole role = StageRole::unknown;
   Drainage drainage = Drainage::unknown;
+  AxialControl control = AxialControl::unknown;
+  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0 is prescribed, Eq. (28)
   /// Said by who replays the record, who knows better than its sensors: a doubt is told, and the
   /// verdict stands on what was said.
   bool drainage_was_said = false;
-  AxialControl control = AxialControl::unknown;
-  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0 is prescribed, Eq. (28)
 };
 
 /// The specimen as built, SI; what the record does not say is empty, never guessed.
