@@ -77,8 +77,8 @@ void run_rename(const TestsOptions& o) {
 void print_tags(const TestsOptions& o, std::int64_t id) {
   std::string sentences;
   for (const auto& test : only(o, id))
-    sentences += fmt::format("{} has {}\n", test_in_words(test),
-                             test.tags.empty() ? "no tag" : "the tags " + lab::joined(test.tags));
+    sentences += fmt::format("tags of {}: {}\n", test_in_words(test),
+                             test.tags.empty() ? "none" : lab::joined(test.tags));
   print_changed(o, id, sentences);
 }
 
