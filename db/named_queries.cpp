@@ -6,7 +6,7 @@ namespace triax::db {
 const std::vector<NamedQuery>& named_queries() {
   static const std::vector<NamedQuery> queries{
       {"tests", "every test: what it was, where it came from, how it ended",
-       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.recorded_at, "
+       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.stored_at, "
        "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
        "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed "
        "FROM tests t ORDER BY t.id"},

@@ -73,7 +73,7 @@ struct Recorder::Impl {
 
   const std::string path_;
   lab::RecordHeader header_;
-  std::string recorded_at_;
+  std::string stored_at_;
   std::optional<SweepMembership> sweep_;
   Turns* turns_ = nullptr;
 
@@ -97,7 +97,7 @@ struct Recorder::Impl {
 void Recorder::Impl::start(const lab::RecordHeader& header) {
   if (started()) throw lab::WorkFailed(path_ + ": a recorder records one test");
   header_ = header;
-  recorded_at_ = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  stored_at_ = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   filling_.scans.reserve(kRowsAtMost);
   storing_.scans.reserve(kRowsAtMost);
   writer_ = std::thread([this] { write_batches(); });
@@ -159,8 +159,7 @@ void Recorder::Impl::store_batch(Ending ending) {
     open_database();
     // IMMEDIATE: a second writer waits here instead of failing in the middle.
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-    const std::int64_t id =
-        test_id_ != 0 ? test_id_ : insert_test(*database_, header_, recorded_at_);
+    const std::int64_t id = test_id_ != 0 ? test_id_ : insert_test(*database_, header_, stored_at_);
     if (test_id_ == 0 && sweep_) insert_sweep(*database_, id, *sweep_);
     if (!scans_) scans_.emplace(*database_, id);
     store_rows();

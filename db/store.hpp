@@ -34,7 +34,7 @@ struct SweepMembership {
 struct StoredTest {
   std::int64_t id = 0;
   TestStatus status = TestStatus::running;
-  std::string recorded_at;  ///< ISO 8601, UTC
+  std::string stored_at;  ///< when it was imported or simulated, ISO 8601, UTC
   lab::RecordHeader header;
   lab::TestSummary summary;
   std::vector<lab::Event> events;

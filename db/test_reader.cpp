@@ -83,8 +83,8 @@ void read_stages(SQLite::Database& database, std::int64_t id, std::vector<lab::S
 void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) {
   lab::RecordHeader& h = test.header;
   for_rows(database, id,
-           "SELECT id, name, origin, programme, source, dialect, seed, status, recorded_at, "
-           "has_time, columns, readings FROM tests WHERE id = ?",
+           "SELECT id, name, origin, programme, source, dialect, seed, status, stored_at, "
+           "has_time, columns, readings, membrane_correction FROM tests WHERE id = ?",
            [&](Columns& c) {
              test.id = c.integer().value_or(0);
              h.name = c.text();
@@ -94,10 +94,26 @@ void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) 
              h.dialect = c.text();
              if (const auto seed = c.integer()) h.seed = static_cast<std::uint64_t>(*seed);
              test.status = status_of(c.text());
-             test.recorded_at = c.text();
+             test.stored_at = c.text();
              h.has_time = c.truth().value_or(true);
              h.columns = quantities_in(c.text());
              test.summary.readings = c.integer().value_or(0);
+             test.summary.membrane_correction = c.text();
+           });
+  for_rows(database, id, "SELECT label, text FROM record_notes WHERE test_id = ? ORDER BY id",
+           [&](Columns& c) {
+             lab::Note& note = h.notes.emplace_back();
+             note.label = c.text();
+             note.text = c.text();
+           });
+  for_rows(database, id,
+           "SELECT what, taken, evidence, remedy FROM guesses WHERE test_id = ? ORDER BY id",
+           [&](Columns& c) {
+             lab::Guess& guess = h.guesses.emplace_back();
+             guess.what = c.text();
+             guess.taken = c.text();
+             guess.evidence = c.text();
+             guess.remedy = c.text();
            });
   read_specimen(database, id, h.specimen);
   read_stages(database, id, h.stages);

@@ -65,6 +65,27 @@ void insert_warnings(SQLite::Database& database, std::int64_t id, std::string_vi
         .run();
 }
 
+void insert_notes(SQLite::Database& database, std::int64_t id,
+                  const std::vector<lab::Note>& notes) {
+  Statement insert(database, "INSERT INTO record_notes (test_id, label, text) VALUES (?,?,?)");
+  for (const lab::Note& note : notes)
+    Binder(insert).integer(id).text_or_null(note.label).text(note.text).run();
+}
+
+void insert_guesses(SQLite::Database& database, std::int64_t id,
+                    const std::vector<lab::Guess>& guesses) {
+  Statement insert(
+      database, "INSERT INTO guesses (test_id, what, taken, evidence, remedy) VALUES (?,?,?,?,?)");
+  for (const lab::Guess& guess : guesses)
+    Binder(insert)
+        .integer(id)
+        .text(guess.what)
+        .text(guess.taken)
+        .text(guess.evidence)
+        .text(guess.remedy)
+        .run();
+}
+
 void insert_consolidation(SQLite::Database& database, std::int64_t id,
                           const lab::Consolidation& c) {
   Statement insert(database, "INSERT INTO consolidations VALUES (?,?,?,?,?,?)");
@@ -182,11 +203,11 @@ void insert_checks(SQLite::Database& database, std::int64_t id,
 }  // namespace
 
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
-                         const std::string& recorded_at) {
+                         const std::string& stored_at) {
   const WriterIdentity writer = this_process();
   Statement insert(database,
                    "INSERT INTO tests (name, origin, programme, source, dialect, seed, status, "
-                   "recorded_at, has_time, columns, writer_pid, writer_started, writer_host) "
+                   "stored_at, has_time, columns, writer_pid, writer_started, writer_host) "
                    "VALUES (?,?,?,?,?,?,'running',?,?,?,?,?,?)");
   Binder(insert)
       .text(header.name)
@@ -195,7 +216,7 @@ std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& he
       .text_or_null(header.source)
       .text_or_null(header.dialect)
       .integer(header.seed ? std::optional(static_cast<std::int64_t>(*header.seed)) : std::nullopt)
-      .text(recorded_at)
+      .text(stored_at)
       .integer(header.has_time)
       .text(column_list(header.columns))
       .integer(writer.pid)
@@ -205,6 +226,8 @@ std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& he
   const std::int64_t id = database.getLastInsertRowid();
   insert_specimen(database, id, header.specimen);
   insert_stages(database, id, header.stages);
+  insert_notes(database, id, header.notes);
+  insert_guesses(database, id, header.guesses);
   insert_warnings(database, id, "at_start", header.warnings);
   return id;
 }
@@ -239,8 +262,14 @@ void insert_summary(SQLite::Database& database, std::int64_t test_id,
   insert_truth(database, test_id, summary.truth);
   insert_checks(database, test_id, summary.checks);
   insert_warnings(database, test_id, "at_end", summary.warnings);
-  Statement complete(database, "UPDATE tests SET status = 'complete', readings = ? WHERE id = ?");
-  Binder(complete).integer(summary.readings).integer(test_id).run();
+  Statement complete(
+      database,
+      "UPDATE tests SET status = 'complete', readings = ?, membrane_correction = ? WHERE id = ?");
+  Binder(complete)
+      .integer(summary.readings)
+      .text_or_null(summary.membrane_correction)
+      .integer(test_id)
+      .run();
 }
 
 void mark_interrupted(SQLite::Database& database, std::int64_t test_id) {

@@ -15,7 +15,7 @@ namespace triax::db {
 /// Test, specimen, stages and warnings; the test is running, its writer is this process.
 /// Returns the id of the test.
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
-                         const std::string& recorded_at);
+                         const std::string& stored_at);
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep);
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event);
 /// All that a summary holds, and `complete`.

@@ -90,3 +90,25 @@ FROM sweep_members m
 JOIN tests t ON t.id = m.test_id
 LEFT JOIN collapses c ON c.test_id = m.test_id
 LEFT JOIN truths u ON u.test_id = m.test_id;
+
+-- Of the import, or of the simulation; when the soil was tested only the record can say.
+ALTER TABLE tests RENAME COLUMN recorded_at TO stored_at;
+ALTER TABLE tests ADD COLUMN membrane_correction TEXT; -- 'none', 'astm', 'iso'; NULL: reduced elsewhere, or not known
+
+CREATE TABLE record_notes ( -- all of what the preamble of a file says
+  id INTEGER PRIMARY KEY,
+  test_id INTEGER NOT NULL REFERENCES tests (id) ON DELETE CASCADE,
+  label TEXT,
+  text TEXT NOT NULL
+) STRICT;
+CREATE INDEX record_notes_by_test ON record_notes (test_id);
+
+CREATE TABLE guesses ( -- what the record does not say and was taken
+  id INTEGER PRIMARY KEY,
+  test_id INTEGER NOT NULL REFERENCES tests (id) ON DELETE CASCADE,
+  what TEXT NOT NULL,
+  taken TEXT NOT NULL,
+  evidence TEXT NOT NULL,
+  remedy TEXT NOT NULL -- options that say it instead
+) STRICT;
+CREATE INDEX guesses_by_test ON guesses (test_id);

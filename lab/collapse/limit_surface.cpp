@@ -58,8 +58,10 @@ std::optional<double> LimitSurface::stress_ratio() const {
 
 std::string LimitSurface::source() const {
   if (given_angle_) return "friction angle of the specimen";
-  return largest_angle_ ? "largest stress ratio mobilised in this test; the limit itself is unknown"
-                        : "unknown";
+  return largest_angle_
+             ? "largest stress ratio mobilised in this test; the limit itself is unknown: "
+               "--set specimen.limit_friction_angle_deg=..."
+             : "unknown";
 }
 
 std::optional<bool> LimitSurface::inside(double eta, double onset_reading) const {

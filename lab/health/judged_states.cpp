@@ -135,6 +135,14 @@ bool JudgedStates::watch_drainage(Judged& entry, const StageInfo* stage) {
   return false;
 }
 
+/// False where the verdict has to end before this state.
+bool JudgedStates::is_plausible(Judged& entry) {
+  if (plausibility_.add(entry.state)) return true;
+  end_ = End{last_live_ ? last_live_->reading : -1, plausibility_.impossible()};
+  entry.live = false;
+  return false;
+}
+
 void JudgedStates::judge(Judged& entry) {
   const StageInfo* stage = header_.stage(entry.reading.stage);
   if (stage && stage->role == StageRole::b_check) wrong_in_b_check_ |= entry.wrong;
@@ -153,7 +161,7 @@ void JudgedStates::judge(Judged& entry) {
     died_ = entry.dead;
     return;
   }
-  if (!complete(entry.state)) return;
+  if (!complete(entry.state) || !is_plausible(entry)) return;
   if (left_out_ > kShortGap) {
     if (!may_go_on(entry.state)) {
       end_ = End{last_live_ ? last_live_->reading : -1, gap_reason_};
@@ -175,13 +183,18 @@ std::optional<JudgedStates::End> JudgedStates::end() const {
   return End{last_live_ ? last_live_->reading : -1, gap_reason_};
 }
 
+/// Why nothing of the verdict can stand; empty: it can.
+std::string JudgedStates::withheld() const {
+  return withheld_.empty() ? plausibility_.idle() : withheld_;
+}
+
 void JudgedStates::bound(Collapse& collapse) const {
-  if (!withheld_.empty()) {
+  if (const auto reason = withheld(); !reason.empty()) {
     collapse.kind = CollapseKind::none;
     collapse.judged = false;
     collapse.onset.reset();
     collapse.inside_limit_surface.reset();
-    collapse.judged_until_reason = withheld_;
+    collapse.judged_until_reason = reason;
     for (Criterion& c : collapse.criteria) c.detected.reset();
     return;
   }
@@ -197,11 +210,12 @@ void JudgedStates::bound(Collapse& collapse) const {
 
 std::vector<Warning> JudgedStates::warnings() const {
   std::vector<Warning> all = health_.warnings();
+  for (auto& warning : plausibility_.warnings()) all.push_back(std::move(warning));
   if (!doubt_of_what_was_said_.empty())
     all.push_back({0, "the drainage was said to be closed and is judged so, although " +
                           doubt_of_what_was_said_});
-  if (!withheld_.empty()) {
-    all.push_back({0, "no verdict: " + withheld_});
+  if (const auto reason = withheld(); !reason.empty()) {
+    all.push_back({0, "no verdict: " + reason});
   } else if (const auto end = this->end()) {
     all.push_back({0, end->last >= 0
                           ? fmt::format("no verdict after reading {}: {}", end->last, end->reason)

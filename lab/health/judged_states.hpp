@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab/health/closed_drainage.hpp"
+#include "lab/health/plausibility.hpp"
 #include "lab/health/record_health.hpp"
 #include "lab/results/state.hpp"
 
@@ -68,8 +69,10 @@ class JudgedStates {
   bool spoils(const SensorFinding& finding, int stage) const;
   void mark(const RecordHealth::Wrong& wrong);
   void note_volume_gauge(const Reading& reading);
+  bool is_plausible(Judged& entry);
   bool watch_drainage(Judged& entry, const StageInfo* stage);
   void judge(Judged& entry);
+  std::string withheld() const;
   bool may_go_on(const State& state) const;
   std::optional<End> end() const;
 
@@ -82,6 +85,7 @@ class JudgedStates {
   std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged
   std::int64_t judged_first_ = -1;  ///< and of the first
   ClosedDrainage drainage_;
+  Plausibility plausibility_;
   bool ends_at_mark_ = false;
   std::optional<int> stage_;  ///< of the last reading
   bool gauge_rests_ = false;  ///< no volume is logged in this stage, where the drainage is shut

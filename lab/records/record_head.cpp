@@ -62,6 +62,23 @@ void take_label(RecordHeader& header, const TableLayout& layout, std::size_t lin
   }
 }
 
+/// All cells of a line of the preamble: the first is its label where others follow.
+void keep_line(RecordHeader& header, const std::vector<std::string_view>& cells) {
+  constexpr std::size_t kLongest = 500;
+  std::vector<std::string> texts;
+  for (const auto cell : cells)
+    if (!trimmed(cell).empty()) texts.push_back(without_colon(cell).substr(0, kLongest));
+  if (texts.empty()) return;
+  Note note;
+  if (const auto colon = texts[0].find(": "); texts.size() == 1 && colon != std::string::npos)
+    note = {texts[0].substr(0, colon), std::string(trimmed(texts[0].substr(colon + 2)))};
+  else if (texts.size() == 1)
+    note.text = texts[0];
+  else
+    note = {texts[0], joined({texts.begin() + 1, texts.end()}, ", ")};
+  header.notes.push_back(std::move(note));
+}
+
 }  // namespace
 
 void describe_record(RecordHeader& header, const TableLayout& layout, Findings& findings) {
@@ -74,6 +91,7 @@ void describe_record(RecordHeader& header, const TableLayout& layout, Findings& 
   std::vector<std::string_view> cells;
   for (std::size_t line = 0; line < layout.head.size(); ++line) {
     split_cells(layout.head[line], layout.heading_separator, cells);
+    if (!layout.dialect.comment_is_toml) keep_line(header, cells);
     for (std::size_t cell = 0; cell + 1 < cells.size(); ++cell)
       for (const DialectKey& key : layout.dialect.keys)
         take_label(header, layout, line, cells, cell, key, findings);
@@ -101,6 +119,11 @@ std::string toml_preamble(const TableLayout& layout) {
   return any ? toml : std::string();
 }
 
+bool names_drainage(std::string_view programme) {
+  const auto name = folded(programme);
+  return name.ends_with('u') || name.ends_with('d');
+}
+
 StageInfo single_stage(const TableLayout& layout, std::string_view programme) {
   StageInfo stage = layout.dialect.stage;
   stage.number = 1;
@@ -110,7 +133,7 @@ StageInfo single_stage(const TableLayout& layout, std::string_view programme) {
   const auto has = [&](Quantity q) { return std::ranges::find(columns, q) != columns.end(); };
   const bool has_pore_pressure =
       has(Quantity::pore_pressure) || has(Quantity::excess_pore_pressure);
-  const bool named = name.ends_with('u') || name.ends_with('d');
+  const bool named = names_drainage(programme);
   if (!named && has(Quantity::back_volume)) return stage;
   const bool drained = named ? name.ends_with('d') : has(Quantity::volumetric_strain);
   if (named || drained || has_pore_pressure)

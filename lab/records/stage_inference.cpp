@@ -41,6 +41,28 @@ StageRole role_without_shear(const StageSummary& stage, const Thresholds& least,
   return StageRole::unknown;
 }
 
+/// What one stage alone does not tell: what came before it, and what comes after.
+void look_around(std::vector<StageInfo>& stages, const std::vector<const StageSummary*>& moved,
+                 const Thresholds& least) {
+  const auto checked = std::find_if(stages.rbegin(), stages.rend(), [](const StageInfo& stage) {
+    return stage.role == StageRole::b_check;
+  });
+  if (checked != stages.rend())
+    for (auto stage = checked.base(); stage != stages.end(); ++stage)
+      if (stage->role == StageRole::saturation && stage->drainage == Drainage::open)
+        stage->role = StageRole::consolidation;
+  bool sheared_later = false;
+  for (std::size_t i = stages.size(); i-- > 0;) {
+    StageInfo& stage = stages[i];
+    if (stage.role != StageRole::shear) continue;
+    const bool confined_more = (*moved[i])[cell_pressure].change() > least.pressure;
+    if (sheared_later && confined_more && stage.drainage == Drainage::open)
+      stage.role = StageRole::consolidation;
+    else
+      sheared_later = true;
+  }
+}
+
 }  // namespace
 
 void LineFit::add(double x, double y) {
@@ -101,6 +123,7 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
                                     const SpecimenInfo& specimen) {
   const Thresholds least(specimen);
   std::vector<StageInfo> stages;
+  std::vector<const StageSummary*> moved;
   std::set<int> known;
   for (const StageSummary& summary : summaries) {
     if (!known.insert(summary.number).second) continue;
@@ -122,7 +145,9 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
       stage.role = role_without_shear(summary, least, stage.drainage);
     }
     stages.push_back(stage);
+    moved.push_back(&summary);
   }
+  look_around(stages, moved, least);
   return stages;
 }
 

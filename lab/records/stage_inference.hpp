@@ -54,7 +54,9 @@ std::vector<StageSummary> summarise_stages(
 ///   b_check        σ_c moves by more than 5 kPa, V_b stands still, Δu/Δσ_c >= 0.5
 ///   saturation     σ_c rises and u or u_b with it (σ_c − u changes by less than half of that), or
 ///                  a closed stage whose u hardly answers: still filling
-///   consolidation  V_b moves, none of the above
+///   consolidation  V_b moves, none of the above; or saturation after the last B check; or
+///                  shear with V_b moving while σ_c rises, where a later stage is sheared:
+///                  anisotropic and K0 consolidation
 /// Closed where V_b stands still (range below 1e-4 of the specimen's volume; 20 mm³ if unknown).
 std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
                                     const SpecimenInfo& specimen);

@@ -15,7 +15,11 @@ namespace triax::lab {
 
 struct Reduction::Impl {
   Impl(const RecordHeader& h, const ReductionOptions& options)
-      : header(h), raw(h.is_raw()), from_raw(h, options), from_columns(h) {
+      : header(h),
+        membrane(options.membrane),
+        raw(h.is_raw()),
+        from_raw(h, options),
+        from_columns(h) {
     if (!raw && options.membrane != MembraneCorrection::none)
       throw BadInput(h.source, 0,
                      "the record holds reduced stresses, no raw channels: whoever reduced it chose "
@@ -23,6 +27,7 @@ struct Reduction::Impl {
   }
 
   const RecordHeader header;
+  const MembraneCorrection membrane;
   const bool raw;
   RawReduction from_raw;
   ReducedColumns from_columns;
@@ -72,6 +77,19 @@ State Reduction::reduce(const Reading& reading) {
     r.closure.add(reading, state, !stage || stage->role == StageRole::shear);
   }
   return state;
+}
+
+std::string Reduction::membrane_correction() const {
+  if (!impl_->raw) return {};
+  switch (impl_->membrane) {
+    case MembraneCorrection::none:
+      return "none";
+    case MembraneCorrection::astm:
+      return "astm";
+    case MembraneCorrection::iso:
+      return "iso";
+  }
+  return {};
 }
 
 Consolidation Reduction::consolidation() const {

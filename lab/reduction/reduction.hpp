@@ -41,6 +41,8 @@ class Reduction {
   /// units must be wrong. In a simulation it is a sensor that broke, and the state is unknown.
   State reduce(const Reading& reading);
 
+  /// "none", "astm" or "iso"; empty where whoever reduced the record chose it.
+  std::string membrane_correction() const;
   /// Dimensions, void ratio, p'0 and B, as far as the readings so far tell.
   Consolidation consolidation() const;
   /// B value; closure of the columns that the file itself had computed. What the record's reader

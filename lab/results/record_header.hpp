@@ -86,6 +86,20 @@ struct Truth {
   std::vector<RunAwayTruth> run_aways;
 };
 
+/// What the record does not say and was taken, with what speaks for it.
+struct Guess {
+  std::string what;      ///< "stage 5"
+  std::string taken;     ///< "shear, drainage closed"
+  std::string evidence;  ///< one sentence with numbers and units
+  std::string remedy;    ///< how to say it instead: "--set stages.5.drainage=open"
+};
+
+/// A line of a record's preamble, as it stands there.
+struct Note {
+  std::string label;  ///< "Borehole"; empty for a remark
+  std::string text;
+};
+
 struct Warning {
   std::int64_t line = 0;  ///< 0 where no line of a file is meant
   std::string text;
@@ -105,6 +119,8 @@ struct RecordHeader {
   std::vector<StageInfo> stages;  ///< may be empty: everything is then one stage of unknown role
   std::vector<Quantity> columns;  ///< what the readings hold
   bool has_time = true;
+  std::vector<Note> notes;  ///< all of what the preamble of the file says
+  std::vector<Guess> guesses;
   std::vector<Warning> warnings;
   /// The counter of the back volume was set to zero between stages, and its parts were joined.
   /// Like the warnings known as far as readings have been drawn.

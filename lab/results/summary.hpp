@@ -150,6 +150,8 @@ struct TestSummary {
   Collapse collapse;
   std::optional<Truth> truth;
   std::vector<Check> checks;
+  /// "none", "astm" or "iso" (lab/reduction); empty where the record was reduced before.
+  std::string membrane_correction;
   std::vector<Warning> warnings;
   std::int64_t readings = 0;
 };

@@ -15,6 +15,7 @@
 #include "lab/records/counter_join.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/record_head.hpp"
+#include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
 #include "lab/records/table_reader.hpp"
@@ -64,6 +65,7 @@ struct RecordedRig::Impl {
   void read_document(const std::string& metadata_file, const std::string& metadata);
   void apply_sets(const RecordOptions& options, bool stages);
   void settle_stages();
+  void settle_drainage(StageInfo& only);
   std::vector<StageSummary> stages_of_rows();
   void check_stages_to_set(const RecordOptions& options);
   std::set<int> stages_in_rows();
@@ -116,26 +118,51 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
                      "it cannot be set");
     if (key.starts_with("stages.") != stages) continue;
     set_metadata(header, where, key, value);
-    if (key.ends_with(".drainage"))
-      std::ranges::find(header.stages, *stage_in(key), &StageInfo::number)->drainage_was_said =
-          true;
+    if (!key.ends_with(".drainage")) continue;
+    const int number = *stage_in(key);
+    std::ranges::find(header.stages, number, &StageInfo::number)->drainage_was_said = true;
+    std::erase_if(header.guesses, [&](const Guess& guess) {
+      return guess.what == "drainage" || guess.what == fmt::format("stage {}", number);
+    });
   }
 }
 
 void RecordedRig::Impl::settle_stages() {
   if (!header.stages.empty()) return;
   if (!layout.has(ColumnRole::stage)) {
-    StageInfo& only = header.stages.emplace_back(single_stage(layout, header.programme));
-    const bool told_by_rows =
-        only.drainage == Drainage::unknown && layout.dialect.drainage_from_columns &&
-        std::ranges::find(header.columns, Quantity::back_volume) != header.columns.end();
-    if (told_by_rows) only.drainage = infer_stages(stages_of_rows(), header.specimen)[0].drainage;
+    header.stages.push_back(single_stage(layout, header.programme));
+    if (layout.dialect.drainage_from_columns && !names_drainage(header.programme))
+      settle_drainage(header.stages.front());
     return;
   }
   // The file numbers its stages but does not say what they are: look at all of it once.
   const auto summaries = stages_of_rows();
   header.stages = infer_stages(summaries, header.specimen);
+  for (const StageInfo& stage : header.stages)
+    header.guesses.push_back(
+        stage_guess(*std::ranges::find(summaries, stage.number, &StageSummary::number), stage));
   look_for_typed_height(summaries);
+}
+
+/// The only stage of a record that does not say whether it was drained: its columns may.
+void RecordedRig::Impl::settle_drainage(StageInfo& only) {
+  if (only.drainage == Drainage::unknown && header.has(Quantity::back_volume)) {
+    const auto summaries = stages_of_rows();
+    only.drainage = infer_stages(summaries, header.specimen)[0].drainage;
+    header.guesses.push_back(stage_guess(summaries.front(), only));
+    return;
+  }
+  if (only.drainage == Drainage::unknown) return;
+  if (!header.has(Quantity::volumetric_strain)) {
+    header.guesses.push_back(drainage_guess(only, "it has a pore pressure and no volume"));
+    return;
+  }
+  const auto summaries = stages_of_rows();
+  const double range = summaries.front()[Quantity::volumetric_strain].range();
+  constexpr double kStands = 1e-4;
+  only.drainage = range > kStands ? Drainage::open : Drainage::closed;
+  header.guesses.push_back(
+      drainage_guess(only, fmt::format("its volumetric strain changes by {:.3g} %", range * 100)));
 }
 
 std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() {

@@ -200,6 +200,7 @@ void SessionRun::summarise() {
   summary_.peak = monitor_.peak();
   summary_.consolidation = reduction_.consolidation();
   summary_.truth = back_end_.truth();
+  summary_.membrane_correction = reduction_.membrane_correction();
   summary_.checks = reduction_.checks(back_end_.header().back_volume_joined);
   const auto& onset = collapse.onset;
   const auto crossed = cross_checks_.checks(onset ? std::optional(onset->reading) : std::nullopt);

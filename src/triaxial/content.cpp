@@ -142,7 +142,7 @@ std::string verdict_line(const db::StoredTest& test) {
 
 std::string limit_line(const db::StoredTest& test) {
   const lab::Collapse& collapse = test.summary.collapse;
-  if (!collapse.limit_stress_ratio) return kUnknown;
+  if (!collapse.limit_stress_ratio) return "unknown; --set specimen.limit_friction_angle_deg=...";
   auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
   const bool of_the_law = test.header.origin == Origin::simulated &&
                           test.header.specimen.limit_friction_angle_rad.has_value();
@@ -176,6 +176,33 @@ std::string axis_line(const db::StoredTest& test) {
   const auto count = fmt::format("{} readings", test.summary.readings);
   return test.header.has_time ? count + ", rates along time"
                               : count + ", no time in the record: rates along the axial strain";
+}
+
+std::vector<std::string> note_lines(const std::vector<lab::Note>& notes) {
+  std::string line;
+  for (const auto& note : notes) {
+    if (!line.empty()) line += "; ";
+    line += note.label.empty() ? note.text : note.label + ": " + note.text;
+  }
+  return line.empty() ? std::vector<std::string>{} : std::vector<std::string>{line};
+}
+
+std::vector<std::string> guess_lines(const std::vector<lab::Guess>& guesses) {
+  std::vector<std::string> lines;
+  for (const auto& guess : guesses)
+    lines.push_back(fmt::format("{} taken as {}: {}; else {}", guess.what, guess.taken,
+                                guess.evidence, guess.remedy));
+  return lines;
+}
+
+std::string membrane_line(const db::StoredTest& test) {
+  const auto& applied = test.summary.membrane_correction;
+  const auto& specimen = test.header.specimen;
+  if (applied.empty()) return "not known: the record was reduced before";
+  if (applied == "none") return "none";
+  return fmt::format("{}, thickness {} mm, modulus {} kPa",
+                     applied == "astm" ? "ASTM D4767" : "ISO 17892-9",
+                     in_mm(specimen.membrane_thickness_m), in_kPa(specimen.membrane_modulus_pa, 0));
 }
 
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
@@ -287,6 +314,12 @@ TestContent test_content(const study::TestResult& reported) {
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
   facts.push_back({"Start of shear", {shear_start_line(test)}});
   add_collapse(facts, test);
+  if (test.header.origin == Origin::recorded)
+    facts.push_back({"Membrane correction", {membrane_line(test)}});
+  if (auto list = note_lines(test.header.notes); !list.empty())
+    facts.push_back({"From the file", std::move(list)});
+  if (auto list = guess_lines(test.header.guesses); !list.empty())
+    facts.push_back({"Guessed", std::move(list)});
   if (auto list = study::warnings(test); !list.empty())
     facts.push_back({"Warnings", std::move(list)});
   content.criteria = criteria_table(test);

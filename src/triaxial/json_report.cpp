@@ -50,7 +50,7 @@ Json test_json(const db::StoredTest& test) {
           {"dialect", study::json_text(header.dialect)},
           {"seed", maybe(header.seed)},
           {"status", db::to_string(test.status)},
-          {"recorded_at", study::json_text(test.recorded_at)},
+          {"stored_at", study::json_text(test.stored_at)},
           {"readings", test.summary.readings},
           {"axis", header.has_time ? "time" : "axial_strain"},
           {"sweep", sweep_json(test.sweep)}};
@@ -180,6 +180,24 @@ Json checks_json(const std::vector<lab::Check>& checks) {
   return list;
 }
 
+Json notes_json(const std::vector<lab::Note>& notes) {
+  Json list = Json::array();
+  for (const auto& note : notes)
+    list.push_back(
+        {{"label", study::json_text(note.label)}, {"text", study::json_text(note.text)}});
+  return list;
+}
+
+Json guesses_json(const std::vector<lab::Guess>& guesses) {
+  Json list = Json::array();
+  for (const auto& guess : guesses)
+    list.push_back({{"what", study::json_text(guess.what)},
+                    {"taken", study::json_text(guess.taken)},
+                    {"evidence", study::json_text(guess.evidence)},
+                    {"remedy", study::json_text(guess.remedy)}});
+  return list;
+}
+
 Json report_json(const db::StoredTest& test) {
   Json peak;
   put_instant(peak, test.summary.peak);
@@ -188,6 +206,9 @@ Json report_json(const db::StoredTest& test) {
           {"consolidation", consolidation_json(test)},
           {"peak", std::move(peak)},
           {"collapse", collapse_json(test)},
+          {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
+          {"notes", notes_json(test.header.notes)},
+          {"guesses", guesses_json(test.header.guesses)},
           {"checks", checks_json(test.summary.checks)},
           {"warnings", study::warnings(test)}};
 }

@@ -111,7 +111,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   const db::Store store(folder.file("t.db"));
   const db::StoredTest test = store.load(id);
   CHECK(test.status == db::TestStatus::complete);
-  CHECK(test.recorded_at.size() == 20);
+  CHECK(test.stored_at.size() == 20);
   CHECK(test.header.name == "csu 26");
   CHECK(test.header.origin == lab::Origin::simulated);
   CHECK(test.header.seed == header.seed);

@@ -19,7 +19,7 @@ TEST_CASE("a test without summary reads as one of which nothing is known") {
   header.programme.clear();
   header.columns = {lab::Quantity::axial_strain, lab::Quantity::deviator_stress};
   const db::StoredTest test = db::read_test(database, db::insert_test(database, header, "now"));
-  CHECK(test.recorded_at == "now");
+  CHECK(test.stored_at == "now");
   CHECK(test.header.columns == header.columns);
   CHECK_FALSE(test.header.has_time);
   CHECK(test.header.programme.empty());

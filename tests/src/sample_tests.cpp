@@ -48,7 +48,7 @@ TestResult flow_test() {
   auto& stored = test.stored;
   stored.id = 3;
   stored.status = db::TestStatus::complete;
-  stored.recorded_at = "2026-01-02T03:04:05Z";
+  stored.stored_at = "2026-01-02T03:04:05Z";
   stored.header.name = "L<oose> 1";
   stored.header.programme = "ICU";
   stored.header.source = "records/loose 1.csv";

@@ -66,6 +66,30 @@ TEST_CASE("each stage is told by what moved in it") {
   CHECK(stages[6].role == StageRole::unknown);
 }
 
+TEST_CASE("after the last B check nothing saturates: cell and back pressure are raised together") {
+  const Ends raised{{300, 400}, {200, 290}, {5000, 4000}, {0, 0}, {0, 0}};
+  const Ends check{{300, 350}, {200, 245}, {5000, 5000}, {0, 0}, {0, 0}};
+  const auto before = infer_stages({stage(1, raised), stage(2, check)}, specimen());
+  CHECK(before[0].role == StageRole::saturation);
+  const auto after = infer_stages({stage(1, check), stage(2, raised)}, specimen());
+  CHECK(after[1].role == StageRole::consolidation);
+  const auto again = infer_stages({stage(1, check), stage(2, raised), stage(3, check)}, specimen());
+  CHECK(again[1].role == StageRole::saturation);
+}
+
+TEST_CASE(
+    "an axis that is loaded while the cell pressure rises consolidates, if shear comes later") {
+  const Ends anisotropic{{300, 400}, {200, 200}, {5000, 3000}, {0, 2}, {0, 0.15}};
+  const Ends shear{{400, 400}, {200, 250}, {3000, 3000}, {2, 20}, {0.15, 0.3}};
+  const auto stages = infer_stages({stage(1, anisotropic), stage(2, shear)}, specimen());
+  CHECK(stages[0].role == StageRole::consolidation);
+  CHECK(stages[1].role == StageRole::shear);
+  // By itself it is a stress path, and so it is at constant cell pressure (q of a CSD or CSU test).
+  CHECK(infer_stages({stage(1, anisotropic)}, specimen())[0].role == StageRole::shear);
+  const Ends drained{{400, 400}, {200, 200}, {5000, 3000}, {0, 2}, {0, 0.15}};
+  CHECK(infer_stages({stage(1, drained), stage(2, shear)}, specimen())[0].role == StageRole::shear);
+}
+
 TEST_CASE("a typed-in start height is found from the file's own strain") {
   const Ends shear{{350, 350}, {300, 330}, {0, 0}, {3, 27}, {0, 0.18}};
   const auto typed = typed_height(stage(5, shear, 0.0978), 0.09703);

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/health/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/mechanics/axisymmetric.hpp"
+#include "sim/mechanics/units.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr double kSteep = 60;  // degrees
+
+double least_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 * s.q / 3); }
+
+}  // namespace
+
+std::string Plausibility::impossible_in(const State& s) const {
+  const double p0 = first_->p_eff;
+  if (!(p0 >= kLeastStress && p0 <= kMostStress))
+    return fmt::format(
+        "p' is {:.4g} kPa where shear begins, which no triaxial test is made at: a pressure is in "
+        "another unit than its column says, or u was taken off twice",
+        p0 / 1e3);
+  const double eta = s.q / s.p_eff;
+  if (s.p_eff > kWorth * p0 && (eta > 3 || eta < -1.5))
+    return fmt::format(
+        "q/p' is {:.2f} at reading {}, beyond any friction angle: force, area or a pressure is in "
+        "another unit, or a sensor was not set to zero",
+        eta, s.reading);
+  return {};
+}
+
+bool Plausibility::add(const State& s) {
+  if (!first_) first_ = s;
+  if (auto reason = impossible_in(s); !reason.empty()) {
+    if (impossible_.empty()) impossible_ = std::move(reason);
+    return false;
+  }
+  largest_q_ = std::max(largest_q_, std::fabs(s.q));
+  largest_strain_ = std::max(largest_strain_, std::fabs(s.strain.axial - first_->strain.axial));
+  if (!(s.p_eff > kWorth * first_->p_eff)) return true;
+  if (!tension_ && least_stress(s) < 0) tension_ = s;
+  if (!steep_ && sim::mobilised_friction_angle(s.q / s.p_eff) > sim::radians(kSteep)) steep_ = s;
+  return true;
+}
+
+std::string Plausibility::idle() const {
+  constexpr double kStrain = 0.01, kShare = 0.01;
+  if (!first_ || largest_strain_ < kStrain || largest_q_ > kShare * first_->p_eff) return {};
+  return fmt::format(
+      "q stayed within {:.2g} kPa over {:.1f} % of axial strain, less than 1 % of p': the force is "
+      "in another unit than its column says, or was not recorded",
+      largest_q_ / 1e3, largest_strain_ * 100);
+}
+
+std::vector<Warning> Plausibility::warnings() const {
+  std::vector<Warning> all;
+  if (!first_) return all;
+  const double p0 = first_->p_eff;
+  if (first_->q < -std::max(5e3, 0.02 * p0))
+    all.push_back({0, fmt::format("q is {:.1f} kPa where shear begins: extension, or the load cell "
+                                  "was not set to zero",
+                                  first_->q / 1e3)});
+  if (tension_)
+    all.push_back(
+        {0, fmt::format("the smaller effective stress is below zero at reading {} ({:.1f} "
+                        "kPa): no sand carries tension; a zero or a unit is wrong",
+                        tension_->reading, least_stress(*tension_) / 1e3)});
+  if (steep_)
+    all.push_back(
+        {0, fmt::format("the mobilised friction angle passes {:.0f} degrees at reading {} "
+                        "(q/p' {:.2f}): a zero or a unit is wrong",
+                        kSteep, steep_->reading, steep_->q / steep_->p_eff)});
+  return all;
+}
+
+}  // namespace triax::lab

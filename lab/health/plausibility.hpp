@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What no specimen can do: the unit, a zero or a dimension is wrong, and nothing is judged on it.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/results/record_header.hpp"
+#include "lab/results/state.hpp"
+
+namespace triax::lab {
+
+/// Looks at the states of shear, in constant memory.
+///   impossible   q/p' above 3 or below −1.5, where σ₃' or σ₁' would be below zero, while p' is
+///                worth looking at (kWorth of that at the start); p'₀ outside 0.5 kPa to 60 MPa, of
+///                which tests are made: pressures in another unit
+///   idle         |q| within 1 % of p'₀ all through, over 1 % of axial strain and more: the force
+///                is in another unit, or was not recorded
+///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
+///                set to zero); σ₃' below zero; a mobilised friction angle above 60°
+class Plausibility {
+ public:
+  static constexpr double kWorth = 0.1;
+  static constexpr double kLeastStress = 500, kMostStress = 60e6;  ///< Pa
+
+  /// The next state of shear; false where no specimen can have been in it.
+  bool add(const State& state);
+  /// Why not; of the first one.
+  const std::string& impossible() const { return impossible_; }
+  /// Why nothing of what was seen can be judged; empty: it can.
+  std::string idle() const;
+  std::vector<Warning> warnings() const;
+
+ private:
+  std::string impossible_in(const State& state) const;
+
+  std::optional<State> first_;
+  double largest_q_ = 0, largest_strain_ = 0;
+  std::string impossible_;
+  std::optional<State> tension_, steep_;  ///< the first with σ₃' below zero, and above 60°
+};
+
+}  // namespace triax::lab

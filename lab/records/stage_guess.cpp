@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/records/stage_guess.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace triax::lab {
+namespace {
+
+std::string said_otherwise(const StageInfo& stage) {
+  return fmt::format("--set stages.{0}.drainage={1}", stage.number,
+                     stage.drainage == Drainage::closed ? "open" : "closed");
+}
+
+/// "the displacement by 4.2 mm": what changed from the first row to the last.
+std::string movements(const StageSummary& moved) {
+  struct Row {
+    Quantity quantity;
+    const char* name;
+    double scale;
+    const char* unit;
+  };
+  static constexpr auto kRows = std::to_array<Row>({
+      {Quantity::axial_displacement, "the displacement", 1e3, "mm"},
+      {Quantity::axial_force, "the force", 1e-3, "kN"},
+      {Quantity::cell_pressure, "the cell pressure", 1e-3, "kPa"},
+      {Quantity::pore_pressure, "the pore pressure", 1e-3, "kPa"},
+      {Quantity::back_pressure, "the back pressure", 1e-3, "kPa"},
+      {Quantity::back_volume, "the back volume", 1e9, "mm3"},
+  });
+  std::vector<std::string> parts;
+  for (const Row& row : kRows)
+    if (const double change = moved[row.quantity].change(); !std::isnan(change))
+      parts.push_back(fmt::format("{} by {:.4g} {}", row.name, change * row.scale, row.unit));
+  return parts.empty() ? "nothing that was read changed"
+                       : fmt::format("changed: {}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+Guess stage_guess(const StageSummary& moved, const StageInfo& inferred) {
+  std::string taken = inferred.role == StageRole::unknown ? "of unknown role"
+                                                          : std::string(to_string(inferred.role));
+  taken += fmt::format(", drainage {}", to_string(inferred.drainage));
+  if (inferred.control != AxialControl::unknown)
+    taken += fmt::format(", {} prescribed", to_string(inferred.control));
+  return {.what = fmt::format("stage {}", inferred.number),
+          .taken = std::move(taken),
+          .evidence = movements(moved),
+          .remedy = fmt::format("--set stages.{}.role=... and {}", inferred.number,
+                                said_otherwise(inferred))};
+}
+
+Guess drainage_guess(const StageInfo& inferred, const std::string& evidence) {
+  return {.what = "drainage",
+          .taken = std::string(to_string(inferred.drainage)),
+          .evidence = evidence,
+          .remedy = said_otherwise(inferred)};
+}
+
+}  // namespace triax::lab
