@@ -81,8 +81,7 @@ void store_reference_results(const std::string& db, const ReferenceFile& file,
   SQLite::Database database = open_for_writing(db);
   try {
     const std::string path = path_from_root(file.source);
-    const std::string now =
-        QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
     SQLite::Statement older(database, "DELETE FROM reference_results WHERE source_path = ?");
     older.bind(1, path);

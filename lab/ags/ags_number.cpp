@@ -54,9 +54,9 @@ sim::Unit AgsNumbers::unit_of(const std::string& heading, const std::string& giv
   const sim::Unit expected = *sim::find_unit(usual);
   if (given.empty()) {
     if (!usual.empty())
-      findings_.note("unit " + heading, reader_.line(),
-                     fmt::format("{} has no unit; taken in {}, as in the AGS4 dictionary", heading,
-                                 usual));
+      findings_.note(
+          "unit " + heading, reader_.line(),
+          fmt::format("{} has no unit; taken in {}, as in the AGS4 dictionary", heading, usual));
     return expected;
   }
   const auto unit = known_unit(given);
@@ -67,9 +67,9 @@ sim::Unit AgsNumbers::unit_of(const std::string& heading, const std::string& giv
                                excerpt(given), unit ? "which does not fit it" : "an unknown unit",
                                usual.empty() ? "no unit" : usual));
   if (unit->name == "kN/m3")
-    findings_.note("unit weight", reader_.line(),
-                   fmt::format("{} is a unit weight in kN/m3; divided by g = 9.80665 m/s2",
-                               heading));
+    findings_.note(
+        "unit weight", reader_.line(),
+        fmt::format("{} is a unit weight in kN/m3; divided by g = 9.80665 m/s2", heading));
   return *unit;
 }
 

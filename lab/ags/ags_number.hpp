@@ -24,8 +24,7 @@ class AgsNumbers {
   std::optional<double> si(std::string_view heading, std::string_view usual);
 
  private:
-  sim::Unit unit_of(const std::string& heading, const std::string& given,
-                    std::string_view usual);
+  sim::Unit unit_of(const std::string& heading, const std::string& given, std::string_view usual);
 
   const AgsReader& reader_;
   Findings& findings_;

@@ -101,8 +101,8 @@ void AgsReader::begin_group() {
   has_data_ = false;
   if (std::ranges::find(names_, group_.name) != names_.end()) return;
   if (names_.size() == kMostGroups)
-    fail(fmt::format("more than {} groups: this is no file of a ground investigation",
-                     kMostGroups));
+    fail(
+        fmt::format("more than {} groups: this is no file of a ground investigation", kMostGroups));
   names_.push_back(group_.name);
 }
 
@@ -113,7 +113,8 @@ void AgsReader::take_headings() {
   std::set<std::string_view> seen;
   for (const std::string& cell : cells_) {
     const std::string_view name = trimmed(cell);
-    if (name.empty()) fail("the HEADING row of group " + excerpt(group_.name) + " has a blank cell");
+    if (name.empty())
+      fail("the HEADING row of group " + excerpt(group_.name) + " has a blank cell");
     if (!seen.insert(name).second)
       fail("heading " + excerpt(name) + " is there twice in group " + excerpt(group_.name));
     group_.headings.push_back({.name = std::string(name), .unit = {}, .type = {}});

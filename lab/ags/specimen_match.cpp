@@ -17,8 +17,8 @@ bool fits(const std::optional<double>& a, const std::optional<double>& b) {
 bool fits(const ReferenceSpecimen& a, const ReferenceSpecimen& b) {
   return a.location == b.location && fits(a.sample_reference, b.sample_reference) &&
          fits(a.sample_type, b.sample_type) && fits(a.sample_id, b.sample_id) &&
-         fits(a.specimen_reference, b.specimen_reference) &&
-         fits(a.sample_top_m, b.sample_top_m) && fits(a.specimen_depth_m, b.specimen_depth_m);
+         fits(a.specimen_reference, b.specimen_reference) && fits(a.sample_top_m, b.sample_top_m) &&
+         fits(a.specimen_depth_m, b.specimen_depth_m);
 }
 
 }  // namespace

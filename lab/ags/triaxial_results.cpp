@@ -41,7 +41,8 @@ void read_delivery(AgsResults& all, const AgsReader& reader) {
   if (!triaxial.empty())
     what += "no row of data in " + joined(triaxial);
   else if (!cyclic.empty())
-    what += joined(cyclic) + " are of cyclic tests, which triax does not import; none of its groups "
+    what += joined(cyclic) +
+            " are of cyclic tests, which triax does not import; none of its groups "
             "is TREG, TRET, TRIG or TRIT";
   else if (reader.group_names().empty())
     what += "it has no group";

@@ -46,7 +46,8 @@ ReferenceColumn value(const char* heading, std::function<std::string(const Refer
 std::vector<ReferenceColumn> tests_columns() {
   return {{{"location", Align::left},
            [](const auto& r) { return text_or_unknown(r.specimen.location); }},
-          {{"sample", Align::left}, [](const auto& r) { return text_or_unknown(sample_of(r.specimen)); }},
+          {{"sample", Align::left},
+           [](const auto& r) { return text_or_unknown(sample_of(r.specimen)); }},
           {{"specimen", Align::left},
            [](const auto& r) { return text_or_unknown(specimen_of(r.specimen)); }},
           words("group", &ReferenceResult::group),
@@ -107,8 +108,7 @@ std::string titled(const char* title, const Table& table, std::size_t width) {
 
 }  // namespace
 
-std::string reference_text(const lab::AgsResults& file, const std::string& db,
-                           std::size_t width) {
+std::string reference_text(const lab::AgsResults& file, const std::string& db, std::size_t width) {
   std::string text;
   const auto say = [&](const std::string& line) {
     text += lab::joined(wrapped(on_one_line(line), width), "\n") + '\n';

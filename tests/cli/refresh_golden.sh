@@ -18,3 +18,8 @@ done
 "$triax" probe --path samples/paths/icu_100.toml --every 25 >"$golden/probe_path.txt"
 "$triax" domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200/7 --q-kPa -120:240/19 \
   >"$golden/domain_inl2.txt"
+scratch=$(mktemp -d)
+cp samples/records/results.ags "$scratch"
+program=$(realpath "$triax")
+(cd "$scratch" && "$program" replay results.ags) >"$golden/replay_ags4.txt"
+rm -r "$scratch"
