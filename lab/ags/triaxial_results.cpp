@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "lab/ags/ags_number.hpp"
 #include "lab/ags/ags_reader.hpp"
 #include "lab/ags/result_rows.hpp"
@@ -78,7 +80,7 @@ AgsResults read_triaxial_results(ByteSource& source) {
   Findings findings(all.warnings);
   AgsReader reader(source);
   AgsNumbers numbers(reader, findings);
-  GroupPair pairs[] = {{"TREG", "TRET", {}}, {"TRIG", "TRIT", {}}};
+  std::array<GroupPair, 2> pairs{{{"TREG", "TRET", {}}, {"TRIG", "TRIT", {}}}};
   std::size_t rows = 0;
   while (reader.next()) {
     read_delivery(all, reader);
