@@ -138,9 +138,9 @@ void RecordedRig::Impl::settle_stages() {
   // The file numbers its stages but does not say what they are: look at all of it once.
   const auto summaries = stages_of_rows();
   header.stages = infer_stages(summaries, header.specimen);
-  for (const StageInfo& stage : header.stages)
+  for (const StageInfo& info : header.stages)
     header.guesses.push_back(
-        stage_guess(*std::ranges::find(summaries, stage.number, &StageSummary::number), stage));
+        stage_guess(*std::ranges::find(summaries, info.number, &StageSummary::number), info));
   look_for_typed_height(summaries);
 }
 

@@ -14,6 +14,8 @@
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/progress_bar.hpp"
+#include "src/output/table.hpp"
+#include "src/output/terminal.hpp"
 #include "src/reference/reference_files.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_replayed.hpp"

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/verdicts/traits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace triax::bench {
+namespace {
+
+using lab::Quantity;
+
+void cut(SimulatedTest& test, std::size_t size) {
+  test.readings.resize(size);
+  test.states.resize(size);
+  if (test.lost && *test.lost >= size) test.lost.reset();
+}
+
+bool by_displacement(const SimulatedTest& test, std::size_t at) {
+  const lab::StageInfo* stage = test.header.stage(test.readings[at].stage);
+  return stage && stage->control == lab::AxialControl::displacement && !stage->strain_path_R;
+}
+
+bool as_recorded(SimulatedTest&, std::uint64_t) { return true; }
+
+/// The record stops before the specimen does: at 30 to 80 % of what there was of shear until then.
+bool ends_early(SimulatedTest& test, std::uint64_t seed) {
+  const std::size_t until = test.lost.value_or(test.readings.size());
+  const double share = 0.3 + 0.5 * chance(seed, 10);
+  const auto kept = static_cast<std::size_t>(share * static_cast<double>(until - test.shear));
+  if (kept < 10) return false;
+  cut(test, test.shear + kept);
+  return true;
+}
+
+/// The record stops some readings after the loss, with a tenth of q gone at least.
+bool ends_soon_after(SimulatedTest& test, std::uint64_t) {
+  if (!test.lost) return false;
+  const double q = std::fabs(test.states[*test.lost].q);
+  for (std::size_t i = *test.lost; i < test.states.size(); ++i)
+    if (std::fabs(test.states[i].q) < 0.8 * q) {
+      cut(test, std::min(i + 3, test.readings.size()));
+      return true;
+    }
+  return false;
+}
+
+/// Stands from reading `at` on for `count` readings, in which q falls by `share` a decade.
+void stand(SimulatedTest& test, std::size_t at, std::size_t count, double share) {
+  const auto where = static_cast<std::ptrdiff_t>(at);
+  const double step = test.readings[at].time_s - test.readings[at - 1].time_s;
+  std::vector<lab::Reading> rest(count, test.readings[at]);
+  std::vector<lab::State> states(count, test.states[at]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double fall = share * std::log10(2.0 + static_cast<double>(i));
+    const lab::Reading& noisy = test.readings[at - 1 - i % 5];  // noise as it was, about the level
+    const double jitter =
+        noisy[Quantity::axial_force] - test.readings[at - 1][Quantity::axial_force];
+    rest[i].time_s += step * static_cast<double>(i + 1);
+    rest[i][Quantity::axial_force] *= 1 - fall;
+    rest[i][Quantity::axial_force] += 0.02 * jitter;
+    states[i].time_s = rest[i].time_s;
+    const double lost_q = fall * states[i].q;
+    states[i].q -= lost_q;
+    states[i].p_eff -= lost_q / 3;
+    states[i].effective_stress.axial -= lost_q;
+  }
+  for (std::size_t i = at + 1; i < test.readings.size(); ++i) {
+    test.readings[i].time_s += step * static_cast<double>(count);
+    test.states[i].time_s = test.readings[i].time_s;
+  }
+  test.readings.insert(test.readings.begin() + where + 1, rest.begin(), rest.end());
+  test.states.insert(test.states.begin() + where + 1, states.begin(), states.end());
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    test.readings[i].number = test.states[i].reading = static_cast<std::int64_t>(i);
+  if (test.lost && *test.lost > at) *test.lost += count;
+}
+
+/// The drive stops where the test ends, and the logger goes on.
+bool relaxes_at_the_end(SimulatedTest& test, std::uint64_t seed) {
+  const std::size_t last = test.readings.size() - 1;
+  if (!by_displacement(test, last) || last < test.shear + 20) return false;
+  stand(test, last, static_cast<std::size_t>(20 + 300 * chance(seed, 20)),
+        0.02 + 0.03 * chance(seed, 21));
+  return true;
+}
+
+/// Three times the drive stands for a while.
+bool pauses(SimulatedTest& test, std::uint64_t seed) {
+  const std::size_t until = test.lost.value_or(test.readings.size() - 1);
+  if (until < test.shear + 80 || !by_displacement(test, until)) return false;
+  for (const double share : {0.75, 0.5, 0.25}) {
+    const auto at =
+        test.shear + static_cast<std::size_t>(share * static_cast<double>(until - test.shear));
+    if (!by_displacement(test, at)) continue;
+    stand(test, at, static_cast<std::size_t>(10 + 40 * chance(seed, 30)),
+          0.02 + 0.03 * chance(seed, 31));
+  }
+  return true;
+}
+
+/// The back-pressure controller holds its volume instead of its pressure, which follows u.
+bool holds_volume(SimulatedTest& test, std::uint64_t) {
+  bool any = false;
+  for (lab::Reading& reading : test.readings) {
+    const lab::StageInfo* stage = test.header.stage(reading.stage);
+    if (!stage || stage->role != lab::StageRole::shear || stage->drainage != lab::Drainage::closed)
+      continue;
+    reading[Quantity::back_pressure] = reading[Quantity::pore_pressure];
+    any = true;
+  }
+  return any;
+}
+
+void leave_out(SimulatedTest& test, Quantity quantity) {
+  std::erase(test.header.columns, quantity);
+  for (lab::Reading& reading : test.readings) reading[quantity] = lab::kMissing;
+}
+
+bool without_back_pressure(SimulatedTest& test, std::uint64_t) {
+  leave_out(test, Quantity::back_pressure);
+  return true;
+}
+
+bool load_cell_not_zeroed(SimulatedTest& test, std::uint64_t seed) {
+  const double area = 3.848e-3;  // 70 mm
+  const double offset = (chance(seed, 40) < 0.5 ? -1 : 1) * 5e3 * area;
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    test.readings[i][Quantity::axial_force] += offset;
+    test.states[i].q += offset / area;
+    test.states[i].p_eff += offset / area / 3;
+  }
+  return true;
+}
+
+bool coarse_steps(SimulatedTest& test, std::uint64_t) {
+  struct Step {
+    Quantity quantity;
+    double size;
+  };
+  for (const Step& step : {Step{Quantity::axial_displacement, 1e-5},
+                           {Quantity::axial_force, 1},
+                           {Quantity::cell_pressure, 1e3},
+                           {Quantity::back_pressure, 1e3},
+                           {Quantity::pore_pressure, 1e3},
+                           {Quantity::back_volume, 1e-8}})
+    for (lab::Reading& reading : test.readings)
+      reading[step.quantity] = std::round(reading[step.quantity] / step.size) * step.size;
+  return true;
+}
+
+/// 20 to 60 rows of shear, as somebody reads them off: spaced over the axial strain.
+bool few_rows(SimulatedTest& test, std::uint64_t seed) {
+  const std::size_t size = test.readings.size();
+  const auto rows = static_cast<std::size_t>(20 + 40 * chance(seed, 50));
+  if (size < test.shear + 4 * rows) return false;
+  SimulatedTest thin = test;
+  thin.readings.clear();
+  thin.states.clear();
+  const auto way = [&](std::size_t i) {
+    return std::fabs(test.states[i].strain.axial - test.states[i - 1].strain.axial);
+  };
+  double whole = 0, done = 0;
+  for (std::size_t i = test.shear + 1; i < size; ++i) whole += way(i);
+  std::optional<std::size_t> lost;
+  std::size_t kept = 0;
+  for (std::size_t i = test.shear; i < size; ++i) {
+    if (i > test.shear) done += way(i);
+    if (test.lost && i >= *test.lost && !lost) lost = thin.readings.size();
+    if (done < whole * static_cast<double>(kept) / static_cast<double>(rows)) continue;
+    while (done >= whole * static_cast<double>(kept) / static_cast<double>(rows)) ++kept;
+    thin.readings.push_back(test.readings[i]);
+    thin.states.push_back(test.states[i]);
+    thin.readings.back().number = thin.states.back().reading =
+        static_cast<std::int64_t>(thin.readings.size() - 1);
+  }
+  thin.shear = 0;
+  thin.lost = lost && *lost < thin.readings.size() ? lost : std::nullopt;
+  if (test.lost.has_value() != thin.lost.has_value()) return false;
+  test = std::move(thin);
+  return true;
+}
+
+constexpr auto kTraits = std::to_array<Trait>({
+    {"as recorded", as_recorded},
+    {"ends early", ends_early},
+    {"ends soon after the loss", ends_soon_after},
+    {"late end with relaxation", relaxes_at_the_end},
+    {"pauses", pauses},
+    {"volume-held controller", holds_volume},
+    {"no back pressure", without_back_pressure},
+    {"load cell not zeroed", load_cell_not_zeroed},
+    {"coarse resolution", coarse_steps},
+    {"20 to 60 rows", few_rows},
+});
+
+}  // namespace
+
+std::span<const Trait> traits() { return kTraits; }
+
+double chance(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t z = seed * 0x9E3779B97F4A7C15U + (number + 1) * 0xD1B54A32D192ED03U;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+}
+
+}  // namespace triax::bench
