@@ -73,6 +73,14 @@ const std::vector<NamedQuery>& named_queries() {
        "k.diameter_mm AS consolidated_diameter_mm "
        "FROM tests t LEFT JOIN specimens s ON s.test_id = t.id "
        "LEFT JOIN consolidations k ON k.test_id = t.id ORDER BY t.id"},
+      {"reference_results",
+       "results that laboratories reported without readings (AGS4), to compare tests with",
+       "SELECT source, group_name, location, sample_reference, sample_type, sample_id, "
+       "specimen_reference, specimen_depth_m, test_type, stage, consolidation_pressure_kPa, "
+       "cell_pressure_kPa, pore_pressure_kPa, q_kPa, p_eff_kPa, s_eff_kPa, t_kPa, "
+       "axial_strain_pct, undrained_strength_kPa, failure_mode, initial_water_content_pct, "
+       "bulk_density_Mg_m3, dry_density_Mg_m3, cohesion_kPa, friction_angle_deg, line "
+       "FROM reference_results ORDER BY source_path, id"},
       {"stages", "the stages of every test",
        "SELECT t.id AS test_id, t.name AS test, t.origin, s.number, s.name AS stage, s.role, "
        "s.drainage, s.control "

@@ -64,6 +64,13 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"°", angle, 0.017453292519943295},
     {"kg", mass, 1},
     {"g", mass, 1e-3},
+    {"Mg/m3", density, 1e3},
+    {"Mg/m³", density, 1e3},
+    {"Mg/m^3", density, 1e3},
+    {"t/m3", density, 1e3},
+    {"g/cm3", density, 1e3},
+    {"g/cc", density, 1e3},
+    {"kg/m3", density, 1},
 });
 
 std::ptrdiff_t decimal_length(double value) {

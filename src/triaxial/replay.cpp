@@ -16,8 +16,9 @@
 #include "src/output/progress_bar.hpp"
 #include "src/output/table.hpp"
 #include "src/output/terminal.hpp"
+#include "src/reference/reference_files.hpp"
 #include "src/study/triaxial/test_run.hpp"
-#include "src/triaxial/print_tests.hpp"
+#include "src/triaxial/print_replayed.hpp"
 #include "src/triaxial/shown_on.hpp"
 
 namespace triax::src {
@@ -63,12 +64,14 @@ struct Looked {
 };
 
 std::vector<Looked> look_at_all(const ReplayOptions& o, const lab::RecordOptions& options,
-                                const lab::ReductionOptions& reduction, BadRecords& bad) {
+                                const lab::ReductionOptions& reduction, ReferenceFiles& references,
+                                BadRecords& bad) {
   constexpr std::size_t kMostOpen = 100;
   std::vector<Looked> good;
   for (const auto& path : o.records) {
     try {
       if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
+      if (o.dialect.empty() && references.take(path)) continue;
       auto rig = lab::open_record(path, options);
       const lab::Reduction can_be_reduced(rig->header(), reduction);
       good.push_back({path, good.size() < kMostOpen ? std::move(rig) : nullptr});
@@ -86,7 +89,10 @@ void run_replay(const ReplayOptions& o) {
   refuse_overwriting("--db", o.db, o.records, "a record that is read");
   BadRecords bad(o.records.size());
   std::vector<std::int64_t> ids;
-  for (Looked& one : look_at_all(o, record, reduction, bad)) {
+  ReferenceFiles references;
+  std::vector<Looked> records = look_at_all(o, record, reduction, references, bad);
+  references.store(o.db);
+  for (Looked& one : records) {
     try {
       const auto rig = one.rig ? std::move(one.rig) : lab::open_record(one.path, record);
       ProgressBar bar(std::filesystem::path(one.path).filename().string());
@@ -96,7 +102,7 @@ void run_replay(const ReplayOptions& o) {
       bad.add(error);
     }
   }
-  if (!ids.empty()) print_tests(o.db, ids, o.json);
+  print_replayed(o.db, ids, references, o.json);
   bad.finish();
 }
 
@@ -113,14 +119,20 @@ Command replay_command() {
            "collapse monitor into the database; the report is then read back from there.",
            "What a file does not hold is given with --set: specimen.height_mm, "
            "specimen.diameter_mm, "
-           "specimen.void_ratio, specimen.limit_friction_angle_deg, stages.N.role and so on."},
+           "specimen.void_ratio, specimen.limit_friction_angle_deg, stages.N.role and so on.",
+           "An AGS4 file has no readings of triaxial tests but their results: these are stored as "
+           "reference values, which `triax query reference_results` lists. The same file read "
+           "again replaces them."},
       .diagnostics =
           {{"... does not say the height of the specimen ...", "give --set specimen.height_mm=..."},
+           {"... AGS4 without a triaxial result ...",
+            "the file has none of the groups TREG, TRET, TRIG and TRIT, or no row in them"},
            {"FILE:LINE: ...",
             "the file is not valid at this line; nothing of it is stored. Of several "
             "records the others are stored and reported, and the status at the end is 2"}},
       .examples =
           {{"triax replay test.csv", "a record in triax's own form"},
+           {"triax replay delivery.ags", "results of AGS4, as reference values"},
            {"triax replay *.gds --json", "several files, as one JSON document"},
            {"triax replay raw.csv --set specimen.height_mm=140 --set specimen.diameter_mm=70",
             "the file lacks the specimen"},

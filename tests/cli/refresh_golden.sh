@@ -36,3 +36,8 @@ grep '^\$ triax ' "$golden/tests_session.txt" | while read -r line; do
   if [ "$status" -ne 0 ]; then echo "[status $status]"; fi
 done | sed -E 's/[0-9]{4}-[0-9]{2}-[0-9]{2}([ T])[0-9]{2}:[0-9]{2}/YYYY-MM-DD\1HH:MM/; s/HH:MM:[0-9]{2}Z/HH:MM:SSZ/' >"$work/session.txt"
 cp "$work/session.txt" "$golden/tests_session.txt"
+scratch=$(mktemp -d)
+cp samples/records/results.ags "$scratch"
+program=$(realpath "$triax")
+(cd "$scratch" && "$program" replay results.ags) >"$golden/replay_ags4.txt"
+rm -r "$scratch"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "lab/ags/triaxial_results.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_packing.hpp"
@@ -35,6 +36,8 @@ TEST_CASE("the fuzzers' seeds are accepted") {
       CHECK_NOTHROW(load_packing(path, 2));
   for (const auto& path : seeds("dialect_fuzz"))
     CHECK_NOTHROW(parse_dialect(read_text_file(path), path));
+  for (const auto& path : seeds("ags_fuzz"))
+    CHECK_FALSE(read_triaxial_results(*open_file(path)).results.empty());
   std::vector<std::string> dialects;
   for (const auto& path : seeds("record_fuzz")) {
     INFO(path);

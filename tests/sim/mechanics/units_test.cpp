@@ -12,6 +12,7 @@ TEST_CASE("usual spellings of a unit are one unit") {
   CHECK(find_unit("mm³")->scale == find_unit("mm^3")->scale);
   CHECK(find_unit("kgf/cm2")->scale == Approx(98066.5));
   CHECK(find_unit("%")->scale == 0.01);
+  CHECK(find_unit("Mg/m3")->scale == find_unit("kg/m3")->scale * 1000);
   CHECK(find_unit("psi")->scale == Approx(6894.757).epsilon(1e-6));
   CHECK_FALSE(find_unit("KPA"));
   CHECK_FALSE(find_unit("furlong"));

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/reference/reference_files.hpp"
+
+#include "db/reference_store.hpp"
+#include "lab/ags/ags_reader.hpp"
+
+namespace triax::src {
+
+bool ReferenceFiles::take(const std::string& path) {
+  const auto source = lab::open_file(path);
+  if (!lab::looks_like_ags(*source)) return false;
+  files_.push_back(lab::read_triaxial_results(*source));
+  return true;
+}
+
+void ReferenceFiles::store(const std::string& db) const {
+  for (const lab::AgsResults& file : files_)
+    db::store_reference_results(db, {.source = file.file, .project = file.project}, file.results);
+}
+
+}  // namespace triax::src
