@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/collapse/path_history.hpp"
 
+#include <algorithm>
+#include <cmath>
 namespace triax::lab {
 
 void PathHistory::remember(Level& level, const PathSample& block) {
@@ -45,6 +47,33 @@ std::vector<PathSample> PathHistory::between(double first_reading, double last_r
     break;
   }
   return blocks;
+}
+
+namespace {
+
+void bound_by(double& value, const std::vector<PathSample>& readings, PathSample::Signal signal) {
+  const auto [low, high] = std::ranges::minmax_element(
+      readings, {}, [signal](const PathSample& one) { return one.signal[signal]; });
+  if (!std::isnan(low->signal[signal]))
+    value = std::clamp(value, low->signal[signal], high->signal[signal]);
+}
+
+}  // namespace
+
+PathPoint within_measured(PathPoint point, const PathHistory& history) {
+  const double reach = point.shortest_window() ? 1 : 3;
+  const auto readings =
+      history.between(std::ceil(point.reading) - reach, std::floor(point.reading) + reach);
+  const bool single = std::ranges::all_of(readings, [](const PathSample& one) {
+    return one.signal[PathSample::reading] == std::floor(one.signal[PathSample::reading]);
+  });
+  if (readings.size() < 2 || !single) return point;
+  bound_by(point.q, readings, PathSample::q);
+  bound_by(point.p_eff, readings, PathSample::p_eff);
+  bound_by(point.axial_strain, readings, PathSample::axial_strain);
+  bound_by(point.volumetric_strain, readings, PathSample::volumetric_strain);
+  bound_by(point.pore_pressure, readings, PathSample::pore_pressure);
+  return point;
 }
 
 }  // namespace triax::lab

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/collapse/block_pyramid.hpp"
+#include "lab/collapse/path_rates.hpp"
 
 namespace triax::lab {
 
@@ -39,5 +40,11 @@ class PathHistory {
   double first_ = kNone, last_ = kNone;
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
+
+/// The point with its values, where a curve was fitted, within what the single readings around it
+/// span: nothing was measured beyond. These are its two neighbours where a few readings were
+/// enough for it, else the three on each side, among which noise lies on both sides of a fair
+/// value. As it is where the history knows that part of the path in blocks only.
+PathPoint within_measured(PathPoint point, const PathHistory& history);
 
 }  // namespace triax::lab
