@@ -108,17 +108,17 @@ std::string name_of(SQLite::Database& database, const std::string& path, std::in
   return select.getColumn(0).getString();
 }
 
-/// Runs a statement on (test_id, tag); gives the number of rows that it changed.
-int run_on_tag(SQLite::Database& database, const char* sql, std::int64_t id,
-               const std::string& tag) {
+/// Runs a statement on (test_id, tag).
+void run_on_tag(SQLite::Database& database, const char* sql, std::int64_t id,
+                const std::string& tag) {
   Statement statement(database, sql);
   statement.bind(1, id);
   statement.bind(2, tag);
-  return statement.exec();
+  statement.exec();
 }
 
-[[noreturn]] void no_such_tag(SQLite::Database& database, std::int64_t id, const std::string& tag) {
-  const auto tags = tags_of(database, id);
+[[noreturn]] void no_such_tag(const std::vector<std::string>& tags, std::int64_t id,
+                              const std::string& tag) {
   throw lab::BadInput(tags.empty()
                           ? fmt::format("test {} has no tag {}; it has none", id, lab::excerpt(tag))
                           : fmt::format("test {} has no tag {}; {}", id, lab::excerpt(tag),
@@ -162,9 +162,11 @@ void untag_test(const std::string& path, std::int64_t id, const std::vector<std:
   const std::set<std::string> each_once(lines.begin(), lines.end());
   change(path, [&](SQLite::Database& database) {
     name_of(database, path, id);
-    for (const std::string& tag : each_once)
-      if (run_on_tag(database, "DELETE FROM tags WHERE test_id = ? AND tag = ?", id, tag) == 0)
-        no_such_tag(database, id, tag);
+    const auto present = tags_of(database, id);
+    for (const std::string& tag : each_once) {
+      if (std::ranges::find(present, tag) == present.end()) no_such_tag(present, id, tag);
+      run_on_tag(database, "DELETE FROM tags WHERE test_id = ? AND tag = ?", id, tag);
+    }
     return true;
   });
 }

@@ -234,7 +234,7 @@ TEST_CASE("running tests are marked as interrupted only if their writer is gone"
                                            db::WriterIdentity{me.pid, me.started + 1, me.host}}) {
     SQLite::Statement insert(
         database,
-        "INSERT INTO tests (name, origin, status, recorded_at, has_time, columns, writer_pid, "
+        "INSERT INTO tests (name, origin, status, stored_at, has_time, columns, writer_pid, "
         "writer_started, writer_host) VALUES ('a', 'recorded', 'running', '', 1, '', ?, ?, ?)");
     insert.bind(1, writer.pid);
     insert.bind(2, writer.started);

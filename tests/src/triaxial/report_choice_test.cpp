@@ -15,7 +15,7 @@ namespace {
 
 void add_test(SQLite::Database& database, int id, const std::string& name) {
   database.exec(
-      "INSERT INTO tests (id, name, origin, status, recorded_at, has_time, columns, writer_pid, "
+      "INSERT INTO tests (id, name, origin, status, stored_at, has_time, columns, writer_pid, "
       "writer_started, writer_host) VALUES (" +
       std::to_string(id) + ", '" + name +
       "', 'simulated', 'complete', '', 1, '', 1, 1, 'h'); INSERT INTO specimens (test_id) VALUES "
