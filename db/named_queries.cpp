@@ -5,12 +5,14 @@ namespace triax::db {
 
 const std::vector<NamedQuery>& named_queries() {
   static const std::vector<NamedQuery> queries{
-      {"tests", "every test: what it was, where it came from, how it ended",
+      {"tests",
+       "every test: what it was, where it came from, how it ended, whether statistics count it",
        "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.stored_at, "
        "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
-       "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed "
-       "FROM tests t ORDER BY t.id"},
-      {"collapse_points", "the tests that collapsed, as in tables of papers: p'0, e, phi, eta",
+       "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed, "
+       "t.id IN (SELECT test_id FROM counted_tests) AS counted FROM tests t ORDER BY t.id"},
+      {"collapse_points",
+       "the tests that collapsed, as in tables of papers: p'0, e, phi, eta; each file once",
        "SELECT * FROM collapse_points ORDER BY type_of_test, test_id"},
       {"collapses", "the result of every test, with state and second-order work at onset",
        "SELECT * FROM collapses ORDER BY test_id"},
@@ -20,7 +22,8 @@ const std::vector<NamedQuery>& named_queries() {
        "FROM criteria c JOIN tests t ON t.id = c.test_id ORDER BY c.id"},
       {"peaks", "the peak of q of every test", "SELECT * FROM peaks ORDER BY test_id"},
       {"instability_line",
-       "stress ratio at collapse by programme, origin and kind: the slope of the instability line",
+       "stress ratio at collapse by programme, origin and kind: the slope of the instability line; "
+       "each file once",
        "SELECT type_of_test, origin, kind, count(*) AS tests, avg(eta) AS eta_mean, "
        "min(eta) AS eta_min, max(eta) AS eta_max, avg(phi_mob_deg) AS phi_mob_mean_deg "
        "FROM collapse_points WHERE eta IS NOT NULL GROUP BY type_of_test, origin, kind"},

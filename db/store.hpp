@@ -39,6 +39,7 @@ struct StoredTest {
   lab::TestSummary summary;
   std::vector<lab::Event> events;
   std::optional<SweepMembership> sweep;
+  std::vector<std::string> tags;  ///< in the order of the alphabet (db/catalogue.hpp sets them)
 };
 
 /// Reads a database of tests (the Recorder writes it), also while it is written. One thread at a

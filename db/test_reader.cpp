@@ -83,7 +83,7 @@ void read_stages(SQLite::Database& database, std::int64_t id, std::vector<lab::S
 void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) {
   lab::RecordHeader& h = test.header;
   for_rows(database, id,
-           "SELECT id, name, origin, programme, source, dialect, seed, status, stored_at, "
+           "SELECT id, name, origin, programme, source, dialect, digest, seed, status, stored_at, "
            "has_time, columns, readings, membrane_correction FROM tests WHERE id = ?",
            [&](Columns& c) {
              test.id = c.integer().value_or(0);
@@ -92,6 +92,7 @@ void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) 
              h.programme = c.text();
              h.source = c.text();
              h.dialect = c.text();
+             h.digest = c.text();
              if (const auto seed = c.integer()) h.seed = static_cast<std::uint64_t>(*seed);
              test.status = status_of(c.text());
              test.stored_at = c.text();
@@ -254,6 +255,11 @@ void read_sweep(SQLite::Database& database, std::int64_t id, std::optional<Sweep
            });
 }
 
+void read_tags(SQLite::Database& database, std::int64_t id, std::vector<std::string>& tags) {
+  for_rows(database, id, "SELECT tag FROM tags WHERE test_id = ? ORDER BY tag",
+           [&](Columns& c) { tags.push_back(c.text()); });
+}
+
 void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::Event>& events) {
   for_rows(database, id,
            "SELECT reading, time_s, kind, detail FROM events WHERE test_id = ? ORDER BY id",
@@ -280,6 +286,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_truth(database, id, test.summary.truth);
   read_events(database, id, test.events);
   read_sweep(database, id, test.sweep);
+  read_tags(database, id, test.tags);
   return test;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/test_writer.hpp"
 
+#include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
 
 #include "db/columns.hpp"
 #include "db/writer_identity.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::db {
 namespace {
@@ -200,21 +203,40 @@ void insert_checks(SQLite::Database& database, std::int64_t id,
         .run();
 }
 
+/// One if the file of this test is already in the database, else none.
+std::vector<lab::Warning> warnings_of_earlier_readings(SQLite::Database& database,
+                                                       std::int64_t id) {
+  Statement earlier(database,
+                    "SELECT e.id, e.name, count(*) OVER () FROM tests e JOIN tests t "
+                    "ON t.digest = e.digest WHERE t.id = ?1 AND e.id <> ?1 "
+                    "ORDER BY e.id DESC LIMIT 1");
+  earlier.bind(1, id);
+  if (!earlier.executeStep()) return {};
+  const auto more = earlier.getColumn(2).getInt64() - 1;
+  return {{0, fmt::format(
+                  "the same file was read before as test {} {}{}; statistics count it once, "
+                  "by its latest complete reading",
+                  earlier.getColumn(0).getInt64(), lab::excerpt(earlier.getColumn(1).getString()),
+                  more > 0 ? fmt::format(" and {} more", more) : std::string())}};
+}
+
 }  // namespace
 
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at) {
   const WriterIdentity writer = this_process();
-  Statement insert(database,
-                   "INSERT INTO tests (name, origin, programme, source, dialect, seed, status, "
-                   "stored_at, has_time, columns, writer_pid, writer_started, writer_host) "
-                   "VALUES (?,?,?,?,?,?,'running',?,?,?,?,?,?)");
+  Statement insert(
+      database,
+      "INSERT INTO tests (name, origin, programme, source, dialect, digest, seed, status, "
+      "stored_at, has_time, columns, writer_pid, writer_started, writer_host) "
+      "VALUES (?,?,?,?,?,?,?,'running',?,?,?,?,?,?)");
   Binder(insert)
       .text(header.name)
       .text(to_string(header.origin))
       .text_or_null(header.programme)
       .text_or_null(header.source)
       .text_or_null(header.dialect)
+      .text_or_null(header.digest)
       .integer(header.seed ? std::optional(static_cast<std::int64_t>(*header.seed)) : std::nullopt)
       .text(stored_at)
       .integer(header.has_time)
@@ -229,6 +251,7 @@ std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& he
   insert_notes(database, id, header.notes);
   insert_guesses(database, id, header.guesses);
   insert_warnings(database, id, "at_start", header.warnings);
+  insert_warnings(database, id, "at_start", warnings_of_earlier_readings(database, id));
   return id;
 }
 

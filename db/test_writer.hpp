@@ -12,8 +12,8 @@
 
 namespace triax::db {
 
-/// Test, specimen, stages and warnings; the test is running, its writer is this process.
-/// Returns the id of the test.
+/// Test, specimen, stages and warnings; the test is running, its writer is this process. A file
+/// that was read before (RecordHeader::digest) is one warning more. Returns the id of the test.
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at);
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep);

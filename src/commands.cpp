@@ -10,13 +10,15 @@
 #include "src/triaxial/replay.hpp"
 #include "src/triaxial/report.hpp"
 #include "src/triaxial/simulate.hpp"
+#include "src/triaxial/tests.hpp"
 
 namespace triax::src {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {
-      simulate_command(),  replay_command(), report_command(), query_command(), element_command(),
-      materials_command(), probe_command(),  domain_command(), grains_command()};
+  static const std::vector<Command> all = {simulate_command(),  replay_command(), report_command(),
+                                           query_command(),     tests_command(),  element_command(),
+                                           materials_command(), probe_command(),  domain_command(),
+                                           grains_command()};
   return all;
 }
 

@@ -23,6 +23,8 @@ class LimitSurface {
   /// M in compression: of the angle that was given, else of the largest that was mobilised; empty
   /// while nothing is known.
   std::optional<double> stress_ratio() const;
+  /// Whether the specimen's description gives it.
+  bool given() const { return given_angle_.has_value(); }
   /// Where M comes from, in words.
   std::string source() const;
   /// Whether an onset at η lies strictly inside: more than 5 % below the limit, M in compression

@@ -67,6 +67,9 @@ void take_descent(const Evidence& e, const Descent& descent, Collapse& c) {
 void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
   if (!c.onset || !c.onset->eta()) return;
   c.inside_limit_surface = e.limit.inside(*c.onset->eta(), static_cast<double>(c.onset->reading));
+  // A runaway that was seen is excused by a limit that is known, and by no ratio of the test's own.
+  if (e.loss_of_control && !e.limit.given() && c.inside_limit_surface == false)
+    c.inside_limit_surface.reset();
   const bool on_limit = c.inside_limit_surface == false;
   const bool drained_failure = drained && !e.loss_of_control && c.inside_limit_surface != true;
   if (!on_limit && !drained_failure) return;

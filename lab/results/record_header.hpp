@@ -32,11 +32,11 @@ struct StageInfo {
   std::string name;
   StageRole role = StageRole::unknown;
   Drainage drainage = Drainage::unknown;
+  AxialControl control = AxialControl::unknown;
+  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0 is prescribed, Eq. (28)
   /// Said by who replays the record, who knows better than its sensors: a doubt is told, and the
   /// verdict stands on what was said.
   bool drainage_was_said = false;
-  AxialControl control = AxialControl::unknown;
-  std::optional<double> strain_path_R;  ///< dε₁ + 2R dε₃ = 0 is prescribed, Eq. (28)
 };
 
 /// The specimen as built, SI; what the record does not say is empty, never guessed.
@@ -114,6 +114,7 @@ struct RecordHeader {
   std::string programme;  ///< "ICU", "CSD", "CSU", "CIU"...; empty if unknown
   std::string source;     ///< file the record came from
   std::string dialect;    ///< name of the dialect that read it; empty for a simulation
+  std::string digest;     ///< SHA-256 of the bytes of `source` in hex; empty for a simulation
   std::optional<std::uint64_t> seed;
   SpecimenInfo specimen;
   std::vector<StageInfo> stages;  ///< may be empty: everything is then one stage of unknown role

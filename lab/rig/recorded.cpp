@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/digest.hpp"
 #include "lab/records/channels.hpp"
 #include "lab/records/counter_join.hpp"
 #include "lab/records/metadata.hpp"
@@ -56,6 +57,7 @@ struct RecordedRig::Impl {
     settle_stages();
     check_stages_to_set(options);
     apply_sets(options, true);
+    header.digest = sha256(*source);
     table.emplace(*source, layout, findings);
     waiting = draw(first);
     if (!waiting) throw BadInput(layout.file, layout.heading_line, "no row of readings");

@@ -24,9 +24,20 @@ std::vector<std::string> test_names(const std::string& db) {
   return names;
 }
 
+std::vector<std::string> test_ids(const std::string& db) {
+  std::vector<std::string> ids;
+  db::query(
+      db, "SELECT CAST(id AS TEXT) FROM tests ORDER BY id", [](const auto&) {},
+      [&](const std::vector<db::Value>& row) {
+        ids.push_back(std::get<std::string>(row.front()));
+      });
+  return ids;
+}
+
 std::vector<std::string> names_of(const std::string& kind, const std::string& db) {
   std::vector<std::string> names;
   if (kind == "tests") return test_names(db);
+  if (kind == "ids") return test_ids(db);
   if (kind == "materials")
     for (const auto& set : lab::shipped_materials()) names.push_back(set.name);
   if (kind == "queries")

@@ -33,10 +33,11 @@ std::vector<std::string> values(const CLI::Option& option) {
 }
 
 /// What `triax --complete` is asked for where this option or argument takes a name of the database
-/// or of the program: "tests", "materials", "queries"; empty for others.
+/// or of the program: "tests", "ids", "materials", "queries"; empty for others.
 std::string kind_of_names(const CLI::Option& option) {
   const std::string name = option.get_name(), type = option.get_type_name();
   if (name == "TEST" || type == "TEST") return "tests";
+  if (name == "ID") return "ids";
   if (name == "NAME" || type == "LAW/SET") return "materials";
   if (name == "NAME|SQL") return "queries";
   return {};
@@ -44,7 +45,15 @@ std::string kind_of_names(const CLI::Option& option) {
 
 std::string kind_of_argument(const CLI::App& app) {
   for (const auto* option : app.get_options())
-    if (option->get_positional()) return kind_of_names(*option);
+    if (const auto kind = kind_of_names(*option); option->get_positional() && !kind.empty())
+      return kind;
+  return {};
+}
+
+/// Of the first argument, where it is one of a few words; empty for others.
+std::vector<std::string> values_of_argument(const CLI::App& app) {
+  for (const auto* option : app.get_options())
+    if (option->get_positional()) return values(*option);
   return {};
 }
 
@@ -54,6 +63,12 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The same in front of further words.
+std::string first_words(const CLI::App& app) {
+  const std::string words = joined(values_of_argument(app));
+  return words.empty() ? words : words + ' ';
+}
+
 std::string bash(const CLI::App& app) {
   std::vector<std::string> names;
   std::string cases, option_values, arguments;
@@ -61,7 +76,8 @@ std::string bash(const CLI::App& app) {
     names.push_back(sub->get_name());
     cases += fmt::format("    {}) words=\"{}\" ;;\n", sub->get_name(), joined(option_names(*sub)));
     if (const auto kind = kind_of_argument(*sub); !kind.empty())
-      arguments += fmt::format("    {}) words=$(_triax_names {}) ;;\n", sub->get_name(), kind);
+      arguments += fmt::format("    {}) words=\"{}$(_triax_names {})\" ;;\n", sub->get_name(),
+                               first_words(*sub), kind);
     for (const auto* option : sub->get_options()) {
       if (option->get_lnames().empty()) continue;
       const auto kind = kind_of_names(*option);
@@ -144,6 +160,8 @@ std::string zsh(const CLI::App& app) {
         cases += fmt::format(" \\\n      '--{}[{}]{}'", name, text,
                              takes_value ? ":value:" + action : "");
     }
+    if (const auto words = values_of_argument(*sub); !words.empty())
+      cases += fmt::format(" \\\n      '1:word:({})'", joined(words));
     const std::string kind = kind_of_argument(*sub);
     cases += fmt::format(" \\\n      '*:{}' ;;\n",
                          kind.empty() ? "file:_files" : "name:" + zsh_names(kind));
@@ -205,6 +223,9 @@ end
           text += " -r";
         text += "\n";
       }
+    if (const auto words = values_of_argument(*sub); !words.empty())
+      text += fmt::format("complete -c triax -n '__fish_seen_subcommand_from {}' -a '{}'\n",
+                          sub->get_name(), joined(words));
     if (const auto kind = kind_of_argument(*sub); !kind.empty())
       text += fmt::format(
           "complete -c triax -n '__fish_seen_subcommand_from {}' -a '(__triax_names {})'\n",

@@ -18,10 +18,9 @@ std::string origin_word(const db::StoredTest& test) {
 }
 
 std::string kind_word(const db::StoredTest& test) {
-  if (!study::has_verdict(test))
-    return test.status == db::TestStatus::complete ? "not judged"
-                                                   : std::string(db::to_string(test.status));
-  return std::string(lab::to_string(test.summary.collapse.kind));
+  return verdict_word(test.status, study::has_verdict(test)
+                                       ? std::optional(test.summary.collapse.kind)
+                                       : std::nullopt);
 }
 
 std::string agreement(const db::StoredTest& test) {
@@ -178,6 +177,15 @@ std::string axis_line(const db::StoredTest& test) {
                               : count + ", no time in the record: rates along the axial strain";
 }
 
+void add_tags(std::vector<Fact>& facts, const db::StoredTest& test) {
+  if (!test.tags.empty())
+    facts.push_back({"Tags", {fmt::format("{}", fmt::join(test.tags, ", "))}});
+}
+
+std::string stored_line(const db::StoredTest& test) {
+  return fmt::format("{}, {}", test.stored_at, db::to_string(test.status));
+}
+
 std::vector<std::string> note_lines(const std::vector<lab::Note>& notes) {
   std::string line;
   for (const auto& note : notes) {
@@ -290,6 +298,9 @@ std::string summary_banner(const std::vector<study::TestResult>& tests) {
   if (counts.interrupted > 0)
     parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict",
                                 counts.interrupted, counts.tests));
+  if (counts.read_again > 0)
+    parts.push_back(fmt::format("{} of {} rows: the file was READ AGAIN, the later reading counts",
+                                counts.read_again, tests.size()));
   return fmt::format("{}", fmt::join(parts, ". "));
 }
 
@@ -311,6 +322,7 @@ TestContent test_content(const study::TestResult& reported) {
   facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
   facts.push_back({"Data", {origin_line(test), axis_line(test)}});
   if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
+  add_tags(facts, test);
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
   facts.push_back({"Start of shear", {shear_start_line(test)}});
   add_collapse(facts, test);
@@ -325,6 +337,29 @@ TestContent test_content(const study::TestResult& reported) {
   content.criteria = criteria_table(test);
   content.checks = checks_table(test);
   return content;
+}
+
+TestContent brief_content(const db::StoredTest& test) {
+  TestContent content;
+  content.title = fmt::format("Test {}: {}", test.id, test.header.name);
+  content.banner = banner(test);
+  auto& facts = content.facts;
+  facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
+  facts.push_back({"Data", {origin_line(test), axis_line(test)}});
+  if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
+  facts.push_back({"Stored", {stored_line(test)}});
+  facts.push_back({"SHA-256", {or_unknown(test.header.digest)}});
+  add_tags(facts, test);
+  facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
+  facts.push_back({"Collapse", {verdict_line(test)}});
+  if (auto list = study::warnings(test); !list.empty())
+    facts.push_back({"Warnings", std::move(list)});
+  return content;
+}
+
+std::string verdict_word(db::TestStatus status, std::optional<lab::CollapseKind> kind) {
+  if (status != db::TestStatus::complete) return std::string(db::to_string(status));
+  return kind ? std::string(lab::to_string(*kind)) : "not judged";
 }
 
 }  // namespace triax::src

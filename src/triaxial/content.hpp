@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a report says, before it is said as text, HTML or PDF: one source, three forms.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,11 @@ std::string summary_banner(const std::vector<study::TestResult>& tests);
 std::vector<std::string> summary_notes();
 
 TestContent test_content(const study::TestResult& reported);
+
+/// The same in short: what was stored and what it came to, without criteria and checks.
+TestContent brief_content(const db::StoredTest& test);
+
+/// "flow", "not judged", "interrupted"...: for tables. `kind` is empty without a verdict.
+std::string verdict_word(db::TestStatus status, std::optional<lab::CollapseKind> kind);
 
 }  // namespace triax::src

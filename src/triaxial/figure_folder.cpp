@@ -10,6 +10,7 @@
 
 #include "src/cli/output_guard.hpp"
 #include "src/plot/figure_files.hpp"
+#include "src/study/triaxial/read_again.hpp"
 #include "src/study/triaxial/tests_origin.hpp"
 #include "src/triaxial/figures/collapse_points_figure.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
@@ -59,8 +60,10 @@ void add_tests(FigureFolder& folder, const std::vector<study::TestResult>& tests
 }
 
 void add_types(FigureFolder& folder, const std::vector<study::TestResult>& tests) {
+  const auto left_out = study::read_again(tests);
   std::map<std::string, std::vector<study::TestResult>> types;
   for (const auto& test : tests) {
+    if (left_out.contains(test.stored.id)) continue;
     const auto& type = test.stored.header.programme;
     types[type.empty() ? "other" : type].push_back(test);
   }

@@ -48,12 +48,14 @@ Json test_json(const db::StoredTest& test) {
           {"programme", study::json_text(header.programme)},
           {"source", study::json_text(header.source)},
           {"dialect", study::json_text(header.dialect)},
+          {"digest", study::json_text(header.digest)},
           {"seed", maybe(header.seed)},
           {"status", db::to_string(test.status)},
           {"stored_at", study::json_text(test.stored_at)},
           {"readings", test.summary.readings},
           {"axis", header.has_time ? "time" : "axial_strain"},
-          {"sweep", sweep_json(test.sweep)}};
+          {"sweep", sweep_json(test.sweep)},
+          {"tags", test.tags}};
 }
 
 Json specimen_json(const lab::SpecimenInfo& specimen) {
@@ -217,6 +219,13 @@ Json report_json(const db::StoredTest& test) {
 
 std::string json_of_test(const study::TestResult& test) {
   return report_json(test.stored).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string json_in_short(const db::StoredTest& test) {
+  return study::json_document({{"test", test_json(test)},
+                               {"specimen", specimen_json(test.header.specimen)},
+                               {"collapse", collapse_json(test)},
+                               {"warnings", study::warnings(test)}});
 }
 
 std::string json_report(const std::vector<study::TestResult>& tests) {

@@ -15,4 +15,7 @@ std::string json_report(const std::vector<study::TestResult>& tests);
 /// The object of one test alone, without a line end: for documents too long to be held whole.
 std::string json_of_test(const study::TestResult& test);
 
+/// Of one test the parts test, specimen, collapse and warnings, as a document.
+std::string json_in_short(const db::StoredTest& test);
+
 }  // namespace triax::src

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "src/output/terminal.hpp"
-#include "src/triaxial/content.hpp"
 
 namespace triax::src {
 namespace {
@@ -67,8 +66,7 @@ std::string evidence_table_text(Table table) {
 
 }  // namespace
 
-std::string text_of_test(const study::TestResult& test) {
-  const auto content = test_content(test);
+std::string text_of(const TestContent& content) {
   std::string text = content.title + '\n';
   text += std::string(display_width(content.title), '=') + '\n';
   if (!content.banner.empty()) text += "*** " + wrapped(content.banner, 4) + " ***\n";
@@ -77,6 +75,8 @@ std::string text_of_test(const study::TestResult& test) {
   text += evidence_table_text(content.checks);
   return text;
 }
+
+std::string text_of_test(const study::TestResult& test) { return text_of(test_content(test)); }
 
 std::string text_report(const std::vector<study::TestResult>& tests) {
   if (tests.empty()) return "The database holds no test.\n";

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/study/triaxial/test_result.hpp"
+#include "src/triaxial/content.hpp"
 
 namespace triax::src {
 
@@ -12,5 +13,6 @@ std::string text_report(const std::vector<study::TestResult>& tests);
 
 /// One test in full, without the summary table.
 std::string text_of_test(const study::TestResult& test);
+std::string text_of(const TestContent& content);
 
 }  // namespace triax::src

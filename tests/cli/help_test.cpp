@@ -11,8 +11,8 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {"simulate",  "replay", "report", "query", "element",
-                                 "materials", "probe",  "domain", "grains"};
+const char* const kCommands[] = {"simulate", "replay",    "report", "query",  "tests",
+                                 "element",  "materials", "probe",  "domain", "grains"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
@@ -99,6 +99,7 @@ TEST_CASE("a wrong command line is told in our words, with the nearest right one
               "--format: 'docx' is not valid; known: text, json, html, pdf"},
         Wrong{"report --format pfd", "did you mean 'pdf'?"},
         Wrong{"report --format pdf --json", "--json: excludes --format pdf"},
+        Wrong{"tests shwo 3", "ACTION: 'shwo' is not valid; did you mean 'show'?"},
         Wrong{"probe --norm-kPa x", "--norm-kPa: 'x' is not a number; expected --norm-kPa KPA"}}) {
     const Outcome outcome = here.triax(wrong.arguments);
     INFO(wrong.arguments << ": " << outcome.err);
@@ -130,6 +131,7 @@ TEST_CASE("completion offers materials, queries and the tests of a database, and
         "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n");
   REQUIRE(here.triax("replay 'CSU 26.csv' --db a.db").status == 0);
   CHECK(here.triax("--complete tests a.db").out == "CSU_26\n");
+  CHECK(here.triax("--complete ids a.db").out == "1\n");
   REQUIRE(here.triax("--write-manual manual").status == 0);
   const std::string completion =
       "cd '" + (here / "").string() + "' && bash -c 'source manual/triax.bash; COMP_WORDS=(" +

@@ -71,6 +71,45 @@ TEST_CASE("collapse_points has the columns of the paper's table") {
   CHECK(std::get<std::string>(row[8]) == "simulated");
 }
 
+TEST_CASE(
+    "queries that compare or average tests count a file once, by its latest complete reading") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  const auto record = [&](const std::string& digest, double q_pa, bool complete) {
+    db::Recorder recorder(path);
+    const lab::SessionListener listener = recorder.listener();
+    lab::RecordHeader header = testing::raw_header("r");
+    header.digest = digest;
+    listener.started(header);
+    testing::send_scans(listener, 0, 2);
+    lab::TestSummary summary;
+    summary.collapse.kind = lab::CollapseKind::flow;
+    summary.collapse.onset = lab::Instant{1, 0.1, 0.005, q_pa, 100e3, {}};
+    if (complete) recorder.finish(summary);
+  };
+  record("aa", 90e3, true);  // read again
+  record("", 50e3, true);    // simulated: from no file
+  record("aa", 60e3, true);  // counts
+  record("", 50e3, true);
+  record("aa", 10e3, false);  // interrupted: says nothing
+  const auto count = [&](const std::string& from) {
+    return std::get<std::int64_t>(answer(path, "SELECT count(*) FROM " + from));
+  };
+  CHECK(count("counted_tests") == 3);
+  CHECK(count("collapse_points") == 3);
+  CHECK(count("collapses") == 4);  // lists the result of every test
+  const Table line = ask(path, "instability_line");
+  REQUIRE(line.rows.size() == 1);
+  CHECK(std::get<std::int64_t>(line.rows[0][3]) == 3);
+  CHECK(std::get<double>(line.rows[0][4]) == Approx((0.5 + 0.6 + 0.5) / 3));
+  CHECK(std::get<double>(line.rows[0][6]) == Approx(0.6));
+  CHECK(answer(path, "SELECT group_concat(test_id) FROM counted_tests") == db::Value("2,3,4"));
+  record("bb", 10e3, false);
+  record("bb", 10e3, false);
+  CHECK(answer(path, "SELECT max(test_id) FROM counted_tests") == db::Value(std::int64_t{7}));
+  CHECK(count("counted_tests") == 4);
+}
+
 TEST_CASE("every named query runs, gives columns and says what it is for") {
   TemporaryFolder folder;
   const std::string path = record_collapse(folder, lab::Origin::recorded);

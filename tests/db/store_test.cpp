@@ -68,6 +68,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   header.origin = lab::Origin::simulated;
   header.seed = 0xfedcba9876543210u;
   header.dialect = "triax";
+  header.digest = std::string(64, '7');
   header.specimen.void_ratio = 0.885;
   header.specimen.material = "Hostun S28";
   header.specimen.limit_friction_angle_rad = sim::radians(32);
@@ -118,6 +119,8 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(test.header.programme == "ICU");
   CHECK(test.header.source == "csu 26.csv");
   CHECK(test.header.dialect == "triax");
+  CHECK(test.header.digest == header.digest);
+  CHECK(test.tags.empty());
   CHECK(test.header.columns == header.columns);
   CHECK(test.header.has_time);
   CHECK(test.header.specimen.height_m == 0.14);

@@ -32,7 +32,9 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
   summary.checks = {{}};
   summary.warnings = {{0, "w"}};
   db::insert_summary(database, id, summary);
+  database.exec("INSERT INTO tags VALUES (1, 'loose')");
   CHECK(db::read_test(database, id).status == db::TestStatus::complete);
+  CHECK(db::read_test(database, id).tags == std::vector<std::string>{"loose"});
   db::mark_interrupted(database, other);
   CHECK(db::read_test(database, other).status == db::TestStatus::interrupted);
   CHECK(db::read_test(database, other).header.stages.size() == 1);
@@ -47,5 +49,5 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
     CHECK(database.execAndGet("SELECT count(*) FROM " + table).getInt() == 0);
     ++seen;
   }
-  CHECK(seen == 28);
+  CHECK(seen == 31);
 }

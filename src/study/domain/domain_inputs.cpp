@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/domain/domain_inputs.hpp"
 
-#include <QCryptographicHash>
-#include <QFile>
 #include <filesystem>
 
-#include "lab/base/bad_input.hpp"
+#include "lab/base/digest.hpp"
 
 namespace triax::study {
 namespace {
@@ -32,14 +30,6 @@ std::vector<std::pair<std::string, std::string>> named(const lab::MaterialSet& m
   return found;
 }
 
-std::string sha256(const std::string& path) {
-  QFile file(QString::fromStdString(path));
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-    throw lab::BadInput(path, 0, "cannot be read");
-  return hash.result().toHex().toStdString();
-}
-
 }  // namespace
 
 std::vector<std::string> files_named_by(const lab::MaterialSet& material) {
@@ -51,7 +41,7 @@ std::vector<std::string> files_named_by(const lab::MaterialSet& material) {
 std::vector<std::pair<std::string, std::string>> digests_of_files(
     const lab::MaterialSet& material) {
   auto found = named(material);
-  for (auto& [key, path] : found) path = sha256(path);
+  for (auto& [key, path] : found) path = lab::sha256(*lab::open_file(path));
   return found;
 }
 

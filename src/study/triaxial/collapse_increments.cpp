@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lab/collapse/measured_increment.hpp"
-#include "src/study/triaxial/test_result.hpp"
+#include "src/study/triaxial/read_again.hpp"
 
 namespace triax::study {
 namespace {
@@ -91,9 +91,12 @@ std::optional<Direction> direction(const db::Store& store, const db::StoredTest&
 
 std::vector<CollapseIncrement> collapse_increments(const db::Store& store,
                                                    const std::vector<std::int64_t>& ids) {
+  std::vector<TestResult> tests;
+  for (const auto id : ids) tests.push_back(load_test_result(store, id, WithCurves::no));
+  const auto left_out = read_again(tests);
   std::vector<CollapseIncrement> increments;
-  for (const auto id : ids) {
-    const db::StoredTest test = store.load(id);
+  for (const auto& [test, curves] : tests) {
+    if (left_out.contains(test.id)) continue;
     const auto onset = collapse_onset(test);
     if (!onset || !onset->eta()) continue;
     const auto increment = direction(store, test, onset->reading);

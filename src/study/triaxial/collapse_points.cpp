@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 
+#include "src/study/triaxial/read_again.hpp"
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
@@ -20,11 +21,12 @@ std::optional<double> fitted_slope(const std::vector<CollapsePoint>& points) {
   return pp > 0 ? std::optional(qp / pp) : std::nullopt;
 }
 
-std::vector<double> limits_of(const std::vector<TestResult>& tests) {
+std::vector<double> limits_of(const std::vector<TestResult>& tests,
+                              const std::set<std::int64_t>& left_out) {
   std::map<std::int64_t, double> by_rounded;
   for (const auto& test : tests)
     if (const auto& m = test.stored.summary.collapse.limit_stress_ratio;
-        m && std::isfinite(*m) && collapse_onset(test.stored))
+        m && std::isfinite(*m) && collapse_onset(test.stored) && !left_out.contains(test.stored.id))
       by_rounded.emplace(std::llround(*m * 100), *m);
   std::vector<double> values;
   values.reserve(by_rounded.size());
@@ -35,10 +37,11 @@ std::vector<double> limits_of(const std::vector<TestResult>& tests) {
 }  // namespace
 
 CollapsePoints collapse_points(const std::vector<TestResult>& tests) {
+  const auto left_out = read_again(tests);
   CollapsePoints found;
   for (const auto& [test, curves] : tests) {
     const auto stress = stress_at(collapse_onset(test));
-    if (!stress) continue;
+    if (!stress || left_out.contains(test.id)) continue;
     const auto& header = test.header;
     found.points.push_back({*stress, header.name,
                             header.programme.empty() ? "other" : header.programme,
@@ -46,7 +49,7 @@ CollapsePoints collapse_points(const std::vector<TestResult>& tests) {
     found.origin.add(header);
   }
   found.instability_line = fitted_slope(found.points);
-  found.limit_stress_ratios = limits_of(tests);
+  found.limit_stress_ratios = limits_of(tests, left_out);
   return found;
 }
 

@@ -16,7 +16,8 @@ struct CollapsePoint {
   bool simulated = false;
 };
 
-/// Where tests collapsed; those without a collapse point have no part in it but in the limits.
+/// Where tests collapsed, each file once (read_again.hpp); those without a collapse point have no
+/// part in it.
 struct CollapsePoints {
   std::vector<CollapsePoint> points;
   /// Slope of the line through the origin that fits the points best, η = Σ q p′ / Σ p′²; nothing

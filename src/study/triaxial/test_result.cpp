@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "src/study/triaxial/read_again.hpp"
+
 namespace triax::study {
 
 TestResult load_test_result(const db::Store& store, std::int64_t id, WithCurves with_curves) {
@@ -56,8 +58,11 @@ std::vector<std::string> agreeing_criteria(const db::StoredTest& test) {
 }
 
 TestCounts counts_of(const std::vector<TestResult>& tests) {
+  const auto left_out = read_again(tests);
   TestCounts counts;
+  counts.read_again = static_cast<std::int64_t>(left_out.size());
   for (const auto& [test, curves] : tests) {
+    if (left_out.contains(test.id)) continue;
     ++counts.tests;
     if (test.header.origin == lab::Origin::simulated) ++counts.simulated;
     if (test.status == db::TestStatus::interrupted) ++counts.interrupted;

@@ -41,10 +41,12 @@ std::optional<double> void_ratio(const db::StoredTest& test);
 /// Names of the criteria that detected a collapse, and how many were asked.
 std::vector<std::string> agreeing_criteria(const db::StoredTest& test);
 
+/// Of tests, each file once (read_again.hpp).
 struct TestCounts {
   std::int64_t tests = 0;
   std::int64_t simulated = 0;
   std::int64_t interrupted = 0;
+  std::int64_t read_again = 0;  ///< beside them: readings of a file that was read again
 };
 TestCounts counts_of(const std::vector<TestResult>& tests);
 

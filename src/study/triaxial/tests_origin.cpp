@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/study/triaxial/read_again.hpp"
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
@@ -19,7 +20,9 @@ void TestsOrigin::add(const lab::RecordHeader& header) {
 
 TestsOrigin origin_of(const std::vector<TestResult>& tests) {
   TestsOrigin origin;
-  for (const auto& test : tests) origin.add(test.stored.header);
+  const auto left_out = read_again(tests);
+  for (const auto& test : tests)
+    if (!left_out.contains(test.stored.id)) origin.add(test.stored.header);
   return origin;
 }
 

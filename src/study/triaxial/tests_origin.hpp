@@ -20,6 +20,7 @@ struct TestsOrigin {
   bool all_simulated() const { return simulated.size() == tests; }
 };
 
+/// Each file once (read_again.hpp).
 TestsOrigin origin_of(const std::vector<TestResult>& tests);
 
 }  // namespace triax::study

@@ -43,6 +43,19 @@ TEST_CASE("a bare record is one stage of shear with its readings numbered from 0
   CHECK_FALSE(rig->next(reading));
 }
 
+TEST_CASE("the digest is of all bytes of the record and of nothing else") {
+  const auto digest = [](const std::string& text, const RecordOptions& options = {}) {
+    return open_text(text, options)->header().digest;
+  };
+  const std::string record = kHeadings + "0,0,0.1,800\n0.5,0.1,0.2,800\n";
+  CHECK(digest(record).size() == 64);
+  RecordOptions options;
+  options.sets = {{"specimen.height_mm", "150"}};
+  CHECK(digest(record, options) == digest(record));
+  CHECK(digest(record + "1,0.2,0.3,800\n") != digest(record));
+  CHECK(digest("## a remark\n" + record) != digest(record));
+}
+
 TEST_CASE("what is set is stronger than what the file says") {
   RecordOptions options;
   options.sets = {

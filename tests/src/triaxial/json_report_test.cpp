@@ -16,6 +16,8 @@ TEST_CASE("one test is one object with the contract's keys and the sample's numb
   CHECK(d["test"]["id"] == 3);
   CHECK(d["test"]["name"] == "L<oose> 1");
   CHECK(d["test"]["origin"] == "recorded");
+  CHECK(d["test"]["digest"].is_null());
+  CHECK(d["test"]["tags"].empty());
   CHECK(d["specimen"]["height_mm"].get<double>() == Approx(140));
   CHECK(d["consolidation"]["p_eff_kPa"].get<double>() == Approx(140));
   CHECK(d["consolidation"]["b_value"].get<double>() == Approx(0.97));
@@ -37,6 +39,18 @@ TEST_CASE("one test is one object with the contract's keys and the sample's numb
   CHECK(c["truth"].is_null());
   CHECK(d["checks"][1]["measured"].is_null());
   CHECK(d["warnings"].size() == 2);  // the one that stands twice once
+}
+
+TEST_CASE("in short it is the same objects, with digest and tags") {
+  auto test = test::flow_test();
+  test.stored.header.digest = "ab12";
+  test.stored.tags = {"loose", "thesis"};
+  const json d = json::parse(json_report({test})), brief = json::parse(json_in_short(test.stored));
+  CHECK(d["test"]["digest"] == "ab12");
+  CHECK(d["test"]["tags"] == json::array({"loose", "thesis"}));
+  for (const char* part : {"test", "specimen", "collapse", "warnings"})
+    CHECK(brief[part] == d[part]);
+  CHECK(brief.size() == 4);
 }
 
 TEST_CASE("what is unknown is null, and what has no verdict has none") {

@@ -35,6 +35,21 @@ TEST_CASE("a failure on the limit surface is no collapse point, nor is a test wi
   CHECK(found.limit_stress_ratios.empty());
 }
 
+TEST_CASE("a file that was read twice is one point, that of the later reading") {
+  std::vector<TestResult> tests(3, sample::flow_test());
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    tests[i].stored.id = static_cast<std::int64_t>(i + 1);
+  tests[0].stored.header.digest = tests[1].stored.header.digest = "ab12";
+  tests[0].stored.summary.collapse.limit_stress_ratio = 1.4;
+  tests[0].stored.summary.collapse.onset->q_pa = 1;
+  const auto found = collapse_points(tests);
+  REQUIRE(found.points.size() == 2);
+  CHECK(found.points[0].stress.q_pa == 60e3);
+  CHECK(*found.instability_line == Approx(0.6));
+  CHECK(found.limit_stress_ratios == std::vector<double>{1.25});
+  CHECK(found.origin.tests == 2);
+}
+
 TEST_CASE("limits rise, and those that print alike are one; a type without a name is other") {
   std::vector<TestResult> tests(3, sample::flow_test());
   tests[0].stored.summary.collapse.limit_stress_ratio = 1.301;

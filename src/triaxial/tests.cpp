@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/triaxial/tests.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "db/catalogue.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/output/output.hpp"
+#include "src/output/table.hpp"
+#include "src/triaxial/json_report.hpp"
+#include "src/triaxial/test_list.hpp"
+#include "src/triaxial/text_report.hpp"
+
+namespace triax::src {
+namespace {
+
+struct TestsOptions {
+  std::string action = "list";
+  std::vector<std::string> words;
+  std::string tag;
+  std::string db = "triax.db";
+  bool json = false;
+};
+
+/// A name could be that of a test with another number: what changes a test asks for its number.
+std::int64_t id_of(const std::string& word) {
+  if (const auto id = lab::whole_text_as<std::int64_t>(word)) return *id;
+  throw lab::BadInput(
+      fmt::format("{} is not the number of a test; `triax tests` lists them in its first column",
+                  lab::excerpt(word)));
+}
+
+std::vector<db::ListedTest> only(const TestsOptions& o, std::int64_t id) {
+  auto tests = db::list_tests(o.db);
+  std::erase_if(tests, [id](const db::ListedTest& test) { return test.id != id; });
+  return tests;
+}
+
+/// What one test is after a change: in words, or as the list has it.
+void print_changed(const TestsOptions& o, std::int64_t id, const std::string& sentence) {
+  print(o.json ? test_list_json(only(o, id)) : without_controls(sentence));
+}
+
+std::vector<std::string> behind_the_first(const std::vector<std::string>& words) {
+  return {words.begin() + 1, words.end()};
+}
+
+void run_list(const TestsOptions& o) {
+  const auto tests = db::list_tests(o.db, o.tag);
+  if (o.json) return print(test_list_json(tests));
+  if (!tests.empty()) return print(test_list_text(tests));
+  print(o.tag.empty() ? std::string("The database holds no test.\n")
+                      : fmt::format("No test has the tag {}.\n", lab::excerpt(o.tag)));
+}
+
+void run_show(const TestsOptions& o) {
+  db::StoredTest test = db::Store(o.db).load(id_of(o.words.front()));
+  if (o.json) return print(json_in_short(test));
+  test.header.name = on_one_line(std::move(test.header.name));
+  print(without_controls(text_of(brief_content(test))));
+}
+
+void run_rename(const TestsOptions& o) {
+  const std::int64_t id = id_of(o.words[0]);
+  const std::string before = db::rename_test(o.db, id, o.words[1]);
+  print_changed(o, id,
+                fmt::format("test {} {} is now called {}\n", id, lab::excerpt(before),
+                            lab::excerpt(lab::trimmed(o.words[1]))));
+}
+
+void print_tags(const TestsOptions& o, std::int64_t id) {
+  std::string sentences;
+  for (const auto& test : only(o, id))
+    sentences += fmt::format("tags of {}: {}\n", test_in_words(test),
+                             test.tags.empty() ? "none" : lab::joined(test.tags));
+  print_changed(o, id, sentences);
+}
+
+void run_tag(const TestsOptions& o) {
+  const std::int64_t id = id_of(o.words.front());
+  db::tag_test(o.db, id, behind_the_first(o.words));
+  print_tags(o, id);
+}
+
+void run_untag(const TestsOptions& o) {
+  const std::int64_t id = id_of(o.words.front());
+  db::untag_test(o.db, id, behind_the_first(o.words));
+  print_tags(o, id);
+}
+
+void run_remove(const TestsOptions& o) {
+  std::vector<std::int64_t> ids;
+  for (const auto& word : o.words) ids.push_back(id_of(word));
+  const auto removed = db::remove_tests(o.db, ids);
+  if (o.json) return print(test_list_json(removed));
+  std::string sentences;
+  for (const auto& test : removed)
+    sentences += fmt::format("removed {}: {} readings\n", test_in_words(test), test.readings);
+  print(sentences);
+}
+
+struct Action {
+  std::string_view name;
+  const char* takes;  ///< as typed
+  std::size_t least, most;
+  void (*run)(const TestsOptions&);
+};
+
+constexpr std::size_t kAny = 1000000;
+constexpr Action kActions[] = {
+    {"list", "nothing; --tag TAG chooses", 0, 0, run_list},
+    {"show", "ID", 1, 1, run_show},
+    {"rename", "ID NAME, a name of several words in quotes", 2, 2, run_rename},
+    {"tag", "ID TAG...", 2, kAny, run_tag},
+    {"untag", "ID TAG...", 2, kAny, run_untag},
+    {"remove", "ID...", 1, kAny, run_remove}};
+
+std::vector<std::string> action_names() {
+  std::vector<std::string> names;
+  for (const Action& action : kActions) names.emplace_back(action.name);
+  return names;
+}
+
+void run_tests(const TestsOptions& o) {
+  const Action& action = *std::ranges::find(kActions, o.action, &Action::name);
+  if (o.words.size() < action.least || o.words.size() > action.most)
+    throw lab::BadInput(fmt::format("tests {} takes {}", action.name, action.takes));
+  if (!o.tag.empty() && o.action != "list")
+    throw lab::BadInput("--tag goes with list; `triax tests tag ID TAG` gives a test a tag");
+  action.run(o);
+}
+
+}  // namespace
+
+Command tests_command() {
+  return {
+      .name = "tests",
+      .purpose = "list the tests of the database; show, rename, tag or remove them",
+      .description =
+          {"Without an action the tests are listed: number, name, origin, type of test, verdict, "
+           "readings, when they were stored, tags. show ID says in short what is stored about one: "
+           "its file with its digest (SHA-256), tags, specimen, verdict, warnings.",
+           "rename ID NAME gives a test another name. tag ID TAG... and untag ID TAG... give it "
+           "tags "
+           "and take them away; --tag lists the tests that have one. remove ID... takes tests out "
+           "of "
+           "the database with all of their readings, without a question, all or none of them; a "
+           "test that is still being recorded stays.",
+           "Tests are named by their number here, since several may have one name. A file that is "
+           "replayed again is stored as a new test with a warning; statistics (query "
+           "collapse_points, instability_line, figures of several tests) count it once, by its "
+           "latest complete reading."},
+      .diagnostics = {{"FILE: there is no test N; ...",
+                       "triax tests lists the numbers; nothing was changed"},
+                      {"... is still being recorded; ...",
+                       "end the program that records it first, or wait; nothing was removed"}},
+      .examples = {{"triax tests", "all tests, a line each"},
+                   {"triax tests --tag loose --json", "those with a tag, for a script"},
+                   {"triax tests rename 3 \"CSU 26\"", "another name for test 3"},
+                   {"triax tests tag 3 loose thesis", "two tags for it"},
+                   {"triax tests remove 1 2", "takes two tests out of the database"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<TestsOptions>();
+        const auto actions = action_names();
+        app.add_option("ACTION", o->action, "what is to be done [list]")
+            ->check(CLI::IsMember(actions).description(""))
+            ->type_name(lab::joined(actions, "|"));
+        app.add_option("ID", o->words,
+                       "number of a test, for remove of several; for rename then its NAME, for tag "
+                       "and untag then each TAG")
+            ->type_name("");
+        app.add_option("--tag", o->tag, "list only the tests that have this tag")->type_name("TAG");
+        add_db(app, o->db);
+        add_json(app, o->json);
+        return [o] { run_tests(*o); };
+      }};
+}
+
+}  // namespace triax::src
