@@ -7,18 +7,7 @@
 
 namespace triax::sim {
 
-enum class Dimension {
-  none,
-  time,
-  length,
-  volume,
-  area,
-  force,
-  pressure,
-  angle,
-  mass,
-  density
-};
+enum class Dimension { none, time, length, volume, area, force, pressure, angle, mass, density };
 
 /// A unit of the field: one unit is `scale` SI units.
 struct Unit {

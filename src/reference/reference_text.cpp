@@ -114,7 +114,7 @@ std::string reference_text(const lab::AgsResults& file, const std::string& db, s
   const auto say = [&](const std::string& line) {
     text += lab::joined(wrapped(on_one_line(line), width), "\n") + '\n';
   };
-  say(fmt::format("{}: {}, stored as reference values in {}", file.file, what_it_is(file), db));
+  say(fmt::format("{}: {} stored as reference values in {}", file.file, what_it_is(file), db));
   if (!file.project.empty()) say("Project: " + file.project);
   text += titled("Tests", known_part(file.results, tests_columns()), width);
   text += titled("At failure", known_part(file.results, failure_columns()), width);

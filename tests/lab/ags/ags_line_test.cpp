@@ -23,6 +23,7 @@ TEST_CASE("cells of AGS4: commas and doubled quotes inside quotes, blank cells, 
         Cells{"DATA", "a, b", "1 1/2\" core", "", "\""});
   CHECK(cells_of(R"("DATA" , " 1 ",)") == Cells{"DATA", " 1 ", ""});
   CHECK(cells_of("DATA, 1.5 ,,5\" pipe") == Cells{"DATA", "1.5", "", "5\" pipe"});
+  CHECK(cells_of(R"("a""")") == Cells{"a\""});
   CHECK(cells_of("") == Cells{""});
 }
 
@@ -32,5 +33,5 @@ TEST_CASE("a quote that is not closed or not doubled is told with its cell") {
   CHECK(wrong_with(R"("DATA","5" pipe","x")") ==
         "text behind the closing quote of cell 2, '5'; a quote inside a cell is doubled");
   CHECK(wrong_with("\"").find("cell 1 is not closed") != std::string::npos);
-  CHECK(wrong_with(R"("a""")").find("cell 1 is not closed") != std::string::npos);
+  CHECK(wrong_with(R"("a"")").find("cell 1 is not closed") != std::string::npos);
 }

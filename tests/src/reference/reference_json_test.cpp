@@ -16,7 +16,7 @@ TEST_CASE("reference results as JSON: units in names, null for what is unknown")
   r.pore_pressure_pa = 300e3;
   r.q_pa = 150.3e3;
   r.axial_strain = 0.113;
-  r.initial_water_content = 0.47;
+  r.initial_water_content = 47 * 0.01;  // as it is read
   r.bulk_density_kg_m3 = 1650;
   const study::Json d = src::reference_json(file);
   CHECK(d["source"] == "x.ags");
