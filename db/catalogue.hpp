@@ -19,7 +19,7 @@ struct ListedTest {
   TestStatus status = TestStatus::running;
   std::optional<lab::CollapseKind> kind;  ///< empty: there is no verdict
   std::int64_t readings = 0;              ///< so far, while it runs
-  std::string stored_at;                ///< ISO 8601, UTC
+  std::string stored_at;                  ///< ISO 8601, UTC
   std::string source, digest;             ///< as in lab::RecordHeader
   bool counted = true;                    ///< in statistics: no later reading of its file stands
   std::vector<std::string> tags;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 namespace triax::lab {
 
 void PathHistory::remember(Level& level, const PathSample& block) {
