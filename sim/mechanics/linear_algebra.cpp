@@ -6,24 +6,6 @@
 namespace triax::sim {
 
 template <class Space>
-Factors<Space>::Factors(const Matrix<Space>& a) : lu_(a) {}
-
-template <class Space>
-double Factors<Space>::determinant() const {
-  return lu_.determinant();
-}
-
-template <class Space>
-Vector<Space> Factors<Space>::solve(const Vector<Space>& b) const {
-  return lu_.solve(b);
-}
-
-template <class Space>
-Vector<Space> solve(const Matrix<Space>& a, const Vector<Space>& b) {
-  return Factors<Space>(a).solve(b);
-}
-
-template <class Space>
 std::optional<Vector<Space>> solve_regular(const Matrix<Space>& a, const Vector<Space>& b) {
   const Eigen::FullPivLU<Matrix<Space>> lu(a);
   if (!lu.isInvertible()) return std::nullopt;
@@ -57,10 +39,7 @@ Eigen::VectorXd least_eigenvector(const Eigen::MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvectors().col(0);
 }
 
-template class Factors<Axisymmetric>;
 template class Factors<Tensor>;
-template Vector<Axisymmetric> solve<Axisymmetric>(const Matrix<Axisymmetric>&,
-                                                  const Vector<Axisymmetric>&);
 template Vector<Tensor> solve<Tensor>(const Matrix<Tensor>&, const Vector<Tensor>&);
 template std::optional<Vector<Axisymmetric>> solve_regular<Axisymmetric>(
     const Matrix<Axisymmetric>&, const Vector<Axisymmetric>&);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Systems of as many equations as a space has components. Eigen solves them; it is compiled here
-// once for each space, since its decompositions are most of what the compiler has to do for sim.
+// Systems of as many equations as a space has components. Eigen solves them; its decompositions are
+// most of what the compiler has to do for sim, so they are compiled here once for each space. But
+// for the two equations of axisymmetry, which every increment solves: those are inlined.
 #include <Eigen/LU>
 #include <optional>
 
@@ -23,9 +24,24 @@ class Factors {
   Eigen::PartialPivLU<Matrix<Space>> lu_;
 };
 
+template <class Space>
+Factors<Space>::Factors(const Matrix<Space>& a) : lu_(a) {}
+template <class Space>
+double Factors<Space>::determinant() const {
+  return lu_.determinant();
+}
+template <class Space>
+Vector<Space> Factors<Space>::solve(const Vector<Space>& b) const {
+  return lu_.solve(b);
+}
+
 /// x of a x = b; not finite where `a` is singular.
 template <class Space>
-Vector<Space> solve(const Matrix<Space>& a, const Vector<Space>& b);
+Vector<Space> solve(const Matrix<Space>& a, const Vector<Space>& b) {
+  return Factors<Space>(a).solve(b);
+}
+extern template class Factors<Tensor>;
+extern template Vector<Tensor> solve<Tensor>(const Matrix<Tensor>&, const Vector<Tensor>&);
 
 /// The same with full pivoting; nothing where `a` is singular to round-off.
 template <class Space>
