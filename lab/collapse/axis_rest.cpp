@@ -83,7 +83,7 @@ void AxisRest::doubt(const PathPoint& point, double now) {
   if (has_stopped(point)) {
     rests_ = true;
     held_.clear();
-    watch_fall(point);
+    slow_from_ = point;  // from here on the strain stands, if it does
   } else if (held_.size() >= kHeld) {
     release();
     driven_ = 0;  // it goes slower from now on

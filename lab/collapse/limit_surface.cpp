@@ -36,6 +36,7 @@ void LimitSurface::add(const PathPoint& point) {
 }
 
 void LimitSurface::follow_walk(const PathPoint& point, double angle) {
+  if (!(angle > 0)) return;
   const bool near = std::sin(angle) >= kNear * std::sin(*largest_angle_);
   // A new largest ratio beyond the walk's begins another one.
   if (!near || std::sin(angle) * kNear > std::sin(walk_angle_)) {
