@@ -42,12 +42,12 @@ void LossOfControl::start_stage(const StageInfo* stage) {
 
 void LossOfControl::add_state(const State& state, bool has_time) {
   const State before = std::exchange(before_, state);
-  const bool watched = control_ == AxialControl::constant_q || control_ == AxialControl::load;
-  if (!watched || finding_) return;
+  if (control_ == AxialControl::displacement || finding_) return;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
   check_bursts(state, has_time);
-  if (steps_ < kReference && !finding_) check_leap(before, state, has_time);
+  const bool carries_load = control_ != AxialControl::unknown;
+  if (carries_load && steps_ < kReference && !finding_) check_leap(before, state, has_time);
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
@@ -85,14 +85,16 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
     const auto learn = [&](double& mean, double change) {
       if (!std::isnan(change)) mean += weight * (std::fabs(change) / dt - mean);
     };
-    learn(mean_rate_, recent_[1].strain.axial - recent_[0].strain.axial);
+    const double step = recent_[1].strain.axial - recent_[0].strain.axial;
+    learn(mean_rate_, step);
+    largest_rate_ = std::max(largest_rate_, std::fabs(step) / dt);
     learn(mean_pore_rate_, pore_excess(recent_[0], recent_[1]));
   }
   std::shift_left(recent_.begin(), recent_.end(), 1);
   recent_.back() = state;
   if (steps_ < kReference) return;
   if (!finding_) check_strain_burst(has_time);
-  if (!finding_) check_pore_burst(has_time);
+  if (!finding_ && control_ != AxialControl::unknown) check_pore_burst(has_time);
 }
 
 /// A displacement that was set to zero between two stages leaps too, but q does not.
@@ -109,6 +111,14 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
                           state.q / 1e3)};
 }
 
+/// The latest step against the fastest before it, and the q that was lost with it.
+bool LossOfControl::outruns_any_frame(bool has_time) const {
+  const State &before = recent_[kRecent - 2], &last = recent_.back();
+  const double step =
+      std::fabs(last.strain.axial - before.strain.axial) / lapse(before, last, has_time);
+  return step > kBurst * largest_rate_ && std::fabs(last.q) < (1 - kLostQ) * std::fabs(before.q);
+}
+
 void LossOfControl::check_strain_burst(bool has_time) {
   constexpr double kLeastRise = 1e-3;
   constexpr double kCreep = 0.01;  ///< of the fastest step
@@ -119,6 +129,7 @@ void LossOfControl::check_strain_burst(bool has_time) {
   const double rise = std::fabs(last.strain.axial - recent_.front().strain.axial);
   const double burst = rate(recent_.front(), last);
   if (rise < kLeastRise || burst < kBurst * mean_rate_) return;
+  if (control_ == AxialControl::unknown && !outruns_any_frame(has_time)) return;
   // The burst began where the steps first left what they had been. What crept faster before a
   // specimen fell within one interval is not yet the fall.
   double fastest = 0;

@@ -21,6 +21,8 @@ namespace triax::lab {
 ///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
 ///   valve open to stand, or to go on as the controller took it so far.
 /// A frame that prescribes displacement keeps its control through a peak: nothing is looked for.
+/// Where nobody says what is prescribed, a burst of the axial strain counts that is ten times
+/// faster than the fastest step so far, while q falls by more than 5 %: no frame does that.
 class LossOfControl : public CollapseCriterion {
  public:
   void start_stage(const StageInfo* stage) override;
@@ -41,6 +43,7 @@ class LossOfControl : public CollapseCriterion {
   void check_bursts(const State& state, bool has_time);
   void check_leap(const State& before, const State& state, bool has_time);
   void check_strain_burst(bool has_time);
+  bool outruns_any_frame(bool has_time) const;
   void check_pore_burst(bool has_time);
   double pore_excess(const State& from, const State& to) const;
 
@@ -55,6 +58,7 @@ class LossOfControl : public CollapseCriterion {
   int below_ = 0;  ///< successive readings at which the held q is missing
   State first_below_;
   std::array<State, kRecent> recent_{};
+  double largest_rate_ = 0;  ///< of the axial strain from one reading to the next
   double mean_rate_ = 0;  ///< of the axial strain before the recent readings, per s or per reading
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;

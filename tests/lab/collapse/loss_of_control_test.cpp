@@ -53,6 +53,24 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   CHECK(control.sudden());
 }
 
+TEST_CASE("where nobody says what is prescribed, a leap beyond any frame with q falling counts") {
+  StageInfo unsaid = kHeld;
+  unsaid.control = AxialControl::unknown;
+  const auto found = [&](double step, double q_after, bool has_time) {
+    LossOfControl control;
+    control.start_stage(&unsaid);
+    for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-4), has_time);
+    control.add_state(at(300, q_after, 299e-4 + step), has_time);
+    return control.finding().has_value();
+  };
+  for (const bool has_time : {true, false}) {
+    CHECK(found(0.1, 1e3, has_time));
+    CHECK_FALSE(found(0.1, 60e3, has_time));   // the drive went faster, the specimen carries
+    CHECK_FALSE(found(1e-4, 1e3, has_time));   // brittle, at the rate of the drive
+    CHECK_FALSE(found(5e-4, 40e3, has_time));  // read less often
+  }
+}
+
 TEST_CASE("a specimen that falls before the stage has shown a rate has lost control all the same") {
   StageInfo load = kHeld;
   load.control = AxialControl::load;
