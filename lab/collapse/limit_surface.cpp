@@ -39,14 +39,16 @@ void LimitSurface::follow_walk(const PathPoint& point, double angle) {
   if (!(angle > 0)) return;
   const bool near = std::sin(angle) >= kNear * std::sin(*largest_angle_);
   // A new largest ratio beyond the walk's begins another one.
-  if (!near || std::sin(angle) * kNear > std::sin(walk_angle_)) {
+  if (!near || std::sin(angle) * kNear > std::sin(walk_least_)) {
     walk_start_.reset();
     walk_angle_ = 0;
+    walk_least_ = angle;
   }
   if (!near) return;
   if (!walk_start_) walk_start_ = point.strength();
   walk_start_ = std::min(*walk_start_, point.strength());
   walk_angle_ = std::max(walk_angle_, angle);
+  walk_least_ = std::min(walk_least_, angle);
   if (point.strength() < (1 + kWalk) * *walk_start_) return;
   if (!walks_.empty() && walk_angle_ <= 1.01 * walks_.back().angle) return;
   if (walks_.size() < kMostWalks) walks_.push_back({point.reading, walk_angle_});

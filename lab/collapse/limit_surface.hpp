@@ -44,6 +44,7 @@ class LimitSurface {
   double p_largest_ = 0;
   std::optional<double> walk_start_;  ///< |q| where the present walk along the limit began
   double walk_angle_ = 0;             ///< largest in it
+  double walk_least_ = 0;             ///< and smallest
   std::vector<Walk> walks_;           ///< each with a larger angle than the one before
 };
 

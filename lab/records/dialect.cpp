@@ -127,7 +127,7 @@ void read_defaults(Dialect& dialect, const TomlTable& document) {
 Dialect begun_dialect(const TomlTable& document) {
   Dialect dialect;
   dialect.stage.role = StageRole::shear;
-  dialect.stage.control = AxialControl::displacement;
+  dialect.stage.control = AxialControl::unknown;  // a frame or a dead load: who knows
   const auto base = document.text("extends");
   if (!base) return dialect;
   std::vector<std::string> names;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/triaxial/read_again.hpp"
 
+#include "src/study/triaxial/tests_origin.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "tests/src/sample_tests.hpp"
