@@ -31,15 +31,26 @@ void LimitSurface::add(const PathPoint& point) {
   p_largest_ = std::max(p_largest_, point.p_eff);
   if (point.p_eff < 0.03 * p_largest_ || point.eta() > 3 || point.eta() < -1.5) return;
   const double angle = sim::mobilised_friction_angle(point.eta());
-  largest_angle_ = std::max(largest_angle_.value_or(0), angle);
+  watch_softening(point, angle);
   follow_walk(point, angle);
+}
+
+void LimitSurface::watch_softening(const PathPoint& point, double angle) {
+  if (angle >= largest_angle_.value_or(0)) {
+    largest_angle_ = angle;
+    p_at_largest_ = point.p_eff;
+    softened_ = false;
+  } else if (std::sin(angle) < kBand * std::sin(*largest_angle_) &&
+             point.p_eff >= kBand * p_at_largest_) {
+    softened_ = true;
+  }
 }
 
 void LimitSurface::follow_walk(const PathPoint& point, double angle) {
   if (!(angle > 0)) return;
   const bool near = std::sin(angle) >= kNear * std::sin(*largest_angle_);
   // A new largest ratio beyond the walk's begins another one.
-  if (!near || std::sin(angle) * kNear > std::sin(walk_least_)) {
+  if (!near || std::sin(angle) * kBand > std::sin(walk_least_)) {
     walk_start_.reset();
     walk_angle_ = 0;
     walk_least_ = angle;
@@ -73,6 +84,7 @@ std::optional<bool> LimitSurface::inside(double eta, double onset_reading) const
   };
   if (given_angle_) return below(*given_angle_);
   if (largest_angle_ && below(*largest_angle_)) return true;
+  if (softened_) return false;
   for (const Walk& walk : walks_)
     if (walk.reading < onset_reading && !below(walk.angle)) return false;
   return std::nullopt;

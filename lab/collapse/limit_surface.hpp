@@ -13,7 +13,9 @@ namespace triax::lab {
 /// specimen's description gives. Without that a test knows of its own limit only what it showed:
 ///   an onset at a ratio well below one that was mobilised at any time lies inside;
 ///   an onset lies on the limit where the path had walked along it before: q grew by kWalk while
-///   the friction angle stayed within 5 % of its largest;
+///   sin φ stayed within a tenth, and within 5 % of its largest;
+///   and where the ratio itself fell afterwards, by a tenth, while p' did not: the skeleton lost
+///   friction. Where a specimen liquefies p' falls, and the ratio grows on;
 ///   else nobody knows, and nothing is excused by the ratio at which a specimen fell.
 class LimitSurface {
  public:
@@ -33,15 +35,19 @@ class LimitSurface {
 
  private:
   static constexpr double kWalk = 0.2;
+  static constexpr double kBand = 0.9;  ///< smallest over largest ratio of one walk
   static constexpr std::size_t kMostWalks = 64;
   struct Walk {
     double reading = 0;  ///< at which it had been long enough
     double angle = 0;
   };
+  void watch_softening(const PathPoint& point, double angle);
   void follow_walk(const PathPoint& point, double angle);
 
   std::optional<double> given_angle_, largest_angle_;  ///< friction angles, rad
   double p_largest_ = 0;
+  double p_at_largest_ = 0;           ///< where the angle was largest
+  bool softened_ = false;             ///< since then
   std::optional<double> walk_start_;  ///< |q| where the present walk along the limit began
   double walk_angle_ = 0;             ///< largest in it
   double walk_least_ = 0;             ///< and smallest

@@ -139,7 +139,8 @@ TEST_CASE("a record that turns bad on the way costs the finished ones neither pl
   CHECK(outcome.status == 2);
   CHECK(outcome.err.rfind("triax: late.csv:42: ", 0) == 0);
   CHECK(outcome.out.find("Test 1: good") != std::string::npos);
-  CHECK(here.triax("query \"SELECT test FROM tests\" --format csv").out == "test\r\ngood\r\ngood\r\n");
+  CHECK(here.triax("query \"SELECT test FROM tests\" --format csv").out ==
+        "test\r\ngood\r\ngood\r\n");
 }
 
 TEST_CASE("a wrong unit shows in the first cell that nothing can have measured") {

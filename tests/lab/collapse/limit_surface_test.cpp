@@ -57,6 +57,19 @@ TEST_CASE("a path that had walked along its largest ratio before knew its limit"
   CHECK_FALSE(own.inside(1.34, 15));  // not yet: q had grown by less than a fifth
 }
 
+TEST_CASE("a ratio that falls at the same p' was a limit; one that is lost with p' was not") {
+  LimitSurface clay({}), sand({});
+  for (int i = 0; i <= 100; ++i) {
+    clay.add(at(i, 0.9e3 * i, 40e3));
+    sand.add(at(i, 0.9e3 * i, 160e3));
+  }
+  CHECK_FALSE(clay.inside(2.25, 100));
+  clay.add(at(150, 75e3, 41e3));
+  CHECK(clay.inside(2.25, 100) == false);
+  sand.add(at(101, 10e3, 40e3));  // fell within a reading: q and p' are gone
+  CHECK_FALSE(sand.inside(0.56, 100));
+}
+
 TEST_CASE("noise near p' = 0 sets no limit") {
   LimitSurface own({});
   own.add(at(1, 138e3, 100e3));
