@@ -79,7 +79,7 @@ auto change(const std::string& path, const Work& work) {
 }
 
 std::string one_line(const std::string& text, const char* what) {
-  const std::string line(lab::trimmed(text));
+  std::string line(lab::trimmed(text));
   if (line.empty()) throw lab::BadInput(fmt::format("the {0} is empty; give a {0}", what));
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
   if (!lab::is_utf8(line) || std::ranges::any_of(line, is_control))
@@ -90,6 +90,7 @@ std::string one_line(const std::string& text, const char* what) {
 
 std::vector<std::string> each_one_line(const std::vector<std::string>& tags) {
   std::vector<std::string> lines;
+  lines.reserve(tags.size());
   for (const std::string& tag : tags) lines.push_back(one_line(tag, "tag"));
   return lines;
 }

@@ -3,6 +3,7 @@
 // Listening, one way for all: a listener is a plain struct of std::functions, any of which may be
 // empty; who works is given a list of them and tells each in its order, in its own thread. What a
 // listener throws goes through the work to who called it.
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -20,9 +21,8 @@ void tell(const std::vector<Listener>& listeners, std::function<void(Told...)> L
 template <class Listener, class... Told>
 bool is_heard(const std::vector<Listener>& listeners,
               std::function<void(Told...)> Listener::*what) {
-  for (const Listener& listener : listeners)
-    if (listener.*what) return true;
-  return false;
+  return std::ranges::any_of(
+      listeners, [what](const Listener& listener) { return static_cast<bool>(listener.*what); });
 }
 
 }  // namespace triax::lab

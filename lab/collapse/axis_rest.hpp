@@ -47,7 +47,7 @@ class AxisRest {
   /// Of the strain since it went slow, to where the specimen is sheared.
   double advance(const PathPoint& point) const;
   bool has_stopped(const PathPoint& point) const;
-  void doubt(const PathPoint& point, double rate);
+  void doubt(const PathPoint& point, double now);
   void watch_fall(const PathPoint& point);
 
   bool looks_ = false, has_time_ = true, rests_ = false;

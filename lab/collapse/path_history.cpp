@@ -31,7 +31,7 @@ void PathHistory::add(const PathSample& sample) {
   }
 }
 
-bool PathHistory::reaches(const Level& level, double reading) const {
+bool PathHistory::reaches(const Level& level, double reading) {
   if (level.ring.size() < kBlocks) return true;  // it has forgotten nothing yet
   return level.ring[level.next].signal[PathSample::reading] <= reading;
 }

@@ -34,7 +34,7 @@ class PathHistory {
     PathSample first_half;  ///< waits for its sibling from the level below
   };
   static void remember(Level& level, const PathSample& block);
-  bool reaches(const Level& level, double reading) const;
+  static bool reaches(const Level& level, double reading);
 
   std::array<Level, kLevels> levels_{};
   double first_ = kNone, last_ = kNone;

@@ -94,6 +94,7 @@ Table known_part(const std::vector<ReferenceResult>& results,
   for (std::size_t i = 0; i < results.size(); ++i) table.rows[i] = {std::to_string(i + 1)};
   for (const ReferenceColumn& one : columns) {
     std::vector<std::string> cells;
+    cells.reserve(results.size());
     for (const ReferenceResult& result : results) cells.push_back(one.cell(result));
     if (std::ranges::all_of(cells, [](const auto& cell) { return cell == kUnknown; })) continue;
     table.columns.push_back(one.column);

@@ -2,6 +2,7 @@
 #include "src/triaxial/tests.hpp"
 
 #include <fmt/format.h>
+#include <array>
 
 #include <CLI/Validators.hpp>
 #include <algorithm>
@@ -113,13 +114,14 @@ struct Action {
 };
 
 constexpr std::size_t kAny = 1000000;
-constexpr Action kActions[] = {
+constexpr auto kActions = std::to_array<Action>({
     {"list", "nothing; --tag TAG chooses", 0, 0, run_list},
     {"show", "ID", 1, 1, run_show},
     {"rename", "ID NAME, a name of several words in quotes", 2, 2, run_rename},
     {"tag", "ID TAG...", 2, kAny, run_tag},
     {"untag", "ID TAG...", 2, kAny, run_untag},
-    {"remove", "ID...", 1, kAny, run_remove}};
+    {"remove", "ID...", 1, kAny, run_remove},
+});
 
 std::vector<std::string> action_names() {
   std::vector<std::string> names;
