@@ -83,15 +83,14 @@ void scale_rates(lab::Programme& programme, double factor) {
   }
 }
 
-/// Uniform in [0, 1), from the seed and the number of the choice (splitmix64).
+}  // namespace
+
 double choice(std::uint64_t seed, std::uint64_t number) {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15U + (number + 1) * 0xD1B54A32D192ED03U;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
   z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
   return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
 }
-
-}  // namespace
 
 lab::Programme varied(const Subject& subject, std::uint64_t seed) {
   lab::Programme programme = subject.programme;

@@ -41,6 +41,9 @@ struct TrialResult {
 /// stages) and rates (× 0.5 to 2). Deterministic.
 lab::Programme varied(const Subject& subject, std::uint64_t seed);
 
+/// Uniform in [0, 1), from the seed and the number of the choice (splitmix64).
+double choice(std::uint64_t seed, std::uint64_t number);
+
 /// Runs it. Throws what rig and reduction throw.
 TrialResult run_trial(const Subject& subject, std::uint64_t seed);
 

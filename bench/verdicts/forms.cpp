@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <thread>
 
 #include "lab/collapse/path_sampler.hpp"
+#include "lab/records/record_writer.hpp"
 
 namespace triax::bench {
 namespace {
@@ -19,35 +24,22 @@ std::string number(double value, int digits) {
   return std::isnan(value) ? "" : fmt::format("{:.{}f}", value, digits);
 }
 
-/// Our own form: TOML behind # describes specimen and stages.
+/// Our own form, as the program writes it; without the friction angle, which no laboratory's file
+/// knows, and without the truth.
 std::string own(const SimulatedTest& test, std::uint64_t) {
-  const auto& s = test.header.specimen;
-  std::string text = fmt::format(
-      "# [test]\n# name = \"simulated, not measured\"\n# origin = \"simulated\"\n"
-      "# [specimen]\n# height_mm = {}\n# diameter_mm = {}\n",
-      *s.height_m * 1e3, *s.diameter_m * 1e3);
-  auto out = std::back_inserter(text);
-  for (const lab::StageInfo& stage : test.header.stages) {
-    fmt::format_to(out, "# [[stages]]\n# number = {}\n# role = \"{}\"\n# drainage = \"{}\"\n",
-                   stage.number, to_string(stage.role), to_string(stage.drainage));
-    if (stage.control != lab::AxialControl::unknown)
-      fmt::format_to(out, "# control = \"{}\"\n", to_string(stage.control));
-    if (stage.strain_path_R) fmt::format_to(out, "# strain_path_R = {}\n", *stage.strain_path_R);
-  }
-  text += "stage,time_s";
-  for (const Quantity q : test.header.columns) text += "," + lab::heading(q);
-  text += "\n";
-  for (const lab::Reading& reading : test.readings) {
-    fmt::format_to(out, "{},{}", reading.stage, number(reading.time_s, 3));
-    for (const Quantity q : test.header.columns) {
-      const auto unit = *sim::find_unit(std::string(lab::info(q).unit));
-      const double value = reading[q];
-      text +=
-          std::isnan(value) ? std::string(",") : fmt::format(",{:.9g}", sim::to_field(value, unit));
-    }
-    text += "\n";
-  }
-  return text;
+  lab::RecordHeader header = test.header;
+  header.specimen.limit_friction_angle_rad.reset();
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            fmt::format("triax_verdicts_{}.csv",
+                                        std::hash<std::thread::id>()(std::this_thread::get_id())))
+                               .string();
+  lab::RecordWriter writer(path, header);
+  for (const lab::Reading& reading : test.readings) writer.write(reading);
+  writer.finish(std::nullopt);
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  std::filesystem::remove(path);
+  return text.str();
 }
 
 /// Raw channels under the names of a vendor's export, decimal comma or point.
@@ -55,16 +47,16 @@ std::string numbered_stages(const SimulatedTest& test, std::uint64_t seed) {
   struct Column {
     Quantity quantity;
     const char* heading;
-    double scale, sign;
+    double scale;
     int digits;
   };
   static constexpr auto kColumns = std::to_array<Column>({
-      {Quantity::cell_pressure, "Radial Pressure (kPa)", 1e-3, 1, 3},
-      {Quantity::back_pressure, "Back Pressure (kPa)", 1e-3, 1, 3},
-      {Quantity::back_volume, "Back Volume (mm³)", 1e9, 1, 1},
-      {Quantity::axial_force, "Load Cell (kN)", 1e-3, 1, 6},
-      {Quantity::pore_pressure, "Pore Pressure (kPa)", 1e-3, 1, 3},
-      {Quantity::axial_displacement, "Axial Displacement (mm)", 1e3, 1, 5},
+      {Quantity::cell_pressure, "Radial Pressure (kPa)", 1e-3, 3},
+      {Quantity::back_pressure, "Back Pressure (kPa)", 1e-3, 3},
+      {Quantity::back_volume, "Back Volume (mm³)", 1e9, 1},
+      {Quantity::axial_force, "Load Cell (kN)", 1e-3, 6},
+      {Quantity::pore_pressure, "Pore Pressure (kPa)", 1e-3, 3},
+      {Quantity::axial_displacement, "Axial Displacement (mm)", 1e3, 5},
   });
   const bool comma = seed % 2 == 0;
   const auto cell = [&](std::string value) {
@@ -89,7 +81,7 @@ std::string numbered_stages(const SimulatedTest& test, std::uint64_t seed) {
                         cell(number(reading.time_s - begun, 3)));
     for (const Column& c : kColumns)
       if (test.header.has(c.quantity))
-        text += "," + cell(number(c.sign * reading[c.quantity] * c.scale, c.digits));
+        text += "," + cell(number(reading[c.quantity] * c.scale, c.digits));
     text += "\r\n";
   }
   return text;

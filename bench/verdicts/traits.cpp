@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace triax::bench {
 namespace {
@@ -26,7 +27,7 @@ bool as_recorded(SimulatedTest&, std::uint64_t) { return true; }
 /// The record stops before the specimen does: at 30 to 80 % of what there was of shear until then.
 bool ends_early(SimulatedTest& test, std::uint64_t seed) {
   const std::size_t until = test.lost.value_or(test.readings.size());
-  const double share = 0.3 + 0.5 * chance(seed, 10);
+  const double share = 0.3 + 0.5 * choice(seed, 10);
   const auto kept = static_cast<std::size_t>(share * static_cast<double>(until - test.shear));
   if (kept < 10) return false;
   cut(test, test.shear + kept);
@@ -58,7 +59,7 @@ void add_noise(lab::Reading& reading, std::uint64_t seed, std::size_t i) {
                                                        {Quantity::pore_pressure, 100},
                                                        {Quantity::back_volume, 1e-9}});
   for (std::size_t k = 0; k < kNoise.size(); ++k)
-    reading[kNoise[k].quantity] += kNoise[k].size * (chance(seed, 1000 + 8 * i + k) - 0.5);
+    reading[kNoise[k].quantity] += kNoise[k].size * (choice(seed, 1000 + 8 * i + k) - 0.5);
 }
 
 /// Stands from reading `at` on for `count` readings, in which q falls by `share` a decade.
@@ -74,7 +75,7 @@ void stand(SimulatedTest& test, std::size_t at, std::size_t count, double share,
     rest[i].time_s += step * static_cast<double>(i + 1);
     rest[i][Quantity::axial_force] *= 1 - fall;
     states[i].time_s = rest[i].time_s;
-    states[i].strain.axial += 1e-5 * (chance(seed, 2000 + 8 * i) - 0.5);
+    states[i].strain.axial += 1e-5 * (choice(seed, 2000 + 8 * i) - 0.5);
     const double lost_q = fall * states[i].q;
     states[i].q -= lost_q;
     states[i].p_eff -= lost_q / 3;
@@ -95,8 +96,8 @@ void stand(SimulatedTest& test, std::size_t at, std::size_t count, double share,
 bool relaxes_at_the_end(SimulatedTest& test, std::uint64_t seed) {
   const std::size_t last = test.readings.size() - 1;
   if (!by_displacement(test, last) || last < test.shear + 20) return false;
-  stand(test, last, static_cast<std::size_t>(20 + 300 * chance(seed, 20)),
-        0.02 + 0.03 * chance(seed, 21), seed);
+  stand(test, last, static_cast<std::size_t>(20 + 300 * choice(seed, 20)),
+        0.02 + 0.03 * choice(seed, 21), seed);
   return true;
 }
 
@@ -108,8 +109,8 @@ bool pauses(SimulatedTest& test, std::uint64_t seed) {
     const auto at =
         test.shear + static_cast<std::size_t>(share * static_cast<double>(until - test.shear));
     if (!by_displacement(test, at)) continue;
-    stand(test, at, static_cast<std::size_t>(10 + 40 * chance(seed, 30)),
-          0.02 + 0.03 * chance(seed, 31), seed);
+    stand(test, at, static_cast<std::size_t>(10 + 40 * choice(seed, 30)),
+          0.02 + 0.03 * choice(seed, 31), seed);
   }
   return true;
 }
@@ -138,8 +139,9 @@ bool without_back_pressure(SimulatedTest& test, std::uint64_t) {
 }
 
 bool load_cell_not_zeroed(SimulatedTest& test, std::uint64_t seed) {
-  const double area = 3.848e-3;  // 70 mm
-  const double offset = (chance(seed, 40) < 0.5 ? -1 : 1) * 5e3 * area;
+  const double diameter = *test.header.specimen.diameter_m;
+  const double area = std::numbers::pi / 4 * diameter * diameter;
+  const double offset = (choice(seed, 40) < 0.5 ? -1 : 1) * 5e3 * area;
   for (std::size_t i = 0; i < test.readings.size(); ++i) {
     test.readings[i][Quantity::axial_force] += offset;
     test.states[i].q += offset / area;
@@ -167,7 +169,7 @@ bool coarse_steps(SimulatedTest& test, std::uint64_t) {
 /// 20 to 60 rows of shear, as somebody reads them off: spaced over the axial strain.
 bool few_rows(SimulatedTest& test, std::uint64_t seed) {
   const std::size_t size = test.readings.size();
-  const auto rows = static_cast<std::size_t>(20 + 40 * chance(seed, 50));
+  const auto rows = static_cast<std::size_t>(20 + 40 * choice(seed, 50));
   if (size < test.shear + 4 * rows) return false;
   SimulatedTest thin = test;
   thin.readings.clear();
@@ -212,12 +214,5 @@ constexpr auto kTraits = std::to_array<Trait>({
 }  // namespace
 
 std::span<const Trait> traits() { return kTraits; }
-
-double chance(std::uint64_t seed, std::uint64_t number) {
-  std::uint64_t z = seed * 0x9E3779B97F4A7C15U + (number + 1) * 0xD1B54A32D192ED03U;
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
-}
 
 }  // namespace triax::bench

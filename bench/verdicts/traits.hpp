@@ -18,7 +18,4 @@ struct Trait {
 
 std::span<const Trait> traits();
 
-/// Uniform in [0, 1) from the seed and the number of the choice.
-double chance(std::uint64_t seed, std::uint64_t number);
-
 }  // namespace triax::bench

@@ -14,9 +14,9 @@ namespace triax::lab {
 /// memory. It rests where |q| falls while the axial strain advances at less than kRests of the rate
 /// of the stage so far (a second where there is time, else a reading), beyond its scatter, and does
 /// not turn back, which is unloading, and p' changes by no more than q does: at held q, where p' is
-/// lowered, nothing rests. Points that are
-/// slower than kSlow are held back, kHeld at most, until those that follow decide; where the drive
-/// only goes slower they are judged after all. Not where q or a load is prescribed.
+/// lowered, nothing rests. Points that are slower than kSlow are held back, kHeld at most, until
+/// those that follow decide; where the drive only goes slower they are judged after all. Not where
+/// q or a load is prescribed.
 class AxisRest {
  public:
   static constexpr double kSlow = 0.5, kResumes = 0.2, kRests = 0.1;

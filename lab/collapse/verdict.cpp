@@ -87,13 +87,9 @@ void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
       "q fell by {:.0f} % after reading {} while the axial strain did not move at all: more than "
       "relaxation; the displacement transducer may be stuck",
       fall.share * 100, fall.reading);
-  c.judged = false;
   c.kind = CollapseKind::none;
   c.onset.reset();
-  c.judged_until = fall.reading;
-  c.judged_until_reason = reason;
-  for (Criterion& criterion : c.criteria)
-    if (!criterion.found()) criterion.detected.reset();
+  c.end_at(fall.reading, reason);
 }
 
 }  // namespace
@@ -120,7 +116,8 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   tell_failures_apart(e, descent && descent->drained && !e.at_held_q, c);
-  if (e.fall_at_rest) end_at_doubtful_rest(*e.fall_at_rest, c);
+  // A runaway that was seen is never withdrawn.
+  if (e.fall_at_rest && !e.loss_of_control) end_at_doubtful_rest(*e.fall_at_rest, c);
   return c;
 }
 

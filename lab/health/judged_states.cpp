@@ -190,22 +190,11 @@ std::string JudgedStates::withheld() const {
 
 void JudgedStates::bound(Collapse& collapse) const {
   if (const auto reason = withheld(); !reason.empty()) {
-    collapse.kind = CollapseKind::none;
-    collapse.judged = false;
-    collapse.onset.reset();
-    collapse.inside_limit_surface.reset();
-    collapse.judged_until_reason = reason;
-    for (Criterion& c : collapse.criteria) c.detected.reset();
+    collapse.withhold(reason);
     return;
   }
-  const auto end = this->end();
-  if (!end) return;
-  collapse.judged_until_reason = end->reason;
-  if (end->last >= 0) collapse.judged_until = end->last;
-  // What was found stands; that nothing was found says nothing of what came after.
-  collapse.judged = collapse.judged && end->last >= 0 && collapse.onset;
-  for (Criterion& c : collapse.criteria)
-    if (!c.found()) c.detected.reset();
+  if (const auto end = this->end())
+    collapse.end_at(end->last >= 0 ? std::optional(end->last) : std::nullopt, end->reason);
 }
 
 std::vector<Warning> JudgedStates::warnings() const {

@@ -58,6 +58,23 @@ std::optional<CheckKind> check_kind_from(std::string_view text) {
   return value_of<CheckKind>(text, kCheckKinds);
 }
 
+void Collapse::withhold(const std::string& reason) {
+  judged = false;
+  kind = CollapseKind::none;
+  onset.reset();
+  inside_limit_surface.reset();
+  judged_until_reason = reason;
+  for (Criterion& c : criteria) c.detected.reset();
+}
+
+void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reason) {
+  judged = judged && last && onset;
+  judged_until = last;
+  judged_until_reason = reason;
+  for (Criterion& c : criteria)
+    if (!c.found()) c.detected.reset();
+}
+
 std::optional<double> Instant::phi_mob_rad() const {
   const auto ratio = eta();
   if (!ratio) return std::nullopt;

@@ -142,6 +142,11 @@ struct Collapse {
   std::string
       judged_until_reason;  ///< why it ends there, or why nothing is judged; empty: it does not
   bool detected() const { return kind != CollapseKind::none; }
+  /// Nothing is known: neither of a collapse nor, of a criterion, of anything.
+  void withhold(const std::string& reason);
+  /// Nothing is known after reading `last` (empty: of all): what was found stands, that nothing was
+  /// found says nothing.
+  void end_at(std::optional<std::int64_t> last, const std::string& reason);
 };
 
 struct TestSummary {

@@ -9,6 +9,7 @@
 namespace triax::src {
 
 inline constexpr const char* kUnknown = "–";
+inline std::string or_unknown(const std::string& text) { return text.empty() ? kUnknown : text; }
 
 /// A plain number with so many decimals.
 std::string number(std::optional<double> value, int decimals);

@@ -5,6 +5,7 @@
 
 #include "sim/mechanics/units.hpp"
 #include "src/reference/reference_words.hpp"
+#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::src {
 namespace {
@@ -68,7 +69,7 @@ Json reference_result_json(const lab::ReferenceResult& r) {
 Json reference_json(const lab::AgsResults& file) {
   Json results = Json::array(), warnings = Json::array();
   for (const auto& result : file.results) results.push_back(reference_result_json(result));
-  for (const auto& warning : file.warnings) warnings.push_back(told(warning));
+  for (const auto& warning : file.warnings) warnings.push_back(study::in_words(warning));
   return {{"source", file.file},
           {"what", what_it_is(file)},
           {"edition", study::json_text(file.edition)},

@@ -13,6 +13,7 @@
 #include "src/output/words.hpp"
 #include "src/output/wrapping.hpp"
 #include "src/reference/reference_words.hpp"
+#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::src {
 namespace {
@@ -24,11 +25,8 @@ struct ReferenceColumn {
   std::function<std::string(const ReferenceResult&)> cell;  ///< kUnknown where it is
 };
 
-std::string text_or_unknown(const std::string& text) { return text.empty() ? kUnknown : text; }
-
 ReferenceColumn words(const char* heading, std::string ReferenceResult::*text) {
-  return {{heading, Align::left},
-          [text](const ReferenceResult& r) { return text_or_unknown(r.*text); }};
+  return {{heading, Align::left}, [text](const ReferenceResult& r) { return or_unknown(r.*text); }};
 }
 
 ReferenceColumn pressure(const char* heading, std::optional<double> ReferenceResult::*pa) {
@@ -45,17 +43,16 @@ ReferenceColumn value(const char* heading, std::function<std::string(const Refer
 }
 
 std::vector<ReferenceColumn> tests_columns() {
-  return {{{"location", Align::left},
-           [](const auto& r) { return text_or_unknown(r.specimen.location); }},
-          {{"sample", Align::left},
-           [](const auto& r) { return text_or_unknown(sample_of(r.specimen)); }},
-          {{"specimen", Align::left},
-           [](const auto& r) { return text_or_unknown(specimen_of(r.specimen)); }},
-          words("group", &ReferenceResult::group),
-          words("test", &ReferenceResult::test_type),
-          words("stage", &ReferenceResult::stage),
-          words("failure", &ReferenceResult::failure_mode),
-          words("criterion", &ReferenceResult::failure_criterion)};
+  return {
+      {{"location", Align::left}, [](const auto& r) { return or_unknown(r.specimen.location); }},
+      {{"sample", Align::left}, [](const auto& r) { return or_unknown(sample_of(r.specimen)); }},
+      {{"specimen", Align::left},
+       [](const auto& r) { return or_unknown(specimen_of(r.specimen)); }},
+      words("group", &ReferenceResult::group),
+      words("test", &ReferenceResult::test_type),
+      words("stage", &ReferenceResult::stage),
+      words("failure", &ReferenceResult::failure_mode),
+      words("criterion", &ReferenceResult::failure_criterion)};
 }
 
 std::vector<ReferenceColumn> failure_columns() {
@@ -121,7 +118,7 @@ std::string reference_text(const lab::AgsResults& file, const std::string& db, s
   text += titled("At failure", known_part(file.results, failure_columns()), width);
   text += titled("Specimens and strength", known_part(file.results, specimen_columns()), width);
   if (!file.warnings.empty()) text += '\n';
-  for (const auto& warning : file.warnings) say("Note: " + told(warning));
+  for (const auto& warning : file.warnings) say("Note: " + study::in_words(warning));
   return text;
 }
 

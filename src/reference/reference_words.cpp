@@ -31,8 +31,4 @@ std::string specimen_of(const lab::ReferenceSpecimen& specimen) {
   return lab::joined({specimen.specimen_reference, depth(specimen.specimen_depth_m)});
 }
 
-std::string told(const lab::Warning& warning) {
-  return warning.line > 0 ? fmt::format("line {}: {}", warning.line, warning.text) : warning.text;
-}
-
 }  // namespace triax::src

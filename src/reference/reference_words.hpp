@@ -13,7 +13,5 @@ std::string what_it_is(const lab::AgsResults& file);
 std::string sample_of(const lab::ReferenceSpecimen& specimen);
 /// "1, 4.68 m"
 std::string specimen_of(const lab::ReferenceSpecimen& specimen);
-/// "line 12: ..."
-std::string told(const lab::Warning& warning);
 
 }  // namespace triax::src

@@ -11,8 +11,6 @@ namespace {
 
 using lab::Origin;
 
-std::string or_unknown(const std::string& text) { return text.empty() ? kUnknown : text; }
-
 std::string origin_word(const db::StoredTest& test) {
   return test.header.origin == Origin::simulated ? "SIMULATED" : "recorded";
 }
@@ -263,6 +261,18 @@ Table checks_table(const db::StoredTest& test) {
   return table;
 }
 
+/// What every account of a test begins with.
+TestContent begun_content(const db::StoredTest& test) {
+  TestContent content;
+  content.title = fmt::format("Test {}: {}", test.id, test.header.name);
+  content.banner = banner(test);
+  auto& facts = content.facts;
+  facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
+  facts.push_back({"Data", {origin_line(test), axis_line(test)}});
+  if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
+  return content;
+}
+
 }  // namespace
 
 Table summary_table(const std::vector<study::TestResult>& tests) {
@@ -315,13 +325,8 @@ std::vector<std::string> summary_notes() {
 
 TestContent test_content(const study::TestResult& reported) {
   const auto& test = reported.stored;
-  TestContent content;
-  content.title = fmt::format("Test {}: {}", test.id, test.header.name);
-  content.banner = banner(test);
+  TestContent content = begun_content(test);
   auto& facts = content.facts;
-  facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
-  facts.push_back({"Data", {origin_line(test), axis_line(test)}});
-  if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
   add_tags(facts, test);
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
   facts.push_back({"Start of shear", {shear_start_line(test)}});
@@ -340,13 +345,8 @@ TestContent test_content(const study::TestResult& reported) {
 }
 
 TestContent brief_content(const db::StoredTest& test) {
-  TestContent content;
-  content.title = fmt::format("Test {}: {}", test.id, test.header.name);
-  content.banner = banner(test);
+  TestContent content = begun_content(test);
   auto& facts = content.facts;
-  facts.push_back({"Type of test", {or_unknown(test.header.programme)}});
-  facts.push_back({"Data", {origin_line(test), axis_line(test)}});
-  if (test.sweep) facts.back().lines.push_back(sweep_line(*test.sweep));
   facts.push_back({"Stored", {stored_line(test)}});
   facts.push_back({"SHA-256", {or_unknown(test.header.digest)}});
   add_tags(facts, test);

@@ -70,12 +70,15 @@ TestCounts counts_of(const std::vector<TestResult>& tests) {
   return counts;
 }
 
+std::string in_words(const lab::Warning& warning) {
+  return warning.line > 0 ? fmt::format("line {}: {}", warning.line, warning.text) : warning.text;
+}
+
 std::vector<std::string> warnings(const db::StoredTest& test) {
   std::vector<std::string> texts;
   for (const auto* list : {&test.header.warnings, &test.summary.warnings}) {
     for (const auto& warning : *list) {
-      auto text =
-          warning.line > 0 ? fmt::format("line {}: {}", warning.line, warning.text) : warning.text;
+      auto text = in_words(warning);
       if (std::find(texts.begin(), texts.end(), text) == texts.end())
         texts.push_back(std::move(text));
     }

@@ -50,7 +50,9 @@ struct TestCounts {
 };
 TestCounts counts_of(const std::vector<TestResult>& tests);
 
-/// Warnings of the record and of what followed, each once, "line 12: ..." where a line is meant.
+/// "line 12: ..." where a line is meant.
+std::string in_words(const lab::Warning& warning);
+/// Warnings of the record and of what followed in such words, each once.
 std::vector<std::string> warnings(const db::StoredTest& test);
 
 }  // namespace triax::study

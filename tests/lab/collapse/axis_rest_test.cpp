@@ -20,7 +20,7 @@ namespace {
 struct Drive {
   SyntheticPath path;
   int stops = 3000, goes_on = 1 << 30;
-  double relaxation = 0.03;  ///< of q, a decade of readings
+  double relaxation = 0.08;  ///< of q, a decade of readings: beyond what counts as a loss
   double creep = 1e-7;       ///< axial strain a reading
 
   State state(int i) {
