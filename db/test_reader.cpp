@@ -188,6 +188,30 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
            });
 }
 
+void read_cyclic(SQLite::Database& database, std::int64_t id,
+                 std::optional<lab::CyclicLoading>& cyclic) {
+  for_rows(database, id,
+           "SELECT cycles, q_low_kPa, q_high_kPa, cyclic_stress_ratio, "
+           "largest_pore_pressure_ratio, largest_double_amplitude, liquefied_reading, "
+           "liquefied_cycle, double_amplitude_reading, double_amplitude_cycle "
+           "FROM cyclic_loadings WHERE test_id = ?",
+           [&](Columns& c) {
+             lab::CyclicLoading& all = cyclic.emplace();
+             all.cycles = c.number().value_or(0);
+             all.q_low_pa = c.si("kPa").value_or(0);
+             all.q_high_pa = c.si("kPa").value_or(0);
+             all.stress_ratio = c.number().value_or(0);
+             all.largest_pore_pressure_ratio = c.number().value_or(0);
+             all.largest_double_amplitude = c.number().value_or(0);
+             for (auto* at : {&all.liquefied, &all.double_amplitude}) {
+               const auto reading = c.integer(), cycle = c.integer();
+               if (!reading) continue;
+               at->emplace().instant.reading = *reading;
+               (*at)->cycle = static_cast<int>(cycle.value_or(1));
+             }
+           });
+}
+
 void read_consolidation_and_checks(SQLite::Database& database, std::int64_t id,
                                    lab::TestSummary& summary) {
   for_rows(database, id,
@@ -283,6 +307,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_consolidation_and_checks(database, id, test.summary);
   test.summary.peak = read_instant(database, id, "peak");
   read_collapse(database, id, test.summary.collapse);
+  read_cyclic(database, id, test.summary.cyclic);
   read_truth(database, id, test.summary.truth);
   read_events(database, id, test.events);
   read_sweep(database, id, test.sweep);

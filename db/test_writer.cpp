@@ -118,6 +118,31 @@ void insert_instant(SQLite::Database& database, std::int64_t id, std::string_vie
       .run();
 }
 
+void insert_cyclic(SQLite::Database& database, std::int64_t id,
+                   const std::optional<lab::CyclicLoading>& cyclic) {
+  if (!cyclic) return;
+  const auto reading = [](const auto& at) {
+    return at ? std::optional(at->instant.reading) : std::nullopt;
+  };
+  const auto cycle = [](const auto& at) {
+    return at ? std::optional<std::int64_t>(at->cycle) : std::nullopt;
+  };
+  Statement insert(database, "INSERT INTO cyclic_loadings VALUES (?,?,?,?,?,?,?,?,?,?,?)");
+  Binder(insert)
+      .integer(id)
+      .number(cyclic->cycles)
+      .si(cyclic->q_low_pa, "kPa")
+      .si(cyclic->q_high_pa, "kPa")
+      .number(cyclic->stress_ratio)
+      .number(cyclic->largest_pore_pressure_ratio)
+      .number(cyclic->largest_double_amplitude)
+      .integer(reading(cyclic->liquefied))
+      .integer(cycle(cyclic->liquefied))
+      .integer(reading(cyclic->double_amplitude))
+      .integer(cycle(cyclic->double_amplitude))
+      .run();
+}
+
 void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
   Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder(insert)
@@ -282,6 +307,7 @@ void insert_summary(SQLite::Database& database, std::int64_t test_id,
   insert_consolidation(database, test_id, summary.consolidation);
   insert_instant(database, test_id, "peak", summary.peak);
   insert_verdict(database, test_id, summary.collapse);
+  insert_cyclic(database, test_id, summary.cyclic);
   insert_truth(database, test_id, summary.truth);
   insert_checks(database, test_id, summary.checks);
   insert_warnings(database, test_id, "at_end", summary.warnings);

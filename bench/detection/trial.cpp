@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/detection/naive_methods.hpp"
-#include "lab/collapse/path_sampler.hpp"
+#include "lab/measured/path_sampler.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
 
@@ -68,7 +68,8 @@ void scale_stress(lab::Programme& programme, double factor) {
         if (end.quantity == lab::EndQuantity::cell_pressure) moved(end.above);
     }
     for (lab::EndCondition& end : stage.end)
-      if (end.quantity == lab::EndQuantity::deviator_stress && end.above) *end.above *= factor;
+      for (auto* limit : {&end.above, &end.below})
+        if (end.quantity == lab::EndQuantity::deviator_stress && *limit) **limit *= factor;
   }
 }
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "lab/collapse/path_sampler.hpp"
+#include "lab/measured/path_sampler.hpp"
 #include "lab/records/record_writer.hpp"
 
 namespace triax::bench {

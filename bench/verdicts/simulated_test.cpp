@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lab/collapse/path_sampler.hpp"
+#include "lab/measured/path_sampler.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
 

@@ -36,7 +36,7 @@ bool ends_early(SimulatedTest& test, std::uint64_t seed) {
 
 /// The record stops some readings after the loss, with a tenth of q gone at least.
 bool ends_soon_after(SimulatedTest& test, std::uint64_t) {
-  if (!test.lost) return false;
+  if (!test.lost || test.header.programme == "CYC") return false;  // there q falls in each cycle
   const double q = std::fabs(test.states[*test.lost].q);
   for (std::size_t i = *test.lost; i < test.states.size(); ++i)
     if (std::fabs(test.states[i].q) < 0.8 * q) {
@@ -75,6 +75,8 @@ void stand(SimulatedTest& test, std::size_t at, std::size_t count, double share,
     rest[i].time_s += step * static_cast<double>(i + 1);
     rest[i][Quantity::axial_force] *= 1 - fall;
     states[i].time_s = rest[i].time_s;
+    states[i].volumetric_strain += 2e-6 * (choice(seed, 4000 + 8 * i) - 0.5);
+    states[i].pore_pressure += 100 * (choice(seed, 3000 + 8 * i) - 0.5);
     states[i].strain.axial += 1e-5 * (choice(seed, 2000 + 8 * i) - 0.5);
     const double lost_q = fall * states[i].q;
     states[i].q -= lost_q;
@@ -166,19 +168,45 @@ bool coarse_steps(SimulatedTest& test, std::uint64_t) {
   return true;
 }
 
-/// 20 to 60 rows of shear, as somebody reads them off: spaced over the axial strain.
+/// Whether a fifth of q is gone after the loss.
+bool shows_the_loss(const SimulatedTest& test) {
+  const double q = std::fabs(test.states[*test.lost].q);
+  return std::any_of(test.states.begin() + static_cast<std::ptrdiff_t>(*test.lost),
+                     test.states.end(),
+                     [q](const lab::State& s) { return std::fabs(s.q) < 0.8 * q; });
+}
+
+/// 20 to 60 rows of shear, as somebody reads them off: spaced along the curves of q and of u over
+/// the axial strain.
 bool few_rows(SimulatedTest& test, std::uint64_t seed) {
+  constexpr std::size_t kFewest = 20;
+  if (test.header.programme == "CYC") return false;
   const std::size_t size = test.readings.size();
-  const auto rows = static_cast<std::size_t>(20 + 40 * choice(seed, 50));
+  const auto rows = static_cast<std::size_t>(kFewest + 40 * choice(seed, 50));
   if (size < test.shear + 4 * rows) return false;
   SimulatedTest thin = test;
   thin.readings.clear();
   thin.states.clear();
+  lab::State low = test.states[test.shear], high = low;
+  for (std::size_t i = test.shear; i < size; ++i) {
+    const lab::State& s = test.states[i];
+    low.q = std::min(low.q, s.q), high.q = std::max(high.q, s.q);
+    low.p_eff = std::min(low.p_eff, s.p_eff), high.p_eff = std::max(high.p_eff, s.p_eff);
+  }
+  const double strains = std::fabs(test.states.back().strain.axial - low.strain.axial);
+  lab::State last = test.states[test.shear];
   const auto way = [&](std::size_t i) {
-    return std::fabs(test.states[i].strain.axial - test.states[i - 1].strain.axial);
+    const lab::State& s = test.states[i];
+    const double gone = std::hypot((s.strain.axial - last.strain.axial) / strains,
+                                   (s.q - last.q) / (high.q - low.q),
+                                   (s.p_eff - last.p_eff) / (high.p_eff - low.p_eff));
+    if (gone < 0.01) return 0.0;  // noise
+    last = s;
+    return gone;
   };
   double whole = 0, done = 0;
   for (std::size_t i = test.shear + 1; i < size; ++i) whole += way(i);
+  last = test.states[test.shear];
   std::optional<std::size_t> lost;
   std::size_t kept = 0;
   for (std::size_t i = test.shear; i < size; ++i) {
@@ -193,7 +221,8 @@ bool few_rows(SimulatedTest& test, std::uint64_t seed) {
   }
   thin.shear = 0;
   thin.lost = lost && *lost < thin.readings.size() ? lost : std::nullopt;
-  if (test.lost.has_value() != thin.lost.has_value()) return false;
+  if (thin.states.size() < kFewest || test.lost.has_value() != thin.lost.has_value()) return false;
+  if (thin.lost && !shows_the_loss(thin)) return false;
   test = std::move(thin);
   return true;
 }

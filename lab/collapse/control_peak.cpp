@@ -51,6 +51,7 @@ void ControlPeak::check_peak(const PathPoint& smoothed, bool has_time) {
   // Around q = 0 its sign is noise, and noise alone would lose any share of q.
   const bool sheared = point.strength() >= 0.02 * point.p_eff;
   const double value = control_variable(point);
+  if (point.after_rest) top_.reset();
   if (sheared && (!top_ || value > control_variable(*top_))) top_ = point;
   if (!top_) return;
   const double fall = control_variable(*top_) - value;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lab/collapse/finding.hpp"
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
 

@@ -67,7 +67,8 @@ void DescentTracker::add(const PathPoint& point) {
   const double advance = previous_ ? point.reading - previous_->reading : 1.0;
   const double weight = std::min(1.0, advance / static_cast<double>(point.window_readings));
   const bool resolved = point.normalised_error <= ChangePoint::kUseless;
-  const double strength_before = (previous_ ? *previous_ : point).strength();
+  const bool follows = previous_ && !point.after_rest;
+  const double strength_before = (follows ? *previous_ : point).strength();
   previous_ = point;
   if (resolved && point.work.normalised < 0) q_lost_ += strength_before - point.strength();
 

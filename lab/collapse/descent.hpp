@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lab/collapse/change_point.hpp"
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 
 namespace triax::lab {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 #include "lab/results/state.hpp"
 
 namespace triax::lab {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 #include "lab/results/state.hpp"
 #include "lab/results/summary.hpp"
 

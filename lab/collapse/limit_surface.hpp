@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {

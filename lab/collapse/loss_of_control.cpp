@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "lab/collapse/instant.hpp"
@@ -31,10 +32,12 @@ double lapse(const State& from, const State& to, bool has_time) {
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   const auto fall = fall_;
+  const After after = after_;
   const State before = before_;
   *this = LossOfControl();
   finding_ = found;
   fall_ = fall;
+  after_ = after;
   before_ = before;
   control_ = stage ? stage->control : AxialControl::unknown;
   drainage_ = stage ? stage->drainage : Drainage::unknown;
@@ -42,12 +45,47 @@ void LossOfControl::start_stage(const StageInfo* stage) {
 
 void LossOfControl::add_state(const State& state, bool has_time) {
   const State before = std::exchange(before_, state);
+  if (finding_) follow(state);
   if (control_ == AxialControl::displacement || finding_) return;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
   check_bursts(state, has_time);
   const bool carries_load = control_ != AxialControl::unknown;
   if (carries_load && steps_ < kReference && !finding_) check_leap(before, state, has_time);
+  if (finding_) follow(state);
+}
+
+void LossOfControl::follow(const State& state) {
+  const double q = std::fabs(state.q), before = std::fabs(finding_->instant.q_pa.value_or(0));
+  after_.least = after_.readings++ == 0 ? q : std::min(after_.least, q);
+  after_.last = q;
+  if (!carried_on() || q < (1 + kLostQ) * before) return;
+  // Anew in this stage: its rates are others now.
+  const LossOfControl fresh;
+  const auto [control, drainage, last] = std::tuple(control_, drainage_, before_);
+  *this = fresh;
+  control_ = control;
+  drainage_ = drainage;
+  before_ = last;
+}
+
+bool LossOfControl::carried_on() const {
+  constexpr int kSeen = 3;  // readings, that which shows it among them
+  const double before = std::fabs(finding_->instant.q_pa.value_or(0));
+  return control_ == AxialControl::load && after_.readings >= kSeen &&
+         after_.least > (1 - kLostQ) * before && after_.last >= before;
+}
+
+std::optional<Finding> LossOfControl::finding() const {
+  if (!finding_ || !carried_on()) return finding_;
+  Finding told = *finding_;
+  told.detected = false;
+  told.evidence += fmt::format("; q went on to {:.2f} kPa, nothing was lost", after_.last / 1e3);
+  return told;
+}
+
+std::optional<Finding> LossOfControl::lost() const {
+  return finding_ && !carried_on() ? finding_ : std::nullopt;
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {

@@ -20,6 +20,8 @@ namespace triax::lab {
 /// - the pore pressure bursts, like the strain, beyond what the programme asks of it, by 5 % of p'
 ///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
 ///   valve open to stand, or to go on as the controller took it so far.
+/// Under a load, a burst after which q went on growing and never fell by 5 % took nothing away: the
+/// programme holds. It is told, but not counted; where q grows by 5 % the watch begins anew.
 /// A frame that prescribes displacement keeps its control through a peak: nothing is looked for.
 /// Where nobody says what is prescribed, a burst of the axial strain counts that is ten times
 /// faster than the fastest step so far, while q falls by more than 5 %: no frame does that.
@@ -27,8 +29,11 @@ class LossOfControl : public CollapseCriterion {
  public:
   void start_stage(const StageInfo* stage) override;
   void add_state(const State& state, bool has_time) override;
-  std::optional<Finding> finding() const override { return finding_; }
+  /// Not detected where a load was carried on.
+  std::optional<Finding> finding() const override;
   const std::optional<Finding>& found() const { return finding_; }
+  /// The finding, where control was lost for all that is known.
+  std::optional<Finding> lost() const;
   /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a
   /// specimen that had carried its stage until then.
   bool sudden() const { return fall_.has_value(); }
@@ -39,6 +44,8 @@ class LossOfControl : public CollapseCriterion {
   const std::optional<Fall>& fall() const { return fall_; }
 
  private:
+  void follow(const State& state);
+  bool carried_on() const;
   void check_held_q(const State& state, bool has_time);
   void check_bursts(const State& state, bool has_time);
   void check_leap(const State& before, const State& state, bool has_time);
@@ -63,6 +70,10 @@ class LossOfControl : public CollapseCriterion {
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
+  struct After {
+    int readings = 0;
+    double least = 0, last = 0;  ///< |q|
+  } after_;                      ///< the burst
   std::optional<Fall> fall_;
 };
 

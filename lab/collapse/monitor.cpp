@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lab/base/listeners.hpp"
-#include "lab/collapse/axis_rest.hpp"
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/criteria.hpp"
 #include "lab/collapse/fall_fit.hpp"
@@ -14,10 +13,11 @@
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/collapse/onset_refiner.hpp"
-#include "lab/collapse/path_history.hpp"
-#include "lab/collapse/path_sampler.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/verdict.hpp"
+#include "lab/measured/axis_rest.hpp"
+#include "lab/measured/path_history.hpp"
+#include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
 namespace {
@@ -34,7 +34,11 @@ bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
 
 struct CollapseMonitor::Impl {
   Impl(const RecordHeader& h, CollapseListeners all)
-      : header(h), listeners(std::move(all)), sampler(h.has_time), limit(h.specimen) {
+      : header(h),
+        listeners(std::move(all)),
+        sampler(h.has_time),
+        cycles(h.has_time),
+        limit(h.specimen) {
     rates.on_point = [this](const PathPoint& point) { take(point); };
   }
 
@@ -54,6 +58,8 @@ struct CollapseMonitor::Impl {
   PathSampler sampler;
   PathRates rates;
   AxisRest rest;
+  Backbone backbone;
+  CycleCounter cycles;
   PathHistory history;  ///< of the stage under way
   OnsetRefiner descent_onset, pore_turn;
   std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
@@ -91,6 +97,7 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   const StageInfo* info = header.stage(state.stage);
   criteria.start_stage(info);
   rest.start_stage(info, header.has_time);
+  backbone.start_stage(is_drained_frame(info));
   held_q = info && info->control == AxialControl::constant_q;
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
@@ -102,6 +109,8 @@ void CollapseMonitor::Impl::watch(const State& s) {
   ++watched_states;
   if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
+  backbone.add(s);
+  cycles.add(s);
 
   const auto sample = sampler.sample(s);
   if (!sample) return;
@@ -208,7 +217,7 @@ void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 Collapse CollapseMonitor::Impl::verdict_so_far() const {
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
-                  .loss_of_control = control.finding(),
+                  .loss_of_control = control.lost(),
                   .fall = fall,
                   .fall_work = fall_work,
                   .control_peak = control_peak.finding(),
@@ -218,6 +227,8 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
                   .first_state = first_state,
                   .nearest = nearest,
                   .fall_at_rest = rest.unlikely(),
+                  .backbone = backbone.worst(),
+                  .cycles = &cycles,
                   .limit = limit,
                   .has_time = header.has_time},
                  criteria.criteria());
@@ -229,6 +240,8 @@ Collapse CollapseMonitor::finish() {
   impl_->end_stage();
   return impl_->verdict_so_far();
 }
+
+std::optional<CyclicLoading> CollapseMonitor::cyclic() const { return impl_->cycles.loading(); }
 
 std::optional<Instant> CollapseMonitor::peak() const {
   if (!impl_->peak) return std::nullopt;

@@ -38,6 +38,8 @@ class CollapseMonitor {
   Collapse so_far() const;
   /// The largest q seen in shear.
   std::optional<Instant> peak() const;
+  /// Cycles of load, where there were any.
+  std::optional<CyclicLoading> cyclic() const;
 
  private:
   struct Impl;

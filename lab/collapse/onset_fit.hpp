@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 
 namespace triax::lab {
 

@@ -60,8 +60,8 @@ void OnsetRefiner::sweep(const PathHistory& history, double last_reading) {
     std::vector<OnsetFit> fits;
     const double centre = std::min(centre_, last_reading - kLeastRight);
     const double age = last_reading - centre;
-    for (double right = age; right > kShortest * age; right /= kGrowth)
-      for (double left = right; left < kFarthestLeft * right; left *= kGrowth)
+    for (double right = age; right > kShortest * age; right /= kGrowth)         // NOLINT: lengths
+      for (double left = right; left < kFarthestLeft * right; left *= kGrowth)  // NOLINT: likewise
         if (const auto fit =
                 fit_onset(history.between(centre - left, centre + right), witness_, centre_))
           fits.push_back(*fit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "lab/collapse/onset_fit.hpp"
-#include "lab/collapse/path_history.hpp"
+#include "lab/measured/path_history.hpp"
 
 namespace triax::lab {
 

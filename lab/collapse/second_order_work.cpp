@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "lab/collapse/instant.hpp"
+#include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
 namespace {
@@ -32,8 +33,7 @@ bool lasts_at_held_q(const Descent& descent) {
 
 void SecondOrderWork::start_stage(const StageInfo* stage) {
   held_q_ = stage && stage->control == AxialControl::constant_q;
-  const bool load = stage && stage->control == AxialControl::load;
-  descents_.start_stage(stage && stage->drainage == Drainage::open && !held_q_ && !load);
+  descents_.start_stage(is_drained_frame(stage));
 }
 
 void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {

@@ -13,11 +13,14 @@ constexpr double kFlowLoss = 0.5;
 /// Share of the strength from which a drained peak is told as a failure.
 constexpr double kFailureLoss = 0.02;
 
-CollapseKind kind_of(const Descent& descent) {
-  const double loss = descent.strength_loss();
+CollapseKind kind_of(double loss, double regained) {
   if (loss < Descent::kWorthALoss) return CollapseKind::none;
-  if (descent.strength_regained() >= 0.5) return CollapseKind::limited;
+  if (regained >= 0.5) return CollapseKind::limited;
   return loss >= kFlowLoss ? CollapseKind::flow : CollapseKind::partial;
+}
+
+CollapseKind kind_of(const Descent& descent) {
+  return kind_of(descent.strength_loss(), descent.strength_regained());
 }
 
 /// A specimen that yielded at held q flows unless it caught itself with its q.
@@ -80,6 +83,54 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
                                      : "; a drained failure at the peak of q";
 }
 
+/// Strength was lost that no window of readings saw go.
+void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
+  const std::string lost =
+      fmt::format("q fell by {:.0f} %, from {:.2f} kPa at reading {} to {:.2f} kPa at reading {}",
+                  fall.loss() * 100, fall.peak.q / 1e3, fall.peak.reading, fall.least.q / 1e3,
+                  fall.least.reading);
+  const bool few = fall.readings <= Backbone::kFew;
+  if (!fall.drained && !(few && fall.confirmed)) {
+    c.end_at(fall.last_high.reading,
+             lost + (few ? "; a single reading shows it"
+                         : "; scatter leaves the sign of second-order work open"));
+    return;
+  }
+  c.onset = instant_of(few ? fall.last_high : fall.peak, e.has_time);
+  c.strength_lost = fall.loss();
+  if (!few) return;
+  c.kind = kind_of(fall.loss(), fall.share_regained());
+  c.second_order_work_normalised = fall.normalised_work();
+  Criterion& criterion = c.criteria.front();
+  criterion.detected = true;
+  criterion.reading = c.onset->reading;
+  criterion.time_s = c.onset->time_s;
+  criterion.eta = c.onset->eta();
+  criterion.evidence = fmt::format(
+      "normalised second-order work {:.3f} of the increment from reading {} to {}: {}; too few "
+      "readings for a standard error, the onset lies within {} of them",
+      fall.normalised_work(), fall.last_high.reading, fall.least.reading, lost, fall.readings + 1);
+}
+
+/// Cycles that liquefied the specimen, of which each was carried all the same. What is lost for
+/// good is that: q does not turn at that strength again.
+void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
+  const auto loading = cycles.loading();
+  if (!loading || (!loading->liquefied && !loading->double_amplitude)) return;
+  const bool for_good = c.kind == CollapseKind::flow || c.kind == CollapseKind::partial;
+  if (for_good && !cycles.carried_on(c.onset->reading, *c.onset->q_pa)) return;
+  const bool liquefied_first =
+      loading->liquefied &&
+      (!loading->double_amplitude ||
+       loading->liquefied->instant.reading <= loading->double_amplitude->instant.reading);
+  if (c.kind == CollapseKind::none) {
+    c.onset = (liquefied_first ? loading->liquefied : loading->double_amplitude)->instant;
+    c.inside_limit_surface.reset();
+    c.strength_lost.reset();
+  }
+  c.kind = CollapseKind::cyclic_mobility;
+}
+
 /// |q| fell by much while the axial strain stood: who knows whether the specimen did.
 void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
   if (c.onset && c.onset->reading <= fall.reading) return;
@@ -95,7 +146,7 @@ void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
 }  // namespace
 
 Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
-  if (e.points == 0 && !e.loss_of_control) return not_judged(e);
+  if (e.points == 0 && !e.loss_of_control && !e.backbone) return not_judged(e);
   Collapse c;
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
@@ -112,10 +163,14 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
     c.kind = CollapseKind::flow;
     c.onset = e.loss_of_control->instant;
   }
+  const bool by_backbone = !c.onset && e.backbone && e.backbone->normalised_work() < 0;
+  if (by_backbone) take_backbone(e, *e.backbone, c);
   if (c.onset && e.fall) c.onset = e.fall;
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
-  tell_failures_apart(e, descent && descent->drained && !e.at_held_q, c);
+  const bool drained = by_backbone ? e.backbone->drained : descent && descent->drained;
+  tell_failures_apart(e, drained && !e.at_held_q, c);
+  if (e.cycles) tell_cyclic_mobility(*e.cycles, c);
   // A runaway that was seen is never withdrawn.
   if (e.fall_at_rest && !e.loss_of_control) end_at_doubtful_rest(*e.fall_at_rest, c);
   return c;

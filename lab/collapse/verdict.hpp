@@ -4,11 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include "lab/collapse/axis_rest.hpp"
 #include "lab/collapse/descent.hpp"
 #include "lab/collapse/fall_work.hpp"
 #include "lab/collapse/finding.hpp"
 #include "lab/collapse/limit_surface.hpp"
+#include "lab/measured/axis_rest.hpp"
+#include "lab/measured/backbone.hpp"
+#include "lab/measured/cycles.hpp"
 
 namespace triax::lab {
 
@@ -31,6 +33,9 @@ struct Evidence {
   std::optional<std::int64_t> first_state;  ///< reading of the first of them
   std::optional<Nearest> nearest;
   std::optional<AxisRest::Fall> fall_at_rest;  ///< that no relaxation explains
+  /// Strength lost from reading to reading: counts where nothing else explains it.
+  std::optional<BackboneFall> backbone;
+  const CycleCounter* cycles = nullptr;  ///< null: not counted
   const LimitSurface& limit;
   bool has_time = true;
 };
@@ -40,9 +45,12 @@ struct Evidence {
 /// tenth or more, and neither; none: less, or the onset lies on the limit surface (softening of
 /// dense sand is a failure there, no diffuse collapse). So is a peak of q with the drainage open
 /// under prescribed displacement, unless the friction angle is known to be larger; that is told
-/// from a fiftieth of the strength on. `criteria` are those of Criteria::criteria(): they stand in
-/// the verdict, the first of them, second-order work, as a fall proves it or the limit surface
-/// refutes it.
+/// from a fiftieth of the strength on. Strength that was lost within fewer readings than windows
+/// need is a collapse by the work of its finite increment; where more readings leave the sign of
+/// second-order work open, or a single one shows the loss, nothing is known after it. Where cycles
+/// of load liquefied the specimen and were carried on it is cyclic mobility. `criteria` are those
+/// of Criteria::criteria(): they stand in the verdict, the first of them, second-order work, as a
+/// fall proves it or the limit surface refutes it.
 Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

@@ -11,6 +11,9 @@ namespace {
 constexpr double kRoundOff = 1e-9;
 /// The most neighbours of one run that are learned from.
 constexpr std::int64_t kLongestLesson = 1024;
+/// In steps of the converter, and the share of such moves from which noise is no flicker: white
+/// noise of half a step rms, that at rest in the middle of a step leaves it every third time.
+constexpr double kWide = 1.5, kLeastWide = 0.08;
 /// Chance that nobody believes in.
 const double kImpossible = std::log(1e-9);
 
@@ -29,6 +32,7 @@ void ChannelNoise::add(double value) {
     if (moves_++ > 0) {
       const double weight = std::max(1.0 / static_cast<double>(moves_), 1.0 / kMemory);
       moves_back_ += weight * ((move * last_move_ < 0 ? 1.0 : 0.0) - moves_back_);
+      wide_moves_ += weight * ((size > kWide * step_ ? 1.0 : 0.0) - wide_moves_);
     }
     last_move_ = move;
   }
@@ -78,7 +82,7 @@ double ChannelNoise::equal_share_at_most() const {
 
 bool ChannelNoise::dithers() const {
   if (neighbours_ < kLeast || equal_share_at_most() > 0.7) return false;
-  const bool turns_back = moves_back_ >= 0.4;
+  const bool turns_back = moves_back_ >= 0.4 && wide_moves_ >= kLeastWide;
   const bool rough = roughness_ > std::max(1.1 * step_, 10 * round_off()) && bends_back_ >= 0.5;
   return turns_back || rough;
 }

@@ -12,7 +12,9 @@ namespace triax::lab {
 /// neighbours that are equal; n equal neighbours in a row then have a probability of about fⁿ, and
 /// beyond n = ln(1e-9)/ln f nobody believes in chance. That holds only where it is noise that moves
 /// the values. A ramp without noise moves them too, and may rightly end at rest: it is told from
-/// noise by never turning back, and by a roughness of no more than one step of the converter.
+/// noise by never turning back, and by a roughness of no more than one step of the converter. A
+/// channel that flickers between two neighbouring values has so little noise that it rests as soon
+/// as its mean lies between two flips: it does not dither either.
 class ChannelNoise {
  public:
   static constexpr int kMemory = 256;
@@ -63,6 +65,7 @@ class ChannelNoise {
   double last_move_ = 0, last_bend_ = 0;
   double equal_ = 0;       ///< share of equal neighbours
   double moves_back_ = 0;  ///< share of moves that turn back
+  double wide_moves_ = 0;  ///< share of moves by more than a step
   double bends_back_ = 0;  ///< share of second differences that alternate
   std::int64_t moves_ = 0;
   double roughness_ = 0, step_ = 0;

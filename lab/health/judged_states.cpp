@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "lab/collapse/path_sampler.hpp"
+#include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
 namespace {
@@ -47,7 +47,10 @@ double volume_of(const RecordHeader& header) {
 }  // namespace
 
 JudgedStates::JudgedStates(const RecordHeader& header)
-    : header_(header), health_(header), drainage_(volume_of(header)) {}
+    : header_(header),
+      health_(header),
+      drainage_(volume_of(header)),
+      plausibility_(header.specimen) {}
 
 Reading believed(const JudgedStates::Judged& judged) {
   Reading reading = judged.reading;

@@ -18,6 +18,15 @@ double least_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 
 }  // namespace
 
 std::string Plausibility::impossible_in(const State& s) const {
+  if (specimen_.height_m && specimen_.diameter_m) {
+    const double slimness = *specimen_.height_m / *specimen_.diameter_m;
+    if (slimness < kFlattest || slimness > kSlimmest)
+      return fmt::format(
+          "the specimen is {:g} mm high and {:g} mm wide, as none in a triaxial cell is: one of "
+          "the "
+          "two is wrong, or in another unit",
+          *specimen_.height_m * 1e3, *specimen_.diameter_m * 1e3);
+  }
   const double p0 = first_->p_eff;
   if (!(p0 >= kLeastStress && p0 <= kMostStress))
     return fmt::format(

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/results/record_header.hpp"
@@ -11,18 +12,22 @@
 
 namespace triax::lab {
 
-/// Looks at the states of shear, in constant memory.
+/// Looks at the specimen and at the states of shear, in constant memory.
 ///   impossible   q/p' above 3 or below −1.5, where σ₃' or σ₁' would be below zero, while p' is
 ///                worth looking at (kWorth of that at the start); p'₀ outside 0.5 kPa to 60 MPa, of
 ///                which tests are made: pressures in another unit
+///                also a specimen flatter than kFlattest or slimmer than kSlimmest
 ///   idle         |q| within 1 % of p'₀ all through, over 1 % of axial strain and more: the force
 ///                is in another unit, or was not recorded
 ///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
 ///                set to zero); σ₃' below zero; a mobilised friction angle above 60°
 class Plausibility {
  public:
+  static constexpr double kFlattest = 0.5, kSlimmest = 4;  ///< height over diameter
   static constexpr double kWorth = 0.1;
   static constexpr double kLeastStress = 500, kMostStress = 60e6;  ///< Pa
+
+  explicit Plausibility(SpecimenInfo specimen) : specimen_(std::move(specimen)) {}
 
   /// The next state of shear; false where no specimen can have been in it.
   bool add(const State& state);
@@ -35,6 +40,7 @@ class Plausibility {
  private:
   std::string impossible_in(const State& state) const;
 
+  SpecimenInfo specimen_;
   std::optional<State> first_;
   double largest_q_ = 0, largest_strain_ = 0;
   std::string impossible_;

@@ -15,6 +15,8 @@ namespace {
 
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
+/// Change of the pore pressure that a controller at rest does not make.
+constexpr double kLeastAnswer_pa = 200;
 
 }  // namespace
 
@@ -68,6 +70,8 @@ void RecordHealth::watch(const Reading& reading) {
   note_fall(reading);
   for (Channel& channel : channels_) {
     const std::int64_t run = channel.health.run();
+    if (channel.quantity == Quantity::volumetric_strain)
+      channel.health.may_rest(water_is_shut_in(channel));
     channel.health.add(reading.number, reading[channel.quantity]);
     channel.stirred = run >= ChannelHealth::kFlat && channel.health.run() == 0;
     if (channel.health.run() > 0) continue;
@@ -83,6 +87,13 @@ void RecordHealth::watch(const Reading& reading) {
     if (const auto doubt = channel.health.doubtful_from())
       doubtful_from_ = std::min(doubtful_from_, *doubt);
   }
+}
+
+/// A reduced record seldom says that the valve was shut; the pore pressure, which moves then, does.
+bool RecordHealth::water_is_shut_in(const Channel& channel) const {
+  constexpr std::size_t kPore = index(Quantity::pore_pressure);
+  return std::fabs(now_[kPore] - channel.at_rest[kPore]) >
+         std::max(kLeastAnswer_pa, kNoises * noise_of(Quantity::pore_pressure));
 }
 
 void RecordHealth::note_fall(const Reading& reading) {
@@ -138,7 +149,7 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
     if (channel.moves == 0 && waited && never_moves(channel, reading)) return health.condemn();
     if (channel.moves < kAtRest) return;
     const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
-    const double run = static_cast<double>(at_rest);
+    const auto run = static_cast<double>(at_rest);
     waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));
   }
   doubtful_from_ = std::min(doubtful_from_, health.run_from());

@@ -107,6 +107,7 @@ class RecordHealth {
   double p_eff(const RawValues& values) const;
   bool jumped(const Channel& channel) const;
   void note_jumps(const Reading& reading);
+  bool water_is_shut_in(const Channel& channel) const;
   void note_fall(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
   SensorFinding& tally(const SensorFinding& finding);

@@ -43,7 +43,8 @@ std::string movements(const StageSummary& moved) {
 
 }  // namespace
 
-Guess stage_guess(const StageSummary& moved, const StageInfo& inferred) {
+Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
+                  const SpecimenInfo& specimen) {
   std::string taken = inferred.role == StageRole::unknown ? "of unknown role"
                                                           : std::string(to_string(inferred.role));
   taken += fmt::format(", drainage {}", to_string(inferred.drainage));
@@ -53,7 +54,8 @@ Guess stage_guess(const StageSummary& moved, const StageInfo& inferred) {
           .taken = std::move(taken),
           .evidence = movements(moved),
           .remedy = fmt::format("--set stages.{}.role=... and {}", inferred.number,
-                                said_otherwise(inferred))};
+                                said_otherwise(inferred)),
+          .otherwise = other_answers(moved, inferred, specimen)};
 }
 
 Guess drainage_guess(const StageInfo& inferred, const std::string& evidence) {

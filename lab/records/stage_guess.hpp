@@ -8,7 +8,8 @@ namespace triax::lab {
 
 /// Role, drainage and control as inferred, with what moved in the stage as evidence and the --set
 /// that says otherwise.
-Guess stage_guess(const StageSummary& moved, const StageInfo& inferred);
+Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
+                  const SpecimenInfo& specimen);
 
 /// The drainage of a record's only stage, taken from what its columns are or did.
 Guess drainage_guess(const StageInfo& inferred, const std::string& evidence);

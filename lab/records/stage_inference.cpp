@@ -11,6 +11,9 @@ namespace {
 
 using enum Quantity;
 
+constexpr double kClosedFlow = 1e-4;  ///< of the specimen's volume: the valve is shut
+constexpr double kPlainFlow = 1e-3;   ///< and open beyond any doubt
+
 // What counts as movement for this specimen, SI.
 struct Thresholds {
   double displacement = 0.5e-3;
@@ -23,7 +26,7 @@ struct Thresholds {
     if (!specimen.diameter_m) return;
     const double area = std::numbers::pi * *specimen.diameter_m * *specimen.diameter_m / 4;
     force = pressure * area;
-    if (specimen.height_m) volume = 1e-4 * area * *specimen.height_m;
+    if (specimen.height_m) volume = kClosedFlow * area * *specimen.height_m;
   }
 };
 
@@ -41,6 +44,38 @@ StageRole role_without_shear(const StageSummary& stage, const Thresholds& least,
   return StageRole::unknown;
 }
 
+bool moves(const StageSummary& stage, const Thresholds& least) {
+  for (const Quantity q : {cell_pressure, pore_pressure, back_pressure})
+    if (stage[q].range() > least.pressure) return true;
+  return stage[back_volume].range() > least.volume;
+}
+
+/// Stages in which the cap hardly moves: a deviator load put on under a constant cell pressure, and
+/// one that stays while the effective stress is taken away (CSD).
+void find_shear_at_small_strain(std::vector<StageInfo>& stages,
+                                const std::vector<const StageSummary*>& moved,
+                                const Thresholds& least) {
+  // Force on the cap before it was loaded: as consolidation left it, or, in a file that confines
+  // nothing, as the file begins. Before consolidation the piston may be docking.
+  const bool confines = std::ranges::any_of(moved, [&](const StageSummary* stage) {
+    return (*stage)[cell_pressure].change() > least.pressure;
+  });
+  double unloaded = confines || moved.empty() ? kMissing : (*moved[0])[axial_force].first;
+  bool loaded = false;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    StageInfo& stage = stages[i];
+    const StageSummary& now = *moved[i];
+    const bool open_question = stage.role != StageRole::shear && stage.role != StageRole::b_check;
+    const bool confined = std::abs(now[cell_pressure].change()) <= least.pressure;
+    const bool loads = confined && now[axial_force].excursion() > least.force;
+    const bool stays = loaded && std::abs(now[axial_force].last - unloaded) > least.force;
+    if (open_question && !std::isnan(unloaded) && (loads || (stays && moves(now, least))))
+      stage.role = StageRole::shear;
+    if (stage.role == StageRole::shear) loaded = true;
+    if (stage.role == StageRole::consolidation && !loaded) unloaded = now[axial_force].last;
+  }
+}
+
 /// What one stage alone does not tell: what came before it, and what comes after.
 void look_around(std::vector<StageInfo>& stages, const std::vector<const StageSummary*>& moved,
                  const Thresholds& least) {
@@ -51,6 +86,7 @@ void look_around(std::vector<StageInfo>& stages, const std::vector<const StageSu
     for (auto stage = checked.base(); stage != stages.end(); ++stage)
       if (stage->role == StageRole::saturation && stage->drainage == Drainage::open)
         stage->role = StageRole::consolidation;
+  find_shear_at_small_strain(stages, moved, least);
   bool sheared_later = false;
   for (std::size_t i = stages.size(); i-- > 0;) {
     StageInfo& stage = stages[i];
@@ -149,6 +185,28 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
   }
   look_around(stages, moved, least);
   return stages;
+}
+
+std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInfo& inferred,
+                                       const SpecimenInfo& specimen) {
+  const Thresholds least(specimen);
+  std::vector<Guess::Said> all;
+  const auto say = [&](const char* key, const char* value) {
+    all.push_back({"stages." + std::to_string(inferred.number) + "." + key, value});
+  };
+  const bool sheared = inferred.role == StageRole::shear;
+  const bool loaded = moved[axial_force].excursion() > least.force;
+  if (sheared && inferred.drainage == Drainage::open &&
+      moved[back_volume].range() <= kPlainFlow / kClosedFlow * least.volume)
+    say("drainage", "closed");
+  if (sheared && inferred.drainage == Drainage::closed &&
+      moved[pore_pressure].range() <= least.pressure)
+    say("drainage", "open");
+  if (sheared && inferred.drainage == Drainage::open &&
+      moved[axial_displacement].range() <= least.displacement)
+    say("role", "consolidation");
+  if (inferred.role == StageRole::consolidation && loaded) say("role", "shear");
+  return all;
 }
 
 std::optional<double> typed_height(const StageSummary& shear, double our_height_m) {

@@ -50,7 +50,10 @@ std::vector<StageSummary> summarise_stages(
     TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of);
 
 /// Role, drainage and control of each stage; `specimen` gives the scale of what counts as movement.
-///   shear          the cap moves by more than 0.5 % of the height while |ΔF| exceeds 5 kPa·A
+///   shear          the cap moves by more than 0.5 % of the height while |ΔF| exceeds 5 kPa·A;
+///   after
+///                  consolidation |ΔF| alone where σ_c stands; after shear whatever moves while
+///                  that load is still on the cap
 ///   b_check        σ_c moves by more than 5 kPa, V_b stands still, Δu/Δσ_c >= 0.5
 ///   saturation     σ_c rises and u or u_b with it (σ_c − u changes by less than half of that), or
 ///                  a closed stage whose u hardly answers: still filling
@@ -60,6 +63,13 @@ std::vector<StageSummary> summarise_stages(
 /// Closed where V_b stands still (range below 1e-4 of the specimen's volume; 20 mm³ if unknown).
 std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
                                     const SpecimenInfo& specimen);
+
+/// What else a watched stage may have been, where what moved leaves it open: the other drainage,
+/// unless V_b moved by more than kPlainFlow of the specimen's volume, or stood still while u moved
+/// by more than 5 kPa; the other of consolidation and shear, where a load was put on a cap that
+/// moved little or while the drainage was open.
+std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInfo& inferred,
+                                       const SpecimenInfo& specimen);
 
 /// The height (m, to 5 digits) that an operator typed in for the shear stage: there where the
 /// file's own axial strain is displacement over one constant height that differs by more than 0.05

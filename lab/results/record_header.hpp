@@ -88,10 +88,16 @@ struct Truth {
 
 /// What the record does not say and was taken, with what speaks for it.
 struct Guess {
+  /// The answer that was not taken, as --set says it: "stages.5.drainage", "open".
+  struct Said {
+    std::string key, value;
+  };
   std::string what;      ///< "stage 5"
   std::string taken;     ///< "shear, drainage closed"
   std::string evidence;  ///< one sentence with numbers and units
   std::string remedy;    ///< how to say it instead: "--set stages.5.drainage=open"
+  /// Answers that what moved does not rule out: the verdict is asked with each of them as well.
+  std::vector<Said> otherwise{};
 };
 
 /// A line of a record's preamble, as it stands there.

@@ -10,11 +10,12 @@ namespace triax::lab {
 
 namespace {
 
-constexpr auto kCollapseKinds =
-    std::to_array<std::pair<CollapseKind, std::string_view>>({{CollapseKind::none, "none"},
-                                                              {CollapseKind::limited, "limited"},
-                                                              {CollapseKind::partial, "partial"},
-                                                              {CollapseKind::flow, "flow"}});
+constexpr auto kCollapseKinds = std::to_array<std::pair<CollapseKind, std::string_view>>(
+    {{CollapseKind::none, "none"},
+     {CollapseKind::limited, "limited"},
+     {CollapseKind::partial, "partial"},
+     {CollapseKind::flow, "flow"},
+     {CollapseKind::cyclic_mobility, "cyclic_mobility"}});
 constexpr auto kEventKinds = std::to_array<std::pair<EventKind, std::string_view>>(
     {{EventKind::stage_started, "stage_started"},
      {EventKind::loss_of_sustainability, "loss_of_sustainability"},

@@ -12,8 +12,9 @@
 namespace triax::lab {
 
 /// What a collapse came to: `flow`, a large loss of strength that does not come back; `partial`, a
-/// loss that neither runs on nor comes back; `limited`, one that comes back (quasi-steady state).
-enum class CollapseKind { none, limited, partial, flow };
+/// loss that neither runs on nor comes back; `limited`, one that comes back (quasi-steady state);
+/// `cyclic_mobility`, r_u of 0.95 or a double amplitude of 5 % under a load that is carried on.
+enum class CollapseKind { none, limited, partial, flow, cyclic_mobility };
 std::string_view to_string(CollapseKind kind);
 std::optional<CollapseKind> collapse_kind_from(std::string_view text);
 
@@ -149,10 +150,27 @@ struct Collapse {
   void end_at(std::optional<std::int64_t> last, const std::string& reason);
 };
 
+struct CycleInstant {
+  Instant instant;
+  int cycle = 1;  ///< under way then, from 1
+};
+
+/// Cycles of load in shear and what they came to, as ASTM D5311 counts: r_u = Δu/σ₃′₀.
+struct CyclicLoading {
+  double cycles = 0;                   ///< two turns of q each
+  double q_low_pa = 0, q_high_pa = 0;  ///< means of the turns
+  double stress_ratio = 0;             ///< CSR = (q_high − q_low)/2 over 2 p′₀
+  double largest_pore_pressure_ratio = 0;
+  double largest_double_amplitude = 0;           ///< of the axial strain within a cycle
+  std::optional<CycleInstant> liquefied;         ///< r_u of 0.95
+  std::optional<CycleInstant> double_amplitude;  ///< of 5 %
+};
+
 struct TestSummary {
   Consolidation consolidation;
   std::optional<Instant> peak;  ///< of q
   Collapse collapse;
+  std::optional<CyclicLoading> cyclic;  ///< empty: no cyclic test
   std::optional<Truth> truth;
   std::vector<Check> checks;
   /// "none", "astm" or "iso" (lab/reduction); empty where the record was reduced before.

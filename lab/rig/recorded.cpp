@@ -21,6 +21,7 @@
 #include "lab/records/stage_number.hpp"
 #include "lab/records/table_reader.hpp"
 #include "lab/records/time_line.hpp"
+#include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
 namespace {
@@ -66,6 +67,7 @@ struct RecordedRig::Impl {
   TomlTable parse_preamble(const std::string& toml) const;
   void read_document(const std::string& metadata_file, const std::string& metadata);
   void apply_sets(const RecordOptions& options, bool stages);
+  void tell_contradiction(const SpecimenInfo& before, const std::string& where);
   void settle_stages();
   void settle_drainage(StageInfo& only);
   std::vector<StageSummary> stages_of_rows();
@@ -119,13 +121,28 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
       throw BadInput(where + ": " + key + " says where the record came from; " +
                      "it cannot be set");
     if (key.starts_with("stages.") != stages) continue;
+    const SpecimenInfo before = header.specimen;
     set_metadata(header, where, key, value);
+    tell_contradiction(before, where);
     if (!key.ends_with(".drainage")) continue;
     const int number = *stage_in(key);
     std::ranges::find(header.stages, number, &StageInfo::number)->drainage_was_said = true;
     std::erase_if(header.guesses, [&](const Guess& guess) {
       return guess.what == "drainage" || guess.what == fmt::format("stage {}", number);
     });
+  }
+}
+
+/// What is said stands over what the file says; that they differ may be a slip of either.
+void RecordedRig::Impl::tell_contradiction(const SpecimenInfo& before, const std::string& where) {
+  constexpr double kRounding = 0.005;
+  for (const SpecimenKey& key : specimen_keys()) {
+    const auto &was = before.*key.member, &now = header.specimen.*key.member;
+    if (!was || !now || std::fabs(*now - *was) <= kRounding * std::fabs(*was)) continue;
+    header.warnings.push_back(
+        {0, fmt::format("{} stands over the file's own {:g}{}{}", where,
+                        key.unit.empty() ? *was : sim::to_field(*was, *sim::find_unit(key.unit)),
+                        key.unit.empty() ? "" : " ", key.unit)});
   }
 }
 
@@ -141,8 +158,8 @@ void RecordedRig::Impl::settle_stages() {
   const auto summaries = stages_of_rows();
   header.stages = infer_stages(summaries, header.specimen);
   for (const StageInfo& info : header.stages)
-    header.guesses.push_back(
-        stage_guess(*std::ranges::find(summaries, info.number, &StageSummary::number), info));
+    header.guesses.push_back(stage_guess(
+        *std::ranges::find(summaries, info.number, &StageSummary::number), info, header.specimen));
   look_for_typed_height(summaries);
 }
 
@@ -151,7 +168,7 @@ void RecordedRig::Impl::settle_drainage(StageInfo& only) {
   if (only.drainage == Drainage::unknown && header.has(Quantity::back_volume)) {
     const auto summaries = stages_of_rows();
     only.drainage = infer_stages(summaries, header.specimen)[0].drainage;
-    header.guesses.push_back(stage_guess(summaries.front(), only));
+    header.guesses.push_back(stage_guess(summaries.front(), only, header.specimen));
     return;
   }
   if (only.drainage == Drainage::unknown) return;
@@ -165,6 +182,10 @@ void RecordedRig::Impl::settle_drainage(StageInfo& only) {
   only.drainage = range > kStands ? Drainage::open : Drainage::closed;
   header.guesses.push_back(
       drainage_guess(only, fmt::format("its volumetric strain changes by {:.3g} %", range * 100)));
+  // Between a strain that is nothing and one that is plainly water nobody knows.
+  constexpr double kPlain = 1e-3;
+  if (range > kStands && range <= kPlain)
+    header.guesses.back().otherwise = {{fmt::format("stages.{}.drainage", only.number), "closed"}};
 }
 
 std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() {

@@ -79,6 +79,24 @@ void take_back(const JudgedStates& states, TestSummary& summary) {
                 [](const Check& check) { return check.kind == CheckKind::b_value; });
 }
 
+std::string answer(const Collapse& c) {
+  if (!c.detected()) return "no collapse";
+  return c.onset ? fmt::format("{} at reading {}", to_string(c.kind), c.onset->reading)
+                 : std::string(to_string(c.kind));
+}
+
+/// Why the verdict hangs on what nobody said; empty where it does not.
+std::optional<std::string> contradiction(const Collapse& taken,
+                                         const std::vector<Otherwise>& others) {
+  for (const Otherwise& other : others)
+    if (other.collapse.judged && other.collapse.detected() != taken.detected())
+      return fmt::format(
+          "it depends on what the record does not say: {}, which gives {}; {} gives "
+          "{}. Say which with --set",
+          other.taken, answer(taken), other.said, answer(other.collapse));
+  return std::nullopt;
+}
+
 /// One test on its way through the stream.
 class SessionRun {
  public:
@@ -195,9 +213,12 @@ void SessionRun::summarise() {
   Collapse& collapse = summary_.collapse;
   collapse = states_.ends_at_mark() ? until_mark_ : monitor_.finish();
   states_.bound(collapse);
+  if (options_.otherwise && collapse.judged)
+    if (const auto doubt = contradiction(collapse, options_.otherwise())) collapse.withhold(*doubt);
   const auto caveat = gaps_.caveat(collapse);
   if (caveat && collapse.judged_until_reason.empty()) collapse.judged_until_reason = *caveat;
   summary_.peak = monitor_.peak();
+  summary_.cyclic = monitor_.cyclic();
   summary_.consolidation = reduction_.consolidation();
   summary_.truth = back_end_.truth();
   summary_.membrane_correction = reduction_.membrane_correction();

@@ -10,12 +10,22 @@
 
 namespace triax::lab {
 
+/// What a test comes to with another answer to something that its record does not say.
+struct Otherwise {
+  std::string taken;  ///< "stage 5 was taken as shear, drainage closed"
+  std::string said;   ///< the other answer: "stages.5.drainage=open"
+  Collapse collapse;
+};
+
 struct SessionOptions {
   ReductionOptions reduction;
   double speed =
       0;  ///< 0: as fast as possible; else test time runs this many times faster than the clock
   /// Asked after every reading and while the clock is waited for; true breaks the test off.
   std::function<bool()> stop = {};
+  /// Asked once where the test was judged. A verdict that another answer contradicts, collapse
+  /// against none, is withheld, and both are named.
+  std::function<std::vector<Otherwise>()> otherwise = {};
 };
 
 /// Runs a whole test; returns what it came to. A test that was broken off is judged as far as it

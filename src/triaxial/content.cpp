@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "src/output/words.hpp"
+#include "src/triaxial/cyclic_fact.hpp"
 #include "src/triaxial/run_away_fact.hpp"
 
 namespace triax::src {
@@ -86,6 +87,8 @@ std::string collapse_word(lab::CollapseKind kind) {
       return "partial: a part of the strength is lost for good";
     case lab::CollapseKind::flow:
       return "flow: strength is lost and does not return";
+    case lab::CollapseKind::cyclic_mobility:
+      return "cyclic mobility: cycles liquefied the specimen, each was carried all the same";
   }
   return kUnknown;
 }
@@ -220,6 +223,7 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
     facts.push_back({"Failure", {instant(*failure)}});
   facts.push_back(
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
+  if (test.summary.cyclic) facts.push_back({"Cycles", cyclic_lines(*test.summary.cyclic)});
   if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
   facts.push_back({"Limit surface", {limit_line(test)}});
   if (test.summary.truth)

@@ -171,6 +171,21 @@ Json collapse_json(const db::StoredTest& test) {
   return object;
 }
 
+Json cyclic_json(const std::optional<lab::CyclicLoading>& cyclic) {
+  if (!cyclic) return nullptr;
+  const auto at_json = [](const std::optional<lab::CycleInstant>& at) {
+    return at ? Json{{"reading", at->instant.reading}, {"cycle", at->cycle}} : Json(nullptr);
+  };
+  return {{"cycles", cyclic->cycles},
+          {"q_low_kPa", study::json_kPa(cyclic->q_low_pa)},
+          {"q_high_kPa", study::json_kPa(cyclic->q_high_pa)},
+          {"cyclic_stress_ratio", study::json_number(cyclic->stress_ratio)},
+          {"largest_pore_pressure_ratio", study::json_number(cyclic->largest_pore_pressure_ratio)},
+          {"largest_double_amplitude", study::json_number(cyclic->largest_double_amplitude)},
+          {"liquefied", at_json(cyclic->liquefied)},
+          {"double_amplitude_5_pct", at_json(cyclic->double_amplitude)}};
+}
+
 Json checks_json(const std::vector<lab::Check>& checks) {
   Json list = Json::array();
   for (const auto& check : checks)
@@ -208,6 +223,7 @@ Json report_json(const db::StoredTest& test) {
           {"consolidation", consolidation_json(test)},
           {"peak", std::move(peak)},
           {"collapse", collapse_json(test)},
+          {"cyclic", cyclic_json(test.summary.cyclic)},
           {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
           {"notes", notes_json(test.header.notes)},
           {"guesses", guesses_json(test.header.guesses)},

@@ -10,6 +10,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/reduction/reduction.hpp"
+#include "lab/rig/otherwise.hpp"
 #include "lab/rig/recorded.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
@@ -96,8 +97,16 @@ void run_replay(const ReplayOptions& o) {
     try {
       const auto rig = one.rig ? std::move(one.rig) : lab::open_record(one.path, record);
       ProgressBar bar(std::filesystem::path(one.path).filename().string());
+      const auto otherwise = [&] {
+        return lab::judge_otherwise(rig->header(), reduction, [&](const lab::Guess::Said& said) {
+          lab::RecordOptions other = record;
+          other.sets.emplace_back(said.key, said.value);
+          return lab::open_record(one.path, other);
+        });
+      };
       ids.push_back(
-          study::run_test(*rig, {.reduction = reduction, .speed = o.speed}, o.db, {shown_on(bar)}));
+          study::run_test(*rig, {.reduction = reduction, .speed = o.speed, .otherwise = otherwise},
+                          o.db, {shown_on(bar)}));
     } catch (const lab::BadInput& error) {
       bad.add(error);
     }

@@ -125,7 +125,8 @@ constexpr auto kActions = std::to_array<Action>({
 
 std::vector<std::string> action_names() {
   std::vector<std::string> names(kActions.size());
-  std::ranges::transform(kActions, names.begin(), [](const Action& action) { return std::string(action.name); });
+  std::ranges::transform(kActions, names.begin(),
+                         [](const Action& action) { return std::string(action.name); });
   return names;
 }
 

@@ -41,3 +41,39 @@ TEST_CASE("a kind of event that this version does not know is said, not guessed"
   database.exec("UPDATE events SET kind = 'earthquake'");
   CHECK_THROWS_WITH(db::read_test(database, id), Catch::Contains("'earthquake'"));
 }
+
+TEST_CASE("cycles of load come back as they were stored, and none where there were none") {
+  testing::TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  const auto id = db::insert_test(database, testing::raw_header("a"), "now");
+  lab::TestSummary summary;
+  summary.cyclic = lab::CyclicLoading{.cycles = 7.5,
+                                      .q_low_pa = -20e3,
+                                      .q_high_pa = 25e3,
+                                      .stress_ratio = 0.12,
+                                      .largest_pore_pressure_ratio = 0.97,
+                                      .largest_double_amplitude = 0.04,
+                                      .liquefied = {},
+                                      .double_amplitude = {}};
+  summary.cyclic->liquefied.emplace().instant.reading = 512;
+  summary.cyclic->liquefied->cycle = 6;
+  summary.collapse.kind = lab::CollapseKind::cyclic_mobility;
+  db::insert_summary(database, id, summary);
+  const auto stored = db::read_test(database, id).summary;
+  CHECK(stored.collapse.kind == lab::CollapseKind::cyclic_mobility);
+  REQUIRE(stored.cyclic);
+  CHECK(stored.cyclic->cycles == 7.5);
+  CHECK(stored.cyclic->q_low_pa == Approx(-20e3));
+  CHECK(stored.cyclic->q_high_pa == Approx(25e3));
+  CHECK(stored.cyclic->stress_ratio == 0.12);
+  CHECK(stored.cyclic->largest_pore_pressure_ratio == 0.97);
+  CHECK(stored.cyclic->largest_double_amplitude == 0.04);
+  REQUIRE(stored.cyclic->liquefied);
+  CHECK(stored.cyclic->liquefied->instant.reading == 512);
+  CHECK(stored.cyclic->liquefied->cycle == 6);
+  CHECK_FALSE(stored.cyclic->double_amplitude);
+
+  const auto monotonic = db::insert_test(database, testing::raw_header("b"), "now");
+  db::insert_summary(database, monotonic, {});
+  CHECK_FALSE(db::read_test(database, monotonic).summary.cyclic);
+}

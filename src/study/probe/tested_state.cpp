@@ -7,6 +7,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "src/study/triaxial/collapse_increments.hpp"
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
@@ -85,10 +86,15 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
     throw lab::BadInput(fmt::format("{} has no void ratio at reading {}; give --void-ratio E", name,
                                     result.state.reading));
 
-  lab::IncrementWatch watch(stored.header, result.state.reading);
-  store.for_each_scan(id, 1,
-                      [&](const lab::Reading&, const lab::State& state) { watch.watch(state); });
-  result.increment = watch.finish();
+  const auto onset = collapse_onset(stored);
+  if (onset && onset->reading == result.state.reading) {
+    result.increment = increment_towards(store, stored, onset->reading);
+  } else {
+    lab::IncrementWatch watch(stored.header, result.state.reading);
+    store.for_each_scan(id, 1,
+                        [&](const lab::Reading&, const lab::State& state) { watch.watch(state); });
+    result.increment = watch.finish();
+  }
   if (result.increment && result.increment->has_direction()) return result;
   result.warnings.push_back(
       fmt::format("the increment of {} at reading {} is not known: {}", name, result.state.reading,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "db/store.hpp"
-#include "lab/collapse/measured_increment.hpp"
+#include "lab/measured/measured_increment.hpp"
 
 namespace triax::study {
 

@@ -53,6 +53,41 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   CHECK(control.sudden());
 }
 
+TEST_CASE("a burst after which a load is carried on, and grows, took no control away") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  LossOfControl control;
+  control.start_stage(&load);
+  const auto add = [&](int i, double q, double strain) {
+    control.add_state(at(i, q, strain), true);
+  };
+  int i = 0;
+  for (; i < 300; ++i) add(i, 100e3 + 10 * i, i * 1e-5);
+  add(i, 103e3, 0.03);
+  REQUIRE(control.lost());
+  for (const int end = i + 40; ++i < end;) add(i, 100e3 + 10 * i, 0.03 + i * 1e-5);
+  CHECK_FALSE(control.lost());
+  REQUIRE(control.finding());
+  CHECK_FALSE(control.finding()->detected);
+  // Far beyond the load of then nothing of it remains, and the next burst is looked for.
+  for (; i < 900; ++i) add(i, 100e3 + 10 * i, 0.03 + i * 1e-5);
+  CHECK_FALSE(control.finding());
+  add(i, 20e3, 0.2);
+  REQUIRE(control.lost());
+  CHECK(control.lost()->instant.reading == 899);
+}
+
+TEST_CASE("a load that fell in a burst was lost, whatever comes later") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  LossOfControl control;
+  control.start_stage(&load);
+  for (int i = 0; i < 300; ++i) control.add_state(at(i, 100e3, i * 1e-5), true);
+  control.add_state(at(300, 60e3, 0.05), true);
+  for (int i = 301; i < 400; ++i) control.add_state(at(i, 101e3, 0.06), true);
+  CHECK(control.lost());
+}
+
 TEST_CASE("where nobody says what is prescribed, a leap beyond any frame with q falling counts") {
   StageInfo unsaid = kHeld;
   unsaid.control = AxialControl::unknown;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "tests/lab/collapse/synthetic_path.hpp"
+#include "tests/lab/measured/synthetic_path.hpp"
 
 using namespace triax::lab;
 using triax::lab::testing::SyntheticPath;

@@ -41,13 +41,22 @@ TEST_CASE("white noise at rest and on a ramp is seen as what moves the channel")
 }
 
 TEST_CASE("the wait follows the share f of equal neighbours: ln(1e-9)/ln f") {
-  // ±: the value moves to and fro and rests in between, so that two in four neighbours are equal.
+  // ±: the value moves to and fro and rests in between, so that two in four neighbours are equal;
+  // now and then by two steps.
   ChannelNoise noise(kFinest);
-  for (int i = 0; i < 4000; ++i) noise.add((i / 2) % 2);
+  for (int i = 0; i < 4000; ++i) noise.add((i / 2) % 2 == 0 ? 0 : (i / 2) % 8 == 1 ? 2 : 1);
   REQUIRE(noise.impossible_run());
   // f is known to three errors of 256 neighbours: ½ + 3·√(¼/256)
   CHECK(double(*noise.impossible_run()) ==
         Approx(std::log(1e-9) / std::log(0.5 + 3 * std::sqrt(0.25 / 256))).margin(3));
+}
+
+TEST_CASE("a flicker between two neighbouring values may rest as soon as its mean lies between") {
+  ChannelNoise noise(kFinest);
+  for (int i = 0; i < 4000; ++i) noise.add((i / 2) % 2);
+  CHECK_FALSE(noise.impossible_run());
+  // 0.3 steps rms on a slow ramp: it flickers at each flip and rests in between.
+  CHECK_FALSE(learned(0.002, 0.3, 4000).impossible_run());
 }
 
 TEST_CASE("what moves without noise may rest: ramps, smooth or in steps, and constants") {

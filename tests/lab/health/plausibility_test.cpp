@@ -21,7 +21,7 @@ State at(std::int64_t reading, double q_kPa, double p_kPa, double axial_strain) 
 
 TEST_CASE("a sound test passes, in compression, in extension and when it liquefies") {
   for (const double sign : {1.0, -0.7}) {
-    Plausibility p;
+    Plausibility p({});
     for (int i = 0; i <= 100; ++i) CHECK(p.add(at(i, sign * i, 100, i * 1e-3)));
     CHECK(p.add(at(101, sign * 8, 2, 0.12)));  // q/p' of 4 where p' is all but gone
     CHECK(p.impossible().empty());
@@ -32,14 +32,14 @@ TEST_CASE("a sound test passes, in compression, in extension and when it liquefi
 
 TEST_CASE("pressures in another unit are not judged") {
   for (const double p0_kPa : {39763e2, 0.2}) {
-    Plausibility p;
+    Plausibility p({});
     CHECK_FALSE(p.add(at(0, 0, p0_kPa, 0)));
     CHECK_THAT(p.impossible(), Contains("another unit"));
   }
 }
 
 TEST_CASE("a stress ratio beyond any friction angle is not judged from there on") {
-  Plausibility p;
+  Plausibility p({});
   CHECK(p.add(at(0, 0, 100, 0)));
   CHECK(p.add(at(1, 200, 100, 0.01)));
   CHECK_FALSE(p.add(at(2, 320, 100, 0.02)));
@@ -47,24 +47,41 @@ TEST_CASE("a stress ratio beyond any friction angle is not judged from there on"
 }
 
 TEST_CASE("a force a thousand times too small is noticed at the end") {
-  Plausibility p;
+  Plausibility p({});
   for (int i = 0; i <= 100; ++i) p.add(at(i, i * 1e-3, 100, i * 1e-3));
   CHECK_THAT(p.idle(), Contains("force"));
-  Plausibility isotropic;  // hardly sheared: nothing is wrong
+  Plausibility isotropic({});  // hardly sheared: nothing is wrong
   for (int i = 0; i <= 100; ++i) isotropic.add(at(i, 0, 100, i * 1e-5));
   CHECK(isotropic.idle().empty());
 }
 
 TEST_CASE("a load cell that begins below zero, tension and steep angles are told") {
-  Plausibility p;
+  Plausibility p({});
   p.add(at(0, -19.6, 100, 0));
   p.add(at(1, 290, 100, 0.01));
   const auto warnings = p.warnings();
   REQUIRE(warnings.size() == 2);
   CHECK_THAT(warnings[0].text, Contains("-19.6 kPa"));
   CHECK_THAT(warnings[1].text, Contains("friction angle"));
-  Plausibility tension;
+  Plausibility tension({});
   tension.add(at(0, 0, 100, 0));
   tension.add(at(1, -149, 100, 0.01));
   CHECK(tension.warnings().size() == 1);
+}
+
+TEST_CASE("a specimen that no cell holds: a height or a diameter in another unit") {
+  const auto possible = [](double height_mm, double diameter_mm) {
+    SpecimenInfo specimen;
+    specimen.height_m = height_mm / 1e3;
+    specimen.diameter_m = diameter_mm / 1e3;
+    Plausibility p(specimen);
+    const bool passed = p.add(at(0, 0, 100, 0));
+    CHECK(passed == p.impossible().empty());
+    return passed;
+  };
+  CHECK(possible(140, 70));
+  CHECK(possible(70, 70));  // lubricated ends
+  CHECK(possible(76, 38));
+  CHECK_FALSE(possible(14, 70));
+  CHECK_FALSE(possible(1400, 70));
 }

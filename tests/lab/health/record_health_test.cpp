@@ -156,3 +156,33 @@ TEST_CASE("along a strain path a volume that rests is stuck only where it was to
   for (const double R : {0.7, 1.5})
     CHECK(found(watched(along(R), 300, broken), "(back_volume) is stuck"));
 }
+
+TEST_CASE(
+    "reduced: a volume that stands still is stuck, unless the water that is shut in answers") {
+  const auto volume_is_stuck = [](bool pore_pressure_moves) {
+    RecordHeader header;
+    header.columns = {Quantity::axial_strain, Quantity::volumetric_strain,
+                      Quantity::mean_effective_stress, Quantity::deviator_stress,
+                      Quantity::pore_pressure};
+    header.stages = {{.number = 1, .role = StageRole::shear, .drainage = Drainage::open}};
+    RecordHealth health(header);
+    for (int i = 0; i < 1500; ++i) {
+      Reading r;
+      r.number = i;
+      r.stage = 1;
+      const int shut = std::max(0, i - 500);  // the valve is shut, or the gauge dies, here
+      const auto noise = [&](std::uint64_t k) {
+        return standard_normal(3, k, static_cast<std::uint64_t>(i));
+      };
+      r[Quantity::axial_strain] = 1e-5 * i;
+      r[Quantity::volumetric_strain] = shut > 0 ? 5e-3 : 1e-5 * i + 1e-6 * noise(1);
+      r[Quantity::deviator_stress] = 100 * i + 50 * noise(2);
+      r[Quantity::mean_effective_stress] = 100e3 + 30 * i;
+      r[Quantity::pore_pressure] = 300e3 + 20 * noise(4) + (pore_pressure_moves ? 30.0 * shut : 0);
+      health.watch(r);
+    }
+    return found(health, "volumetric_strain");
+  };
+  CHECK(volume_is_stuck(false));
+  CHECK_FALSE(volume_is_stuck(true));
+}

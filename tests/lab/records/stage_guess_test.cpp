@@ -20,7 +20,7 @@ TEST_CASE("a guess says what was taken, what speaks for it, and how to say other
                         .role = StageRole::shear,
                         .drainage = Drainage::closed,
                         .control = AxialControl::displacement};
-  const Guess guess = stage_guess(moved, shear);
+  const Guess guess = stage_guess(moved, shear, {});
   CHECK(guess.what == "stage 5");
   CHECK(guess.taken == "shear, drainage closed, displacement prescribed");
   CHECK(guess.evidence == "changed: the displacement by 4.2 mm, the back volume by 0 mm3");

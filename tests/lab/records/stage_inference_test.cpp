@@ -90,6 +90,55 @@ TEST_CASE(
   CHECK(infer_stages({stage(1, drained), stage(2, shear)}, specimen())[0].role == StageRole::shear);
 }
 
+TEST_CASE("a deviator load at small strain is shear, and so is what follows while it stays: CSD") {
+  const Ends consolidated{{350, 350}, {335, 300}, {10000, 8000}, {0, 1}, {0, 0}};
+  const Ends loads{{350, 350}, {300, 300}, {8000, 7800}, {1, 1.1}, {0, 0.06}};
+  const Ends loosens{{350, 350}, {300, 340}, {7800, 8000}, {1.1, 1.15}, {0.06, 0.06}};
+  const Ends rests{{350, 350}, {340, 340}, {8000, 8000}, {1.15, 1.15}, {0.06, 0.06}};
+  const Ends taken_down{{350, 300}, {340, 340}, {8000, 8200}, {1.15, 1.1}, {0.06, 0}};
+  const auto stages = infer_stages({stage(1, consolidated), stage(2, loads), stage(3, loosens),
+                                    stage(4, rests), stage(5, taken_down)},
+                                   specimen());
+  CHECK(stages[0].role == StageRole::consolidation);
+  CHECK(stages[1].role == StageRole::shear);
+  CHECK(stages[2].role == StageRole::shear);
+  CHECK(stages[3].role == StageRole::unknown);
+  CHECK(stages[4].role != StageRole::shear);
+
+  const auto alone = infer_stages({stage(1, loads), stage(2, loosens)}, specimen());
+  CHECK(alone[0].role == StageRole::shear);
+  CHECK(alone[1].role == StageRole::shear);
+
+  // Before anything was consolidated the piston is being docked.
+  const Ends confines{{300, 350}, {300, 300}, {7800, 5000}, {1.1, 1.3}, {0.06, 0.06}};
+  const auto docked = infer_stages({stage(1, loads), stage(2, confines)}, specimen());
+  CHECK(docked[0].role != StageRole::shear);
+}
+
+TEST_CASE("what moved leaves some answers open and rules others out") {
+  const auto said = [](const Ends& ends, StageRole role, Drainage drainage) {
+    std::string all;
+    for (const Guess::Said& one : other_answers(
+             stage(5, ends), {.number = 5, .role = role, .drainage = drainage}, specimen()))
+      all += one.key + "=" + one.value + " ";
+    return all;
+  };
+  constexpr auto shear = StageRole::shear, consolidation = StageRole::consolidation;
+  constexpr auto open = Drainage::open, closed = Drainage::closed;
+  // Volume of the specimen: 196,350 mm3.
+  CHECK(said({{350, 350}, {300, 330}, {8000, 8000}, {3, 27}, {0, 0.18}}, shear, closed).empty());
+  CHECK(said({{350, 350}, {300, 301}, {8000, 8000}, {3, 27}, {0, 0.18}}, shear, closed) ==
+        "stages.5.drainage=open ");
+  CHECK(said({{350, 350}, {300, 300}, {8000, 5000}, {3, 27}, {0, 0.18}}, shear, open).empty());
+  CHECK(said({{350, 350}, {300, 330}, {8000, 7900}, {3, 27}, {0, 0.18}}, shear, open) ==
+        "stages.5.drainage=closed ");
+  CHECK(said({{350, 350}, {300, 300}, {8000, 5000}, {3, 3.1}, {0, 0.18}}, shear, open) ==
+        "stages.5.role=consolidation ");
+  CHECK(said({{350, 450}, {300, 300}, {8000, 5000}, {3, 4}, {0, 0.18}}, consolidation, open) ==
+        "stages.5.role=shear ");
+  CHECK(said({{350, 450}, {300, 300}, {8000, 5000}, {3, 4}, {0, 0}}, consolidation, open).empty());
+}
+
 TEST_CASE("a typed-in start height is found from the file's own strain") {
   const Ends shear{{350, 350}, {300, 330}, {0, 0}, {3, 27}, {0, 0.18}};
   const auto typed = typed_height(stage(5, shear, 0.0978), 0.09703);

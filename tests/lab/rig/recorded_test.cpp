@@ -169,3 +169,16 @@ TEST_CASE("stage 4.1 beside stage 41 is refused where the second of them begins"
   CHECK(reading.stage == 41);
   CHECK_THROWS_WITH(rig->next(reading), Catch::Matchers::Contains("s.csv:5: "));
 }
+
+TEST_CASE("a dimension that is said and contradicts the file's own is told") {
+  const std::string record =
+      "# [specimen]\n# height_mm = 140\n# diameter_mm = 70\n" + kHeadings + "0,0,0.1,800\n";
+  const auto warnings = [&](const char* key, const char* value) {
+    return open_text(record, {.sets = {{key, value}}})->header().warnings;
+  };
+  REQUIRE(warnings("specimen.height_mm", "14").size() == 1);
+  CHECK(warnings("specimen.height_mm", "14")[0].text ==
+        "--set specimen.height_mm=14 stands over the file's own 140 mm");
+  CHECK(warnings("specimen.height_cm", "14").empty());
+  CHECK(warnings("specimen.void_ratio", "0.9").empty());
+}

@@ -133,3 +133,33 @@ TEST_CASE("what a listener throws ends the test and reaches who runs it") {
   CHECK_THROWS_AS(run_session(rig, {}, {full}), WorkFailed);
   CHECK(scans == 7);
 }
+
+TEST_CASE("a verdict that another answer contradicts is withheld, and both are named") {
+  const auto judged = [](CollapseKind other, bool other_judged, int* asked) {
+    FakeRig rig(3000);
+    SessionOptions options;
+    options.otherwise = [=] {
+      ++*asked;
+      Otherwise one{.taken = "stage 3 was taken as shear, drainage closed",
+                    .said = "stages.3.drainage=open",
+                    .collapse = {}};
+      one.collapse.kind = other;
+      one.collapse.judged = other_judged;
+      return std::vector{one};
+    };
+    return run_session(rig, options).collapse;
+  };
+  int asked = 0;
+  const Collapse taken = judged(CollapseKind::limited, true, &asked);
+  CHECK(asked == 1);
+  REQUIRE(taken.kind == CollapseKind::flow);  // another kind of collapse is no contradiction
+  const Collapse doubtful = judged(CollapseKind::none, true, &asked);
+  CHECK_FALSE(doubtful.judged);
+  CHECK_FALSE(doubtful.onset);
+  for (const std::string& part :
+       {std::string("it depends on"), std::string("flow at reading "),
+        std::string("drainage closed"), std::string("stages.3.drainage=open gives no collapse")})
+    CHECK(doubtful.judged_until_reason.find(part) != std::string::npos);
+  // An answer with which nothing can be judged contradicts nothing.
+  CHECK(judged(CollapseKind::none, false, &asked).kind == CollapseKind::flow);
+}

@@ -8,7 +8,7 @@
 #include "sim/stability/probe.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
-#include "tests/lab/collapse/synthetic_path.hpp"
+#include "tests/lab/measured/synthetic_path.hpp"
 
 using namespace triax;
 

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "db/recorder.hpp"
+#include "src/study/probe/tested_state.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
-#include "tests/lab/collapse/synthetic_path.hpp"
+#include "tests/lab/measured/synthetic_path.hpp"
 
 using namespace triax;
 
@@ -43,9 +44,9 @@ class StoredPath {
   std::vector<study::CollapseIncrement> increments() const {
     return study::collapse_increments(db::Store(file()), {1});
   }
+  std::string file() const { return folder_.file("t.db"); }
 
  private:
-  std::string file() const { return folder_.file("t.db"); }
   testing::TemporaryFolder folder_;
 };
 
@@ -60,6 +61,18 @@ TEST_CASE("where undrained q has its peak the increment is isotropic unloading")
   CHECK(increments[0].q_pa == 60e3);
   CHECK(increments[0].dp < 0);
   CHECK(std::fabs(increments[0].dq) < 0.02 * std::fabs(increments[0].dp));
+}
+
+TEST_CASE("probe --test and the figures know one increment at collapse, with its error") {
+  const StoredPath stored(lab::CollapseKind::flow, 400, lab::AxialControl::constant_q);
+  const auto drawn = stored.increments();
+  REQUIRE(drawn.size() == 1);
+  const auto tested = study::tested_state(db::Store(stored.file()), "1", "collapse", 1.0);
+  REQUIRE(tested.increment);
+  CHECK(tested.increment->rate.p == drawn[0].dp);
+  CHECK(tested.increment->rate.q == drawn[0].dq);
+  CHECK(tested.increment->angle_error > 0);
+  CHECK(tested.increment->angle_error < 0.2);
 }
 
 TEST_CASE("a test that did not collapse has no increment at collapse") {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "lab/collapse/path_rates.hpp"
-#include "lab/collapse/path_sampler.hpp"
+#include "lab/measured/path_rates.hpp"
+#include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
 
@@ -24,6 +24,12 @@ struct MeasuredIncrement {
   /// Beyond 45° of error the direction could be any.
   bool has_direction() const { return angle_error < std::numbers::pi / 4; }
 };
+
+/// Of a step along the path: its direction and second-order work, from the standard errors of its
+/// stresses and that of its normalised work. Empty where the stresses stand still.
+std::optional<MeasuredIncrement> increment_of(const PathStep& step, double p_error, double q_error,
+                                              double normalised_error,
+                                              std::int64_t window_readings);
 
 /// Takes the states of a test one at a time, in constant memory.
 class IncrementWatch {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/path_sampler.hpp"
+#include "lab/measured/path_sampler.hpp"
 
 #include <cmath>
 
@@ -12,6 +12,11 @@ bool complete(const State& s) {
 
 bool is_watched(const StageInfo* stage) {
   return stage == nullptr || stage->role == StageRole::shear || stage->role == StageRole::unknown;
+}
+
+bool is_drained_frame(const StageInfo* stage) {
+  return stage && stage->drainage == Drainage::open && stage->control != AxialControl::constant_q &&
+         stage->control != AxialControl::load;
 }
 
 std::optional<PathSample> PathSampler::sample(const State& s) {

@@ -11,7 +11,7 @@
 #include <functional>
 #include <optional>
 
-#include "lab/collapse/local_fit.hpp"
+#include "lab/measured/local_fit.hpp"
 #include "lab/results/second_order_work_point.hpp"
 
 namespace triax::lab {
@@ -29,6 +29,8 @@ struct PathPoint {
   double stress_variance = 0;  ///< of the smoothed (p', q) as a vector, Pa²
   double strain_variance = 0;  ///< of the smoothed strains as a vector
   std::int64_t window_readings = 0;
+  /// The drive stood before it (AxisRest): what q fell meanwhile is relaxation.
+  bool after_rest = false;
 
   /// The middle block itself, unsmoothed: the reading where the window is the shortest.
   PathSample middle;

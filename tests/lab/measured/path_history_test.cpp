@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/path_history.hpp"
+#include "lab/measured/path_history.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "lab/collapse/block_pyramid.hpp"
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/block_pyramid.hpp"
+#include "lab/measured/path_rates.hpp"
 
 namespace triax::lab {
 

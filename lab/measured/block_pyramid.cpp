@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/block_pyramid.hpp"
+#include "lab/measured/block_pyramid.hpp"
 
 #include <algorithm>
 
 namespace triax::lab {
 
-PathSample mean(const PathSample& a, const PathSample& b) {
+PathSample mean(const PathSample& first, const PathSample& second) {
   PathSample m;
   for (std::size_t k = 0; k < PathSample::kSignals; ++k)
-    m.signal[k] = 0.5 * (a.signal[k] + b.signal[k]);
+    m.signal[k] = 0.5 * (first.signal[k] + second.signal[k]);
   return m;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {
@@ -56,6 +56,7 @@ class AxisRest {
   double typical_ = 0;                  ///< rate while driven
   int driven_ = 0;
   double strength_at_stop_ = 0;
+  bool stopped_under_load_ = false;
   std::int64_t stopped_at_ = 0;
   std::vector<PathPoint> held_, out_;
   std::optional<Fall> unlikely_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/block_pyramid.hpp"
+#include "lab/measured/block_pyramid.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/local_fit.hpp"
+#include "lab/measured/local_fit.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/measured_increment.hpp"
+#include "lab/measured/measured_increment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +27,31 @@ bool reaches(const PathPoint& point, double reading) {
   return std::fabs(point.reading - reading) <= 0.5 * static_cast<double>(point.window_readings);
 }
 
-/// With P = √3 dp′ and Q = √⅔ dq, orthonormal, α = atan2(Q, P) + the angle of the p′ axis.
-std::optional<MeasuredIncrement> increment_of(const PathPoint& at) {
-  const double p = std::sqrt(3.0) * at.p_rate, q = std::sqrt(2.0 / 3) * at.q_rate;
-  const double square = p * p + q * q;
-  if (!(square > 0)) return std::nullopt;
-  const double p_error = std::sqrt(3.0) * at.p_rate_error;
-  const double q_error = std::sqrt(2.0 / 3) * at.q_rate_error;
-  const double angle =
-      std::atan2(at.p_rate + 2 * at.q_rate / 3, std::numbers::sqrt2 * (at.p_rate - at.q_rate / 3));
-  const PathStep rate{at.q_rate, at.p_rate, at.axial_rate, at.volumetric_rate};
-  return MeasuredIncrement{.rate = rate,
-                           .angle = angle < 0 ? angle + 2 * std::numbers::pi : angle,
-                           .angle_error = std::hypot(p * q_error, q * p_error) / square,
-                           .normalised = normalised_second_order_work(rate),
-                           .normalised_error = at.normalised_error,
-                           .window_readings = at.window_readings};
+std::optional<MeasuredIncrement> increment_at(const PathPoint& at) {
+  return increment_of({at.q_rate, at.p_rate, at.axial_rate, at.volumetric_rate}, at.p_rate_error,
+                      at.q_rate_error, at.normalised_error, at.window_readings);
 }
 
 }  // namespace
+
+/// With P = √3 dp′ and Q = √⅔ dq, orthonormal, α = atan2(Q, P) + the angle of the p′ axis.
+std::optional<MeasuredIncrement> increment_of(const PathStep& step, double p_error, double q_error,
+                                              double normalised_error,
+                                              std::int64_t window_readings) {
+  const double p = std::sqrt(3.0) * step.p, q = std::sqrt(2.0 / 3) * step.q;
+  const double square = p * p + q * q;
+  if (!(square > 0)) return std::nullopt;
+  const double angle =
+      std::atan2(step.p + 2 * step.q / 3, std::numbers::sqrt2 * (step.p - step.q / 3));
+  return MeasuredIncrement{
+      .rate = step,
+      .angle = angle < 0 ? angle + 2 * std::numbers::pi : angle,
+      .angle_error =
+          std::hypot(p * std::sqrt(2.0 / 3) * q_error, q * std::sqrt(3.0) * p_error) / square,
+      .normalised = normalised_second_order_work(step),
+      .normalised_error = normalised_error,
+      .window_readings = window_readings};
+}
 
 IncrementWatch::IncrementWatch(const RecordHeader& header, std::int64_t reading)
     : header_(header), reading_(static_cast<double>(reading)), sampler_(header.has_time) {
@@ -77,11 +83,11 @@ void IncrementWatch::take(const PathPoint& point) {
 std::optional<MeasuredIncrement> IncrementWatch::finish() {
   rates_.finish();
   if (before_ && after_)
-    return increment_of(between(
+    return increment_at(between(
         *before_, *after_, (reading_ - before_->reading) / (after_->reading - before_->reading)));
   const auto& nearest = before_ ? before_ : after_;
   if (!nearest || !reaches(*nearest, reading_)) return std::nullopt;
-  return increment_of(*nearest);
+  return increment_at(*nearest);
 }
 
 }  // namespace triax::lab

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/measured_increment.hpp"
+#include "lab/measured/measured_increment.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "tests/lab/collapse/synthetic_path.hpp"
+#include "tests/lab/measured/synthetic_path.hpp"
 
 using namespace triax::lab;
 using triax::lab::testing::SyntheticPath;

@@ -3,7 +3,7 @@
 // From the states of a test to samples of its path.
 #include <optional>
 
-#include "lab/collapse/block_pyramid.hpp"
+#include "lab/measured/block_pyramid.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
 
@@ -15,6 +15,10 @@ bool complete(const State& state);
 /// Whether second-order work is looked at in this stage: in shear, and where nobody says what a
 /// stage is for. `stage` may be null.
 bool is_watched(const StageInfo* stage);
+
+/// Whether the drainage is open and the axis moved by displacement, as far as anybody says: what is
+/// lost at a peak of q is then the skeleton's strength under that lateral stress.
+bool is_drained_frame(const StageInfo* stage);
 
 /// Gives each complete state of the watched stages its progress: time, or the path along the axial
 /// strain where the record has no time.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "lab/collapse/block_pyramid.hpp"
+#include "lab/measured/block_pyramid.hpp"
 
 namespace triax::lab {
 

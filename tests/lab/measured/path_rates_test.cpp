@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/path_rates.hpp"
+#include "lab/measured/path_rates.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "tests/lab/collapse/synthetic_path.hpp"
+#include "tests/lab/measured/synthetic_path.hpp"
 
 using namespace triax::lab;
 using triax::lab::testing::SyntheticPath;

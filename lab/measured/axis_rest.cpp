@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/axis_rest.hpp"
+#include "lab/measured/axis_rest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,23 @@
 namespace triax::lab {
 namespace {
 
-constexpr int kKnown = 4;        ///< points that make a rate
-constexpr int kMemory = 64;      ///< points that the usual rate remembers
-constexpr double kDead = 0.002;  ///< of the usual rate: the strain does not move at all
+constexpr int kKnown = 4;             ///< points that make a rate
+constexpr int kMemory = 64;           ///< points that the usual rate remembers
+constexpr double kDead = 0.002;       ///< of the usual rate: the strain does not move at all
+constexpr double kLeastRatio = 0.05;  ///< |q|/p' of a strength that can be lost
+
+// The middle of the window itself: what was smoothed over it begins to stand before the drive does.
+double middle(const PathPoint& point, PathSample::Signal signal) {
+  return point.middle.signal[signal];
+}
+
+double strength(const PathPoint& point) { return std::fabs(middle(point, PathSample::q)); }
 
 bool falls(const PathPoint& from, const PathPoint& to) {
-  return to.strength() < from.strength() &&
-         std::fabs(to.p_eff - from.p_eff) <= std::fabs(to.q - from.q);
+  const auto change = [&](PathSample::Signal signal) {
+    return std::fabs(middle(to, signal) - middle(from, signal));
+  };
+  return strength(to) < strength(from) && change(PathSample::p_eff) <= change(PathSample::q);
 }
 
 }  // namespace
@@ -28,12 +38,16 @@ void AxisRest::start_stage(const StageInfo* stage, bool has_time) {
 }
 
 double AxisRest::lapse(const PathPoint& from, const PathPoint& to) const {
-  return has_time_ ? to.progress - from.progress : to.reading - from.reading;
+  const auto along = has_time_ ? PathSample::progress : PathSample::reading;
+  return middle(to, along) - middle(from, along);
 }
 
 double AxisRest::rate(const PathPoint& from, const PathPoint& to) const {
   const double dt = lapse(from, to);
-  return dt > 0 ? std::fabs(to.axial_strain - from.axial_strain) / dt : typical_;
+  return dt > 0 ? std::fabs(middle(to, PathSample::axial_strain) -
+                            middle(from, PathSample::axial_strain)) /
+                      dt
+                : typical_;
 }
 
 void AxisRest::take(const PathPoint& point) {
@@ -51,28 +65,31 @@ void AxisRest::release() {
 }
 
 double AxisRest::advance(const PathPoint& point) const {
-  return std::copysign(1.0, slow_from_->q) * (point.axial_strain - slow_from_->axial_strain);
+  const auto strain = PathSample::axial_strain;
+  return std::copysign(1.0, slow_from_->q) * (middle(point, strain) - middle(*slow_from_, strain));
 }
 
 /// From where it went slow the strain did not advance, as far as its scatter lets tell.
 bool AxisRest::has_stopped(const PathPoint& point) const {
   if (!slow_from_ || !falls(*slow_from_, point)) return false;
   const double expected = typical_ * lapse(*slow_from_, point);
-  const double scatter = std::sqrt(point.strain_variance + slow_from_->strain_variance);
+  // A parabola's value at the middle of a window has a third of the variance of its middle block.
+  const double scatter = std::sqrt(3 * (point.strain_variance + slow_from_->strain_variance));
   const bool unloads = advance(point) < -std::max(3 * scatter, kDead * expected);
   return !unloads && advance(point) < kRests * expected && expected > 4 * scatter;
 }
 
 void AxisRest::watch_fall(const PathPoint& point) {
-  const double share = 1 - point.strength() / strength_at_stop_;
+  const double share = 1 - strength(point) / strength_at_stop_;
   const bool dead = std::fabs(advance(point)) < kDead * typical_ * lapse(*slow_from_, point);
-  if (!(share > kUnlikely) || !dead) return;
+  if (!(share > kUnlikely) || !dead || !stopped_under_load_) return;
   if (!unlikely_ || unlikely_->reading == stopped_at_) unlikely_ = Fall{stopped_at_, share};
 }
 
 void AxisRest::doubt(const PathPoint& point, double now) {
   if (held_.empty()) {
-    strength_at_stop_ = before_->strength();
+    strength_at_stop_ = strength(*before_);
+    stopped_under_load_ = strength_at_stop_ > kLeastRatio * middle(*before_, PathSample::p_eff);
     stopped_at_ = std::llround(before_->reading);
   }
   if (now >= kResumes * typical_)
@@ -101,6 +118,7 @@ const std::vector<PathPoint>& AxisRest::add(const PathPoint& point) {
     slow_from_.reset();
     driven_ = 0;  // the drive may go on at another rate
     out_.push_back(point);
+    out_.back().after_rest = true;
   } else if (known && now < kSlow * typical_ && falls(*before_, point)) {
     doubt(point, now);
   } else {

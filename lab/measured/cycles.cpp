@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measured/cycles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triax::lab {
+namespace {
+
+std::optional<double> known(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+void CycleCounter::Range::add(double value) {
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+void CycleCounter::add(const State& state) {
+  if (!first_) {
+    first_ = extreme_ = state;
+    q_ = {state.q, state.q};
+    strain_ = strain_before_ = {state.strain.axial, state.strain.axial};
+  }
+  q_.add(state.q);
+  strain_.add(state.strain.axial);
+  follow(state);
+  watch_pore_pressure(state);
+  watch_strain(state);
+}
+
+void CycleCounter::follow(const State& state) {
+  const double least = kLeast * std::fabs(first_->p_eff);
+  if (direction_ == 0) {
+    const double moved = state.q - first_->q;
+    if (std::fabs(moved) > least) direction_ = moved > 0 ? 1 : -1;
+    extreme_ = state;
+    return;
+  }
+  const double back = direction_ * (extreme_.q - state.q);
+  if (back <= 0) extreme_ = state;
+  if (back > std::max(least, kShare * (q_.high - q_.low))) turn(state);
+}
+
+void CycleCounter::turn(const State& state) {
+  ++turns_;
+  (direction_ > 0 ? high_ : low_).add(extreme_.q);
+  recent_.push_back({extreme_.reading, extreme_.q});
+  if (recent_.size() > kTurns) recent_.pop_front();
+  strain_before_ = strain_;
+  strain_ = {state.strain.axial, state.strain.axial};
+  strain_.add(extreme_.strain.axial);
+  direction_ = -direction_;
+  extreme_ = state;
+}
+
+CycleInstant CycleCounter::at(const State& state) const {
+  return {.instant = {.reading = state.reading,
+                      .time_s = has_time_ ? known(state.time_s) : std::nullopt,
+                      .axial_strain = state.strain.axial,
+                      .q_pa = state.q,
+                      .p_eff_pa = state.p_eff,
+                      .pore_pressure_pa = known(state.pore_pressure)},
+          .cycle = turns_ / 2 + 1};
+}
+
+/// r_u from the pore pressure, or, where the cell pressure stands, from the effective radial
+/// stress.
+void CycleCounter::watch_pore_pressure(const State& state) {
+  const double by_water = state.pore_pressure - first_->pore_pressure;
+  const double by_stress = first_->effective_stress.radial - state.effective_stress.radial;
+  const double ratio =
+      (std::isfinite(by_water) ? by_water : by_stress) / first_->effective_stress.radial;
+  if (!(ratio > found_.largest_pore_pressure_ratio)) return;
+  found_.largest_pore_pressure_ratio = ratio;
+  if (ratio >= kLiquefied && !found_.liquefied) found_.liquefied = at(state);
+}
+
+void CycleCounter::watch_strain(const State& state) {
+  const double amplitude =
+      std::max(strain_.high, strain_before_.high) - std::min(strain_.low, strain_before_.low);
+  if (turns_ < 2 || !(amplitude > found_.largest_double_amplitude)) return;
+  found_.largest_double_amplitude = amplitude;
+  if (amplitude >= kDoubleAmplitude && !found_.double_amplitude)
+    found_.double_amplitude = at(state);
+}
+
+std::optional<CyclicLoading> CycleCounter::loading() const {
+  if (turns_ < kFewest) return std::nullopt;
+  CyclicLoading loading = found_;
+  loading.cycles = turns_ / 2.0;
+  loading.q_low_pa = low_.value;
+  loading.q_high_pa = high_.value;
+  loading.stress_ratio = (high_.value - low_.value) / 4 / first_->p_eff;
+  return loading;
+}
+
+bool CycleCounter::carried_on(std::int64_t reading, double q) const {
+  constexpr double kMost = 0.9;
+  // Older than all that is remembered: dozens of cycles were carried since.
+  if (recent_.size() == kTurns && recent_.front().reading > reading) return true;
+  const auto first =
+      std::ranges::find_if(recent_, [&](const Turn& t) { return t.reading > reading; });
+  return first != recent_.end() && std::any_of(first + 1, recent_.end(), [&](const Turn& turn) {
+           return std::fabs(turn.q) >= kMost * std::fabs(q);
+         });
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Cycles of load as they come, in constant memory.
+#include <deque>
+#include <optional>
+
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
+
+namespace triax::lab {
+
+/// Counts the turns of q: where it comes back by more than kLeast p′₀ and by kShare of all that it
+/// has ranged over. Two turns are a cycle; from kFewest on a test is a cyclic one.
+class CycleCounter {
+ public:
+  static constexpr double kLeast = 0.02, kShare = 0.3;
+  static constexpr int kFewest = 4;
+  static constexpr double kLiquefied = 0.95;        ///< r_u of initial liquefaction
+  static constexpr double kDoubleAmplitude = 0.05;  ///< of the axial strain within a cycle
+
+  explicit CycleCounter(bool has_time) : has_time_(has_time) {}
+
+  /// States of shear. Pre-condition: complete(state).
+  void add(const State& state);
+  /// Empty: the test is not a cyclic one.
+  std::optional<CyclicLoading> loading() const;
+  /// Whether q came back after that reading and turned at nine tenths of |q| or more: the load was
+  /// carried again. The first turn after it, where q falls from what it was, does not count.
+  bool carried_on(std::int64_t reading, double q) const;
+
+ private:
+  struct Turn {
+    std::int64_t reading = 0;
+    double q = 0;
+  };
+  struct Range {
+    double low = 0, high = 0;
+    void add(double value);
+  };
+  struct Mean {
+    double value = 0;
+    int count = 0;
+    void add(double next) { value += (next - value) / ++count; }
+  };
+  void follow(const State& state);
+  void turn(const State& state);
+  void watch_pore_pressure(const State& state);
+  void watch_strain(const State& state);
+  CycleInstant at(const State& state) const;
+
+  static constexpr std::size_t kTurns = 64;  ///< that are remembered
+
+  bool has_time_;
+  std::optional<State> first_;
+  int direction_ = 0;                 ///< of q: 1, −1; 0 before it moved
+  State extreme_;                     ///< of q since the last turn
+  Range q_, strain_, strain_before_;  ///< strains of this half cycle and of the one before
+  int turns_ = 0;
+  Mean high_, low_;  ///< of the turns
+  std::deque<Turn> recent_;
+  CyclicLoading found_;
+};
+
+}  // namespace triax::lab

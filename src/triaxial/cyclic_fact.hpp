@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <vector>
+
+#include "lab/results/summary.hpp"
+
+namespace triax::src {
+
+/// "12 cycles of q from -20.1 to 24.6 kPa, CSR 0.149", and when they liquefied the specimen.
+std::vector<std::string> cyclic_lines(const lab::CyclicLoading& cyclic);
+
+}  // namespace triax::src

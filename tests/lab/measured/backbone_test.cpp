@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measured/backbone.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "lab/collapse/monitor.hpp"
+#include "tests/lab/measured/synthetic_path.hpp"
+
+using namespace triax::lab;
+using triax::lab::testing::SyntheticPath;
+using triax::lab::testing::undrained_header;
+
+namespace {
+
+struct Row {
+  double strain, q, p;  // %, kPa, kPa
+};
+
+State state(std::int64_t number, const Row& row, double sign = 1) {
+  State s;
+  s.reading = number;
+  s.time_s = static_cast<double>(number);
+  s.strain = {sign * row.strain / 100, -sign * row.strain / 200};
+  s.volumetric_strain = 0;
+  s.q = sign * row.q * 1e3;
+  s.p_eff = row.p * 1e3;
+  s.pore_pressure = 0;
+  s.effective_stress = {s.p_eff + 2 * s.q / 3, s.p_eff - s.q / 3};
+  return s;
+}
+
+std::optional<BackboneFall> fall_of(const std::vector<Row>& rows, double sign = 1) {
+  Backbone backbone;
+  backbone.start_stage(false);
+  std::int64_t number = 0;
+  for (const Row& row : rows) backbone.add(state(number++, row, sign));
+  return backbone.worst();
+}
+
+Collapse verdict_on(const std::vector<Row>& rows) {
+  RecordHeader header = undrained_header();
+  header.has_time = false;
+  CollapseMonitor monitor(header);
+  std::int64_t number = 0;
+  for (const Row& row : rows) monitor.watch(state(number++, row));
+  return monitor.finish();
+}
+
+const std::vector<Row> kFlow = {{0, 0, 100},   {0.1, 25, 92}, {0.3, 43, 82}, {0.8, 30, 55},
+                                {1.5, 14, 28}, {2.5, 6, 11},  {4, 3, 6}};
+
+}  // namespace
+
+TEST_CASE("the largest strength, what was lost of it, and its second-order work") {
+  const double sign = GENERATE(1.0, -1.0);
+  const auto fall = fall_of(kFlow, sign);
+  REQUIRE(fall);
+  CHECK(fall->peak.reading == 2);
+  CHECK(fall->loss() == Approx(1 - 3.0 / 43));
+  CHECK(fall->readings == 1);
+  CHECK(fall->confirmed);
+  // dq dε_q over √(3 dp² + 2/3 dq²) √(3/2) dε_q, undrained
+  const double dq = -40e3, dp = -76e3;
+  CHECK(fall->normalised_work() ==
+        Approx(dq / (std::sqrt(3 * dp * dp + dq * dq * 2 / 3) * std::sqrt(1.5))));
+}
+
+TEST_CASE("what unloads, stands or comes to nothing is no fall") {
+  CHECK_FALSE(fall_of({{0, 0, 100}, {0.5, 40, 90}, {0.4, 20, 95}, {0.3, 0, 98}}));
+  CHECK_FALSE(fall_of({{0, 0, 100}, {0.5, 40, 90}, {0.5, 30, 87}, {0.502, 28, 86}}));
+  CHECK_FALSE(fall_of({{0, 0, 100}, {0.5, 40, 90}, {1, 38, 80}, {2, 41, 85}}));
+  CHECK_FALSE(fall_of({{0, 0, 100}, {0.5, 0.4, 90}, {1, 0.1, 80}, {2, 0.2, 85}}));
+}
+
+TEST_CASE("after a loop of unloading the backbone begins anew: what the loop took is no fall") {
+  std::vector<Row> rows = {{0, 0, 100},    {0.3, 43, 82},  {0.28, 20, 85}, {0.2, 2, 88},
+                           {0.25, 20, 75}, {0.31, 30, 60}, {0.6, 41, 55}};
+  CHECK_FALSE(fall_of(rows));
+  rows.insert(rows.end(), {{1.2, 20, 30}, {2, 8, 14}});
+  const auto fall = fall_of(rows);
+  REQUIRE(fall);
+  CHECK(fall->peak.reading == 6);
+  CHECK(fall->loss() == Approx(1 - 8.0 / 41));
+}
+
+TEST_CASE("what comes back is known") {
+  const auto fall =
+      fall_of({{0, 0, 100}, {0.3, 43, 82}, {0.8, 30, 55}, {1.5, 25, 50}, {3, 40, 60}});
+  REQUIRE(fall);
+  CHECK(fall->share_regained() == Approx(15.0 / 18));
+}
+
+TEST_CASE("noise alone is no fall, however many states there are") {
+  std::mt19937_64 rng(3);
+  std::normal_distribution<double> noise(0, 2);
+  std::vector<Row> rows;
+  for (int i = 0; i < 5000; ++i)
+    rows.push_back({0.001 * i, 50 * (1 - std::exp(-0.01 * i)) + noise(rng), 100});
+  CHECK_FALSE(fall_of(rows));
+}
+
+TEST_CASE("seven rows of a flow are a flow, at the peak, and an onset between rows") {
+  const Collapse c = verdict_on(kFlow);
+  CHECK(c.judged);
+  CHECK(c.kind == CollapseKind::flow);
+  REQUIRE(c.onset);
+  CHECK(c.onset->reading == 2);
+  CHECK(*c.second_order_work_normalised < -0.2);
+  CHECK(c.criteria.front().found());
+}
+
+TEST_CASE("fewer rows than a window are judged where they show the fall") {
+  const Collapse c = verdict_on({{0, 0, 100}, {0.3, 43, 82}, {1.5, 14, 28}, {2.5, 6, 11}});
+  CHECK(c.kind == CollapseKind::flow);
+}
+
+TEST_CASE("one row without its strength, the last of the record, is no proof and no all-clear") {
+  std::vector<Row> rows = kFlow;
+  rows.resize(3);
+  rows.insert(rows.begin() + 1, {{0.02, 6, 99}, {0.04, 11, 97}, {0.06, 16, 95}, {0.08, 21, 94}});
+  rows.push_back({0.8, 30, 55});
+  const Collapse c = verdict_on(rows);
+  CHECK_FALSE(c.judged);
+  CHECK(c.judged_until == 6);
+  CHECK(c.judged_until_reason.find("q fell by 30 %") != std::string::npos);
+}
