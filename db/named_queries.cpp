@@ -22,11 +22,14 @@ const std::vector<NamedQuery>& named_queries() {
        "FROM criteria c JOIN tests t ON t.id = c.test_id ORDER BY c.id"},
       {"peaks", "the peak of q of every test", "SELECT * FROM peaks ORDER BY test_id"},
       {"instability_line",
-       "stress ratio at collapse by programme, origin and kind: the slope of the instability line; "
-       "each file once",
-       "SELECT type_of_test, origin, kind, count(*) AS tests, avg(eta) AS eta_mean, "
+       "stress ratio at collapse by programme, sense, origin and kind: the slope of the "
+       "instability "
+       "line; each file once",
+       "SELECT type_of_test, CASE WHEN eta < 0 THEN 'extension' ELSE 'compression' END AS sense, "
+       "origin, kind, count(*) AS tests, avg(eta) AS eta_mean, "
        "min(eta) AS eta_min, max(eta) AS eta_max, avg(phi_mob_deg) AS phi_mob_mean_deg "
-       "FROM collapse_points WHERE eta IS NOT NULL GROUP BY type_of_test, origin, kind"},
+       "FROM collapse_points WHERE eta IS NOT NULL "
+       "GROUP BY type_of_test, sense, origin, kind"},
       {"truths", "true onset (model) of simulated specimens, and the onset that was found",
        "SELECT t.id AS test_id, t.name AS test, t.programme, u.lost_sustainability, "
        "u.time_s AS true_time_s, u.q_kPa / u.p_eff_kPa AS true_eta, c.kind AS found, "

@@ -26,9 +26,11 @@ std::string select_scans(SQLite::Database& database) {
   return "SELECT " + selected(database, "scans", "s", scan_columns()) + ", " +
          selected(database, "scan_details", "d", detail_columns()) +
          " FROM scans s LEFT JOIN scan_details d ON d.id = s.id "
-         "WHERE s.id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 "
+         "WHERE s.id BETWEEN ?1 << 32 | ?3 AND ?1 << 32 | ?4 "
          "AND (s.id & 4294967295) % ?2 = 0 ORDER BY s.id";
 }
+
+constexpr std::int64_t kLastReading = 4294967295;
 /// Oldest first; the tests of a sweep together, in its order.
 constexpr const char* kAllTests =
     "WITH places AS (SELECT DISTINCT test_id, sweep, place FROM sweep_members), "
@@ -70,6 +72,29 @@ std::map<int, StageReference> read_references(SQLite::Database& database, std::i
   while (select.step())
     result[static_cast<int>(select.integer(0))] = {select.number(1), select.number(2)};
   return result;
+}
+
+template <class Use>
+void visit_scans(SQLite::Database& database, std::int64_t id, std::int64_t every,
+                 std::pair<std::int64_t, std::int64_t> readings, const Use& use) {
+  const auto references = read_references(database, id);
+  PlainStatement row(database, select_scans(database).c_str());
+  row.bind(1, id);
+  row.bind(2, every);
+  row.bind(3, readings.first);
+  row.bind(4, readings.second);
+  ScanRow scan;
+  ScanDetail detail;
+  lab::Reading reading;
+  lab::State state;
+  while (row.step()) {
+    read_row(row, scan);
+    const bool detailed = read_detail(row, detail);
+    const auto reference = references.find(scan.stage);
+    decode(scan, detailed ? &detail : nullptr,
+           reference == references.end() ? StageReference{} : reference->second, reading, state);
+    use(reading, state);
+  }
 }
 
 }  // namespace
@@ -176,6 +201,8 @@ StoredTest Store::load(std::int64_t id) const {
   return impl_->guarded([&] {
     StoredTest test = read_test(impl_->database, id);
     if (test.status == TestStatus::running) test.summary.readings = scan_count(id);
+    if (const auto& onset = test.summary.collapse.onset)
+      test.state_at_onset = state_at(id, onset->reading);
     return test;
   });
 }
@@ -184,22 +211,17 @@ void Store::for_each_scan(
     std::int64_t id, std::int64_t every,
     const std::function<void(const lab::Reading&, const lab::State&)>& use) const {
   impl_->guarded([&] {
-    const auto references = read_references(impl_->database, id);
-    PlainStatement row(impl_->database, select_scans(impl_->database).c_str());
-    row.bind(1, id);
-    row.bind(2, std::max<std::int64_t>(every, 1));
-    ScanRow scan;
-    ScanDetail detail;
-    lab::Reading reading;
-    lab::State state;
-    while (row.step()) {
-      read_row(row, scan);
-      const bool detailed = read_detail(row, detail);
-      const auto reference = references.find(scan.stage);
-      decode(scan, detailed ? &detail : nullptr,
-             reference == references.end() ? StageReference{} : reference->second, reading, state);
-      use(reading, state);
-    }
+    visit_scans(impl_->database, id, std::max<std::int64_t>(every, 1), {0, kLastReading}, use);
+  });
+}
+
+std::optional<lab::State> Store::state_at(std::int64_t id, std::int64_t reading) const {
+  return impl_->guarded([&] {
+    std::optional<lab::State> found;
+    if (reading >= 0 && reading <= kLastReading)
+      visit_scans(impl_->database, id, 1, {reading, reading},
+                  [&](const lab::Reading&, const lab::State& state) { found = state; });
+    return found;
   });
 }
 

@@ -40,6 +40,9 @@ struct StoredTest {
   std::vector<lab::Event> events;
   std::optional<SweepMembership> sweep;
   std::vector<std::string> tags;  ///< in the order of the alphabet (db/catalogue.hpp sets them)
+  /// The state at the reading that the onset names: the onset's own values are fitted to its
+  /// surroundings. Empty without an onset.
+  std::optional<lab::State> state_at_onset{};
 };
 
 /// Reads a database of tests (the Recorder writes it), also while it is written. One thread at a
@@ -65,6 +68,8 @@ class Store {
   /// kept (0); `every` > 1 gives only readings whose number it divides (figures of long tests).
   void for_each_scan(std::int64_t id, std::int64_t every,
                      const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
+  /// One scan of it; empty where the test has no such reading.
+  std::optional<lab::State> state_at(std::int64_t id, std::int64_t reading) const;
   std::int64_t scan_count(std::int64_t id) const;
   std::vector<lab::SecondOrderWorkPoint> second_order_work(std::int64_t id) const;
 

@@ -2,6 +2,7 @@
 #include "bench/verdicts/forms.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ std::string own(const SimulatedTest& test, std::uint64_t) {
   lab::RecordHeader header = test.header;
   header.specimen.limit_friction_angle_rad.reset();
   const std::string path = (std::filesystem::temp_directory_path() /
-                            fmt::format("triax_verdicts_{}.csv",
+                            fmt::format("triax_verdicts_{}_{}.csv", getpid(),
                                         std::hash<std::thread::id>()(std::this_thread::get_id())))
                                .string();
   lab::RecordWriter writer(path, header);

@@ -32,7 +32,7 @@ using namespace triax;
 namespace {
 
 struct Options {
-  int seeds = 8;
+  int seeds = 8, from = 1;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::string keep, only;
   bool wrong = false;
@@ -157,7 +157,9 @@ int run(const Options& options) {
   Table table;
   const auto work = [&] {
     for (std::size_t i = next++; i < count; i = next++)
-      run_subject(subjects[i % subjects.size()], 1 + i / subjects.size(), options, table, guard);
+      run_subject(subjects[i % subjects.size()],
+                  static_cast<std::uint64_t>(options.from) + i / subjects.size(), options, table,
+                  guard);
   };
   {
     std::vector<std::jthread> threads;
@@ -172,6 +174,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app("Verdicts on simulated records as laboratories hand them over");
   app.add_option("--seeds", options.seeds, "tests of each subject")->check(CLI::PositiveNumber);
+  app.add_option("--from", options.from, "first seed")->check(CLI::PositiveNumber);
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::PositiveNumber);
   app.add_option("--only", options.only, "one trait, by its name");
   app.add_option("--keep", options.keep, "folder for the files that were not answered rightly");

@@ -34,7 +34,7 @@ bool ends_early(SimulatedTest& test, std::uint64_t seed) {
   return true;
 }
 
-/// The record stops some readings after the loss, with a tenth of q gone at least.
+/// The record stops some readings after the loss, with a fifth of q gone at least.
 bool ends_soon_after(SimulatedTest& test, std::uint64_t) {
   if (!test.lost || test.header.programme == "CYC") return false;  // there q falls in each cycle
   const double q = std::fabs(test.states[*test.lost].q);

@@ -62,7 +62,7 @@ FROM counted_tests t
 JOIN collapses c ON c.test_id = t.test_id
 LEFT JOIN consolidations k ON k.test_id = c.test_id
 LEFT JOIN specimens b ON b.test_id = c.test_id
-WHERE c.kind <> 'none';
+WHERE c.kind NOT IN ('none', 'cyclic_mobility');
 
 CREATE VIEW sweep_results AS
 SELECT

@@ -16,7 +16,9 @@ void ControlPeak::start_stage(const StageInfo* stage) {
   const double loss = largest_loss_;
   const auto turn = pore_turn_;
   const auto sharper = sharper_turn_;
+  const bool looked = looked_;
   *this = ControlPeak();
+  looked_ = looked;
   pore_turn_ = turn;
   sharper_turn_ = sharper;
   finding_ = found;
@@ -29,6 +31,7 @@ void ControlPeak::start_stage(const StageInfo* stage) {
 }
 
 void ControlPeak::add_point(const PathPoint& point, bool has_time) {
+  looked_ = looked_ || held_q_ || !load_controlled_;
   if (held_q_)
     check_contraction(point, has_time);
   else if (!load_controlled_)
@@ -38,6 +41,10 @@ void ControlPeak::add_point(const PathPoint& point, bool has_time) {
 std::optional<Finding> ControlPeak::finding() const {
   if (!finding_ || !sharper_turn_) return finding_;
   return Finding{.instant = *sharper_turn_, .evidence = finding_->evidence};
+}
+
+std::string ControlPeak::blind() const {
+  return looked_ ? std::string() : "not looked for: a load was prescribed, which q has to follow";
 }
 
 /// Positive where the specimen is sheared to, in extension (q < 0) as in compression.

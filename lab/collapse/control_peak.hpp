@@ -17,6 +17,7 @@ class ControlPeak : public CollapseCriterion {
   void start_stage(const StageInfo* stage) override;
   void add_point(const PathPoint& point, bool has_time) override;
   std::optional<Finding> finding() const override;
+  std::string blind() const override;
   /// Where the pore pressure turned, if that is the finding.
   const std::optional<double>& turn_of_pore_pressure() const { return pore_turn_; }
   /// The same from a fit around it, where one was possible.
@@ -27,6 +28,7 @@ class ControlPeak : public CollapseCriterion {
   double control_variable(const PathPoint& point) const;
   void check_contraction(const PathPoint& point, bool has_time);
 
+  bool looked_ = false;  ///< in any stage
   bool drained_ = false;
   bool load_controlled_ = false;
   bool held_q_ = false;

@@ -64,8 +64,11 @@ void Criteria::add_point(const PathPoint& point, bool has_time) {
 
 std::vector<Criterion> Criteria::criteria() const {
   std::vector<Criterion> all;
-  for (std::size_t i = 0; i < all_.size(); ++i)
-    all.push_back(criterion_of(kCriteria[i], all_[i]->finding()));
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const auto finding = all_[i]->finding();
+    all.push_back(criterion_of(kCriteria[i], finding));
+    if (const auto why = all_[i]->blind(); !finding && !why.empty()) all.back().evidence = why;
+  }
   return all;
 }
 

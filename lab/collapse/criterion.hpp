@@ -23,6 +23,8 @@ class CollapseCriterion {
   virtual void add_point(const PathPoint& /*point*/, bool /*has_time*/) {}
   /// What was found so far; it may still be sharpened.
   virtual std::optional<Finding> finding() const = 0;
+  /// Why it could not have found anything: what it looks at is prescribed. Empty: it looked.
+  virtual std::string blind() const { return {}; }
 
  protected:
   CollapseCriterion() = default;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "lab/collapse/instant.hpp"
@@ -32,9 +31,12 @@ double lapse(const State& from, const State& to, bool has_time) {
 void LossOfControl::start_stage(const StageInfo* stage) {
   const auto found = std::move(finding_);
   const auto fall = fall_;
-  const After after = after_;
+  After after = after_;
+  after.over = found.has_value();
   const State before = before_;
+  const bool looked = looked_;
   *this = LossOfControl();
+  looked_ = looked;
   finding_ = found;
   fall_ = fall;
   after_ = after;
@@ -47,6 +49,7 @@ void LossOfControl::add_state(const State& state, bool has_time) {
   const State before = std::exchange(before_, state);
   if (finding_) follow(state);
   if (control_ == AxialControl::displacement || finding_) return;
+  looked_ = true;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
   check_bursts(state, has_time);
@@ -56,24 +59,28 @@ void LossOfControl::add_state(const State& state, bool has_time) {
 }
 
 void LossOfControl::follow(const State& state) {
+  if (after_.over) return;
   const double q = std::fabs(state.q), before = std::fabs(finding_->instant.q_pa.value_or(0));
-  after_.least = after_.readings++ == 0 ? q : std::min(after_.least, q);
+  if (after_.readings++ == 0) {
+    after_.under_load = control_ == AxialControl::load;
+    after_.least = q;
+  }
+  after_.least = std::min(after_.least, q);
   after_.last = q;
   if (!carried_on() || q < (1 + kLostQ) * before) return;
-  // Anew in this stage: its rates are others now.
-  const LossOfControl fresh;
-  const auto [control, drainage, last] = std::tuple(control_, drainage_, before_);
-  *this = fresh;
-  control_ = control;
-  drainage_ = drainage;
-  before_ = last;
+  finding_.reset();
+  fall_.reset();
+  after_ = {};
+  // The rates of this stage are others now: they are learned anew.
+  count_ = steps_ = 0;
+  largest_rate_ = mean_rate_ = mean_pore_rate_ = 0;
 }
 
 bool LossOfControl::carried_on() const {
-  constexpr int kSeen = 3;  // readings, that which shows it among them
   const double before = std::fabs(finding_->instant.q_pa.value_or(0));
-  return control_ == AxialControl::load && after_.readings >= kSeen &&
-         after_.least > (1 - kLostQ) * before && after_.last >= before;
+  const bool long_enough = after_.readings > kCalm || after_.last >= (1 + kLostQ) * before;
+  return after_.under_load && long_enough && after_.least > (1 - kLostQ) * before &&
+         after_.last >= before;
 }
 
 std::optional<Finding> LossOfControl::finding() const {
@@ -82,6 +89,11 @@ std::optional<Finding> LossOfControl::finding() const {
   told.detected = false;
   told.evidence += fmt::format("; q went on to {:.2f} kPa, nothing was lost", after_.last / 1e3);
   return told;
+}
+
+std::string LossOfControl::blind() const {
+  return looked_ ? std::string()
+                 : "not looked for: a displacement was prescribed, and a frame keeps its control";
 }
 
 std::optional<Finding> LossOfControl::lost() const {

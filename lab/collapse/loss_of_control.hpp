@@ -20,17 +20,19 @@ namespace triax::lab {
 /// - the pore pressure bursts, like the strain, beyond what the programme asks of it, by 5 % of p'
 ///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
 ///   valve open to stand, or to go on as the controller took it so far.
-/// Under a load, a burst after which q went on growing and never fell by 5 % took nothing away: the
-/// programme holds. It is told, but not counted; where q grows by 5 % the watch begins anew.
-/// A frame that prescribes displacement keeps its control through a peak: nothing is looked for.
-/// Where nobody says what is prescribed, a burst of the axial strain counts that is ten times
-/// faster than the fastest step so far, while q falls by more than 5 %: no frame does that.
+/// Under a load, a burst after which q never fell by 5 %, and went on for kCalm readings or grew by
+/// 5 %, took nothing away: the programme holds. It is told, but not counted; where q grew by 5 %
+/// the watch begins anew. A record that ends sooner says nothing against the loss. A frame that
+/// prescribes displacement keeps its control through a peak: nothing is looked for. Where nobody
+/// says what is prescribed, a burst of the axial strain counts that is ten times faster than the
+/// fastest step so far, while q falls by more than 5 %: no frame does that.
 class LossOfControl : public CollapseCriterion {
  public:
   void start_stage(const StageInfo* stage) override;
   void add_state(const State& state, bool has_time) override;
   /// Not detected where a load was carried on.
   std::optional<Finding> finding() const override;
+  std::string blind() const override;
   const std::optional<Finding>& found() const { return finding_; }
   /// The finding, where control was lost for all that is known.
   std::optional<Finding> lost() const;
@@ -57,7 +59,8 @@ class LossOfControl : public CollapseCriterion {
   static constexpr int kReference = 20;  ///< readings that say at which q a stage holds
   static constexpr int kRecent = 5;      ///< readings over which a burst is looked for
 
-  State before_;  ///< the last one, of whatever stage
+  bool looked_ = false;  ///< in any stage
+  State before_;         ///< the last one, of whatever stage
   Drainage drainage_ = Drainage::unknown;
   AxialControl control_ = AxialControl::displacement;
   std::int64_t count_ = 0;
@@ -70,7 +73,10 @@ class LossOfControl : public CollapseCriterion {
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
   std::int64_t steps_ = 0;
   std::optional<Finding> finding_;
+  static constexpr int kCalm = 10;
   struct After {
+    bool under_load = false;  ///< the burst came so
+    bool over = false;        ///< its stage is
     int readings = 0;
     double least = 0, last = 0;  ///< |q|
   } after_;                      ///< the burst

@@ -68,7 +68,8 @@ struct CollapseMonitor::Impl {
   SecondOrderWork& work = criteria.of<SecondOrderWork>();
   LossOfControl& control = criteria.of<LossOfControl>();
   ControlPeak& control_peak = criteria.of<ControlPeak>();
-  std::optional<Instant> fall;  ///< where a sudden loss of control began
+  std::optional<Instant> fall;          ///< where a sudden loss of control began
+  std::optional<std::int64_t> fall_of;  ///< reading of the finding that it belongs to
   std::optional<FallWork> fall_work;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   LimitSurface limit;
@@ -131,7 +132,7 @@ void CollapseMonitor::Impl::sharpen() {
     descent_onset.follow(history);
   }
   const auto& burst = control.found();
-  if (burst && control.sudden() && !fall) place_fall(*burst);
+  if (burst && control.sudden() && fall_of != burst->instant.reading) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   if (descent && is_sharper(descent_onset.onset(), descent->onset))
     work.sharpen(within_measured(descent_onset.onset()->point, history));
@@ -150,6 +151,8 @@ void CollapseMonitor::Impl::sharpen() {
 
 void CollapseMonitor::Impl::place_fall(const Finding& burst) {
   constexpr double kBefore = 24;  // readings
+  fall_of = burst.instant.reading;
+  fall_work.reset();
   const auto last = static_cast<double>(burst.instant.reading);
   const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
   fall = fit ? instant_of(*fit, header.has_time) : burst.instant;
@@ -215,11 +218,14 @@ void CollapseMonitor::Impl::tell_of_descent() {
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
 Collapse CollapseMonitor::Impl::verdict_so_far() const {
+  // A burst that a growing load withdrew takes its fall with it.
+  const auto lost = control.lost();
+  const bool falls = lost && fall_of == lost->instant.reading;
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
-                  .loss_of_control = control.lost(),
-                  .fall = fall,
-                  .fall_work = fall_work,
+                  .loss_of_control = lost,
+                  .fall = falls ? fall : std::nullopt,
+                  .fall_work = falls ? fall_work : std::nullopt,
                   .control_peak = control_peak.finding(),
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,

@@ -83,23 +83,26 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
                                      : "; a drained failure at the peak of q";
 }
 
+/// Beyond a few loops of unloading: q comes and goes, and the strain lags behind it.
+bool is_cyclic(const Evidence& e) {
+  constexpr double kCycles = 4;
+  const auto loading = e.cycles ? e.cycles->loading() : std::nullopt;
+  return loading && loading->cycles >= kCycles;
+}
+
 /// Strength was lost that no window of readings saw go.
 void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
   const std::string lost =
       fmt::format("q fell by {:.0f} %, from {:.2f} kPa at reading {} to {:.2f} kPa at reading {}",
                   fall.loss() * 100, fall.peak.q / 1e3, fall.peak.reading, fall.least.q / 1e3,
                   fall.least.reading);
-  const bool few = fall.readings <= Backbone::kFew;
-  if (!fall.drained && !(few && fall.confirmed)) {
-    c.end_at(fall.last_high.reading,
-             lost + (few ? "; a single reading shows it"
-                         : "; scatter leaves the sign of second-order work open"));
+  if (!fall.confirmed) {
+    c.end_at(fall.last_high.reading, lost + "; a single reading shows it");
     return;
   }
-  c.onset = instant_of(few ? fall.last_high : fall.peak, e.has_time);
-  c.strength_lost = fall.loss();
-  if (!few) return;
   c.kind = kind_of(fall.loss(), fall.share_regained());
+  c.onset = instant_of(fall.last_high, e.has_time);
+  c.strength_lost = std::min(fall.loss(), 1.0);
   c.second_order_work_normalised = fall.normalised_work();
   Criterion& criterion = c.criteria.front();
   criterion.detected = true;
@@ -127,6 +130,8 @@ void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
     c.onset = (liquefied_first ? loading->liquefied : loading->double_amplitude)->instant;
     c.inside_limit_surface.reset();
     c.strength_lost.reset();
+    c.second_order_work_normalised.reset();
+    c.second_order_work_error.reset();
   }
   c.kind = CollapseKind::cyclic_mobility;
 }
@@ -146,7 +151,8 @@ void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
 }  // namespace
 
 Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
-  if (e.points == 0 && !e.loss_of_control && !e.backbone) return not_judged(e);
+  const bool few = e.backbone && !is_cyclic(e);
+  if (e.points == 0 && !e.loss_of_control && !few) return not_judged(e);
   Collapse c;
   c.limit_stress_ratio = e.limit.stress_ratio();
   c.limit_source = e.limit.source();
@@ -163,7 +169,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
     c.kind = CollapseKind::flow;
     c.onset = e.loss_of_control->instant;
   }
-  const bool by_backbone = !c.onset && e.backbone && e.backbone->normalised_work() < 0;
+  const bool by_backbone = !c.onset && few;
   if (by_backbone) take_backbone(e, *e.backbone, c);
   if (c.onset && e.fall) c.onset = e.fall;
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);

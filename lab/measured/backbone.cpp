@@ -9,11 +9,12 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kStep = 1e-5;  ///< axial strain that is larger than before
-constexpr double kLeap = 0.01;  ///< axial strain within which more than kGone of q went: no outlier
-constexpr double kGone = 0.5;
-constexpr double kTurn = 2e-4;      ///< axial strain back from the farthest: unloading, not noise
+constexpr double kStep = 1e-5;      ///< axial strain that is larger than before
+constexpr double kTurn = 2e-4;      ///< back from the farthest: unloading, not noise
 constexpr double kNearFront = 0.9;  ///< of the largest strain: it did not go back
+constexpr double kRegain = 1.1;     ///< of p′, from one stage to the next: consolidated anew
+// A leap of the strain within which most of q went is no outlier of a load cell.
+constexpr double kLeap = 0.01, kLeapOfSteps = 3, kGone = 0.5;
 
 PathStep step_between(const State& from, const State& to) {
   return {to.q - from.q, to.p_eff - from.p_eff, to.strain.axial - from.strain.axial,
@@ -35,38 +36,62 @@ double BackboneFall::normalised_work() const {
   return normalised_second_order_work(step_between(last_high, least));
 }
 
+/// What was strongest longer ago than kFew readings is for windows to compare with.
+void Backbone::Side::forget(const State& state) {
+  while (!recent.empty() && recent.front().reading < state.reading - kFew) recent.pop_front();
+  if (fall.readings > 0 || recent.empty() || fall.peak.reading >= recent.front().reading) return;
+  const auto by_strength = [this](const State& s) { return strength(s); };
+  fall.peak = *std::ranges::max_element(recent, {}, by_strength);
+  for (const State& s : recent)
+    if (strength(s) >= kHigh * strength(fall.peak)) fall.last_high = fall.least = s;
+  fall.regained = strength(fall.least);
+  fall.noise = noise.value();
+}
+
 void Backbone::Side::begin(const State& state) {
-  worst = larger();
-  fall =
-      BackboneFall{.peak = state, .last_high = state, .least = state, .regained = strength(state)};
+  if (fall.confirmed) worst = larger();
+  fall = BackboneFall{.peak = state,
+                      .last_high = state,
+                      .least = state,
+                      .regained = strength(state),
+                      .noise = noise.value()};
   any = true;
 }
 
-void Backbone::Side::descend(const State& state, bool drained) {
+bool Backbone::Side::gone(const State& state) const {
+  return strength(state) < (1 - kWorth) * strength(fall.peak) - kNoises * fall.noise;
+}
+
+void Backbone::Side::descend(const State& state, double step, bool drained) {
   const double now = strength(state), peak = strength(fall.peak);
-  if (now >= kHigh * peak && fall.readings == 0) {
+  if (fall.readings == 0 && now >= kHigh * peak) {
     fall.last_high = fall.least = state;
+    fall.noise = noise.value();
     return;
   }
   if (now < strength(fall.least)) {
     fall.least = state;
     fall.regained = now;
   }
-  if (!(now < (1 - kWorth) * peak)) return;
+  if (fall.confirmed) return;
+  if (!gone(state)) {
+    fall.readings = 0;  // one state alone was an outlier
+    return;
+  }
   if (fall.readings > 0) {
     fall.confirmed = true;
     return;
   }
   fall.readings = state.reading - fall.last_high.reading;
-  fall.confirmed = now < kGone * peak && sign * step_between(fall.last_high, state).axial > kLeap;
   fall.drained = drained;
+  fall.confirmed = now < kGone * peak && step > std::max(kLeap, kLeapOfSteps * largest_step);
 }
 
 bool Backbone::Side::counts() const {
-  if (!any || fall.readings == 0) return false;
-  const double lost = strength(fall.peak) - strength(fall.least);
-  return strength(fall.peak) > kLeastRatio * fall.peak.p_eff && lost > kNoises * noise &&
-         sign * (fall.least.strain.axial - fall.last_high.strain.axial) > kLeastStrain;
+  return any && fall.readings > 0 && fall.readings <= kFew &&
+         strength(fall.peak) > kLeastRatio * fall.peak.p_eff && gone(fall.least) &&
+         sign * (fall.least.strain.axial - fall.last_high.strain.axial) > kLeastStrain &&
+         fall.normalised_work() < 0;
 }
 
 std::optional<BackboneFall> Backbone::Side::larger() const {
@@ -75,36 +100,46 @@ std::optional<BackboneFall> Backbone::Side::larger() const {
 }
 
 void Backbone::Side::add(const State& state, double way, bool drained) {
-  const bool onward = way > farthest + kStep;
-  farthest = std::max(farthest, way);
-  turned = turned || way < farthest - kTurn;
-  const bool anew = !any || turned;
-  if (onward) turned = false;
-  if (onward && (anew || strength(state) > strength(fall.peak))) return begin(state);
-  if (!any) return;
-  if (onward) descend(state, drained);
-  fall.regained = std::max(fall.regained, strength(state));
-  // At the end of its travel the strain stands, and the strength is still gone.
-  const bool gone = fall.readings > 0 && strength(state) < (1 - kWorth) * strength(fall.peak);
-  if (!onward && gone && way > kNearFront * farthest) fall.confirmed = true;
+  const bool onward = !any || way > farthest + kStep;
+  const double step = way - farthest;
+  front = std::max(front, way);
+  turned = turned || way < front - kTurn;
+  if (worst) worst->regained = std::max(worst->regained, strength(state));
+  if (!onward) {
+    // At the end of its travel the strain stands, and the strength is still gone.
+    if (fall.readings > 0 && gone(state) && way > kNearFront * front) fall.confirmed = true;
+    fall.regained = std::max(fall.regained, strength(state));
+    return;
+  }
+  farthest = way;
+  forget(state);
+  if (!any || turned || strength(state) > strength(fall.peak)) {
+    if (turned) recent.clear();
+    turned = false;
+    begin(state);
+  } else {
+    descend(state, step, drained);
+    fall.regained = std::max(fall.regained, strength(state));
+  }
+  largest_step = std::max(largest_step, step);
+  noise.add(strength(state));
+  recent.push_back(state);
 }
 
-/// Where q is smooth, however coarse, one bend follows another of its kind; noise bends to and fro.
-void Backbone::learn_noise(double q) {
-  const double bend = q_before_[1] - (q_before_[0] + q) / 2;
-  const double noise =
-      bend * bend_before_ < 0 ? std::min(std::fabs(bend), std::fabs(bend_before_)) : 0;
-  if (++seen_ > 3)
-    for (Side& side : sides_)
-      if (side.fall.readings == 0) side.noise += (noise - side.noise) / ++side.noises;
-  bend_before_ = seen_ > 2 ? bend : 0;
-  q_before_ = {q_before_[1], q};
+void Backbone::start_stage(bool drained) {
+  drained_ = drained;
+  new_stage_ = true;
 }
 
 void Backbone::add(const State& state) {
-  if (!origin_) origin_ = state.strain.axial;
-  for (Side& side : sides_) side.add(state, side.sign * (state.strain.axial - *origin_), drained_);
-  learn_noise(state.q);
+  if (!first_) first_ = state;
+  // The next specimen of a multistage test is stronger from its first reading on.
+  if (new_stage_ && last_ && state.p_eff > kRegain * last_->p_eff)
+    for (Side& side : sides_) side.turned = true;
+  new_stage_ = false;
+  last_ = state;
+  for (Side& side : sides_)
+    side.add(state, side.sign * (state.strain.axial - first_->strain.axial), drained_);
 }
 
 std::optional<BackboneFall> Backbone::worst() const {

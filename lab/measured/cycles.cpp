@@ -21,27 +21,47 @@ void CycleCounter::Range::add(double value) {
 void CycleCounter::add(const State& state) {
   if (!first_) {
     first_ = extreme_ = state;
-    q_ = {state.q, state.q};
-    strain_ = strain_before_ = {state.strain.axial, state.strain.axial};
+    strain_ = strain_since_ = {state.strain.axial, state.strain.axial};
   }
-  q_.add(state.q);
-  strain_.add(state.strain.axial);
+  noise_.add(state.q);
+  if (is_within_the_cycles(state.q)) strain_since_.add(state.strain.axial);
   follow(state);
   watch_pore_pressure(state);
   watch_strain(state);
 }
 
 void CycleCounter::follow(const State& state) {
-  const double least = kLeast * std::fabs(first_->p_eff);
+  const double least = std::max(kLeast * std::fabs(first_->p_eff), kNoises * noise_.value());
   if (direction_ == 0) {
     const double moved = state.q - first_->q;
     if (std::fabs(moved) > least) direction_ = moved > 0 ? 1 : -1;
-    extreme_ = state;
+    reach(state);
     return;
   }
   const double back = direction_ * (extreme_.q - state.q);
-  if (back <= 0) extreme_ = state;
-  if (back > std::max(least, kShare * (q_.high - q_.low))) turn(state);
+  if (back <= 0) reach(state);
+  if (back > least) turn(state);
+}
+
+/// Whether q lies between the last two turns, with a tenth to spare: shear beyond them is no
+/// cycle's.
+bool CycleCounter::is_within_the_cycles(double q) const {
+  constexpr double kSpare = 0.1;
+  if (recent_.size() < 2) return true;
+  const auto [low, high] = std::minmax(recent_.back().q, recent_[recent_.size() - 2].q);
+  const double spare = kSpare * (high - low);
+  return q >= low - spare && q <= high + spare;
+}
+
+/// The half cycle goes on: what was strained since its last extreme belongs to it.
+void CycleCounter::reach(const State& state) {
+  extreme_ = state;
+  strain_.add(strain_since_.low);
+  strain_.add(strain_since_.high);
+  if (is_within_the_cycles(state.q))
+    strain_since_ = {state.strain.axial, state.strain.axial};
+  else
+    strain_since_ = strain_;
 }
 
 void CycleCounter::turn(const State& state) {
@@ -49,11 +69,9 @@ void CycleCounter::turn(const State& state) {
   (direction_ > 0 ? high_ : low_).add(extreme_.q);
   recent_.push_back({extreme_.reading, extreme_.q});
   if (recent_.size() > kTurns) recent_.pop_front();
-  strain_before_ = strain_;
-  strain_ = {state.strain.axial, state.strain.axial};
-  strain_.add(extreme_.strain.axial);
+  strain_ = strain_since_ = {extreme_.strain.axial, extreme_.strain.axial};
   direction_ = -direction_;
-  extreme_ = state;
+  reach(state);
 }
 
 CycleInstant CycleCounter::at(const State& state) const {
@@ -79,8 +97,10 @@ void CycleCounter::watch_pore_pressure(const State& state) {
 }
 
 void CycleCounter::watch_strain(const State& state) {
-  const double amplitude =
-      std::max(strain_.high, strain_before_.high) - std::min(strain_.low, strain_before_.low);
+  Range half = strain_;
+  half.add(strain_since_.low);
+  half.add(strain_since_.high);
+  const double amplitude = half.size();
   if (turns_ < 2 || !(amplitude > found_.largest_double_amplitude)) return;
   found_.largest_double_amplitude = amplitude;
   if (amplitude >= kDoubleAmplitude && !found_.double_amplitude)
@@ -99,12 +119,10 @@ std::optional<CyclicLoading> CycleCounter::loading() const {
 
 bool CycleCounter::carried_on(std::int64_t reading, double q) const {
   constexpr double kMost = 0.9;
-  // Older than all that is remembered: dozens of cycles were carried since.
-  if (recent_.size() == kTurns && recent_.front().reading > reading) return true;
   const auto first =
       std::ranges::find_if(recent_, [&](const Turn& t) { return t.reading > reading; });
   return first != recent_.end() && std::any_of(first + 1, recent_.end(), [&](const Turn& turn) {
-           return std::fabs(turn.q) >= kMost * std::fabs(q);
+           return std::copysign(1.0, q) * turn.q >= kMost * std::fabs(q);
          });
 }
 

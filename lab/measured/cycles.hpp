@@ -4,16 +4,20 @@
 #include <deque>
 #include <optional>
 
+#include "lab/measured/bend_noise.hpp"
 #include "lab/results/state.hpp"
 #include "lab/results/summary.hpp"
 
 namespace triax::lab {
 
-/// Counts the turns of q: where it comes back by more than kLeast p′₀ and by kShare of all that it
-/// has ranged over. Two turns are a cycle; from kFewest on a test is a cyclic one.
+/// Counts the turns of q: where it comes back by more than kLeast p′₀ and kNoises times its noise.
+/// Two turns are a cycle; from kFewest turns on a test is a cyclic one. The double amplitude is
+/// the strain from turn to turn, counted while q lies between the last two of them: shear that goes
+/// on beyond them, between loops of unloading or after the cycles, is none.
 class CycleCounter {
  public:
-  static constexpr double kLeast = 0.02, kShare = 0.3;
+  static constexpr double kLeast = 0.05;
+  static constexpr double kNoises = 18;  ///< of BendNoise: 9 standard deviations
   static constexpr int kFewest = 4;
   static constexpr double kLiquefied = 0.95;        ///< r_u of initial liquefaction
   static constexpr double kDoubleAmplitude = 0.05;  ///< of the axial strain within a cycle
@@ -24,8 +28,9 @@ class CycleCounter {
   void add(const State& state);
   /// Empty: the test is not a cyclic one.
   std::optional<CyclicLoading> loading() const;
-  /// Whether q came back after that reading and turned at nine tenths of |q| or more: the load was
-  /// carried again. The first turn after it, where q falls from what it was, does not count.
+  /// Whether q came back after that reading and turned at nine tenths of `q` or more, on its side:
+  /// the load was carried again. The first turn after it, where q falls from what it was, does not
+  /// count.
   bool carried_on(std::int64_t reading, double q) const;
 
  private:
@@ -36,6 +41,7 @@ class CycleCounter {
   struct Range {
     double low = 0, high = 0;
     void add(double value);
+    double size() const { return high - low; }
   };
   struct Mean {
     double value = 0;
@@ -43,6 +49,8 @@ class CycleCounter {
     void add(double next) { value += (next - value) / ++count; }
   };
   void follow(const State& state);
+  bool is_within_the_cycles(double q) const;
+  void reach(const State& state);
   void turn(const State& state);
   void watch_pore_pressure(const State& state);
   void watch_strain(const State& state);
@@ -52,9 +60,10 @@ class CycleCounter {
 
   bool has_time_;
   std::optional<State> first_;
-  int direction_ = 0;                 ///< of q: 1, −1; 0 before it moved
-  State extreme_;                     ///< of q since the last turn
-  Range q_, strain_, strain_before_;  ///< strains of this half cycle and of the one before
+  int direction_ = 0;            ///< of q: 1, −1; 0 before it moved
+  State extreme_;                ///< of q since the last turn
+  BendNoise noise_;              ///< of q
+  Range strain_, strain_since_;  ///< of this half cycle to its extreme of q, and since that
   int turns_ = 0;
   Mean high_, low_;  ///< of the turns
   std::deque<Turn> recent_;

@@ -13,7 +13,7 @@ namespace triax::lab {
 /// Direction and second-order work of the measured path at a reading, from the windows of PathRates
 /// on both sides of it.
 struct MeasuredIncrement {
-  PathStep rate;  ///< of q, p′ (Pa) and strains, per unit of progress
+  PathStep rate;  ///< of q, p′ (Pa) and strains, per unit of progress or from one span to the next
   /// Rendulic angle of (√2 dσ₃′, dσ₁′) as in sim/stability/probe.hpp, rad in [0, 2π).
   double angle = 0;
   double angle_error = 0;            ///< standard error, rad

@@ -50,11 +50,13 @@ bool moves(const StageSummary& stage, const Thresholds& least) {
   return stage[back_volume].range() > least.volume;
 }
 
-/// Stages in which the cap hardly moves: a deviator load put on under a constant cell pressure, and
-/// one that stays while the effective stress is taken away (CSD).
+/// Where the cap hardly moves in any stage: a deviator load put on under a constant cell pressure,
+/// and one that stays while the effective stress is taken away (CSD).
 void find_shear_at_small_strain(std::vector<StageInfo>& stages,
                                 const std::vector<const StageSummary*>& moved,
                                 const Thresholds& least) {
+  // What was sheared in earnest was consolidated before, be it under a deviator load.
+  if (std::ranges::any_of(stages, [](const auto& s) { return s.role == StageRole::shear; })) return;
   // Force on the cap before it was loaded: as consolidation left it, or, in a file that confines
   // nothing, as the file begins. Before consolidation the piston may be docking.
   const bool confines = std::ranges::any_of(moved, [&](const StageSummary* stage) {
@@ -65,13 +67,14 @@ void find_shear_at_small_strain(std::vector<StageInfo>& stages,
   for (std::size_t i = 0; i < stages.size(); ++i) {
     StageInfo& stage = stages[i];
     const StageSummary& now = *moved[i];
-    const bool open_question = stage.role != StageRole::shear && stage.role != StageRole::b_check;
+    const bool open_question = stage.role != StageRole::b_check;
     const bool confined = std::abs(now[cell_pressure].change()) <= least.pressure;
+    const bool on_the_cap = std::abs(now[axial_force].last - unloaded) > least.force;
     const bool loads = confined && now[axial_force].excursion() > least.force;
-    const bool stays = loaded && std::abs(now[axial_force].last - unloaded) > least.force;
-    if (open_question && !std::isnan(unloaded) && (loads || (stays && moves(now, least))))
+    if (open_question && on_the_cap && (loads || (loaded && moves(now, least)))) {
       stage.role = StageRole::shear;
-    if (stage.role == StageRole::shear) loaded = true;
+      loaded = true;
+    }
     if (stage.role == StageRole::consolidation && !loaded) unloaded = now[axial_force].last;
   }
 }

@@ -50,10 +50,9 @@ std::vector<StageSummary> summarise_stages(
     TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of);
 
 /// Role, drainage and control of each stage; `specimen` gives the scale of what counts as movement.
-///   shear          the cap moves by more than 0.5 % of the height while |ΔF| exceeds 5 kPa·A;
-///   after
-///                  consolidation |ΔF| alone where σ_c stands; after shear whatever moves while
-///                  that load is still on the cap
+///   shear          the cap moves by more than 0.5 % of the height while |ΔF| exceeds 5 kPa·A. In
+///                  a file without such a stage, after consolidation: |ΔF| alone where σ_c stands,
+///                  and whatever moves while that load is still on the cap
 ///   b_check        σ_c moves by more than 5 kPa, V_b stands still, Δu/Δσ_c >= 0.5
 ///   saturation     σ_c rises and u or u_b with it (σ_c − u changes by less than half of that), or
 ///                  a closed stage whose u hardly answers: still filling

@@ -64,11 +64,17 @@ void Collapse::withhold(const std::string& reason) {
   kind = CollapseKind::none;
   onset.reset();
   inside_limit_surface.reset();
+  second_order_work_normalised.reset();
+  second_order_work_error.reset();
+  strength_lost.reset();
+  judged_until.reset();
   judged_until_reason = reason;
   for (Criterion& c : criteria) c.detected.reset();
 }
 
 void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reason) {
+  const bool ended = !judged_until_reason.empty();
+  if (ended && (!judged_until || (last && *judged_until <= *last))) return;
   judged = judged && last && onset;
   judged_until = last;
   judged_until_reason = reason;

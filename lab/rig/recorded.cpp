@@ -67,6 +67,7 @@ struct RecordedRig::Impl {
   TomlTable parse_preamble(const std::string& toml) const;
   void read_document(const std::string& metadata_file, const std::string& metadata);
   void apply_sets(const RecordOptions& options, bool stages);
+  void settle_guess(const std::string& key);
   void tell_contradiction(const SpecimenInfo& before, const std::string& where);
   void settle_stages();
   void settle_drainage(StageInfo& only);
@@ -124,13 +125,23 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
     const SpecimenInfo before = header.specimen;
     set_metadata(header, where, key, value);
     tell_contradiction(before, where);
-    if (!key.ends_with(".drainage")) continue;
-    const int number = *stage_in(key);
-    std::ranges::find(header.stages, number, &StageInfo::number)->drainage_was_said = true;
-    std::erase_if(header.guesses, [&](const Guess& guess) {
-      return guess.what == "drainage" || guess.what == fmt::format("stage {}", number);
-    });
+    if (stages) settle_guess(key);
   }
+}
+
+/// What was said is asked no more: the other answers to it go, and with the last of them, or with
+/// the drainage, the guess itself.
+void RecordedRig::Impl::settle_guess(const std::string& key) {
+  const auto number = stage_in(key);
+  if (!number) return;
+  const bool drainage = key.ends_with(".drainage");
+  if (drainage)
+    std::ranges::find(header.stages, *number, &StageInfo::number)->drainage_was_said = true;
+  std::erase_if(header.guesses, [&](Guess& guess) {
+    if (guess.what != "drainage" && guess.what != fmt::format("stage {}", *number)) return false;
+    std::erase_if(guess.otherwise, [&](const Guess::Said& said) { return said.key == key; });
+    return drainage && guess.otherwise.empty();
+  });
 }
 
 /// What is said stands over what the file says; that they differ may be a slip of either.
@@ -140,7 +151,7 @@ void RecordedRig::Impl::tell_contradiction(const SpecimenInfo& before, const std
     const auto &was = before.*key.member, &now = header.specimen.*key.member;
     if (!was || !now || std::fabs(*now - *was) <= kRounding * std::fabs(*was)) continue;
     header.warnings.push_back(
-        {0, fmt::format("{} stands over the file's own {:g}{}{}", where,
+        {0, fmt::format("{} stands over the record's {:g}{}{}", where,
                         key.unit.empty() ? *was : sim::to_field(*was, *sim::find_unit(key.unit)),
                         key.unit.empty() ? "" : " ", key.unit)});
   }

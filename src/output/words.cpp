@@ -58,8 +58,14 @@ std::string inside_limit_surface(const lab::Collapse& collapse) {
 }
 
 std::string instant(const lab::Instant& at) {
-  std::vector<std::string> parts{fmt::format("reading {}", at.reading)};
-  if (at.time_s) parts.push_back(duration(at.time_s));
+  std::string when = fmt::format("reading {}", at.reading);
+  if (at.time_s) when += ", " + duration(at.time_s);
+  const std::string values = stress_and_strain(at);
+  return values.empty() ? when : when + ", " + values;
+}
+
+std::string stress_and_strain(const lab::Instant& at) {
+  std::vector<std::string> parts;
   if (at.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(at.axial_strain)));
   if (at.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(at.q_pa)));
   if (at.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(at.p_eff_pa)));

@@ -32,5 +32,7 @@ std::string inside_limit_surface(const lab::Collapse& collapse);
 /// "reading 812, 41.0 s, ε₁ 0.51 %, q 56.5 kPa, p′ 96.1 kPa, η 0.59, φ_mob 15.4°"; unknown parts
 /// are left out.
 std::string instant(const lab::Instant& at);
+/// The same without reading and time.
+std::string stress_and_strain(const lab::Instant& at);
 
 }  // namespace triax::src

@@ -13,12 +13,12 @@ namespace {
 
 // Ends at the border: what a plot cuts off on a screen, an SVG without clipping would show.
 QCPGraph* draw_ray(QCustomPlot& plot, double slope, const std::string& name, const QPen& pen) {
-  const double p_end = slope > 0
-                           ? std::min(plot.xAxis->range().upper, plot.yAxis->range().upper / slope)
-                           : plot.xAxis->range().upper;
+  const auto q = plot.yAxis->range();
+  double p_end = plot.xAxis->range().upper;
+  if (slope != 0) p_end = std::min(p_end, (slope > 0 ? q.upper : q.lower) / slope);
   auto* ray = plot.addGraph();
   ray->addData(0, 0);
-  ray->addData(p_end, std::max(slope * p_end, plot.yAxis->range().lower));
+  ray->addData(p_end, slope * p_end);
   ray->setPen(pen);
   ray->setName(QString::fromStdString(name));
   return ray;
@@ -54,6 +54,11 @@ void draw_mohr_coulomb_lines(QCustomPlot& plot, const std::vector<double>& limit
     auto* ray = draw_ray(plot, limit_stress_ratios[i], name, line(kGrey, 0.8));
     if (i > 0) ray->removeFromLegend();
   }
+}
+
+std::string instability_words(const std::vector<double>& etas) {
+  if (etas.size() == 1) return fmt::format("η = {:.2f}", etas.front());
+  return fmt::format("η = {:.2f} in compression, {:.2f} in extension", etas.front(), etas.back());
 }
 
 }  // namespace triax::src

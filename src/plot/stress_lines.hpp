@@ -3,6 +3,7 @@
 // Straight lines through the origin of the q-p′ plane.
 #include <qcustomplot.h>
 
+#include <string>
 #include <vector>
 
 namespace triax::src {
@@ -10,6 +11,8 @@ namespace triax::src {
 /// q = η p′ from the origin to the border of the axes, whose ranges must be final. p′, q in any one
 /// unit.
 void draw_instability_line(QCustomPlot& plot, double eta);
+/// "η = 0.54"; of two "η = 0.54 in compression, -0.38 in extension". Pre-condition: not empty.
+std::string instability_words(const std::vector<double>& etas);
 /// q = M p′, the Mohr-Coulomb limit surface in compression.
 void draw_mohr_coulomb_line(QCustomPlot& plot, double limit_stress_ratio);
 /// One line each for limits in rising order; beyond two they are thin and share one legend entry.

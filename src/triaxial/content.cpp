@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lab/collapse/instant.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/cyclic_fact.hpp"
 #include "src/triaxial/run_away_fact.hpp"
@@ -214,13 +215,23 @@ std::string membrane_line(const db::StoredTest& test) {
                      in_mm(specimen.membrane_thickness_m), in_kPa(specimen.membrane_modulus_pa, 0));
 }
 
+/// The onset lies between readings, its values are fitted: the reading's own stand below.
+std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Instant& onset) {
+  std::vector<std::string> lines = {instant(onset)};
+  if (test.state_at_onset)
+    lines.push_back("that reading itself: " +
+                    stress_and_strain(lab::instant_of(*test.state_at_onset, false)));
+  return lines;
+}
+
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   facts.push_back({"Collapse", {verdict_line(test)}});
   if (!study::has_verdict(test)) return;
-  if (const auto onset = study::collapse_onset(test)) facts.push_back({"Onset", {instant(*onset)}});
+  if (const auto onset = study::collapse_onset(test))
+    facts.push_back({"Onset", onset_lines(test, *onset)});
   if (const auto failure = study::failure_onset(test))
-    facts.push_back({"Failure", {instant(*failure)}});
+    facts.push_back({"Failure", onset_lines(test, *failure)});
   facts.push_back(
       {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
   if (test.summary.cyclic) facts.push_back({"Cycles", cyclic_lines(*test.summary.cyclic)});

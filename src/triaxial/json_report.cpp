@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lab/collapse/instant.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 #include "src/study/json_parts.hpp"
@@ -150,6 +151,14 @@ Json nearest_json(const std::optional<lab::Nearest>& nearest) {
           {"second_order_work_error", study::json_number(nearest->error)}};
 }
 
+/// The measured values at the onset's reading; those of the onset are fitted to its surroundings.
+Json reading_itself_json(const db::StoredTest& test) {
+  if (!test.state_at_onset) return nullptr;
+  Json object;
+  put_instant(object, lab::instant_of(*test.state_at_onset, test.header.has_time));
+  return object;
+}
+
 Json collapse_json(const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   const bool known = study::has_verdict(test);
@@ -159,6 +168,7 @@ Json collapse_json(const db::StoredTest& test) {
   object["judged"] = judged_json(test);
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
+  object["reading_itself"] = reading_itself_json(test);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);
   object["second_order_work_error"] = study::json_number(collapse.second_order_work_error);

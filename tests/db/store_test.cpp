@@ -57,6 +57,11 @@ TEST_CASE("a recorded test comes back bit for bit, raw, reduced and unruly scans
     REQUIRE(testing::same(sent[i].first, back[i].first));
     REQUIRE(testing::same(sent[i].second, back[i].second));
   }
+  for (const std::int64_t reading : {0, 1234, 2999})
+    CHECK(testing::same(*store.state_at(id, reading), back[std::size_t(reading)].second));
+  CHECK_FALSE(store.state_at(id, 3000));
+  CHECK_FALSE(store.state_at(id, -1));
+  CHECK_FALSE(store.state_at(id + 1, 0));
   const Scans some = read_all(store, id, 500);
   REQUIRE(some.size() == 6);
   CHECK(some[3].first.number == 1500);
@@ -226,4 +231,25 @@ TEST_CASE("a short name is enough where it can mean one test only") {
   CHECK_THROWS_WITH(store.find({"42"}), Catch::Contains("fits the tests 'CSU 42' and 'ICU 42'"));
   for (const char* nothing : {"6", "CSU", "SU 26", "%", ""})
     CHECK_THROWS_AS(store.find({nothing}), lab::BadInput);
+}
+
+TEST_CASE("beside a fitted onset stands what its reading holds") {
+  TemporaryFolder folder;
+  std::mt19937_64 random(9);
+  db::Recorder recorder(folder.file("t.db"));
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(testing::raw_header("a"));
+  lab::State third;
+  for (int i = 0; i < 10; ++i) {
+    const auto scan = testing::raw_scan(random, i);
+    if (i == 3) third = scan.second;
+    listener.scanned(scan.first, scan.second);
+  }
+  lab::TestSummary summary;
+  summary.collapse.kind = lab::CollapseKind::flow;
+  summary.collapse.onset = lab::Instant{.reading = 3, .q_pa = 1};
+  const std::int64_t id = recorder.finish(summary);
+  const auto stored = db::Store(folder.file("t.db")).load(id);
+  REQUIRE(stored.state_at_onset);
+  CHECK(testing::same(*stored.state_at_onset, third));
 }

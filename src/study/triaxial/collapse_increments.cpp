@@ -117,6 +117,7 @@ std::vector<CollapseIncrement> collapse_increments(const db::Store& store,
   std::vector<CollapseIncrement> increments;
   for (const auto& [test, curves] : tests) {
     if (left_out.contains(test.id)) continue;
+    if (test.summary.collapse.kind == lab::CollapseKind::cyclic_mobility) continue;
     const auto onset = collapse_onset(test);
     if (!onset || !onset->eta()) continue;
     const auto increment = increment_towards(store, test, onset->reading);

@@ -11,14 +11,19 @@
 namespace triax::study {
 namespace {
 
-std::optional<double> fitted_slope(const std::vector<CollapsePoint>& points) {
-  double qp = 0, pp = 0;
-  for (const auto& [stress, test, programme, simulated] : points) {
-    const double p = stress.p_pa * 1e-3, q = stress.q_pa * 1e-3;
-    qp += q * p;
-    pp += p * p;
+std::vector<double> fitted_slopes(const std::vector<CollapsePoint>& points) {
+  std::vector<double> slopes;
+  for (const bool extension : {false, true}) {
+    double qp = 0, pp = 0;
+    for (const auto& [stress, test, programme, simulated] : points) {
+      if ((stress.q_pa < 0) != extension) continue;
+      const double p = stress.p_pa * 1e-3, q = stress.q_pa * 1e-3;
+      qp += q * p;
+      pp += p * p;
+    }
+    if (pp > 0) slopes.push_back(qp / pp);
   }
-  return pp > 0 ? std::optional(qp / pp) : std::nullopt;
+  return slopes;
 }
 
 std::vector<double> limits_of(const std::vector<TestResult>& tests,
@@ -40,6 +45,8 @@ CollapsePoints collapse_points(const std::vector<TestResult>& tests) {
   const auto left_out = read_again(tests);
   CollapsePoints found;
   for (const auto& [test, curves] : tests) {
+    // Where cycles liquefied a specimen says nothing of where monotonic shear loses it.
+    if (test.summary.collapse.kind == lab::CollapseKind::cyclic_mobility) continue;
     const auto stress = stress_at(collapse_onset(test));
     if (!stress || left_out.contains(test.id)) continue;
     const auto& header = test.header;
@@ -48,7 +55,7 @@ CollapsePoints collapse_points(const std::vector<TestResult>& tests) {
                             header.origin == lab::Origin::simulated});
     found.origin.add(header);
   }
-  found.instability_line = fitted_slope(found.points);
+  found.instability_lines = fitted_slopes(found.points);
   found.limit_stress_ratios = limits_of(tests, left_out);
   return found;
 }

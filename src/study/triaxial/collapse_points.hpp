@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +19,9 @@ struct CollapsePoint {
 /// part in it.
 struct CollapsePoints {
   std::vector<CollapsePoint> points;
-  /// Slope of the line through the origin that fits the points best, η = Σ q p′ / Σ p′²; nothing
-  /// without points.
-  std::optional<double> instability_line;
+  /// Slopes of the lines through the origin that fit the points best, η = Σ q p′ / Σ p′²: of those
+  /// in compression, then of those in extension; none where there are no points of that kind.
+  std::vector<double> instability_lines;
   /// Stress ratios of the limit surfaces of the tests that collapsed, rising; those that print
   /// alike (to a hundredth) are one.
   std::vector<double> limit_stress_ratios;

@@ -62,7 +62,7 @@ ShearSeries shear_series(const std::vector<TestResult>& tests) {
       series.strain_at_onset = std::max(series.strain_at_onset, *added.onset->axial_strain);
   }
   auto points = collapse_points(tests);
-  series.instability_line = points.instability_line;
+  series.instability_lines = std::move(points.instability_lines);
   series.limit_stress_ratios = std::move(points.limit_stress_ratios);
   series.origin = origin_of(tests);
   return series;

@@ -26,7 +26,7 @@ struct ShearSeries {
   std::vector<SeriesTest> tests;
   /// Largest axial strain at an onset of collapse; 0 without one.
   double strain_at_onset = 0;
-  std::optional<double> instability_line;   ///< η that fits their collapse points
+  std::vector<double> instability_lines;    ///< η of compression, of extension
   std::vector<double> limit_stress_ratios;  ///< M, rising
   TestsOrigin origin;
 };

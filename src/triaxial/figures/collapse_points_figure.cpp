@@ -48,8 +48,7 @@ void draw_points(QCustomPlot& plot, const study::CollapsePoints& found) {
 
 Drawing collapse_points_figure(const study::CollapsePoints& found) {
   const auto& points = found.points;
-  const auto eta = found.instability_line;
-  if (!eta) return {};
+  if (found.instability_lines.empty()) return {};
   RangeOf p_range, q_range;
   p_range.add(0);
   q_range.add(0);
@@ -62,13 +61,14 @@ Drawing collapse_points_figure(const study::CollapsePoints& found) {
   plot->xAxis->setRange(p_range.with_margin(0.12, true));
   plot->yAxis->setRange(q_range.with_margin(0.35, true));
   draw_mohr_coulomb_lines(*plot, found.limit_stress_ratios);
-  draw_instability_line(*plot, *eta);
+  for (const double eta : found.instability_lines) draw_instability_line(*plot, eta);
   draw_points(*plot, found);
-  return {
-      std::move(plot),
-      fmt::format("Collapse points of {} test{} and the one instability line that fits them best "
-                  "(η = {:.2f}).",
-                  points.size(), points.size() == 1 ? "" : "s", *eta)};
+  return {std::move(plot), fmt::format("Collapse points of {} test{} and {} best ({}).",
+                                       points.size(), points.size() == 1 ? "" : "s",
+                                       found.instability_lines.size() == 1
+                                           ? "the one instability line that fits them"
+                                           : "the instability lines that fit them",
+                                       instability_words(found.instability_lines))};
 }
 
 }  // namespace triax::src

@@ -38,8 +38,8 @@ Drawing stress_paths_figure(const study::ShearSeries& series) {
   plot->xAxis->setRange(from_zero(p_range.with_margin(0.06, true)));
   plot->yAxis->setRange(from_zero(q_range.with_margin(0.10, true)));
   draw_mohr_coulomb_lines(*plot, series.limit_stress_ratios);
-  const auto eta = series.instability_line;
-  if (eta) draw_instability_line(*plot, *eta);
+  const auto& lines = series.instability_lines;
+  for (const double eta : lines) draw_instability_line(*plot, eta);
   name_series(rect, series.tests);
   legend_below(*plot, 3);
   note_below(*plot, origin_note(series.origin));
@@ -52,10 +52,10 @@ Drawing stress_paths_figure(const study::ShearSeries& series) {
   draw_markers(rect, onsets, onset_marker());
   return {std::move(plot),
           fmt::format("Effective stress paths in shear of {}{}.", names_of(series.tests),
-                      eta ? fmt::format(", with the instability line through their collapse points "
-                                        "(η = {:.2f})",
-                                        *eta)
-                          : std::string("; no collapse point"))};
+                      lines.empty() ? std::string("; no collapse point")
+                                    : fmt::format(", with the instability line through their "
+                                                  "collapse points ({})",
+                                                  instability_words(lines)))};
 }
 
 }  // namespace triax::src

@@ -59,7 +59,30 @@ TEST_CASE("all criteria of a test are fed, and each tells its own finding") {
   CHECK(all[2].eta == peak->instant.eta());
   CHECK(all[2].evidence == peak->evidence);
   CHECK_FALSE(all[1].found());
-  CHECK(all[1].evidence == collapse_criteria()[1].otherwise);
+  CHECK(all[1].evidence.starts_with("not looked for"));  // no state came
+}
+
+TEST_CASE("a criterion that could not see anything says why") {
+  const auto evidence = [](AxialControl control, std::size_t row) {
+    const StageInfo stage{.number = 1, .role = StageRole::shear, .control = control};
+    Criteria criteria;
+    criteria.start_stage(&stage);
+    for (int i = 0; i < 40; ++i) {
+      State s;
+      s.reading = i;
+      s.time_s = i;
+      s.q = 1e3 * i;
+      s.p_eff = 100e3;
+      s.strain.axial = 1e-4 * i;
+      criteria.add_state(s, true);
+      criteria.add_point(point(i, s.q), true);
+    }
+    return criteria.criteria()[row].evidence;
+  };
+  CHECK(evidence(AxialControl::displacement, 1).starts_with("not looked for: a displacement"));
+  CHECK(evidence(AxialControl::load, 1) == collapse_criteria()[1].otherwise);
+  CHECK(evidence(AxialControl::load, 2).starts_with("not looked for: a load"));
+  CHECK(evidence(AxialControl::displacement, 2) == collapse_criteria()[2].otherwise);
 }
 
 TEST_CASE("a criterion that looked at something and saw no collapse says both") {

@@ -77,6 +77,36 @@ TEST_CASE("a burst after which a load is carried on, and grows, took no control 
   CHECK(control.lost()->instant.reading == 899);
 }
 
+TEST_CASE("what a burst was is decided by its own stage, and not before the record shows it") {
+  StageInfo load = kHeld, later = kHeld;
+  load.control = AxialControl::load;
+  later.control = AxialControl::displacement;
+  LossOfControl control;
+  control.start_stage(&load);
+  const auto add = [&](int i, double q, double strain) {
+    control.add_state(at(i, q, strain), true);
+  };
+  int i = 0;
+  for (; i < 300; ++i) add(i, 100e3 + 10 * i, i * 1e-5);
+  for (const int end = i + 3; i < end; ++i) add(i, 100e3 + 10 * i, 0.03 + i * 1e-5);
+  CHECK(control.lost());  // three readings say nothing against it
+  for (const int end = i + 20; i < end; ++i) add(i, 100e3 + 10 * i, 0.03 + i * 1e-5);
+  CHECK_FALSE(control.lost());
+  control.start_stage(&later);  // unloading
+  for (const int end = i + 20; i < end; ++i) add(i, 10e3, 0.03);
+  CHECK_FALSE(control.lost());
+
+  // Lost while q was held: no later load takes that back.
+  LossOfControl held;
+  held.start_stage(&kHeld);
+  for (i = 0; i < 300; ++i) held.add_state(at(i, 50e3, i * 1e-5), true);
+  held.add_state(at(i, 50e3, 0.1), true);
+  REQUIRE(held.lost());
+  held.start_stage(&load);
+  for (const int end = i + 40; i < end; ++i) held.add_state(at(i, 80e3, 0.1), true);
+  CHECK(held.lost());
+}
+
 TEST_CASE("a load that fell in a burst was lost, whatever comes later") {
   StageInfo load = kHeld;
   load.control = AxialControl::load;

@@ -93,13 +93,61 @@ TEST_CASE("what comes back is known") {
   CHECK(fall->share_regained() == Approx(15.0 / 18));
 }
 
-TEST_CASE("noise alone is no fall, however many states there are") {
-  std::mt19937_64 rng(3);
-  std::normal_distribution<double> noise(0, 2);
+TEST_CASE("noise alone is no fall, nor a softening within it, however many states there are") {
+  const double rms = GENERATE(0.5, 1.0, 2.0);  // kPa, of 50
+  const int count = GENERATE(60, 1000, 5000);
+  const auto seed = static_cast<std::uint64_t>(GENERATE(range(1, 11)));
+  std::mt19937_64 rng(seed);
+  std::normal_distribution<double> noise(0, rms);
   std::vector<Row> rows;
-  for (int i = 0; i < 5000; ++i)
-    rows.push_back({0.001 * i, 50 * (1 - std::exp(-0.01 * i)) + noise(rng), 100});
+  for (int i = 0; i < count; ++i) {
+    const double x = i / (0.2 * count);
+    const double q = 50 * (1 - std::exp(-5 * x)) * (1 - 0.01 * x);
+    rows.push_back({5.0 * i / count, q + noise(rng), 100});
+  }
+  INFO(rms << " kPa, " << count << " states, seed " << seed);
   CHECK_FALSE(fall_of(rows));
+}
+
+TEST_CASE("steps of the strain that are finer than what counts as one add up") {
+  std::vector<Row> rows;
+  for (int i = 0; i < 4000; ++i)  // 4e-4 % a state; q is lost within 20 states
+    rows.push_back({4e-4 * i + (i > 3000 ? 0.1 : 0),
+                    i < 2990 ? 40 : std::max(5.0, 40 - 2.0 * (i - 2990)), 80});
+  const auto fall = fall_of(rows);
+  REQUIRE(fall);
+  CHECK(fall->loss() == Approx(1 - 5.0 / 40));
+}
+
+TEST_CASE("a record may begin at its peak") {
+  CHECK(fall_of({{0, 60, 100}, {1, 20, 40}, {2, 19.5, 38}, {3, 19.2, 37}}));
+}
+
+TEST_CASE("the next specimen of a multistage test is no fall of the one before") {
+  const std::vector<Row> first = {{0, 0, 100}, {1, 60, 90}, {2, 90, 95}, {4, 120, 100}};
+  const std::vector<Row> second = {{4.05, 10, 200}, {4.2, 40, 195}, {5, 120, 180}, {8, 230, 190}};
+  Backbone backbone;
+  std::int64_t number = 0;
+  backbone.start_stage(false);
+  for (const Row& row : first) backbone.add(state(number++, row));
+  backbone.start_stage(false);
+  for (const Row& row : second) backbone.add(state(number++, row));
+  CHECK_FALSE(backbone.worst());
+}
+
+TEST_CASE("one state without its strength is an outlier, unless the strain leapt with it") {
+  const std::vector<Row> before = {{0, 0, 100}, {0.2, 40, 90}, {0.3, 50, 85}, {0.4, 55, 82}};
+  auto rows = before;
+  rows.insert(rows.end(), {{0.5, 5, 80}, {0.6, 56, 80}});
+  CHECK_FALSE(fall_of(rows));
+  rows = before;
+  rows.push_back({0.5, 5, 20});
+  REQUIRE(fall_of(rows));
+  CHECK_FALSE(fall_of(rows)->confirmed);
+  rows = before;
+  rows.push_back({6, 5, 20});
+  REQUIRE(fall_of(rows));
+  CHECK(fall_of(rows)->confirmed);
 }
 
 TEST_CASE("seven rows of a flow are a flow, at the peak, and an onset between rows") {
@@ -126,4 +174,14 @@ TEST_CASE("one row without its strength, the last of the record, is no proof and
   CHECK_FALSE(c.judged);
   CHECK(c.judged_until == 6);
   CHECK(c.judged_until_reason.find("q fell by 30 %") != std::string::npos);
+}
+
+TEST_CASE("a fall after a long creep at slowly falling q is seen: what was long ago is forgotten") {
+  std::vector<Row> rows;
+  for (int i = 0; i <= 400; ++i) rows.push_back({0.002 * i, 55 - 0.02 * i, 84 - 0.04 * i});
+  rows.insert(rows.end(), {{16.8, 4.6, 1.8}, {16.86, 4.7, 2.2}});
+  const auto fall = fall_of(rows);
+  REQUIRE(fall);
+  CHECK(fall->last_high.reading == 400);
+  CHECK(fall->confirmed);
 }

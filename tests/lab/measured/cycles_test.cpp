@@ -57,18 +57,57 @@ TEST_CASE("cycles, their stress ratio and their least and largest q") {
 }
 
 TEST_CASE("r_u of 0.95 and a double amplitude of 5 %, with their cycles") {
-  const auto found = loading({.pore_ratio_a_cycle = 0.1, .strain_a_cycle = 0.01}, 80 * 12);
+  const auto found = loading({.pore_ratio_a_cycle = 0.1, .strain_a_cycle = 0.011}, 80 * 12);
   REQUIRE(found);
   REQUIRE(found->liquefied);
   CHECK(found->liquefied->instant.reading == 760);  // 9.5 cycles
   CHECK(found->liquefied->cycle == 10);
   CHECK(found->largest_pore_pressure_ratio == Approx(1.0));
-  // The amplitude grows as 0.5 % a cycle to each side: 5 % between the sixth peak and its trough.
+  // 0.55 % a cycle more to each side: 4.95 % from the fifth peak to its trough, 5.5 % on to the sixth.
   REQUIRE(found->double_amplitude);
   CHECK(found->double_amplitude->cycle == 6);
 }
 
-TEST_CASE("a monotonic test, noise and two loops of unloading are no cyclic test") {
+TEST_CASE("cycles about a static shear that the record begins with are counted") {
+  CycleCounter counter(true);
+  State s = Cyclic{}.state(0);
+  for (int i = 0; i < 80 * 12; ++i) {
+    s.reading = i;
+    s.q = std::min(100e3, 500.0 * i);
+    if (i > 200) s.q += 15e3 * std::sin(2 * std::numbers::pi * (i - 200) / 80.0);
+    counter.add(s);
+  }
+  REQUIRE(counter.loading());
+  CHECK(counter.loading()->q_high_pa == Approx(115e3).epsilon(0.01));
+  CHECK(counter.loading()->q_low_pa == Approx(85e3).epsilon(0.01));
+}
+
+TEST_CASE("shear between and after loops of unloading is no double amplitude") {
+  CycleCounter counter(true);
+  State s = Cyclic{}.state(0);
+  const auto go_to = [&](double q, double strain) {
+    const double q0 = s.q, strain0 = s.strain.axial;
+    for (int i = 1; i <= 100; ++i) {
+      ++s.reading;
+      s.q = std::lerp(q0, q, i / 100.0);
+      s.strain.axial = std::lerp(strain0, strain, i / 100.0);
+      counter.add(s);
+    }
+  };
+  go_to(60e3, 0.005);
+  go_to(10e3, 0.0045);
+  go_to(60e3, 0.005);
+  go_to(90e3, 0.07);
+  go_to(20e3, 0.0695);
+  go_to(90e3, 0.07);
+  go_to(120e3, 0.14);
+  REQUIRE(counter.loading());
+  CHECK(counter.loading()->cycles == 2);
+  CHECK(counter.loading()->largest_double_amplitude < 0.03);
+  CHECK_FALSE(counter.loading()->double_amplitude);
+}
+
+TEST_CASE("a monotonic test with noise is no cyclic test") {
   std::mt19937_64 rng(5);
   std::normal_distribution<double> noise(0, 100);
   CycleCounter counter(true);
@@ -94,6 +133,11 @@ TEST_CASE("carried on: q comes back after it fell, not at the turn from which it
   CHECK_FALSE(falls.carried_on(loss, 20e3));
   CHECK(goes_on.carried_on(loss, 20e3));
   CHECK_FALSE(goes_on.carried_on(loss, 30e3));
+  // What was lost in extension is not carried by peaks of compression.
+  CycleCounter lopsided(true);
+  for (int i = 0; i < 80 * 8; ++i) lopsided.add(Cyclic{.mean = 20e3, .amplitude = 40e3}.state(i));
+  CHECK(lopsided.carried_on(200, -20e3));
+  CHECK_FALSE(lopsided.carried_on(200, -50e3));
 }
 
 TEST_CASE("cyclic mobility: r_u near one while the load is carried on is a kind of its own") {

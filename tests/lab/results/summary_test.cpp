@@ -52,3 +52,40 @@ TEST_CASE("an instant has a stress ratio and an angle where they exist") {
   instant.p_eff_pa = 10e3;  // tension in the radial stress: no angle
   CHECK_FALSE(instant.phi_mob_rad());
 }
+
+TEST_CASE("of two ends of a judgement the earlier stands, with its reason") {
+  Collapse c;
+  c.end_at(200, "a loss");
+  c.end_at(900, "a sensor");
+  CHECK_FALSE(c.judged);
+  CHECK(c.judged_until == 200);
+  CHECK(c.judged_until_reason == "a loss");
+  c.end_at(100, "another sensor");
+  CHECK(c.judged_until == 100);
+  c.end_at(std::nullopt, "nothing at all");
+  CHECK_FALSE(c.judged_until);
+  c.end_at(500, "late");
+  CHECK(c.judged_until_reason == "nothing at all");
+}
+
+TEST_CASE("a verdict that is withheld leaves no number behind") {
+  Collapse c;
+  c.kind = CollapseKind::flow;
+  c.onset = Instant{.reading = 400};
+  c.strength_lost = 0.9;
+  c.second_order_work_normalised = -0.2;
+  c.second_order_work_error = 0.01;
+  c.criteria = {{.name = "a", .detected = true}};
+  c.end_at(900, "a sensor");
+  CHECK(c.judged);  // what was found before stands
+  c.withhold("it depends");
+  CHECK_FALSE(c.judged);
+  CHECK_FALSE(c.detected());
+  CHECK_FALSE(c.onset);
+  CHECK_FALSE(c.judged_until);
+  CHECK_FALSE(c.strength_lost);
+  CHECK_FALSE(c.second_order_work_normalised);
+  CHECK_FALSE(c.second_order_work_error);
+  CHECK_FALSE(c.criteria[0].detected);
+  CHECK(c.judged_until_reason == "it depends");
+}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/recorded.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "lab/base/bad_input.hpp"
@@ -178,7 +180,36 @@ TEST_CASE("a dimension that is said and contradicts the file's own is told") {
   };
   REQUIRE(warnings("specimen.height_mm", "14").size() == 1);
   CHECK(warnings("specimen.height_mm", "14")[0].text ==
-        "--set specimen.height_mm=14 stands over the file's own 140 mm");
+        "--set specimen.height_mm=14 stands over the record's 140 mm");
   CHECK(warnings("specimen.height_cm", "14").empty());
   CHECK(warnings("specimen.void_ratio", "0.9").empty());
+}
+
+TEST_CASE("what is said of a stage is asked no more, and what was not said still is") {
+  // Numbered stages: consolidation, then a deviator load on a cap that hardly moves.
+  std::string record =
+      "\"Initial Height (mm)\",\"100\"\r\n\"Initial Diameter (mm)\",\"50\"\r\n"
+      "\"Stage Number\",\"Time since start of test (s)\",\"Time since start of stage (s)\","
+      "\"Radial Pressure (kPa)\",\"Back Volume (mm³)\",\"Load Cell (kN)\","
+      "\"Pore Pressure (kPa)\",\"Axial Displacement (mm)\"\r\n";
+  for (int i = 0; i < 80; ++i) {
+    const bool loads = i >= 40;
+    const double x = loads ? (i - 40) / 39.0 : i / 39.0;
+    record += fmt::format("\"{}\",\"{}\",\"{}\",\"{}\",\"{}\",\"{}\",\"{}\",\"{}\"\r\n",
+                          loads ? 2 : 1, i, loads ? i - 40 : i, loads ? 400.0 : 350 + 50 * x,
+                          loads ? -8000 - 120 * x : -8000 * x, loads ? 0.06 * x : 0, 300,
+                          loads ? 0.5 + 0.1 * x : 0.5 * x);
+  }
+  const auto asked = [&](const RecordOptions& options) {
+    const auto rig = open_record(open_memory("m.gds", record), options);
+    std::vector<std::string> keys;
+    for (const Guess& guess : rig->header().guesses)
+      for (const Guess::Said& said : guess.otherwise) keys.push_back(said.key + "=" + said.value);
+    return keys;
+  };
+  using Keys = std::vector<std::string>;
+  CHECK(asked({}) == Keys{"stages.2.drainage=closed", "stages.2.role=consolidation"});
+  CHECK(asked({.sets = {{"stages.2.role", "shear"}}}) == Keys{"stages.2.drainage=closed"});
+  CHECK(asked({.sets = {{"stages.2.drainage", "open"}}}) == Keys{"stages.2.role=consolidation"});
+  CHECK(asked({.sets = {{"stages.2.drainage", "open"}, {"stages.2.role", "shear"}}}).empty());
 }

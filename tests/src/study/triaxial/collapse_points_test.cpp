@@ -19,7 +19,8 @@ TEST_CASE("each collapse is a point, and one line through the origin fits them")
   CHECK_FALSE(found.points[0].simulated);
   CHECK(found.points[1].stress.p_pa == 200e3);
   CHECK(found.points[1].simulated);
-  CHECK(*found.instability_line == Approx((60.0 * 100 + 110 * 200) / (100 * 100 + 200 * 200.0)));
+  REQUIRE(found.instability_lines.size() == 1);
+  CHECK(found.instability_lines[0] == Approx((60.0 * 100 + 110 * 200) / (100 * 100 + 200 * 200.0)));
   CHECK(found.origin.tests == 2);
   CHECK(found.origin.simulated == std::vector<std::string>{"sim-26"});
 }
@@ -31,7 +32,7 @@ TEST_CASE("a failure on the limit surface is no collapse point, nor is a test wi
   unjudged.stored.summary.collapse.judged = false;
   const auto found = collapse_points({surface, unjudged, sample::interrupted_test()});
   CHECK(found.points.empty());
-  CHECK_FALSE(found.instability_line);
+  CHECK(found.instability_lines.empty());
   CHECK(found.limit_stress_ratios.empty());
 }
 
@@ -45,7 +46,8 @@ TEST_CASE("a file that was read twice is one point, that of the later reading") 
   const auto found = collapse_points(tests);
   REQUIRE(found.points.size() == 2);
   CHECK(found.points[0].stress.q_pa == 60e3);
-  CHECK(*found.instability_line == Approx(0.6));
+  REQUIRE(found.instability_lines.size() == 1);
+  CHECK(found.instability_lines[0] == Approx(0.6));
   CHECK(found.limit_stress_ratios == std::vector<double>{1.25});
   CHECK(found.origin.tests == 2);
 }
@@ -59,4 +61,16 @@ TEST_CASE("limits rise, and those that print alike are one; a type without a nam
   const auto found = collapse_points(tests);
   CHECK(found.limit_stress_ratios == std::vector<double>{1.2, 1.301});
   CHECK(found.points[2].programme == "other");
+}
+
+TEST_CASE("extension has a line of its own: its points do not turn that of compression") {
+  auto extension = sample::flow_test();
+  auto& onset = *extension.stored.summary.collapse.onset;
+  onset.q_pa = -0.4 * *onset.p_eff_pa;
+  const auto both = collapse_points({sample::flow_test(), extension});
+  REQUIRE(both.instability_lines.size() == 2);
+  CHECK(both.instability_lines[0] ==
+        collapse_points({sample::flow_test()}).instability_lines.front());
+  CHECK(both.instability_lines[1] == Approx(-0.4));
+  CHECK(collapse_points({extension}).instability_lines == std::vector{both.instability_lines[1]});
 }

@@ -39,7 +39,8 @@ TEST_CASE("a series knows its onsets, its instability line, its limits and its o
   CHECK(series.tests[0].onset->reading == 300);
   CHECK_FALSE(series.tests[2].onset);
   CHECK(series.strain_at_onset == 0.005);
-  CHECK(*series.instability_line == Approx((60. * 100 + 110 * 200) / (100 * 100 + 200 * 200)));
+  REQUIRE(series.instability_lines.size() == 1);
+  CHECK(series.instability_lines[0] == Approx((60. * 100 + 110 * 200) / (100 * 100 + 200 * 200)));
   CHECK(series.limit_stress_ratios == std::vector<double>{1.25});
   CHECK(series.origin.tests == 3);
   CHECK(series.origin.simulated == std::vector<std::string>{"sim-26"});
