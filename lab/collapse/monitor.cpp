@@ -75,6 +75,7 @@ struct CollapseMonitor::Impl {
   LimitSurface limit;
   std::optional<State> peak;
   std::optional<int> stage;
+  bool drained = false;         ///< in the stage under way
   bool held_q = false;          ///< in the stage under way
   bool held_undrained = false;  ///< in any stage so far
   std::int64_t watched_states = 0, points = 0;
@@ -99,6 +100,9 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   criteria.start_stage(info);
   rest.start_stage(info, header.has_time);
   backbone.start_stage(is_drained_frame(info));
+  drained = info && info->drainage == Drainage::open;
+  // What is consolidated again begins its cycles anew.
+  if (!is_watched(info) && !cycles.has_liquefied()) cycles = CycleCounter(header.has_time);
   held_q = info && info->control == AxialControl::constant_q;
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
@@ -111,7 +115,7 @@ void CollapseMonitor::Impl::watch(const State& s) {
   if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
   backbone.add(s);
-  cycles.add(s);
+  if (!drained) cycles.add(s);
 
   const auto sample = sampler.sample(s);
   if (!sample) return;

@@ -71,7 +71,10 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
   if (!c.onset || !c.onset->eta()) return;
   c.inside_limit_surface = e.limit.inside(*c.onset->eta(), static_cast<double>(c.onset->reading));
   // A runaway that was seen is excused by a limit that is known, and by no ratio of the test's own.
-  if (e.loss_of_control && !e.limit.given() && c.inside_limit_surface == false)
+  // Nor is most of an undrained strength: with the pore pressure dead, dq = 3 dp′ walks along a
+  // limit of its own up to any peak.
+  const bool most = c.strength_lost.value_or(0) >= kFlowLoss && !drained;
+  if ((e.loss_of_control || most) && !e.limit.given() && c.inside_limit_surface == false)
     c.inside_limit_surface.reset();
   const bool on_limit = c.inside_limit_surface == false;
   const bool drained_failure = drained && !e.loss_of_control && c.inside_limit_surface != true;

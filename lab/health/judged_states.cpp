@@ -188,7 +188,9 @@ std::optional<JudgedStates::End> JudgedStates::end() const {
 
 /// Why nothing of the verdict can stand; empty: it can.
 std::string JudgedStates::withheld() const {
-  return withheld_.empty() ? plausibility_.idle() : withheld_;
+  if (!withheld_.empty()) return withheld_;
+  const auto idle = plausibility_.idle();
+  return idle.empty() ? plausibility_.backwards() : idle;
 }
 
 void JudgedStates::bound(Collapse& collapse) const {

@@ -33,8 +33,14 @@ std::string Plausibility::impossible_in(const State& s) const {
         "p' is {:.4g} kPa where shear begins, which no triaxial test is made at: a pressure is in "
         "another unit than its column says, or u was taken off twice",
         p0 / 1e3);
+  if (std::max(std::fabs(s.q), s.p_eff) > 2 * kMostStress)
+    return fmt::format(
+        "q is {:.4g} kPa at reading {}, beyond any triaxial cell: the force is in another unit "
+        "than "
+        "its column says",
+        s.q / 1e3, s.reading);
   const double eta = s.q / s.p_eff;
-  if (s.p_eff > kWorth * p0 && (eta > 3 || eta < -1.5))
+  if (s.p_eff > kWorth * p0 && (eta > kSteepest || eta < -1.5))
     return fmt::format(
         "q/p' is {:.2f} at reading {}, beyond any friction angle: force, area or a pressure is in "
         "another unit, or a sensor was not set to zero",
@@ -48,8 +54,14 @@ bool Plausibility::add(const State& s) {
     if (impossible_.empty()) impossible_ = std::move(reason);
     return false;
   }
+  const double strain = s.strain.axial - first_->strain.axial;
+  if (std::fabs(s.q) > largest_q_) strain_at_largest_ = strain;
   largest_q_ = std::max(largest_q_, std::fabs(s.q));
-  largest_strain_ = std::max(largest_strain_, std::fabs(s.strain.axial - first_->strain.axial));
+  least_q_ = std::min(least_q_, s.q);
+  most_q_ = std::max(most_q_, s.q);
+  largest_strain_ = std::max(largest_strain_, std::fabs(strain));
+  lowest_strain_ = std::min(lowest_strain_, strain);
+  highest_strain_ = std::max(highest_strain_, strain);
   if (!(s.p_eff > kWorth * first_->p_eff)) return true;
   if (!tension_ && least_stress(s) < 0) tension_ = s;
   if (!steep_ && sim::mobilised_friction_angle(s.q / s.p_eff) > sim::radians(kSteep)) steep_ = s;
@@ -63,6 +75,21 @@ std::string Plausibility::idle() const {
       "q stayed within {:.2g} kPa over {:.1f} % of axial strain, less than 1 % of p': the force is "
       "in another unit than its column says, or was not recorded",
       largest_q_ / 1e3, largest_strain_ * 100);
+}
+
+std::string Plausibility::backwards() const {
+  constexpr double kLeastStrain = 1e-3, kGrowth = 2, kOneSide = 0.2;
+  if (!first_ || largest_q_ < kGrowth * std::fabs(first_->q)) return {};
+  const double sign = most_q_ >= -least_q_ ? 1 : -1;
+  const double other_q = sign > 0 ? -least_q_ : most_q_;
+  const double onward = sign > 0 ? highest_strain_ : -lowest_strain_;
+  const double back = sign > 0 ? -lowest_strain_ : highest_strain_;
+  const bool one_way = other_q < kOneSide * largest_q_ && onward < kOneSide * back;
+  if (!one_way || sign * strain_at_largest_ > -kLeastStrain) return {};
+  return fmt::format(
+      "q goes to {:.1f} kPa while the axial strain goes to {:.2f} %: the sign of one of the two is "
+      "not what the program takes it for (a dialect says sign = -1)",
+      sign * largest_q_ / 1e3, -sign * back * 100);
 }
 
 std::vector<Warning> Plausibility::warnings() const {

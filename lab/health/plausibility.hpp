@@ -13,16 +13,20 @@
 namespace triax::lab {
 
 /// Looks at the specimen and at the states of shear, in constant memory.
-///   impossible   q/p' above 3 or below −1.5, where σ₃' or σ₁' would be below zero, while p' is
-///                worth looking at (kWorth of that at the start); p'₀ outside 0.5 kPa to 60 MPa, of
-///                which tests are made: pressures in another unit
-///                also a specimen flatter than kFlattest or slimmer than kSlimmest
+///   impossible   q/p' above kSteepest or below −1.5, where σ₃' or σ₁' would be next to zero or
+///                below, while p' is worth looking at (kWorth of that at the start); p'₀ outside
+///                0.5 kPa to 60 MPa, or later stresses beyond twice that, of which tests are made:
+///                pressures in another unit also a specimen flatter than kFlattest or slimmer than
+///                kSlimmest
 ///   idle         |q| within 1 % of p'₀ all through, over 1 % of axial strain and more: the force
 ///                is in another unit, or was not recorded
+///   backwards    |q| grew, always on one side, while the axial strain went the other way: the
+///                sign of one of the two is not what its column says
 ///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
 ///                set to zero); σ₃' below zero; a mobilised friction angle above 60°
 class Plausibility {
  public:
+  static constexpr double kSteepest = 2.6;                 ///< q/p' of 65 degrees
   static constexpr double kFlattest = 0.5, kSlimmest = 4;  ///< height over diameter
   static constexpr double kWorth = 0.1;
   static constexpr double kLeastStress = 500, kMostStress = 60e6;  ///< Pa
@@ -35,6 +39,7 @@ class Plausibility {
   const std::string& impossible() const { return impossible_; }
   /// Why nothing of what was seen can be judged; empty: it can.
   std::string idle() const;
+  std::string backwards() const;
   std::vector<Warning> warnings() const;
 
  private:
@@ -43,6 +48,9 @@ class Plausibility {
   SpecimenInfo specimen_;
   std::optional<State> first_;
   double largest_q_ = 0, largest_strain_ = 0;
+  double least_q_ = 0, most_q_ = 0;                ///< with their signs
+  double lowest_strain_ = 0, highest_strain_ = 0;  ///< from the first
+  double strain_at_largest_ = 0;                   ///< of |q|
   std::string impossible_;
   std::optional<State> tension_, steep_;  ///< the first with σ₃' below zero, and above 60°
 };

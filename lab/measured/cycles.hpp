@@ -24,8 +24,9 @@ class CycleCounter {
 
   explicit CycleCounter(bool has_time) : has_time_(has_time) {}
 
-  /// States of shear. Pre-condition: complete(state).
+  /// States of shear with the water shut in. Pre-condition: complete(state).
   void add(const State& state);
+  bool has_liquefied() const { return found_.liquefied || found_.double_amplitude; }
   /// Empty: the test is not a cyclic one.
   std::optional<CyclicLoading> loading() const;
   /// Whether q came back after that reading and turned at nine tenths of `q` or more, on its side:

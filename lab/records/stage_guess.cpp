@@ -50,11 +50,17 @@ Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
   taken += fmt::format(", drainage {}", to_string(inferred.drainage));
   if (inferred.control != AxialControl::unknown)
     taken += fmt::format(", {} prescribed", to_string(inferred.control));
+  std::string remedy =
+      fmt::format("--set stages.{}.role=... and {}", inferred.number, said_otherwise(inferred));
+  if (inferred.role == StageRole::shear && inferred.control == AxialControl::unknown) {
+    taken += ", what moved the axis not known";
+    remedy += fmt::format(" and --set stages.{}.control=displacement, load or constant_q",
+                          inferred.number);
+  }
   return {.what = fmt::format("stage {}", inferred.number),
           .taken = std::move(taken),
           .evidence = movements(moved),
-          .remedy = fmt::format("--set stages.{}.role=... and {}", inferred.number,
-                                said_otherwise(inferred)),
+          .remedy = std::move(remedy),
           .otherwise = other_answers(moved, inferred, specimen)};
 }
 

@@ -30,6 +30,17 @@ struct Thresholds {
   }
 };
 
+/// A deviator load that is there when the stage begins and stays to its end, to kHeld of it, while
+/// the effective stress moves.
+bool holds_its_load(const StageSummary& stage, const Thresholds& least) {
+  constexpr double kHeld = 0.1;
+  const double load = std::abs(stage[axial_force].first);
+  const bool moves = stage[pore_pressure].range() > least.pressure ||
+                     stage[cell_pressure].range() > least.pressure ||
+                     stage[back_pressure].range() > least.pressure;
+  return load > least.force && stage[axial_force].range() < kHeld * load && moves;
+}
+
 StageRole role_without_shear(const StageSummary& stage, const Thresholds& least,
                              Drainage drainage) {
   const double cell = stage[cell_pressure].change();
@@ -73,6 +84,7 @@ void find_shear_at_small_strain(std::vector<StageInfo>& stages,
     const bool loads = confined && now[axial_force].excursion() > least.force;
     if (open_question && on_the_cap && (loads || (loaded && moves(now, least)))) {
       stage.role = StageRole::shear;
+      if (holds_its_load(now, least)) stage.control = AxialControl::constant_q;
       loaded = true;
     }
     if (stage.role == StageRole::consolidation && !loaded) unloaded = now[axial_force].last;
@@ -90,6 +102,13 @@ void look_around(std::vector<StageInfo>& stages, const std::vector<const StageSu
       if (stage->role == StageRole::saturation && stage->drainage == Drainage::open)
         stage->role = StageRole::consolidation;
   find_shear_at_small_strain(stages, moved, least);
+  // What rests before the specimen is made ready is no shear, and strains do not count from there.
+  const auto first_shear = std::ranges::find(stages, StageRole::shear, &StageInfo::role);
+  bool made_ready = false;
+  for (auto stage = std::make_reverse_iterator(first_shear); stage != stages.rend(); ++stage) {
+    if (made_ready && stage->role == StageRole::unknown) stage->role = StageRole::hold;
+    made_ready = made_ready || stage->role != StageRole::unknown;
+  }
   bool sheared_later = false;
   for (std::size_t i = stages.size(); i-- > 0;) {
     StageInfo& stage = stages[i];
@@ -180,6 +199,8 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
         stage.control = AxialControl::displacement;
       else if (summary.force_in_time.r_squared() > kSteady)
         stage.control = AxialControl::load;
+      else if (holds_its_load(summary, least))
+        stage.control = AxialControl::constant_q;
     } else {
       stage.role = role_without_shear(summary, least, stage.drainage);
     }
@@ -209,6 +230,14 @@ std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInf
       moved[axial_displacement].range() <= least.displacement)
     say("role", "consolidation");
   if (inferred.role == StageRole::consolidation && loaded) say("role", "shear");
+  // Nobody says what moved the axis, and the load was there from the start: it may have been held.
+  constexpr double kFromTheStart = 0.8;
+  if (sheared && inferred.control == AxialControl::unknown && inferred.drainage == Drainage::open &&
+      std::abs(moved[axial_force].first) >
+          kFromTheStart *
+              std::max(std::abs(moved[axial_force].high), std::abs(moved[axial_force].low)) &&
+      std::abs(moved[axial_force].first) > least.force)
+    say("control", "constant_q");
   return all;
 }
 

@@ -66,7 +66,8 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
 /// What else a watched stage may have been, where what moved leaves it open: the other drainage,
 /// unless V_b moved by more than kPlainFlow of the specimen's volume, or stood still while u moved
 /// by more than 5 kPa; the other of consolidation and shear, where a load was put on a cap that
-/// moved little or while the drainage was open.
+/// moved little or while the drainage was open; a held q, where the drainage was open, nobody knows
+/// what moved the axis and the load was there when the stage began.
 std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInfo& inferred,
                                        const SpecimenInfo& specimen);
 

@@ -74,8 +74,9 @@ void Collapse::withhold(const std::string& reason) {
 
 void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reason) {
   const bool ended = !judged_until_reason.empty();
-  if (ended && (!judged_until || (last && *judged_until <= *last))) return;
-  judged = judged && last && onset;
+  if (ended && last && (!judged_until || *judged_until <= *last)) return;
+  judged = judged && last && detected();
+  if (!judged) onset.reset();
   judged_until = last;
   judged_until_reason = reason;
   for (Criterion& c : criteria)

@@ -100,9 +100,10 @@ TEST_CASE(
   CHECK(count("collapses") == 4);  // lists the result of every test
   const Table line = ask(path, "instability_line");
   REQUIRE(line.rows.size() == 1);
-  CHECK(std::get<std::int64_t>(line.rows[0][3]) == 3);
-  CHECK(std::get<double>(line.rows[0][4]) == Approx((0.5 + 0.6 + 0.5) / 3));
-  CHECK(std::get<double>(line.rows[0][6]) == Approx(0.6));
+  CHECK(line.rows[0][1] == db::Value("compression"));
+  CHECK(std::get<std::int64_t>(line.rows[0][4]) == 3);
+  CHECK(std::get<double>(line.rows[0][5]) == Approx((0.5 + 0.6 + 0.5) / 3));
+  CHECK(std::get<double>(line.rows[0][7]) == Approx(0.6));
   CHECK(answer(path, "SELECT group_concat(test_id) FROM counted_tests") == db::Value("2,3,4"));
   record("bb", 10e3, false);
   record("bb", 10e3, false);

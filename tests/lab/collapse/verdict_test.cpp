@@ -207,3 +207,21 @@ TEST_CASE(
   CHECK(with(true).kind == CollapseKind::flow);
   CHECK(with(false).onset->reading == 40);
 }
+
+TEST_CASE("a limit of the test's own excuses no undrained loss of most of the strength") {
+  SpecimenInfo unknown;
+  LimitSurface walked(unknown);  // dq = 3 dp': the pore pressure is dead
+  for (int i = 1; i <= 100; ++i) {
+    PathPoint p;
+    p.reading = i;
+    p.q = 1e3 * i;
+    p.p_eff = 20e3 + p.q / 3;
+    walked.add(p);
+  }
+  auto fall = descent(100e3, 53.3e3, 90e3, 11e3);
+  fall.onset.reading = 101;
+  CHECK(walked.inside(fall.onset.eta(), 101) == false);
+  CHECK(verdict({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::flow);
+  fall.drained = true;
+  CHECK(verdict({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::none);
+}

@@ -58,7 +58,7 @@ TEST_CASE("a force a thousand times too small is noticed at the end") {
 TEST_CASE("a load cell that begins below zero, tension and steep angles are told") {
   Plausibility p({});
   p.add(at(0, -19.6, 100, 0));
-  p.add(at(1, 290, 100, 0.01));
+  p.add(at(1, 250, 100, 0.01));
   const auto warnings = p.warnings();
   REQUIRE(warnings.size() == 2);
   CHECK_THAT(warnings[0].text, Contains("-19.6 kPa"));
@@ -84,4 +84,26 @@ TEST_CASE("a specimen that no cell holds: a height or a diameter in another unit
   CHECK(possible(76, 38));
   CHECK_FALSE(possible(14, 70));
   CHECK_FALSE(possible(1400, 70));
+}
+
+TEST_CASE("strain that runs against q: the sign of one of the two is wrong") {
+  const auto reason = [](double sign, double q0, double q_end) {
+    Plausibility p({});
+    for (int i = 0; i <= 100; ++i)
+      p.add(at(i, q0 + (q_end - q0) * i / 100.0, 100, sign * i * 1e-4));
+    return p.backwards();
+  };
+  CHECK(reason(1, 0, 100).empty());
+  CHECK(reason(-1, 0, -60).empty());  // extension
+  CHECK_THAT(reason(-1, 0, 100), Contains("sign"));
+  CHECK_THAT(reason(1, 0, -60), Contains("sign"));
+  CHECK(reason(-1, 100, -60).empty());  // from a K0 state into extension
+  CHECK(reason(-1, 100, 20).empty());   // unloading
+}
+
+TEST_CASE("stresses beyond any cell are in another unit, wherever they come") {
+  Plausibility p({});
+  CHECK(p.add(at(0, 0, 200, 0)));
+  CHECK_FALSE(p.add(at(1, 122002, 141000, 0.01)));
+  CHECK_THAT(p.impossible(), Contains("another unit"));
 }

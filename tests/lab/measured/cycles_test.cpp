@@ -63,7 +63,8 @@ TEST_CASE("r_u of 0.95 and a double amplitude of 5 %, with their cycles") {
   CHECK(found->liquefied->instant.reading == 760);  // 9.5 cycles
   CHECK(found->liquefied->cycle == 10);
   CHECK(found->largest_pore_pressure_ratio == Approx(1.0));
-  // 0.55 % a cycle more to each side: 4.95 % from the fifth peak to its trough, 5.5 % on to the sixth.
+  // 0.55 % a cycle more to each side: 4.95 % from the fifth peak to its trough, 5.5 % on to the
+  // sixth.
   REQUIRE(found->double_amplitude);
   CHECK(found->double_amplitude->cycle == 6);
 }

@@ -26,6 +26,14 @@ TEST_CASE("a guess says what was taken, what speaks for it, and how to say other
   CHECK(guess.evidence == "changed: the displacement by 4.2 mm, the back volume by 0 mm3");
   CHECK(guess.remedy == "--set stages.5.role=... and --set stages.5.drainage=open");
 
+  StageInfo unsaid = shear;
+  unsaid.control = AxialControl::unknown;
+  CHECK(stage_guess(moved, unsaid, {}).taken ==
+        "shear, drainage closed, what moved the axis not known");
+  CHECK(stage_guess(moved, unsaid, {}).remedy ==
+        "--set stages.5.role=... and --set stages.5.drainage=open and "
+        "--set stages.5.control=displacement, load or constant_q");
+
   const Guess drainage = drainage_guess({.number = 1, .drainage = Drainage::open}, "because");
   CHECK(drainage.taken == "open");
   CHECK(drainage.remedy == "--set stages.1.drainage=closed");

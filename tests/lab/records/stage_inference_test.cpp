@@ -90,7 +90,7 @@ TEST_CASE(
   CHECK(infer_stages({stage(1, drained), stage(2, shear)}, specimen())[0].role == StageRole::shear);
 }
 
-TEST_CASE("a deviator load at small strain is shear, and so is what follows while it stays: CSD") {
+TEST_CASE("a deviator load at small strain is shear, and so is what follows while it stays (CSD)") {
   const Ends consolidated{{350, 350}, {335, 300}, {10000, 8000}, {0, 1}, {0, 0}};
   const Ends loads{{350, 350}, {300, 300}, {8000, 7800}, {1, 1.1}, {0, 0.06}};
   const Ends loosens{{350, 350}, {300, 340}, {7800, 8000}, {1.1, 1.15}, {0.06, 0.06}};
@@ -113,6 +113,36 @@ TEST_CASE("a deviator load at small strain is shear, and so is what follows whil
   const Ends confines{{300, 350}, {300, 300}, {7800, 5000}, {1.1, 1.3}, {0.06, 0.06}};
   const auto docked = infer_stages({stage(1, loads), stage(2, confines)}, specimen());
   CHECK(docked[0].role != StageRole::shear);
+}
+
+TEST_CASE("a stage that rests before consolidation is none of shear; one after it is unknown") {
+  const Ends rests{{350, 350}, {335, 335}, {10000, 10000}, {0, 0}, {0, 0}};
+  const Ends consolidates{{350, 350}, {335, 300}, {10000, 8000}, {0, 3}, {0, 0}};
+  const Ends sheared{{350, 350}, {300, 330}, {8000, 8000}, {3, 27}, {0, 0.18}};
+  const Ends stands{{350, 350}, {330, 330}, {8000, 8000}, {27, 27}, {0.18, 0.18}};
+  const auto stages = infer_stages(
+      {stage(1, rests), stage(2, consolidates), stage(3, sheared), stage(4, stands)}, specimen());
+  CHECK(stages[0].role == StageRole::hold);
+  CHECK(stages[1].role == StageRole::consolidation);
+  CHECK(stages[2].role == StageRole::shear);
+  CHECK(stages[3].role == StageRole::unknown);
+}
+
+TEST_CASE("a load that was there before and stays while the effective stress moves is held") {
+  // The cap runs away unevenly in time: not by displacement.
+  auto runs = stage(1, {{350, 350}, {300, 340}, {8000, 9000}, {1, 1}, {0.2, 0.2}});
+  Row row;
+  row.si.fill(kMissing);
+  row.time_s = 11;
+  row.si[index(cell_pressure)] = 350e3;
+  row.si[index(pore_pressure)] = 340e3;
+  row.si[index(back_volume)] = 9000e-9;
+  row.si[index(axial_displacement)] = 9e-3;
+  row.si[index(axial_force)] = 187;
+  runs.add(row);
+  const auto inferred = infer_stages({runs}, specimen())[0];
+  CHECK(inferred.role == StageRole::shear);
+  CHECK(inferred.control == AxialControl::constant_q);
 }
 
 TEST_CASE("what moved leaves some answers open and rules others out") {

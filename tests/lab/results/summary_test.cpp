@@ -66,6 +66,8 @@ TEST_CASE("of two ends of a judgement the earlier stands, with its reason") {
   CHECK_FALSE(c.judged_until);
   c.end_at(500, "late");
   CHECK(c.judged_until_reason == "nothing at all");
+  c.end_at(std::nullopt, "a dead sensor");
+  CHECK(c.judged_until_reason == "a dead sensor");
 }
 
 TEST_CASE("a verdict that is withheld leaves no number behind") {

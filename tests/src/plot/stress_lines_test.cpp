@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "src/plot/plot_style.hpp"
+#include "tests/src/plot/plot_contents.hpp"
+
 using namespace triax::src;
 
 namespace {
@@ -15,11 +18,11 @@ QCPGraphDataContainer::const_iterator end_of(QCustomPlot& plot, double eta) {
 }  // namespace
 
 TEST_CASE("a line ends at the border and keeps its slope, in compression and in extension") {
-  QCustomPlot plot;
-  plot.xAxis->setRange(0, 300);
-  plot.yAxis->setRange(-60, 90);
+  const OwnPlot plot = make_plot(400, 400);
+  plot->xAxis->setRange(0, 300);
+  plot->yAxis->setRange(-60, 90);
   for (const double eta : {0.2, 0.6, -0.1, -0.5}) {
-    const auto end = end_of(plot, eta);
+    const auto end = end_of(*plot, eta);
     INFO(eta);
     CHECK(end->value == Approx(eta * end->key));
     const bool at_side = end->key == Approx(300);
