@@ -41,6 +41,7 @@ Criterion criterion_of(const CriterionRow& row, const std::optional<Finding>& fi
 
 std::vector<Criterion> no_criteria(const std::string& reason) {
   std::vector<Criterion> all;
+  all.reserve(kCriteria.size());
   for (const CriterionRow& row : kCriteria)
     all.push_back({.name = std::string(row.name), .detected = std::nullopt, .evidence = reason});
   return all;

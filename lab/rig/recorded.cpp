@@ -71,9 +71,9 @@ struct RecordedRig::Impl {
   void tell_contradiction(const SpecimenInfo& before, const std::string& where);
   void settle_stages();
   void settle_drainage(StageInfo& only);
-  std::vector<StageSummary> stages_of_rows();
+  std::vector<StageSummary> stages_of_rows() const;
   void check_stages_to_set(const RecordOptions& options);
-  std::set<int> stages_in_rows();
+  std::set<int> stages_in_rows() const;
   void look_for_typed_height(const std::vector<StageSummary>& summaries);
   bool draw(Reading& reading);
   int stage_of(const Row& drawn);
@@ -119,8 +119,8 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
     const auto where = fmt::format("--set {}={}", key, value);
     // Whether soil or a program gave the readings is for the record to say, not for its reader.
     if (key == "test.origin" || key == "test.seed")
-      throw BadInput(where + ": " + key + " says where the record came from; " +
-                     "it cannot be set");
+      throw BadInput(
+          fmt::format("{}: {} says where the record came from; it cannot be set", where, key));
     if (key.starts_with("stages.") != stages) continue;
     const SpecimenInfo before = header.specimen;
     set_metadata(header, where, key, value);
@@ -199,7 +199,7 @@ void RecordedRig::Impl::settle_drainage(StageInfo& only) {
     header.guesses.back().otherwise = {{fmt::format("stages.{}.drainage", only.number), "closed"}};
 }
 
-std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() {
+std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() const {
   std::vector<Warning> repeated;
   Findings scratch(repeated);
   TableReader reader(*source, layout, scratch);
@@ -208,7 +208,7 @@ std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() {
       reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); });
 }
 
-std::set<int> RecordedRig::Impl::stages_in_rows() {
+std::set<int> RecordedRig::Impl::stages_in_rows() const {
   std::vector<Warning> repeated;
   Findings scratch(repeated);
   TableReader reader(*source, layout, scratch);

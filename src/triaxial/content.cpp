@@ -199,6 +199,7 @@ std::vector<std::string> note_lines(const std::vector<lab::Note>& notes) {
 
 std::vector<std::string> guess_lines(const std::vector<lab::Guess>& guesses) {
   std::vector<std::string> lines;
+  lines.reserve(guesses.size());
   for (const auto& guess : guesses)
     lines.push_back(fmt::format("{} taken as {}: {}; else {}", guess.what, guess.taken,
                                 guess.evidence, guess.remedy));

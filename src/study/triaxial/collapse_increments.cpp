@@ -112,6 +112,7 @@ std::optional<lab::MeasuredIncrement> increment_towards(const db::Store& store,
 std::vector<CollapseIncrement> collapse_increments(const db::Store& store,
                                                    const std::vector<std::int64_t>& ids) {
   std::vector<TestResult> tests;
+  tests.reserve(ids.size());
   for (const auto id : ids) tests.push_back(load_test_result(store, id, WithCurves::no));
   const auto left_out = read_again(tests);
   std::vector<CollapseIncrement> increments;
