@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "lab/collapse/descent.hpp"
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 
 namespace triax::lab {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 
 namespace triax::lab {
 namespace {
@@ -64,7 +64,9 @@ void LossOfControl::follow(const State& state) {
   if (after_.readings++ == 0) {
     after_.under_load = control_ == AxialControl::load;
     after_.least = q;
+    after_.first_load = carried_load(state);
   }
+  after_.load = carried_load(state);
   after_.least = std::min(after_.least, q);
   after_.last = q;
   if (!carried_on() || q < (1 + kLostQ) * before) return;
@@ -76,9 +78,16 @@ void LossOfControl::follow(const State& state) {
   largest_rate_ = mean_rate_ = mean_pore_rate_ = 0;
 }
 
+/// The force beyond that of the cell pressure, on a cross-section of one when shear began.
+double LossOfControl::carried_load(const State& state) {
+  return std::fabs(state.q) * (1 - volumetric_strain(state.strain)) / (1 - state.strain.axial);
+}
+
 bool LossOfControl::carried_on() const {
   const double before = std::fabs(finding_->instant.q_pa.value_or(0));
-  const bool long_enough = after_.readings > kCalm || after_.last >= (1 + kLostQ) * before;
+  const bool grew =
+      after_.last >= (1 + kLostQ) * before || after_.load >= (1 + kLostQ) * after_.first_load;
+  const bool long_enough = after_.readings > kCalm || grew;
   return after_.under_load && long_enough && after_.least > (1 - kLostQ) * before &&
          after_.last >= before;
 }

@@ -20,8 +20,9 @@ namespace triax::lab {
 /// - the pore pressure bursts, like the strain, beyond what the programme asks of it, by 5 % of p'
 ///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
 ///   valve open to stand, or to go on as the controller took it so far.
-/// Under a load, a burst after which q never fell by 5 %, and went on for kCalm readings or grew by
-/// 5 %, took nothing away: the programme holds. It is told, but not counted; where q grew by 5 %
+/// Under a load, a burst after which q never fell by 5 %, and went on for kCalm readings, or q or
+/// the load itself grew by 5 % (at constant q on a growing area, as on a limit surface), took
+/// nothing away: the programme holds. It is told, but not counted; where q grew by 5 %
 /// the watch begins anew. A record that ends sooner says nothing against the loss. A frame that
 /// prescribes displacement keeps its control through a peak: nothing is looked for. Where nobody
 /// says what is prescribed, a burst of the axial strain counts that is ten times faster than the
@@ -48,6 +49,7 @@ class LossOfControl : public CollapseCriterion {
  private:
   void follow(const State& state);
   bool carried_on() const;
+  static double carried_load(const State& state);
   void check_held_q(const State& state, bool has_time);
   void check_bursts(const State& state, bool has_time);
   void check_leap(const State& before, const State& state, bool has_time);
@@ -79,6 +81,7 @@ class LossOfControl : public CollapseCriterion {
     bool over = false;        ///< its stage is
     int readings = 0;
     double least = 0, last = 0;  ///< |q|
+    double first_load = 0, load = 0;
   } after_;                      ///< the burst
   std::optional<Fall> fall_;
 };

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 #include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include "lab/collapse/criteria.hpp"
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 
 namespace triax::lab {
 namespace {
+
+static_assert(Backbone::kWorth == Descent::kWorthALoss, "a loss is worth the same in both");
 
 constexpr double kFlowLoss = 0.5;
 /// Share of the strength from which a drained peak is told as a failure.

@@ -83,6 +83,7 @@ bool JudgedStates::spoils(const SensorFinding& finding, int stage) const {
 }
 
 void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
+  if (is_vouched(wrong.finding, header_.vouched)) return;
   for (Judged& entry : held_) {
     if (entry.reading.number < wrong.from || entry.reading.number > wrong.until) continue;
     entry.wrong |= channel_bit(wrong.finding.channel);
@@ -198,6 +199,7 @@ void JudgedStates::bound(Collapse& collapse) const {
     collapse.withhold(reason);
     return;
   }
+  if (const auto& slip = plausibility_.slip()) collapse.end_at(slip->last, slip->reason);
   if (const auto end = this->end())
     collapse.end_at(end->last >= 0 ? std::optional(end->last) : std::nullopt, end->reason);
 }

@@ -48,12 +48,36 @@ std::string Plausibility::impossible_in(const State& s) const {
   return {};
 }
 
+void Plausibility::watch_fall(const State& s) {
+  constexpr double kFallen = 0.5;
+  const double sign = furthest_ && furthest_->q < 0 ? -1 : 1;
+  const double q = sign * s.q;
+  if (!furthest_ || std::fabs(s.q) > largest_q_ ||
+      sign * s.strain.axial > sign * furthest_->strain.axial) {
+    furthest_ = s;
+    least_since_ = std::fabs(s.q);
+    return;
+  }
+  const bool falls = q < least_since_;
+  least_since_ = std::min(least_since_, q);
+  const bool steeper = q * furthest_->p_eff >= sign * furthest_->q * s.p_eff;
+  if (slip_ || !falls || q > kFallen * sign * furthest_->q || !steeper) return;
+  if (!(s.p_eff > kWorth * first_->p_eff)) return;
+  slip_ = Slip{furthest_->reading,
+               fmt::format("q fell from {:.1f} to {:.1f} kPa at a growing stress ratio while the "
+                           "axial strain went back from {:.2f} to {:.2f} %, as no unloading does: "
+                           "the strain was not that of the specimen",
+                           furthest_->q / 1e3, s.q / 1e3, furthest_->strain.axial * 100,
+                           s.strain.axial * 100)};
+}
+
 bool Plausibility::add(const State& s) {
   if (!first_) first_ = s;
   if (auto reason = impossible_in(s); !reason.empty()) {
     if (impossible_.empty()) impossible_ = std::move(reason);
     return false;
   }
+  watch_fall(s);
   const double strain = s.strain.axial - first_->strain.axial;
   if (std::fabs(s.q) > largest_q_) strain_at_largest_ = strain;
   largest_q_ = std::max(largest_q_, std::fabs(s.q));

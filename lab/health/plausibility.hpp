@@ -22,6 +22,9 @@ namespace triax::lab {
 ///                is in another unit, or was not recorded
 ///   backwards    |q| grew, always on one side, while the axial strain went the other way: the
 ///                sign of one of the two is not what its column says
+///   slipped      from the largest axial strain on |q| only fell, to half of it, at no smaller a
+///                stress ratio: a specimen that is unloaded keeps p' and loses q/p'; this one
+///                collapsed, and its strain was measured elsewhere
 ///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
 ///                set to zero); σ₃' below zero; a mobilised friction angle above 60°
 class Plausibility {
@@ -40,10 +43,17 @@ class Plausibility {
   /// Why nothing of what was seen can be judged; empty: it can.
   std::string idle() const;
   std::string backwards() const;
+  /// Beyond which reading nothing can be judged, and why.
+  struct Slip {
+    std::int64_t last = 0;
+    std::string reason;
+  };
+  const std::optional<Slip>& slip() const { return slip_; }
   std::vector<Warning> warnings() const;
 
  private:
   std::string impossible_in(const State& state) const;
+  void watch_fall(const State& state);
 
   SpecimenInfo specimen_;
   std::optional<State> first_;
@@ -51,6 +61,9 @@ class Plausibility {
   double least_q_ = 0, most_q_ = 0;                ///< with their signs
   double lowest_strain_ = 0, highest_strain_ = 0;  ///< from the first
   double strain_at_largest_ = 0;                   ///< of |q|
+  std::optional<State> furthest_;                  ///< at the largest q or the largest strain
+  double least_since_ = 0;                         ///< |q|, since then
+  std::optional<Slip> slip_;
   std::string impossible_;
   std::optional<State> tension_, steep_;  ///< the first with σ₃' below zero, and above 60°
 };

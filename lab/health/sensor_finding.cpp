@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
@@ -59,6 +61,11 @@ std::string reason(const SensorFinding& f) {
       return sensor_name(f.channel) + " gave a spike";
   }
   return "";
+}
+
+bool is_vouched(const SensorFinding& finding, const std::vector<Quantity>& vouched) {
+  return finding.fault != SensorFault::missing &&
+         std::ranges::find(vouched, finding.channel) != vouched.end();
 }
 
 std::string describe(const SensorFinding& f) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lab/results/quantity.hpp"
 
@@ -33,5 +34,7 @@ std::string sensor_name(Quantity channel);
 std::string describe(const SensorFinding& finding);
 /// The same in short, as a reason: "the load cell (axial_force) is stuck".
 std::string reason(const SensorFinding& finding);
+/// Someone says that the channel is sound, and it gives values to believe.
+bool is_vouched(const SensorFinding& finding, const std::vector<Quantity>& vouched);
 
 }  // namespace triax::lab

@@ -42,7 +42,7 @@ class Backbone {
   static constexpr double kWorth = 0.10;        ///< as Descent::kWorthALoss
   static constexpr double kLeastStrain = 5e-4;  ///< of the fall: else the drive stands
   static constexpr double kLeastRatio = 0.05;   ///< |q|/p′ of a peak that is one
-  static constexpr double kNoises = 18;         ///< of BendNoise: 9 standard deviations
+  static constexpr double kNoises = 18;         ///< of BendNoise: 10.4 standard deviations
   static constexpr std::int64_t kFew = 32;      ///< readings
 
   void start_stage(bool drained);

@@ -4,15 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/measured/instant.hpp"
+
 namespace triax::lab {
-namespace {
-
-std::optional<double> known(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-}  // namespace
-
 void CycleCounter::Range::add(double value) {
   low = std::min(low, value);
   high = std::max(high, value);
@@ -75,13 +69,14 @@ void CycleCounter::turn(const State& state) {
 }
 
 CycleInstant CycleCounter::at(const State& state) const {
-  return {.instant = {.reading = state.reading,
-                      .time_s = has_time_ ? known(state.time_s) : std::nullopt,
-                      .axial_strain = state.strain.axial,
-                      .q_pa = state.q,
-                      .p_eff_pa = state.p_eff,
-                      .pore_pressure_pa = known(state.pore_pressure)},
-          .cycle = turns_ / 2 + 1};
+  return {.instant = instant_of(state, has_time_), .cycle = cycle_of(state)};
+}
+
+/// Loggers count from 0, in fractions, or from 1: either way the first row is in the first cycle.
+int CycleCounter::cycle_of(const State& state) const {
+  constexpr double kRounding = 1e-6;
+  const double counted = std::floor(state.cycle - first_->cycle + kRounding) + 1;
+  return counted >= 1 && counted < 1e9 ? static_cast<int>(counted) : turns_ / 2 + 1;
 }
 
 /// r_u from the pore pressure, or, where the cell pressure stands, from the effective radial

@@ -10,14 +10,15 @@
 
 namespace triax::lab {
 
-/// Counts the turns of q: where it comes back by more than kLeast p′₀ and kNoises times its noise.
-/// Two turns are a cycle; from kFewest turns on a test is a cyclic one. The double amplitude is
-/// the strain from turn to turn, counted while q lies between the last two of them: shear that goes
-/// on beyond them, between loops of unloading or after the cycles, is none.
+/// Counts the turns of q, beside what the logger counts itself: where it comes back by more than
+/// kLeast p′₀ and kNoises times its noise. Two turns are a cycle; from kFewest turns on a test is a
+/// cyclic one. The double amplitude is the strain from turn to turn, counted while q lies between
+/// the last two of them: shear that goes on beyond them, between loops of unloading or after the
+/// cycles, is none.
 class CycleCounter {
  public:
   static constexpr double kLeast = 0.05;
-  static constexpr double kNoises = 18;  ///< of BendNoise: 9 standard deviations
+  static constexpr double kNoises = 18;  ///< of BendNoise: 10.4 standard deviations
   static constexpr int kFewest = 4;
   static constexpr double kLiquefied = 0.95;        ///< r_u of initial liquefaction
   static constexpr double kDoubleAmplitude = 0.05;  ///< of the axial strain within a cycle
@@ -56,6 +57,7 @@ class CycleCounter {
   void watch_pore_pressure(const State& state);
   void watch_strain(const State& state);
   CycleInstant at(const State& state) const;
+  int cycle_of(const State& state) const;
 
   static constexpr std::size_t kTurns = 64;  ///< that are remembered
 

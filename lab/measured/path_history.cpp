@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace triax::lab {
 
@@ -37,16 +38,18 @@ bool PathHistory::reaches(const Level& level, double reading) {
 }
 
 std::vector<PathSample> PathHistory::between(double first_reading, double last_reading) const {
+  const Level& level =
+      *std::ranges::find_if(levels_, [=](const Level& one) { return reaches(one, first_reading); });
+  const auto block = [&level](std::size_t i) -> const PathSample& {  // oldest first
+    return level.ring[(level.next + i) % level.ring.size()];
+  };
+  const auto places = std::views::iota(std::size_t{0}, level.ring.size());
+  auto place = std::ranges::partition_point(
+      places, [&](std::size_t i) { return block(i).signal[PathSample::reading] < first_reading; });
   std::vector<PathSample> blocks;
-  for (const Level& level : levels_) {
-    if (!reaches(level, first_reading)) continue;
-    for (std::size_t i = 0; i < level.ring.size(); ++i) {
-      const PathSample& block = level.ring[(level.next + i) % level.ring.size()];
-      const double reading = block.signal[PathSample::reading];
-      if (reading >= first_reading && reading <= last_reading) blocks.push_back(block);
-    }
-    break;
-  }
+  for (; place != places.end() && block(*place).signal[PathSample::reading] <= last_reading;
+       ++place)
+    blocks.push_back(block(*place));
   return blocks;
 }
 

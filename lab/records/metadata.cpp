@@ -121,6 +121,23 @@ void set_stage(StageInfo& stage, const std::string& where, std::string_view key,
     unknown_key(where, key);
 }
 
+void set_sensor(RecordHeader& header, const std::string& where, std::string_view key,
+                std::string_view name, std::string_view value) {
+  const auto channel = find_quantity(name);
+  if (!channel) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < kQuantityCount; ++i)
+      names.emplace_back(info(static_cast<Quantity>(i)).name);
+    throw BadInput(fmt::format("{}: no channel {}; {}", where, excerpt(name),
+                               suggestion(name, names)));
+  }
+  if (value != "sound")
+    throw BadInput(
+        fmt::format("{}: {} = {} is not valid; expected sound", where, key, excerpt(value)));
+  if (std::ranges::find(header.vouched, *channel) == header.vouched.end())
+    header.vouched.push_back(*channel);
+}
+
 void append_number(std::string& out, std::string_view name, std::string_view unit,
                    const std::optional<double>& si) {
   if (!si || !std::isfinite(*si)) return;
@@ -162,7 +179,8 @@ std::vector<std::string> metadata_keys() {
   for (const SpecimenKey& row : specimen_keys())
     keys.push_back("specimen." + full_name(row.name, row.unit));
   for (const char* key : {"specimen.material", "stages.N.name", "stages.N.role",
-                          "stages.N.drainage", "stages.N.control", "stages.N.strain_path_R"})
+                          "stages.N.drainage", "stages.N.control", "stages.N.strain_path_R",
+                          "sensors.CHANNEL"})
     keys.emplace_back(key);
   return keys;
 }
@@ -176,6 +194,8 @@ void set_metadata(RecordHeader& header, const std::string& where, std::string_vi
     set_test(header, where, key, rest, value);
   } else if (group == "specimen") {
     set_specimen(header.specimen, where, key, rest, value);
+  } else if (group == "sensors") {
+    set_sensor(header, where, key, rest, value);
   } else if (group == "stages") {
     const auto second = rest.find('.');
     const auto number = whole_text_as<int>(rest.substr(0, second));
@@ -198,6 +218,7 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
   };
   if (const auto table = document.table("test")) take(*table, "test.");
   if (const auto table = document.table("specimen")) take(*table, "specimen.");
+  if (const auto table = document.table("sensors")) take(*table, "sensors.");
   std::vector<std::int64_t> described;
   for (const TomlTable& table : document.tables("stages")) {
     const auto number = table.integer("number");
@@ -228,6 +249,8 @@ std::string metadata_toml(const RecordHeader& header) {
   append_text(out, "material", header.specimen.material);
   for (const SpecimenKey& row : specimen_keys())
     append_number(out, row.name, row.unit, header.specimen.*row.member);
+  if (!header.vouched.empty()) out += "[sensors]\n";
+  for (const Quantity channel : header.vouched) append_text(out, info(channel).name, "sound");
   for (const StageInfo& stage : header.stages) {
     out += fmt::format("[[stages]]\nnumber = {}\n", stage.number);
     append_text(out, "name", stage.name);

@@ -2,6 +2,7 @@
 #include "lab/records/stage_inference.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -30,15 +31,18 @@ struct Thresholds {
   }
 };
 
+bool pressures_move(const StageSummary& stage, const Thresholds& least) {
+  return std::ranges::any_of(std::array{cell_pressure, pore_pressure, back_pressure},
+                             [&](Quantity q) { return stage[q].range() > least.pressure; });
+}
+
 /// A deviator load that is there when the stage begins and stays to its end, to kHeld of it, while
 /// the effective stress moves.
 bool holds_its_load(const StageSummary& stage, const Thresholds& least) {
   constexpr double kHeld = 0.1;
   const double load = std::abs(stage[axial_force].first);
-  const bool moves = stage[pore_pressure].range() > least.pressure ||
-                     stage[cell_pressure].range() > least.pressure ||
-                     stage[back_pressure].range() > least.pressure;
-  return load > least.force && stage[axial_force].range() < kHeld * load && moves;
+  return load > least.force && stage[axial_force].range() < kHeld * load &&
+         pressures_move(stage, least);
 }
 
 StageRole role_without_shear(const StageSummary& stage, const Thresholds& least,
@@ -56,9 +60,7 @@ StageRole role_without_shear(const StageSummary& stage, const Thresholds& least,
 }
 
 bool moves(const StageSummary& stage, const Thresholds& least) {
-  for (const Quantity q : {cell_pressure, pore_pressure, back_pressure})
-    if (stage[q].range() > least.pressure) return true;
-  return stage[back_volume].range() > least.volume;
+  return pressures_move(stage, least) || stage[back_volume].range() > least.volume;
 }
 
 /// Where the cap hardly moves in any stage: a deviator load put on under a constant cell pressure,
@@ -220,6 +222,7 @@ std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInf
   };
   const bool sheared = inferred.role == StageRole::shear;
   const bool loaded = moved[axial_force].excursion() > least.force;
+  const bool loaded_at_all = loaded || std::abs(moved[axial_force].first) > least.force;
   if (sheared && inferred.drainage == Drainage::open &&
       moved[back_volume].range() <= kPlainFlow / kClosedFlow * least.volume)
     say("drainage", "closed");
@@ -230,13 +233,9 @@ std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInf
       moved[axial_displacement].range() <= least.displacement)
     say("role", "consolidation");
   if (inferred.role == StageRole::consolidation && loaded) say("role", "shear");
-  // Nobody says what moved the axis, and the load was there from the start: it may have been held.
-  constexpr double kFromTheStart = 0.8;
+  // Nobody says what moved the axis, and under it a pressure moved: the load may have been held.
   if (sheared && inferred.control == AxialControl::unknown && inferred.drainage == Drainage::open &&
-      std::abs(moved[axial_force].first) >
-          kFromTheStart *
-              std::max(std::abs(moved[axial_force].high), std::abs(moved[axial_force].low)) &&
-      std::abs(moved[axial_force].first) > least.force)
+      loaded_at_all && pressures_move(moved, least))
     say("control", "constant_q");
   return all;
 }

@@ -67,7 +67,7 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
 /// unless V_b moved by more than kPlainFlow of the specimen's volume, or stood still while u moved
 /// by more than 5 kPa; the other of consolidation and shear, where a load was put on a cap that
 /// moved little or while the drainage was open; a held q, where the drainage was open, nobody knows
-/// what moved the axis and the load was there when the stage began.
+/// what moved the axis and a pressure moved under its load.
 std::vector<Guess::Said> other_answers(const StageSummary& moved, const StageInfo& inferred,
                                        const SpecimenInfo& specimen);
 

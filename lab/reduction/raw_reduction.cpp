@@ -117,6 +117,7 @@ State RawReduction::reduce(const Reading& reading) {
   s.reading = reading.number;
   s.time_s = reading.time_s;
   s.stage = reading.stage;
+  s.cycle = reading[Quantity::cycle];
   const Reference& from = sheared_ ? now_ : stage_start_;
   const double shortening = last_displacement_ - from.displacement;
   // Water that enters while the specimen is being saturated fills its pores: no change of volume.

@@ -88,6 +88,7 @@ State ReducedColumns::reduce(const Reading& r) {
   s.reading = r.number;
   s.time_s = r.time_s;
   s.stage = r.stage;
+  s.cycle = r[Quantity::cycle];
   take_stresses(r, s);
   take_strains(r, s);
   if (!p_eff_start_ && std::isfinite(s.p_eff)) p_eff_start_ = s.p_eff;

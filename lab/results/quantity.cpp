@@ -95,6 +95,7 @@ constexpr std::array<QuantityInfo, kQuantityCount> kTable{{
     {excess_pore_pressure, "excess_pore_pressure", "kPa", "Δu"},
     {void_ratio, "void_ratio", "", "e"},
     {current_area, "current_area", "mm2", "A"},
+    {cycle, "cycle", "", "N"},
 }};
 
 static_assert(

@@ -42,11 +42,12 @@ enum class Quantity : std::uint8_t {
   stress_ratio,           ///< η = q/p'
   excess_pore_pressure,   ///< since the start of shear
   void_ratio,
-  current_area,  ///< the last
+  current_area,
+  cycle,  ///< of a cyclic load, as the logger counts them; the last
 };
 constexpr std::size_t index(Quantity q) { return static_cast<std::size_t>(q); }
 inline constexpr std::size_t kRawQuantityCount = index(Quantity::axial_strain);
-inline constexpr std::size_t kQuantityCount = index(Quantity::current_area) + 1;
+inline constexpr std::size_t kQuantityCount = index(Quantity::cycle) + 1;
 constexpr bool is_raw(Quantity q) { return index(q) < kRawQuantityCount; }
 
 /// What everybody who deals with a raw channel has to know of it.

@@ -125,6 +125,7 @@ struct RecordHeader {
   SpecimenInfo specimen;
   std::vector<StageInfo> stages;  ///< may be empty: everything is then one stage of unknown role
   std::vector<Quantity> columns;  ///< what the readings hold
+  std::vector<Quantity> vouched;  ///< said to be sound: believed however their readings look
   bool has_time = true;
   std::vector<Note> notes;  ///< all of what the preamble of the file says
   std::vector<Guess> guesses;

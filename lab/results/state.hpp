@@ -21,6 +21,7 @@ struct State {
   double pore_pressure = kMissing;
   double p_eff = kMissing;
   double q = kMissing;
+  double cycle = kMissing;  ///< as the logger counts
 
   double eta() const { return q / p_eff; }
   double phi_mob_rad() const { return sim::mobilised_friction_angle(eta()); }

@@ -145,9 +145,9 @@ struct Collapse {
   bool detected() const { return kind != CollapseKind::none; }
   /// Nothing is known: neither of a collapse nor, of a criterion, of anything.
   void withhold(const std::string& reason);
-  /// Nothing is known after reading `last` (empty: of all): what was found stands, that nothing was
-  /// found says nothing. Of two ends the earlier stands, of
-  /// two that leave nothing the latter.
+  /// Nothing is known after reading `last` (empty: of all): a collapse that was found stands, that
+  /// none was found says nothing. Of two ends the earlier stands, of two that leave nothing the
+  /// latter.
   void end_at(std::optional<std::int64_t> last, const std::string& reason);
 };
 

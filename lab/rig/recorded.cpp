@@ -42,6 +42,18 @@ std::optional<int> stage_in(std::string_view key) {
   return number;
 }
 
+/// Drained compression below the p' or σ'_r that it began with: the confinement was taken away, so
+/// that q may have been held.
+bool was_unconfined(const StageSummary& stage) {
+  constexpr double kLeast = 0.02;
+  const auto fell = [&](Quantity stress) {
+    return stage[stress].low < (1 - kLeast) * stage[stress].first;
+  };
+  const auto& q = stage[Quantity::deviator_stress];
+  return !(q.high < -q.low) &&
+         (fell(Quantity::mean_effective_stress) || fell(Quantity::effective_radial_stress));
+}
+
 }  // namespace
 
 struct RecordedRig::Impl {
@@ -193,10 +205,13 @@ void RecordedRig::Impl::settle_drainage(StageInfo& only) {
   only.drainage = range > kStands ? Drainage::open : Drainage::closed;
   header.guesses.push_back(
       drainage_guess(only, fmt::format("its volumetric strain changes by {:.3g} %", range * 100)));
+  auto& otherwise = header.guesses.back().otherwise;
   // Between a strain that is nothing and one that is plainly water nobody knows.
   constexpr double kPlain = 1e-3;
   if (range > kStands && range <= kPlain)
-    header.guesses.back().otherwise = {{fmt::format("stages.{}.drainage", only.number), "closed"}};
+    otherwise.push_back({fmt::format("stages.{}.drainage", only.number), "closed"});
+  if (range > kStands && only.control == AxialControl::unknown && was_unconfined(summaries.front()))
+    otherwise.push_back({fmt::format("stages.{}.control", only.number), "constant_q"});
 }
 
 std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() const {

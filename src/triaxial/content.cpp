@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/cyclic_fact.hpp"
 #include "src/triaxial/run_away_fact.hpp"

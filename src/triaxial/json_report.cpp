@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 #include "src/study/json_parts.hpp"

@@ -2,10 +2,10 @@
 #include "src/triaxial/tests.hpp"
 
 #include <fmt/format.h>
-#include <array>
 
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "db/catalogue.hpp"

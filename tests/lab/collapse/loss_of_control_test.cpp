@@ -77,6 +77,26 @@ TEST_CASE("a burst after which a load is carried on, and grows, took no control 
   CHECK(control.lost()->instant.reading == 899);
 }
 
+TEST_CASE(
+    "a load that grows on at a constant q, on a growing area, is carried; one that stays is not") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  const auto lost = [&](double force_growth) {
+    LossOfControl control;
+    control.start_stage(&load);
+    for (int i = 0; i < 30; ++i) control.add_state(at(i, 10e3 * i, i * 2e-4), true);
+    for (int i = 1; i <= 8; ++i) {
+      const double strain = 6e-3 + 0.02 * i;
+      State state = at(29 + i, 300e3 * (1 + force_growth * i) * (1 - strain), strain);
+      state.strain.radial = -strain / 2;
+      control.add_state(state, true);
+    }
+    return control.lost().has_value();
+  };
+  CHECK_FALSE(lost(0.025));
+  CHECK(lost(0));
+}
+
 TEST_CASE("what a burst was is decided by its own stage, and not before the record shows it") {
   StageInfo load = kHeld, later = kHeld;
   load.control = AxialControl::load;

@@ -43,8 +43,9 @@ struct Run {
 };
 
 template <class Break>
-Run run(std::int64_t n, Break broken, double q_after = 100e3) {
-  JudgedStates states(raw_header());
+Run run(std::int64_t n, Break broken, double q_after = 100e3,
+        const RecordHeader& header = raw_header()) {
+  JudgedStates states(header);
   Run out;
   const auto take = [&] {
     while (const auto* judged = states.next()) out.passed.push_back(*judged);
@@ -98,6 +99,40 @@ TEST_CASE("a stuck sensor is known late, but none of its states was judged") {
   CHECK(out.verdict.judged_until_reason == "the pore-pressure transducer (pore_pressure) is stuck");
   CHECK(out.warnings.back().text ==
         "no verdict after reading 300: the pore-pressure transducer (pore_pressure) is stuck");
+}
+
+TEST_CASE("a sensor that is said to be sound is told and believed; without it the remedy is told") {
+  const auto hold = [held = 0.0](Reading& r) mutable {
+    if (r.number == 300) held = r[Quantity::pore_pressure];
+    if (r.number > 300) r[Quantity::pore_pressure] = held;
+  };
+  RecordHeader header = raw_header();
+  CHECK_THAT(run(600, hold, 100e3, header).warnings.front().text,
+             Catch::EndsWith("; if it is sound: --set sensors.pore_pressure=sound"));
+  header.vouched = {Quantity::pore_pressure};
+  const Run out = run(600, hold, 100e3, header);
+  CHECK(std::ranges::all_of(out.passed, [](const auto& one) { return one.live; }));
+  CHECK(out.verdict.judged);
+  CHECK_FALSE(out.verdict.judged_until);
+  CHECK_THAT(out.warnings.front().text, Catch::EndsWith("; said to be sound, and believed"));
+}
+
+TEST_CASE("a strain that slipped back after the peak ends the verdict there") {
+  JudgedStates states(raw_header());
+  for (std::int64_t i = 0; i < 90; ++i) {
+    const Reading r = noisy(i);
+    State s = state_of(r, 1e3 * double(i <= 50 ? 2 * i : 200 - 2 * i));
+    s.p_eff = 1e3 * double(i <= 50 ? 200 - i : 150 - 3 * (i - 50));
+    s.strain.axial = 1e-4 * double(i <= 50 ? i : 100 - i);
+    states.add(r, s);
+    while (states.next());
+  }
+  states.finish();
+  while (states.next());
+  Collapse verdict;
+  states.bound(verdict);
+  CHECK(verdict.judged_until == 50);
+  CHECK_THAT(verdict.judged_until_reason, Catch::Contains("as no unloading does"));
 }
 
 TEST_CASE("after a gap judgement goes on where nothing can have happened in it, else it ends") {

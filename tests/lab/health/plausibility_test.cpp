@@ -107,3 +107,20 @@ TEST_CASE("stresses beyond any cell are in another unit, wherever they come") {
   CHECK_FALSE(p.add(at(1, 122002, 141000, 0.01)));
   CHECK_THAT(p.impossible(), Contains("another unit"));
 }
+
+TEST_CASE("q that falls at a growing stress ratio while the strain goes back: a gauge that slipped") {
+  const auto run = [](double sign, double p_end_kPa, double strain_end) {
+    Plausibility p({});
+    for (int i = 0; i <= 50; ++i) p.add(at(i, sign * 2.0 * i, 200 - i, sign * i * 1e-4));
+    for (int i = 1; i <= 40; ++i)
+      p.add(at(50 + i, sign * (100 - 2 * i), 150 + (p_end_kPa - 150) * i / 40.0,
+               sign * (5e-3 + (strain_end - 5e-3) * i / 40.0)));
+    return p.slip();
+  };
+  for (const double sign : {1.0, -1.0}) {
+    REQUIRE(run(sign, 25, 3e-3));
+    CHECK(run(sign, 25, 3e-3)->last == 50);
+    CHECK_FALSE(run(sign, 140, 3e-3));  // unloading
+    CHECK_FALSE(run(sign, 25, 0.1));    // a flow with its strain
+  }
+}

@@ -69,6 +69,25 @@ TEST_CASE("r_u of 0.95 and a double amplitude of 5 %, with their cycles") {
   CHECK(found->double_amplitude->cycle == 6);
 }
 
+TEST_CASE("the cycle of an event is the logger's own, counted from 0, from 1 or in fractions") {
+  // The logger counts two cycles where q turns once up and once down.
+  const auto cycle = [](double from, double each_reading, bool whole) {
+    CycleCounter counter(true);
+    for (int i = 0; i < 1000; ++i) {
+      State state = Cyclic{}.state(i);
+      const double counted = each_reading * i + 1e-9;
+      state.cycle = from + (whole ? std::floor(counted) : counted);
+      counter.add(state);
+    }
+    return counter.loading()->liquefied->cycle;
+  };
+  const int by_q = loading({}, 1000)->liquefied->cycle;
+  CHECK(by_q == 10);
+  CHECK(cycle(0, 1.0 / 40, false) == 20);
+  CHECK(cycle(0, 1.0 / 40, true) == 20);
+  CHECK(cycle(1, 1.0 / 40, true) == 20);
+}
+
 TEST_CASE("cycles about a static shear that the record begins with are counted") {
   CycleCounter counter(true);
   State s = Cyclic{}.state(0);

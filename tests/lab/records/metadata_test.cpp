@@ -30,6 +30,21 @@ TEST_CASE("stages are set by their number and made where they do not exist") {
   CHECK(header.stages.size() == 1);
 }
 
+TEST_CASE("a channel can be said to be sound, and nothing else of it") {
+  RecordHeader header;
+  set_metadata(header, "--set", "sensors.cell_pressure", "sound");
+  set_metadata(header, "--set", "sensors.cell_pressure", "sound");
+  CHECK(header.vouched == std::vector{Quantity::cell_pressure});
+  CHECK_THROWS_WITH(set_metadata(header, "--set", "sensors.cell_pressure", "dead"),
+                    Catch::Contains("expected sound"));
+  CHECK_THROWS_WITH(set_metadata(header, "--set", "sensors.cel_pressure", "sound"),
+                    Catch::Contains("did you mean 'cell_pressure'"));
+  RecordHeader again;
+  std::optional<Truth> truth;
+  read_metadata(again, truth, TomlTable::parse(metadata_toml(header), "a"));
+  CHECK(again.vouched == header.vouched);
+}
+
 TEST_CASE("wrong keys and values are refused with what would be right") {
   RecordHeader header;
   CHECK_THROWS_WITH(

@@ -161,9 +161,11 @@ TEST_CASE("what moved leaves some answers open and rules others out") {
         "stages.5.drainage=open ");
   CHECK(said({{350, 350}, {300, 300}, {8000, 5000}, {3, 27}, {0, 0.18}}, shear, open).empty());
   CHECK(said({{350, 350}, {300, 330}, {8000, 7900}, {3, 27}, {0, 0.18}}, shear, open) ==
-        "stages.5.drainage=closed ");
+        "stages.5.drainage=closed stages.5.control=constant_q ");
   CHECK(said({{350, 350}, {300, 300}, {8000, 5000}, {3, 3.1}, {0, 0.18}}, shear, open) ==
         "stages.5.role=consolidation ");
+  CHECK(said({{350, 350}, {300, 340}, {8000, 5000}, {3, 27}, {0.18, 0.18}}, shear, open) ==
+        "stages.5.control=constant_q ");
   CHECK(said({{350, 450}, {300, 300}, {8000, 5000}, {3, 4}, {0, 0.18}}, consolidation, open) ==
         "stages.5.role=shear ");
   CHECK(said({{350, 450}, {300, 300}, {8000, 5000}, {3, 4}, {0, 0}}, consolidation, open).empty());

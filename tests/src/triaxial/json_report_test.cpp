@@ -83,3 +83,23 @@ TEST_CASE("several tests are an array, the truth belongs to simulations") {
   CHECK(all[1]["test"]["origin"] == "simulated");
   CHECK(all[1]["collapse"]["truth"]["time_s"].get<double>() == Approx(29.95));
 }
+
+TEST_CASE("beside the fitted onset stands its reading; cycles of load where there were any") {
+  auto test = test::flow_test();
+  CHECK(json::parse(json_report({test}))["collapse"]["reading_itself"].is_null());
+  CHECK(json::parse(json_report({test}))["cyclic"].is_null());
+  auto& state = test.stored.state_at_onset.emplace();
+  state.reading = 300;
+  state.q = 61e3;
+  state.p_eff = 99e3;
+  test.stored.summary.cyclic = triax::lab::CyclicLoading{.cycles = 3.5, .stress_ratio = 0.2};
+  test.stored.summary.cyclic->double_amplitude.emplace().instant.reading = 290;
+  const json d = json::parse(json_report({test}));
+  CHECK(d["collapse"]["reading_itself"]["reading"] == 300);
+  CHECK(d["collapse"]["reading_itself"]["q_kPa"].get<double>() == Approx(61));
+  CHECK(d["collapse"]["q_kPa"].get<double>() == Approx(60));
+  CHECK(d["cyclic"]["cycles"].get<double>() == Approx(3.5));
+  CHECK(d["cyclic"]["cyclic_stress_ratio"].get<double>() == Approx(0.2));
+  CHECK(d["cyclic"]["double_amplitude_5_pct"]["reading"] == 290);
+  CHECK(d["cyclic"]["liquefied"].is_null());
+}

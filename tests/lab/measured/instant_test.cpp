@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/instant.hpp"
+#include "lab/measured/instant.hpp"
 
 #include <catch2/catch.hpp>
 
