@@ -82,7 +82,7 @@ class LossOfControl : public CollapseCriterion {
     int readings = 0;
     double least = 0, last = 0;  ///< |q|
     double first_load = 0, load = 0;
-  } after_;                      ///< the burst
+  } after_;  ///< the burst
   std::optional<Fall> fall_;
 };
 

@@ -128,8 +128,8 @@ void set_sensor(RecordHeader& header, const std::string& where, std::string_view
     std::vector<std::string> names;
     for (std::size_t i = 0; i < kQuantityCount; ++i)
       names.emplace_back(info(static_cast<Quantity>(i)).name);
-    throw BadInput(fmt::format("{}: no channel {}; {}", where, excerpt(name),
-                               suggestion(name, names)));
+    throw BadInput(
+        fmt::format("{}: no channel {}; {}", where, excerpt(name), suggestion(name, names)));
   }
   if (value != "sound")
     throw BadInput(
@@ -178,9 +178,9 @@ std::vector<std::string> metadata_keys() {
   std::vector<std::string> keys{"test.name", "test.origin", "test.programme", "test.seed"};
   for (const SpecimenKey& row : specimen_keys())
     keys.push_back("specimen." + full_name(row.name, row.unit));
-  for (const char* key : {"specimen.material", "stages.N.name", "stages.N.role",
-                          "stages.N.drainage", "stages.N.control", "stages.N.strain_path_R",
-                          "sensors.CHANNEL"})
+  for (const char* key :
+       {"specimen.material", "stages.N.name", "stages.N.role", "stages.N.drainage",
+        "stages.N.control", "stages.N.strain_path_R", "sensors.CHANNEL"})
     keys.emplace_back(key);
   return keys;
 }

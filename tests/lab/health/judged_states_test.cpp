@@ -125,10 +125,12 @@ TEST_CASE("a strain that slipped back after the peak ends the verdict there") {
     s.p_eff = 1e3 * double(i <= 50 ? 200 - i : 150 - 3 * (i - 50));
     s.strain.axial = 1e-4 * double(i <= 50 ? i : 100 - i);
     states.add(r, s);
-    while (states.next());
+    while (states.next())
+      ;
   }
   states.finish();
-  while (states.next());
+  while (states.next())
+    ;
   Collapse verdict;
   states.bound(verdict);
   CHECK(verdict.judged_until == 50);

@@ -108,7 +108,8 @@ TEST_CASE("stresses beyond any cell are in another unit, wherever they come") {
   CHECK_THAT(p.impossible(), Contains("another unit"));
 }
 
-TEST_CASE("q that falls at a growing stress ratio while the strain goes back: a gauge that slipped") {
+TEST_CASE(
+    "q that falls at a growing stress ratio while the strain goes back: a gauge that slipped") {
   const auto run = [](double sign, double p_end_kPa, double strain_end) {
     Plausibility p({});
     for (int i = 0; i <= 50; ++i) p.add(at(i, sign * 2.0 * i, 200 - i, sign * i * 1e-4));

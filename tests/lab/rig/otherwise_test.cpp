@@ -17,8 +17,8 @@ std::string record() {
   for (int i = 0; i <= 200; ++i) {
     const double strain = 0.02 * i, x = strain / 0.6;
     const double q = 100 * x * std::exp(1 - x) * (x < 1 ? 1 : 0.8) + (x < 1 ? 0 : 20);
-    text += fmt::format("{:.4f} {:.5f} {:.3f} {:.3f} 300\n", strain, 0.05 * strain / 4,
-                        170 + q / 3, q);
+    text +=
+        fmt::format("{:.4f} {:.5f} {:.3f} {:.3f} 300\n", strain, 0.05 * strain / 4, 170 + q / 3, q);
   }
   return text;
 }
@@ -54,8 +54,8 @@ TEST_CASE("a record is read once more with each answer that was not taken") {
 TEST_CASE("drained, the confinement goes and the strain runs away: a held q, or a faster frame") {
   std::string text = "eps1  epsv  p  q\n%  %  kPa  kPa\n";
   for (int i = 0; i <= 100; ++i)
-    text += fmt::format("{:.4f} {:.5f} {:.3f} {:.3f}\n", 0.005 * i, 0.002 * i, 100 + 0.3 * i,
-                        0.9 * i);
+    text +=
+        fmt::format("{:.4f} {:.5f} {:.3f} {:.3f}\n", 0.005 * i, 0.002 * i, 100 + 0.3 * i, 0.9 * i);
   for (int i = 1; i <= 160; ++i)
     text += fmt::format("{:.4f} {:.5f} {:.3f} {:.3f}\n", 0.5 + 0.002 * i + (i > 150 ? i - 150 : 0),
                         0.2 - 0.0007 * i + (i > 150 ? 0.2 * (i - 150) : 0), 130 - 0.3 * i, 90.0);
