@@ -6,7 +6,8 @@
 // own second-order work turned negative, which no instrument sees.
 //   delay          reading reported as onset − first reading at or after the true instant; its
 //                  absolute value is counted
-//   noticed after  reading at which the monitor first said so − the same first reading
+//   noticed after  reading at which the monitor first said so while the test ran − the same first
+//                  reading; tests of which it said nothing are counted apart ("never")
 //   |error of eta| measured eta at the onset reported − true eta at the true instant
 // Ends with status 1 if a bound is broken.
 #include <fmt/format.h>

@@ -36,6 +36,7 @@ Summary summarise(const std::vector<Outcome>& outcomes) {
   std::vector<double> eta_errors, delays, notice_delays;
   for (const Outcome& o : outcomes) {
     ++(o.collapses ? s.collapsing : s.controls);
+    if (o.collapses && !o.notice_delay) ++s.unnoticed;
     if (!o.detected) continue;
     ++(o.collapses ? s.detected : s.false_alarms);
     if (!o.collapses) continue;

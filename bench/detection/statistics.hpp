@@ -15,9 +15,10 @@ std::optional<double> quantile(std::vector<double> values, double share);
 struct Outcome {
   bool collapses = false;  ///< expected to: a test of a collapsing programme, not a control
   bool detected = false;
-  std::optional<double> eta_error;           ///< |η at the onset reported − η at the true one|
-  std::optional<std::int64_t> delay;         ///< see Summary
-  std::optional<std::int64_t> notice_delay;  ///< the same of the reading at which it was said
+  std::optional<double> eta_error;    ///< |η at the onset reported − η at the true one|
+  std::optional<std::int64_t> delay;  ///< see Summary
+  /// The same of the reading at which it was said; empty where nothing was said while it ran.
+  std::optional<std::int64_t> notice_delay;
 };
 
 struct Spread {
@@ -28,6 +29,7 @@ struct Spread {
 /// value is counted, too early is as wrong as too late.
 struct Summary {
   int collapsing = 0, detected = 0;
+  int unnoticed = 0;  ///< collapsing tests of which nothing was said while they ran
   int controls = 0, false_alarms = 0;
   Spread eta_error, delay, notice_delay;
 

@@ -19,13 +19,15 @@ std::string line(std::string_view method, std::string_view type,
   const auto share = [](int part, int whole) {
     return whole > 0 ? fmt::format("{:.2f}", 100.0 * part / whole) : std::string("-");
   };
+  const bool live = method == kMethods.front();  // the others look afterwards
   return fmt::format(
       "{:<31} {:<9} {:>6} {:>9} {:>7} {:>7} {:>7} {:>7} {:>6} {:>6} {:>6} {:>6} "
-      "{:>6} {:>6}\n",
+      "{:>6} {:>6} {:>6}\n",
       method, type, outcomes.size(), share(s.detected, s.collapsing),
       share(s.false_alarms, s.controls), cell(s.eta_error.half, 4), cell(s.eta_error.most, 4),
       cell(s.eta_error.all, 4), cell(s.delay.half, 0), cell(s.delay.most, 0), cell(s.delay.all, 0),
-      cell(s.notice_delay.half, 0), cell(s.notice_delay.most, 0), cell(s.notice_delay.all, 0));
+      cell(s.notice_delay.half, 0), cell(s.notice_delay.most, 0), cell(s.notice_delay.all, 0),
+      live ? std::to_string(s.unnoticed) : "-");
 }
 
 /// Outcomes of one method by type of programme, the controls of all types together.
@@ -48,12 +50,13 @@ std::vector<Outcome> all(const std::vector<TrialResult>& results, std::size_t me
 
 std::string table(const std::vector<TrialResult>& results) {
   std::string text =
-      fmt::format("{:<31} {:<9} {:>6} {:>9} {:>7} {:^23} {:^20} {:^20}\n", "", "", "", "detected",
-                  "false", "|error of eta|", "|delay|, readings", "noticed after");
+      fmt::format("{:<31} {:<9} {:>6} {:>9} {:>7} {:^23} {:^20} {:^27}\n", "", "", "", "detected",
+                  "false", "|error of eta|", "|delay|, readings", "noticed after, readings");
   text += fmt::format(
-      "{:<31} {:<9} {:>6} {:>9} {:>7} {:>7} {:>7} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}\n",
+      "{:<31} {:<9} {:>6} {:>9} {:>7} {:>7} {:>7} {:>7} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} "
+      "{:>6}\n",
       "method", "type", "tests", "%", "alarm %", "50 %", "95 %", "max", "50 %", "95 %", "max",
-      "50 %", "95 %", "max");
+      "50 %", "95 %", "max", "never");
   for (std::size_t method = 0; method < kMethods.size(); ++method) {
     for (const auto& [type, outcomes] : by_type(results, method))
       text += line(kMethods[method], type, outcomes);

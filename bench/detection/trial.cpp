@@ -145,7 +145,7 @@ TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
   std::optional<Onset> ours;
   if (c.detected() && c.onset) ours = Onset{c.onset->reading, c.onset->eta().value_or(0)};
   r.outcomes[0] = outcome_of(r, ours);
-  if (ours && r.truth_lost) r.outcomes[0].notice_delay = noticed.value_or(now) - r.truth_reading;
+  if (ours && r.truth_lost && noticed) r.outcomes[0].notice_delay = *noticed - r.truth_reading;
   const auto others = naive.onsets();
   for (std::size_t i = 0; i < others.size(); ++i) r.outcomes[i + 1] = outcome_of(r, others[i]);
   return r;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lab/collapse/criteria.hpp"
 #include "lab/measured/instant.hpp"
 
@@ -120,6 +122,13 @@ void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
       fall.normalised_work(), fall.last_high.reading, fall.least.reading, lost, fall.readings + 1);
 }
 
+/// Whether the strength had gone before the first window of readings was full, which places no
+/// onset before its own middle.
+bool is_late(const Instant& onset, const BackboneFall& fall) {
+  return fall.confirmed && onset.reading > fall.last_high.reading &&
+         std::fabs(*onset.q_pa) < (1 - Backbone::kWorth) * std::fabs(fall.peak.q);
+}
+
 /// Cycles that liquefied the specimen, of which each was carried all the same. What is lost for
 /// good is that: q does not turn at that strength again.
 void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
@@ -176,6 +185,8 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   }
   const bool by_backbone = !c.onset && few;
   if (by_backbone) take_backbone(e, *e.backbone, c);
+  if (few && c.onset && is_late(*c.onset, *e.backbone))
+    c.onset = instant_of(e.backbone->last_high, e.has_time);
   if (c.onset && e.fall) c.onset = e.fall;
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;

@@ -153,6 +153,7 @@ class SessionRun {
   TestSummary summary_;
   Pace pace_;
   std::optional<int> stage_;
+  std::optional<std::int64_t> last_reading_;
   std::vector<Warning> aborted_;
   Clock::time_point next_progress_ = Clock::now();
 };
@@ -169,6 +170,7 @@ CollapseListener SessionRun::monitor_listener() {
 void SessionRun::take(const Reading& reading) {
   if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
   stage_ = reading.stage;
+  last_reading_ = reading.number;
   tell_of_the_rig();
   const State state = reduction_.reduce(reading);
   tell(listeners_, &SessionListener::scanned, reading, state);
@@ -213,6 +215,9 @@ void SessionRun::summarise() {
   Collapse& collapse = summary_.collapse;
   collapse = states_.ends_at_mark() ? until_mark_ : monitor_.finish();
   states_.bound(collapse);
+  // What was about to happen when the test broke off is in no reading.
+  if (const std::string why = back_end_.cut_short(); !why.empty() && !collapse.detected())
+    collapse.end_at(last_reading_, why);
   if (options_.otherwise && collapse.judged)
     if (const auto doubt = contradiction(collapse, options_.otherwise())) collapse.withhold(*doubt);
   const auto caveat = gaps_.caveat(collapse);

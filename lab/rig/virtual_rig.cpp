@@ -67,6 +67,11 @@ struct VirtualRig::Impl {
 
   const Stage& stage() const { return programme.stages[stage_index]; }
   void warn(const std::string& text) { header.warnings.push_back({0, text}); }
+  /// The test ends here without having reached its end.
+  void cut(const std::string& why) {
+    warn(why);
+    cut_short = why;
+  }
   void warn_once(bool& done, const std::string& text) {
     if (!std::exchange(done, true)) warn(text);
   }
@@ -107,6 +112,7 @@ struct VirtualRig::Impl {
   std::size_t stage_index = 0;
   Mode mode = Mode::running;
   int safe_readings = 0;
+  std::string cut_short;
   std::size_t next_action = 0;
   PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
@@ -179,9 +185,9 @@ bool VirtualRig::Impl::go(Mode next, EventKind kind, const std::string& detail) 
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
-  if (next == Mode::safe)
-    warn(fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s, stage().name,
-                     detail));
+  const std::string why =
+      fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s, stage().name, detail);
+  if (next == Mode::safe) kind == EventKind::safe_state ? cut(why) : warn(why);
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
   return true;
 }
@@ -239,8 +245,8 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
     if (!step.law_ended || number <= 0)
       throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source,
                                    stage().name, time_s, step.message));
-    warn(fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}",
-                     stage().name, time_s, step.message));
+    cut(fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}",
+                    stage().name, time_s, step.message));
     return false;
   }
   if (step.outcome == sim::StepOutcome::inaccurate)
@@ -248,7 +254,7 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
                                            "accurate than specified",
                                            time_s));
   if (step.outcome == sim::StepOutcome::lost_control) {
-    warn(
+    cut(
         fmt::format("stage \"{}\" ended at {:.6g} s: the specimen cannot follow what is prescribed "
                     "(q = {:.4g} kPa, p' = {:.4g} kPa)",
                     stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
@@ -291,9 +297,11 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
   if (programme.specimen.height_m - step.state.height_m < travel * kRoundOff) return true;
-  warn(fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached", stage().name,
-                   time_s, travel * 1e3));
   const bool fell = step.at_stop && mode == Mode::running;
+  const std::string why =
+      fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached", stage().name,
+                  time_s, travel * 1e3);
+  fell ? cut(why) : warn(why);
   if (fell) mode = Mode::fallen;
   return fell;
 }
@@ -339,6 +347,8 @@ std::optional<Truth> VirtualRig::truth() const {
   truth.run_aways = impl_->run_aways.all();
   return truth;
 }
+
+std::string VirtualRig::cut_short() const { return impl_->cut_short; }
 
 std::vector<Event> VirtualRig::events() { return std::exchange(impl_->events, {}); }
 

@@ -36,6 +36,7 @@ TEST_CASE("detection counts among the collapsing, false alarms among the control
   CHECK(*s.eta_error.all == Approx(0.03));
   CHECK(s.delay.all == 2);  // too early counts as much as too late
   CHECK(s.notice_delay.half == 10);
+  CHECK(s.unnoticed == 1);  // the one that was not detected either; no control is counted
 }
 
 TEST_CASE("without tests of a kind nothing is missed and nothing is false") {

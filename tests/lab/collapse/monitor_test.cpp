@@ -32,6 +32,17 @@ TEST_CASE("a clean peak is a flow collapse with its onset at the peak") {
   CHECK(*c.second_order_work_normalised < 0);
 }
 
+TEST_CASE(
+    "a peak that is over before the first window is full is the onset, not the window's middle") {
+  SyntheticPath path;
+  path.strain_step = 0.006;  // the second reading is the peak, windows have seven
+  const Collapse c = judge(path, 16);
+  REQUIRE(c.kind == CollapseKind::flow);
+  CHECK(c.onset->reading == 1);
+  CHECK(*c.onset->q_pa == Approx(140e3));
+  CHECK(c.criteria[0].reading == 3);
+}
+
 TEST_CASE("what was found so far can be asked for at any time, and changes nothing") {
   SyntheticPath path;
   CollapseMonitor monitor(undrained_header()), other(undrained_header());

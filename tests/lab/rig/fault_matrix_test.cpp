@@ -281,6 +281,7 @@ TEST_CASE("what a loop needs and has died leads to the safe state, within second
       CHECK(out.safe());
       CHECK(out.last_time_s < at + 60);
       CHECK_FALSE(out.summary.collapse.detected());
+      CHECK_FALSE(out.summary.collapse.judged);
     }
 }
 

@@ -36,7 +36,9 @@ class FakeRig : public BackEnd {
     return false;
   }
 
-  std::string aborted_for;
+  std::string cut_short() const override { return cut; }
+
+  std::string aborted_for, cut;
 
  private:
   RecordHeader header_;
@@ -162,4 +164,25 @@ TEST_CASE("a verdict that another answer contradicts is withheld, and both are n
     CHECK(doubtful.judged_until_reason.find(part) != std::string::npos);
   // An answer with which nothing can be judged contradicts nothing.
   CHECK(judged(CollapseKind::none, false, &asked).kind == CollapseKind::flow);
+}
+
+TEST_CASE("a test that was cut short earns no verdict of none; a collapse before that stands") {
+  FakeRig whole(300);  // q rises throughout
+  const Collapse none = run_session(whole, {}).collapse;
+  CHECK(none.judged);
+  CHECK_FALSE(none.detected());
+
+  FakeRig cut(300);
+  cut.cut = "stage \"shear\" ended: the law has no result beyond";
+  const Collapse open = run_session(cut, {}).collapse;
+  CHECK_FALSE(open.judged);
+  CHECK(open.judged_until == 299);
+  CHECK(open.judged_until_reason == cut.cut);
+  for (const Criterion& c : open.criteria) CHECK_FALSE(c.detected);
+
+  FakeRig lost(3000);  // q has fallen to nothing long before
+  lost.cut = cut.cut;
+  const Collapse fell = run_session(lost, {}).collapse;
+  CHECK(fell.judged);
+  CHECK(fell.detected());
 }

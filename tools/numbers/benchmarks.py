@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of docs/benchmarks.md (tools/pages): what the benchmarks print. Minutes each, on a machine that does nothing else."""
+
+
+def replay(triax) -> str:
+    return triax.output_of("bench/replay/run.sh")
+
+
+def verdicts(triax) -> str:
+    return triax.output_of("bench/verdicts/run.sh", "--seeds", "6")
+
+
+def detection(triax) -> str:
+    return triax.output_of("bench/detection/run.sh")
+
+
+def point(triax) -> str:
+    return triax.output_of("bench/point/run.sh")
