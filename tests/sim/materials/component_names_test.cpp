@@ -45,6 +45,9 @@ TEST_CASE("a memory of a tensor that is root 2 times its component says so in it
 TEST_CASE("every entry of a memory has a name of its own, in both spaces") {
   const auto apart = [](std::vector<std::string> names, Eigen::Index size) {
     CHECK(static_cast<Eigen::Index>(names.size()) == size);
+    for (const std::string& name : names)
+      if (name.find("_12") != std::string::npos || name.find("radial") != std::string::npos)
+        CHECK(name.find("_root2") != std::string::npos);
     std::sort(names.begin(), names.end());
     CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
   };
@@ -52,5 +55,4 @@ TEST_CASE("every entry of a memory has a name of its own, in both spaces") {
   apart(moduli.memory_names(), moduli.start(isotropic<Tensor>(1e5), 0.9).memory.size());
   const SanisandModuli<Axisymmetric> flat(test::s28_general());
   apart(flat.memory_names(), flat.start(isotropic<Axisymmetric>(1e5), 0.9).memory.size());
-  CHECK(flat.memory_names()[3] == "alpha_turn_radial_root2");
 }
