@@ -17,6 +17,11 @@ double first_known(std::initializer_list<double> values) {
 /// a/b where that is a number.
 double ratio(double a, double b) { return b != 0 ? a / b : kMissing; }
 
+/// ε_v of a right cylinder whose height and diameter have shortened by these shares.
+double volume_lost(double axial, double radial) {
+  return 1 - (1 - axial) * (1 - radial) * (1 - radial);
+}
+
 }  // namespace
 
 ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stages) {
@@ -73,9 +78,9 @@ void ReducedColumns::take_strains(const Reading& r, State& s) {
                                 ? (*first_void_ratio_ - r[void_ratio]) / (1 + *first_void_ratio_)
                                 : kMissing;
   s.strain.axial = first_known({r[axial_strain], r[shear_strain] + r[volumetric_strain] / 3});
-  s.volumetric_strain = first_known({r[volumetric_strain], r[axial_strain] + 2 * r[radial_strain],
-                                     3 * (r[axial_strain] - r[shear_strain]), lost_voids,
-                                     undrained(r.stage) ? 0.0 : kMissing});
+  s.volumetric_strain = first_known(
+      {r[volumetric_strain], volume_lost(r[axial_strain], r[radial_strain]),
+       3 * (r[axial_strain] - r[shear_strain]), lost_voids, undrained(r.stage) ? 0.0 : kMissing});
   s.strain.radial = (s.volumetric_strain - s.strain.axial) / 2;
   s.void_ratio = r[void_ratio];
   if (std::isnan(s.void_ratio) && void_ratio_start_)

@@ -13,7 +13,7 @@ struct State {
   std::int64_t reading = 0;
   double time_s = kMissing;
   int stage = 1;
-  sim::AxisymmetricStrain strain{kMissing, kMissing};  ///< engineering strains
+  sim::AxisymmetricStrain strain{kMissing, kMissing};  ///< ε₁, and (ε_v − ε₁)/2
   double volumetric_strain = kMissing;                 ///< −dV/V_c, as measured
   double void_ratio = kMissing;
   double area_m2 = kMissing;                                     ///< current, right cylinder

@@ -26,7 +26,8 @@ const ParameterTable<CamClayParameters>& cam_clay_table() {
         .meaning = "p_c over that of a normally consolidated start",
         .range = {.at_least = 1},
         .usual = 1},
-       &P::overconsolidation_ratio}};
+       &P::overconsolidation_ratio},
+      {hyperelastic_choice(), &P::hyperelastic}};
   return table;
 }
 
@@ -39,6 +40,7 @@ LawDescription cam_clay_law() {
 template <class Space>
 CamClay<Space>::CamClay(const CamClayParameters& p) : parameters_(p) {
   check_parameters(p, cam_clay_table());
+  check_hyperelastic(p.hyperelastic);
   if (!(p.swelling_slope < p.compression_slope))
     throw std::invalid_argument("swelling_slope is not below compression_slope, as it must be");
 }
@@ -78,7 +80,10 @@ void CamClay<Space>::response(const State& state, Response<Space>& out) const {
   const auto& par = parameters_;
   StiffnessForm<Space>& form = stiffness_form(out);
   const double bulk = bulk_modulus(state), nu = par.poisson_ratio;
-  form.stiffness = isotropic_stiffness<Space>(bulk, 3 * (1 - 2 * nu) / (2 * (1 + nu)) * bulk);
+  const double shear = 3 * (1 - 2 * nu) / (2 * (1 + nu)) * bulk;
+  form.stiffness = par.hyperelastic != 0
+                       ? hyperelastic_stiffness<Space>(state.stress, state.p(), 1, bulk, shear)
+                       : isotropic_stiffness<Space>(bulk, shear);
   // ∂f/∂σ and ∂f/∂p_c, both over p_c, so that the measure of λ has no unit.
   const double p = state.p(), p_c = preconsolidation(state);
   const double m2 = par.critical_stress_ratio * par.critical_stress_ratio;

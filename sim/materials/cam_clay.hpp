@@ -13,8 +13,16 @@
 // has no instability line below M: undrained, a normally consolidated state keeps q rising up to
 // it.
 //
+// Within the surface K and G at p alone have no energy: a closed cycle of p and q there gains or
+// loses work. `hyperelastic` chooses (sim/materials/hyperelastic.hpp, n = 1)
+//
+//   C = 2G (I − δδᵗ/3) + K σσᵗ/p²
+//
+// with the same K and G. As K grows with 1 + e, what vanishes over every closed cycle is the work
+// per volume of solids, ∮ (1 + e) σ:dε.
+//
 // Memory: p_c (Pa).
-#include "sim/law/parameters.hpp"
+#include "sim/materials/hyperelastic.hpp"
 
 namespace triax::sim {
 
@@ -24,6 +32,7 @@ struct CamClayParameters {
   double critical_stress_ratio = 0;    ///< M
   double poisson_ratio = 0;            ///< ν
   double overconsolidation_ratio = 1;  ///< p_c of the start over that of its stress
+  double hyperelastic = 0;             ///< 1: elasticity from an energy
 };
 
 const ParameterTable<CamClayParameters>& cam_clay_table();

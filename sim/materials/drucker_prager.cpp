@@ -25,6 +25,7 @@ DruckerPrager<Space>::DruckerPrager(const DruckerPragerParameters& p)
       dilation_slope_(stress_ratio_at_friction_angle(p.dilation_angle)),
       cohesion_(6 * p.cohesion_pa * std::cos(p.friction_angle) / (3 - std::sin(p.friction_angle))) {
   check_parameters(p, drucker_prager_table());
+  check_hyperelastic(p.hyperelastic);
   check_strength(p);
 }
 
@@ -47,7 +48,7 @@ std::optional<std::string> DruckerPrager<Space>::warning(const State& state) con
 template <class Space>
 void DruckerPrager<Space>::response(const State& state, Response<Space>& out) const {
   StiffnessForm<Space>& form = stiffness_form(out);
-  form.stiffness = elastic_stiffness<Space>(parameters_, state.p());
+  form.stiffness = elastic_stiffness<Space>(parameters_, state.stress);
   Vector<Space> direction = deviator<Space>(state.stress);
   if (!(direction.norm() > 0)) direction = deviator<Space>(Vector<Space>::Unit(0));
   direction *= std::sqrt(1.5) / direction.norm();

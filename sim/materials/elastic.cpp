@@ -11,9 +11,11 @@ const ParameterTable<ElasticParameters>& elastic_table() {
 }
 
 LawDescription elastic_law() {
-  return describe<Elastic>("elastic", "isotropic elasticity, linear or growing with a power of p'",
-                           "Hooke's law; the power of the mean stress after Janbu (1963)",
-                           elastic_table());
+  return describe<Elastic>(
+      "elastic", "isotropic elasticity, linear or growing with a power of p'",
+      "Hooke's law; the power of the mean stress after Janbu (1963), with an energy "
+      "after Houlsby, Amorosi and Rojas (2005)",
+      elastic_table());
 }
 
 double young_modulus(const ElasticParameters& p, double p_pa) {
@@ -25,11 +27,12 @@ double young_modulus(const ElasticParameters& p, double p_pa) {
 template <class Space>
 Elastic<Space>::Elastic(const ElasticParameters& p) : parameters_(p) {
   check_parameters(p, elastic_table());
+  check_hyperelastic(p.hyperelastic);
 }
 
 template <class Space>
 void Elastic<Space>::response(const State& state, Response<Space>& out) const {
-  stiffness_form(out).stiffness = elastic_stiffness<Space>(parameters_, state.p());
+  stiffness_form(out).stiffness = elastic_stiffness<Space>(parameters_, state.stress);
 }
 
 template class Elastic<Axisymmetric>;

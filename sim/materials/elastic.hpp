@@ -6,10 +6,12 @@
 //
 // p is p′ (Pa), compression positive. With n = 0 the law is linear and carries tension. With n > 0
 // it is hypoelastic: a relation between rates that no energy stands behind, so that a closed cycle
-// of strain that changes p and q together need not close in stress; it ends at p′ = 0.
+// of strain that changes p and q together need not close in stress, and one of stress gains or
+// loses work; it ends at p′ = 0. `hyperelastic` chooses the form that has an energy instead
+// (sim/materials/hyperelastic.hpp), with the same E under isotropic stress.
 //
 // The plastic laws that are elastic within take the parameters and the stiffness from here.
-#include "sim/law/parameters.hpp"
+#include "sim/materials/hyperelastic.hpp"
 
 namespace triax::sim {
 
@@ -18,6 +20,7 @@ struct ElasticParameters {
   double poisson_ratio = 0;          ///< ν
   double pressure_exponent = 0;      ///< n, 0: linear
   double reference_pressure_pa = 0;  ///< p_ref; without meaning where n = 0
+  double hyperelastic = 0;           ///< 1: from an energy
 };
 
 /// Key, symbol, unit and range of each parameter, for a law whose parameters hold these.
@@ -41,7 +44,8 @@ ParameterTable<Parameters> elastic_rows() {
             .meaning = "p' at which E is E_ref",
             .range = {.above = 0},
             .usual = 100},
-           &P::reference_pressure_pa}};
+           &P::reference_pressure_pa},
+          {hyperelastic_choice(), &P::hyperelastic}};
 }
 
 const ParameterTable<ElasticParameters>& elastic_table();
@@ -50,11 +54,17 @@ LawDescription elastic_law();
 /// E at p′. Pre-condition: p′ > 0 unless n = 0.
 double young_modulus(const ElasticParameters& parameters, double p_pa);
 
-/// C at p′, Pa. Pre-condition: p′ > 0 unless n = 0.
+/// C of a stress, Pa. Pre-condition: p′ > 0 unless n = 0.
 template <class Space>
-Matrix<Space> elastic_stiffness(const ElasticParameters& parameters, double p_pa) {
-  const double e = young_modulus(parameters, p_pa), nu = parameters.poisson_ratio;
-  return isotropic_stiffness<Space>(e / (3 * (1 - 2 * nu)), e / (2 * (1 + nu)));
+Matrix<Space> elastic_stiffness(const ElasticParameters& parameters, const Vector<Space>& stress) {
+  const double nu = parameters.poisson_ratio, n = parameters.pressure_exponent;
+  const bool potential = parameters.hyperelastic != 0 && n != 0;
+  const double p = potential ? equivalent_pressure<Space>(stress, n, 2 * (1 + nu) / (3 - 6 * nu))
+                             : mean_stress<Space>(stress);
+  const double e = young_modulus(parameters, p);
+  const double bulk = e / (3 * (1 - 2 * nu)), shear = e / (2 * (1 + nu));
+  return potential ? hyperelastic_stiffness<Space>(stress, p, n, bulk, shear)
+                   : isotropic_stiffness<Space>(bulk, shear);
 }
 
 template <class Space>

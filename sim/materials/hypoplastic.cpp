@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/materials/component_names.hpp"
+
 namespace triax::sim {
 namespace {
 
@@ -161,11 +163,9 @@ PointState<Space> Hypoplastic<Space>::start(const Vector<Space>& stress, double 
 template <class Space>
 std::vector<std::string> Hypoplastic<Space>::memory_names() const {
   if (!has_intergranular_strain()) return {};
-  if constexpr (kSize == 2)
-    return {"intergranular_axial", "intergranular_radial_root2"};
-  else
-    return {"intergranular_11",       "intergranular_22",       "intergranular_33",
-            "intergranular_12_root2", "intergranular_13_root2", "intergranular_23_root2"};
+  std::vector<std::string> names;
+  name_components<Space>("intergranular", names);
+  return names;
 }
 
 template <class Space>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/materials/component_names.hpp"
 #include "sim/materials/strength.hpp"
 #include "sim/mechanics/linear_algebra.hpp"
 
@@ -66,6 +67,7 @@ MohrCoulomb<Space>::MohrCoulomb(const MohrCoulombParameters& p)
       flow_sine_(std::sin(p.dilation_angle)),
       cohesion_(p.cohesion_pa * std::cos(p.friction_angle)) {
   check_parameters(p, mohr_coulomb_table());
+  check_hyperelastic(p.hyperelastic);
   check_strength(p);
 }
 
@@ -130,7 +132,10 @@ PointState<Space> MohrCoulomb<Space>::start(const Vector<Space>& stress, double 
 template <class Space>
 std::vector<std::string> MohrCoulomb<Space>::memory_names() const {
   if constexpr (Space::kSize == 2) return {};
-  return {"frame_11", "frame_22", "frame_33", "frame_12", "frame_13", "frame_23", "place"};
+  std::vector<std::string> names;
+  name_components<Space>("frame", names);
+  names.emplace_back("place");
+  return names;
 }
 
 template <class Space>
@@ -151,7 +156,7 @@ std::optional<std::string> MohrCoulomb<Space>::warning(const State& state) const
 template <class Space>
 void MohrCoulomb<Space>::response(const State& state, Response<Space>& out) const {
   StiffnessForm<Space>& form = stiffness_form(out);
-  form.stiffness = elastic_stiffness<Space>(parameters_, state.p());
+  form.stiffness = elastic_stiffness<Space>(parameters_, state.stress);
   if constexpr (Space::kSize == 2) {
     const auto compression = [](double sine) {
       return Vector<Space>(1 - sine, -(1 + sine) / std::numbers::sqrt2);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/materials/component_names.hpp"
+
 namespace triax::sim {
 namespace {
 
@@ -78,13 +80,7 @@ PointState<Space> Sanisand<Space>::start(const Vector<Space>& stress, double voi
 template <class Space>
 std::vector<std::string> Sanisand<Space>::memory_names() const {
   std::vector<std::string> names;
-  for (const char* part : {"alpha", "alpha_in", "fabric"})
-    for (int i = 0; i < kSize; ++i) {
-      static constexpr std::array<const char*, 6> kTensor{"11", "22", "33", "12", "13", "23"};
-      static constexpr std::array<const char*, 2> kTriaxial{"axial", "radial"};
-      const auto u = static_cast<std::size_t>(i);
-      names.push_back(std::string(part) + "_" + (kSize == 2 ? kTriaxial[u % 2] : kTensor[u]));
-    }
+  for (const char* part : {"alpha", "alpha_in", "fabric"}) name_components<Space>(part, names);
   return names;
 }
 

@@ -85,7 +85,10 @@ class Runner {
     SegmentWitnesses<Space> witnesses(parts);
     now_.progress = now_.fraction = 0;
     now_.rate = parts.rate_at(now_.state);
-    if (first) result_.rows.push_back(point(now_));
+    if (first) {
+      result_.rows.push_back(point(now_));
+      note_peak(now_);
+    }
     if (note_start(witnesses.at_start(now_))) return end_by_condition();
     const int per_row = parts.count() / segment().rows;
     for (int i = 0; i < parts.count() && going_; ++i) {

@@ -64,6 +64,15 @@ void cut(const OctolinearZone& zone, std::vector<UnstableSector>& sectors) {
   }
 }
 
+/// Least W₂/|dσ|² in a zone.
+double least_of(const OctolinearZone& zone) {
+  const double own = least_direction(zone.compliance.matrix);
+  double least = std::numeric_limits<double>::infinity();
+  for (const double angle : {zone.from, zone.to, own, own + kPi})
+    if (zone.contains(angle)) least = std::min(least, zone.compliance.work(angle));
+  return least;
+}
+
 std::vector<UnstableSector> joined(std::vector<UnstableSector> sectors) {
   std::ranges::sort(sectors, {}, &UnstableSector::from);
   std::vector<UnstableSector> cones;
@@ -115,12 +124,12 @@ std::vector<UnstableSector> unstable_sectors(const std::vector<OctolinearZone>& 
 
 double least_work(const std::vector<OctolinearZone>& zones) {
   double least = std::numeric_limits<double>::infinity();
-  for (const OctolinearZone& zone : zones) {
-    const double own = least_direction(zone.compliance.matrix);
-    for (const double angle : {zone.from, zone.to, own, own + kPi})
-      if (zone.contains(angle)) least = std::min(least, zone.compliance.work(angle));
-  }
+  for (const OctolinearZone& zone : zones) least = std::min(least, least_of(zone));
   return least;
+}
+
+const OctolinearZone& weakest_zone(const std::vector<OctolinearZone>& zones) {
+  return *std::ranges::min_element(zones, {}, least_of);
 }
 
 std::optional<double> least_determinant(const std::vector<OctolinearZone>& zones) {

@@ -108,6 +108,43 @@ class Fall {
   bool met_ = false;
 };
 
+/// Looks for the peak and for W₂ = 0 while the stress has not vanished.
+class Turns {
+ public:
+  Turns(const Run& run, double least_p) : run_(run), least_p_(least_p) {}
+
+  void look_at(const Place& start, StrainPath& path) {
+    if (above(start) <= 0) {
+      path.vanished = run_.point(start);
+      return;
+    }
+    stress_falls_.met(run_.growth(start));
+    if (work_falls_.met(work(start))) path.first_unstable = run_.point(start);
+  }
+
+  void look_between(const Place& from, const Place& to, StrainPath& path) {
+    if (path.vanished) return;
+    const auto growth = [this](const Place& at) { return run_.growth(at); };
+    if (stress_falls_.met(growth(to))) path.peak = isolated(from, growth);
+    if (work_falls_.met(work(to))) path.first_unstable = isolated(from, work);
+    if (above(to) <= 0)
+      path.vanished = run_.point(run_.isolate(from, [this](const Place& at) { return above(at); }));
+  }
+
+ private:
+  double above(const Place& at) const { return at.state.p() - least_p_; }
+
+  template <class Witness>
+  std::optional<StrainPathPoint> isolated(const Place& from, const Witness& witness) const {
+    const Place at = run_.isolate(from, witness);
+    return above(at) > 0 ? std::optional(run_.point(at)) : std::nullopt;
+  }
+
+  const Run& run_;
+  double least_p_;
+  Fall stress_falls_, work_falls_;
+};
+
 }  // namespace
 
 StrainPath strain_path(const Law<Axisymmetric>& law, const PointState<Axisymmetric>& start,
@@ -118,18 +155,14 @@ StrainPath strain_path(const Law<Axisymmetric>& law, const PointState<Axisymmetr
   const int to_a_row = (kLeastParts + options.rows - 1) / options.rows;
   const int parts = options.rows * to_a_row;
   const Run run(law, R, options.axial_strain / parts, {.relative = options.tolerance});
-  const auto growth = [&run](const Place& at) { return run.growth(at); };
-
   StrainPath path{.R = R};
   Place at = run.begin(start);
   path.points.push_back(run.point(at));
-  Fall stress_falls, work_falls;
-  stress_falls.met(growth(at));
-  if (work_falls.met(work(at))) path.first_unstable = run.point(at);
+  Turns turns(run, options.least_p);
+  turns.look_at(at, path);
   for (int i = 1; i <= parts && path.message.empty(); ++i) {
     const Place next = run.after(at, 1, path.message);
-    if (stress_falls.met(growth(next))) path.peak = run.point(run.isolate(at, growth));
-    if (work_falls.met(work(next))) path.first_unstable = run.point(run.isolate(at, work));
+    turns.look_between(at, next, path);
     at = next;
     if (i % to_a_row == 0 || !path.message.empty()) path.points.push_back(run.point(at));
   }

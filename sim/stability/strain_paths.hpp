@@ -28,6 +28,8 @@ struct StrainPath {
   std::optional<StrainPathPoint> peak;  ///< first one of σ₁′ − σ₃′/R, isolated; empty: none
   /// Where W₂ first turns negative, isolated; the start where it is so there already.
   std::optional<StrainPathPoint> first_unstable;
+  /// Where p′ first falls below least_p: neither of the two is looked for from there on.
+  std::optional<StrainPathPoint> vanished;
   std::string message;  ///< why it ended before the strain asked; empty: it did not
 };
 
@@ -35,6 +37,10 @@ struct StrainPathOptions {
   double axial_strain = 0.05;  ///< to which dε₁ > 0 is imposed
   int rows = 200;
   double tolerance = 1e-8;  ///< of the integration, relative
+  /// p′ (Pa) below which the stress counts as vanished. A dilatant path of sand ends at p′ = 0 in a
+  /// last small hump of σ₁′ − σ₃′/R, which laws that keep a liquefied state alive there make
+  /// (SANISAND and its moduli fade their contraction below 0.02 p_at); it is no peak of the soil.
+  double least_p = 2e3;
 };
 
 /// Events are isolated to 1e-10 of a part, one of at least 500 equal ones: a peak that comes and

@@ -63,6 +63,9 @@ Command element_command() {
            "Beyond the limit load the run stops, says which condition cannot be held any longer "
            "and where, and ends with status 1 after it has printed its results. --save-failure "
            "writes the increment that could not be done as a path of its own.",
+           "Of what a law remembers, columns memory.NAME, those that end in _root2 hold sqrt(2) "
+           "times "
+           "the component of the tensor; [start] memory is given in the same measure.",
            "PATH may also be a folder with test.inp, parameters.inp and initialconditions.inp of "
            "Niemunis' incrementalDriver, or the test.inp (of any name that ends in .inp) in it; "
            "--set umat=libNAME.so names the library with its UMAT."},
@@ -70,6 +73,8 @@ Command element_command() {
           {{"control of q_kPa is lost ...",
             "the material cannot carry more: reduce the load, or control a strain instead"},
            {"... is out of range for ...", "the start lies outside what the law can describe"},
+           {"the closed cycle of stress ... gives ... more than it takes",
+            "bulk and shear modulus that follow p' alone have no energy: --set hyperelastic=1"},
            {"undrained needs one condition on a total stress",
             "the pore pressure would be undetermined: add radial_stress_kPa = 0, say"}},
       .examples =

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/output/words.hpp"
 
 namespace triax::src {
@@ -57,11 +59,17 @@ std::string lost_in_words(const study::Controllability& control) {
 
 std::string roots_in_words(const study::Controllability& control) {
   if (control.compliance.empty()) return "no compliance to write it with";
+  const auto& roots = control.roots;
+  if (roots.empty())
+    return "no real root" + (control.by_zones ? " in any zone" : ", " + control.compliance);
+  const bool of_one = std::ranges::all_of(
+      roots, [&](const auto& root) { return root.compliance == roots.front().compliance; });
   std::string words;
-  for (const auto& root : control.roots)
-    words += fmt::format("{}R {} (α {}°, dε₁/dσ₃ {:.3e} 1/kPa)", words.empty() ? "" : ", ",
-                         unit_free(root.R), in_degrees(root.angle), 1e3 * root.failure_rule);
-  return (words.empty() ? "no real root" : words) + ", " + control.compliance;
+  for (const auto& [root, compliance] : roots)
+    words += fmt::format("{}R {} (α {}°, dε₁/dσ₃ {:.3e} 1/kPa{})", words.empty() ? "" : ", ",
+                         unit_free(root.R), in_degrees(root.angle), 1e3 * root.failure_rule,
+                         of_one ? "" : ", " + compliance);
+  return words + (of_one ? ", " + roots.front().compliance : "");
 }
 
 Table scan_table(const study::Controllability& control) {

@@ -145,10 +145,11 @@ study::Json control_json(const study::Controllability& control) {
     conditions.push_back(named_json(at));
     conditions.back()["limiting_variable"] = study::json_text(at.limiting_variable);
   }
-  for (const auto& root : control.roots)
+  for (const auto& [root, compliance] : control.roots)
     roots.push_back({{"R", study::json_number(root.R)},
                      {"alpha_deg", study::json_deg(root.angle)},
-                     {"failure_rule_per_kPa", study::json_number(1e3 * root.failure_rule)}});
+                     {"failure_rule_per_kPa", study::json_number(1e3 * root.failure_rule)},
+                     {"compliance", compliance}});
   const auto& determinant = control.symmetric_determinant;
   return {{"by", "rate"},
           {"scan", std::move(scan)},

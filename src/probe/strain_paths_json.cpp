@@ -34,6 +34,7 @@ std::string strain_paths_json(const study::StrainPathsResult& result) {
     paths.push_back({{"R", path.R},
                      {"peak", point_json(path.peak)},
                      {"first_unstable", point_json(path.first_unstable)},
+                     {"vanished", point_json(path.vanished)},
                      {"message", study::json_text(path.message)},
                      {"points", std::move(points)}});
   }

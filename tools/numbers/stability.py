@@ -63,6 +63,27 @@ def control(triax) -> str:
     return "\n".join(lines)
 
 
+def limit_of_peaks(triax, material: str, with_peak: float, without: float) -> float:
+    """R, to 0.005, between a strain path with a peak and one without."""
+    while abs(with_peak - without) > 0.005:
+        middle = round((with_peak + without) / 2, 4)
+        path = triax.documents("probe", "--material", material, "--void-ratio", "1.086", "--p-kPa", "100",
+                               "--strain-paths", str(middle))[0]["strain_paths"][0]
+        if path["peak"]:
+            with_peak = middle
+        else:
+            without = middle
+    return with_peak
+
+
+def strain_paths(triax) -> str:
+    lines = ["| law | a peak for R from | to |", "|---|---|---|"]
+    for words, material in (("INL2", "inl2/S28-general"), ("octolinear", "octolinear/S28-general"),
+                            ("SANISAND", "sanisand/S28-general"), ("hypoplasticity", "hypoplastic/S28-MT")):
+        lines.append(f"| {words} | {limit_of_peaks(triax, material, 1, 0.1):.2f} | {limit_of_peaks(triax, material, 1, 3):.2f} |")
+    return "\n".join(lines)
+
+
 def boundary(document: dict, p_kPa: float) -> dict:
     near = [b for b in document["boundaries"] if b["side"] == "compression"]
     return min(near, key=lambda b: abs(b["p_eff_kPa"] - p_kPa))

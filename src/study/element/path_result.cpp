@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "lab/paths/path_writer.hpp"
+#include "src/study/element/closed_cycles.hpp"
 #include "src/study/element/path_columns.hpp"
 #include "src/study/number_text.hpp"
 
@@ -101,6 +102,9 @@ PathResult path_result(const lab::PathDescription& description,
   out.warnings = description.warnings;
   out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
   warn_of_range(description.material, result.rows, out.warnings);
+  if (const auto cycle = least_closed_cycle(result))
+    if (auto words = gain_in_words(*cycle, path.segments[cycle->segment].name))
+      out.warnings.push_back(std::move(*words));
   out.rows.reserve(result.rows.size());
   for (const auto& row : result.rows) out.rows.push_back(point(row));
   out.message = verdict(out, result.message);

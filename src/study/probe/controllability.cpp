@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/probe/controllability.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <numbers>
 #include <variant>
 
 #include "sim/stability/plane_rate.hpp"
@@ -13,28 +14,45 @@ namespace {
 using sim::Axisymmetric;
 using sim::Tensor;
 
-/// Of zone (−, −, −), which the moduli of the paper's equations belong to.
-sim::PlaneCompliance zone_of(const sim::InterpolatedForm<Axisymmetric>& form) {
-  return sim::plane_compliance(sim::zone_compliance(form, sim::ZoneSigns{}));
+std::string zone_words(const sim::InterpolatedForm<Axisymmetric>&, const sim::ZoneSigns& signs) {
+  const auto sign = [&signs](std::size_t i) { return signs.loading[i] ? "+" : "-"; };
+  return fmt::format("zone ({}, {})", sign(0), sign(2));
 }
-sim::PlaneCompliance zone_of(const sim::InterpolatedForm<Tensor>& form) {
-  return sim::plane_compliance(sim::principal_moduli(sim::zone_compliance(form, sim::ZoneSigns{})));
+std::string zone_words(const sim::InterpolatedForm<Tensor>&, const sim::ZoneSigns& signs) {
+  const auto sign = [&signs](std::size_t i) { return signs.loading[i] ? "+" : "-"; };
+  return fmt::format("zone ({}, {}, {})", sign(0), sign(1), sign(2));
 }
 
+/// By the moduli of all zones.
 template <class Space>
-std::optional<sim::PlaneCompliance> compliance_of(const sim::IncrementalResponse<Space>& response,
-                                                  const sim::Probe& least, std::string& whose) {
-  const auto form = response.law().response(response.state());
-  if (const auto* interpolated = std::get_if<sim::InterpolatedForm<Space>>(&form)) {
-    whose = interpolated->quadratic ? "zone (-, -) of the octolinear law with these moduli"
-                                    : "zone (-, -)";
-    return zone_of(*interpolated);
-  }
-  if (!least.answered) return std::nullopt;
+void put_roots(const sim::InterpolatedForm<Space>& form, Controllability& found) {
+  const auto words = [&form](const sim::ZoneSigns& signs) {
+    return zone_words(form, signs) +
+           (form.quadratic ? " of the octolinear law with these moduli" : "");
+  };
+  const auto zones = sim::octolinear_zones(form);
+  found.by_zones = true;
+  if (zones.empty()) return;
+  const sim::OctolinearZone& weakest = sim::weakest_zone(zones);
+  found.compliance = words(weakest.signs);
+  found.symmetric_determinant = weakest.compliance.symmetric_determinant();
+  for (const sim::ControlRoot& root : sim::control_roots(zones))
+    found.roots.push_back({root, words(*root.zone)});
+}
+
+/// By tangents.
+template <class Space>
+void put_roots(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
+               Controllability& found) {
+  if (!least.answered) return;
   const auto rate = sim::stress_rate(response, sim::angle_of(least.stress));
-  if (!rate.controllable) return std::nullopt;
-  whose = "tangent of the least direction";
-  return sim::plane_compliance(response, rate);
+  if (!rate.controllable) return;
+  const auto compliance = sim::plane_compliance(response, rate);
+  if (!compliance) return;
+  found.compliance = "tangent of the least direction";
+  found.symmetric_determinant = compliance->symmetric_determinant();
+  for (const sim::ControlRoot& root : sim::control_roots(response))
+    found.roots.push_back({root, "tangent of its own direction"});
 }
 
 }  // namespace
@@ -74,15 +92,11 @@ Controllability control_of(const sim::IncrementalResponse<Space>& response, cons
     found.named = sim::control_indices(response, sim::triaxial_controls());
     found.conditions = sim::control_indices(response, conditions);
   }
-  const auto compliance = compliance_of(response, least, found.compliance);
-  if (!compliance) {
-    found.compliance.clear();
-    return found;
-  }
-  found.symmetric_determinant = compliance->symmetric_determinant();
-  for (const double root : sim::control_quadratic(*compliance).roots())
-    found.roots.push_back({root, sim::failure_angle(compliance->plane, root) + std::numbers::pi,
-                           sim::failure_rule(*compliance, root)});
+  const auto form = response.law().response(response.state());
+  if (const auto* interpolated = std::get_if<sim::InterpolatedForm<Space>>(&form))
+    put_roots(*interpolated, found);
+  else
+    put_roots(response, least, found);
   return found;
 }
 

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "sim/stability/control_roots.hpp"
 #include "sim/stability/controllability.hpp"
 
 namespace triax::study {
 
-/// A root of Eq. (34) or (35), with the mode that it leaves free.
-struct ControlRoot {
-  double R = 0;
-  double angle = 0;         ///< α of its stress that unloads, rad in (π, 2π)
-  double failure_rule = 0;  ///< dε₁/dσ₃ of Eq. (40) or (41), 1/Pa
+/// A root of Eq. (34) or (35), in words.
+struct NamedRoot {
+  sim::ControlRoot at;
+  std::string compliance;  ///< whose moduli it is a root of: "zone (-, +, -)"
 };
 
 struct Controllability {
@@ -22,12 +22,13 @@ struct Controllability {
   int asked = 0, unanswered = 0;              ///< controls of that search, of both senses
   std::vector<sim::ControlIndex> named;       ///< axisymmetry only
   std::vector<sim::ControlIndex> conditions;  ///< that were asked for; axisymmetry only
-  /// Whose compliance Eq. (34) or (35) is written with: that of zone (-, -) where there are
-  /// zones (of INL2: with its moduli), else that of the tangent of the least direction; empty:
-  /// there is none.
+  /// Whose compliance `symmetric_determinant` is that of: of the zone that holds the least W₂ where
+  /// there are zones (of INL2: those of octolinear with its moduli), else of the tangent of the
+  /// least direction; empty: there is none.
   std::string compliance;
-  std::optional<double> symmetric_determinant;  ///< det Mˢ, 1/Pa²; below 0: two roots
-  std::vector<ControlRoot> roots;               ///< by rising R
+  bool by_zones = false;                        ///< the roots are those of all zones
+  std::optional<double> symmetric_determinant;  ///< det Mˢ, 1/Pa²
+  std::vector<NamedRoot> roots;                 ///< by rising R, each of its own zone or tangent
 };
 
 /// Ranges of R in which control of either sense is lost, rising and apart.

@@ -26,9 +26,16 @@ StrainPathsResult strain_paths(const StrainPathsRequest& request) {
        {lab::void_ratio_outside(material, void_ratio), lab::p_eff_outside(material, p)})
     if (words) result.warnings.push_back(*words);
   for (const double one : R) {
-    result.paths.push_back(sim::strain_path(*law, start, one, {.axial_strain = axial_strain}));
-    if (!result.paths.back().message.empty())
-      result.warnings.push_back(fmt::format("R {:g}: {}", one, result.paths.back().message));
+    const sim::StrainPathOptions options{.axial_strain = axial_strain};
+    const sim::StrainPath& path =
+        result.paths.emplace_back(sim::strain_path(*law, start, one, options));
+    if (path.vanished && !path.peak)
+      result.warnings.push_back(
+          fmt::format("R {:g}: p' falls below {:g} kPa at an axial strain of {:.4g} % without a "
+                      "peak; none is looked for beyond",
+                      one, options.least_p / 1e3, 100 * path.vanished->axial_strain));
+    if (!path.message.empty())
+      result.warnings.push_back(fmt::format("R {:g}: {}", one, path.message));
   }
   return result;
 }

@@ -263,6 +263,23 @@ TEST_CASE("a stress that vanishes is a failure that says so, and large strains a
   CHECK(far.warnings[0].find("strains above 100 %") != std::string::npos);
 }
 
+TEST_CASE("a path that begins at its largest q has its peak at the start") {
+  TriaxialPath path;
+  path.stress = components(AxisymmetricStress{160e3, 80e3});
+  path.void_ratio = 0.8;
+  path.segments = {loading(-60e3, false), loading(20e3, false)};
+  const auto result = run_path(kSand, path);
+  REQUIRE(result.outcome == StepOutcome::accepted);
+  REQUIRE(result.peak);
+  CHECK(result.peak->q() == Approx(80e3).epsilon(1e-12));
+  CHECK(result.peak->segment == 0);
+  CHECK(result.peak->progress == 0);
+  CHECK(result.peak->strain.isZero(0));
+  // In extension the largest |q| counts; a larger one later is the peak again.
+  path.segments = {loading(-60e3, false), loading(75e3, false)};
+  CHECK(run_path(kSand, path).peak->q() == Approx(95e3).epsilon(1e-9));
+}
+
 TEST_CASE("a deviator stress of round-off is no peak") {
   auto path = from_isotropic(100e3, 1.0);
   auto swelling = compression(-1e-3, false);

@@ -99,6 +99,38 @@ TEST_CASE("the plateau of perfect plasticity is no peak") {
   CHECK(strain_path(material, material.isotropic(1e5, 0.8), 0.8).peak);
 }
 
+TEST_CASE("the hump of a stress that vanishes is no peak: the least R with a peak") {
+  const auto material = inl2();
+  const auto start = material.isotropic(100e3, 1.086);
+  const auto at = [&](double R, double least_p) {
+    return strain_path(material, start, R, {.axial_strain = 0.02, .least_p = least_p});
+  };
+  // Without the bound a hump inside the fade below 2 kPa is found.
+  const auto hump = at(0.52, 0).peak;
+  REQUIRE(hump);
+  CHECK(hump->p < 2e3);
+  const auto judged = at(0.52, 2e3);
+  CHECK_FALSE(judged.peak);
+  CHECK_FALSE(judged.first_unstable);
+  REQUIRE(judged.vanished);
+  CHECK(judged.vanished->p == Approx(2e3).epsilon(1e-6));
+
+  double without = 0.5, with = 0.7;
+  while (with - without > 1e-3) {
+    const double middle = (with + without) / 2;
+    (at(middle, 2e3).peak ? with : without) = middle;
+  }
+  CHECK(with > 0.575);
+  CHECK(with < 0.605);
+  CHECK(at(with, 2e3).peak->p >= 2e3);
+
+  const auto from_below =
+      strain_path(material, material.isotropic(1.9e3, 1.086), 1, {.axial_strain = 1e-3});
+  CHECK_FALSE(from_below.peak);
+  REQUIRE(from_below.vanished);
+  CHECK(from_below.vanished->axial_strain == 0);
+}
+
 TEST_CASE("a path that starts unstable says so at its start") {
   const auto material = inl2();
   const auto path =

@@ -39,8 +39,8 @@ Seen at(const std::string& material, double eta, const std::vector<double>& R = 
 TEST_CASE("INL2 at eta 0.55: the printed roots of Eq. (34) in zone (-, -), and its determinant") {
   const auto control = at<Axisymmetric>("inl2/S28-general", 0.55).control;
   REQUIRE(control.roots.size() == 2);
-  CHECK(control.roots[0].R == Approx(0.2537).margin(5e-5));
-  CHECK(control.roots[1].R == Approx(1.3407).margin(5e-5));
+  CHECK(control.roots[0].at.R == Approx(0.2537).margin(5e-5));
+  CHECK(control.roots[1].at.R == Approx(1.3407).margin(5e-5));
   CHECK(1e6 * *control.symmetric_determinant == Approx(-3.617e-9).epsilon(2e-4));
   CHECK(control.compliance.find("zone (-, -) of the octolinear law") == 0);
   CHECK(control.lost.empty());  // INL2 itself still holds every R
@@ -53,11 +53,11 @@ TEST_CASE("the roots are the edges of the cone where the zone holds it, and cont
     const auto [control, circle] = at<Axisymmetric>(name, 0.6);
     REQUIRE(circle.cones.size() == 1);
     REQUIRE(control.roots.size() == 2);
-    CHECK(control.roots[0].angle == Approx(circle.cones[0].to).epsilon(1e-7));
-    CHECK(control.roots[1].angle == Approx(circle.cones[0].from).epsilon(1e-7));
+    CHECK(control.roots[0].at.angle == Approx(circle.cones[0].to).epsilon(1e-7));
+    CHECK(control.roots[1].at.angle == Approx(circle.cones[0].from).epsilon(1e-7));
     REQUIRE(control.lost.size() == 1);
-    CHECK(control.lost[0].from == Approx(control.roots[0].R).epsilon(1e-6));
-    CHECK(control.lost[0].to == Approx(control.roots[1].R).epsilon(1e-6));
+    CHECK(control.lost[0].from == Approx(control.roots[0].at.R).epsilon(1e-6));
+    CHECK(control.lost[0].to == Approx(control.roots[1].at.R).epsilon(1e-6));
     CHECK(*control.symmetric_determinant < 0);
   }
 }
@@ -73,6 +73,35 @@ TEST_CASE("undrained control by load is the control of R = 1") {
   CHECK_FALSE(lost.scan[0].index);
   CHECK_FALSE(lost.scan[0].controllable);
   CHECK(lost.scan[0].mode.normalised < 0);
+}
+
+TEST_CASE("Eq. (35) is written with the zone that its roots lie in, and says which") {
+  const auto control = at<Tensor>("octolinear/S28-general", 0.68).control;
+  REQUIRE(control.roots.size() == 2);
+  REQUIRE(control.lost.size() == 1);
+  CHECK(control.lost[0].from == Approx(control.roots[0].at.R).epsilon(1e-6));
+  CHECK(control.lost[0].to == Approx(control.roots[1].at.R).epsilon(1e-6));
+  CHECK(control.compliance == "zone (-, +, -)");
+  CHECK(*control.symmetric_determinant < 0);
+  const std::string words = src::roots_in_words(control);
+  CHECK(words.find("R 0.6286 (") == 0);
+  CHECK(words.find("1/kPa), zone (-, +, -)") != std::string::npos);
+
+  // Of two zones each root says its own.
+  auto mixed = control;
+  mixed.roots[1].compliance = "zone (-, -, -)";
+  CHECK(src::roots_in_words(mixed).find("1/kPa, zone (-, +, -)), R 1.108 (") != std::string::npos);
+  CHECK(src::roots_in_words(at<Tensor>("octolinear/S28-general", 0.3).control) ==
+        "no real root in any zone");
+}
+
+TEST_CASE("of an incrementally nonlinear law the roots are where its own control ends") {
+  const auto control = at<Axisymmetric>("hypoplastic/S28-MT", 0.6).control;
+  REQUIRE(control.roots.size() == 2);
+  REQUIRE(control.lost.size() == 1);
+  CHECK(control.roots[0].at.R == Approx(control.lost[0].from).epsilon(1e-6));
+  CHECK(control.roots[1].at.R == Approx(control.lost[0].to).epsilon(1e-6));
+  CHECK(src::roots_in_words(control).find("tangent of its own direction") != std::string::npos);
 }
 
 TEST_CASE("elasticity holds every R, in both planes, and Eq. (34) has no real root") {

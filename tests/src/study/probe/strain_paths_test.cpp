@@ -31,6 +31,15 @@ TEST_CASE("strain paths come in the order of their R, from the start that is ask
   CHECK(result.warnings[0].find("R 0.7: ") == 0);
 }
 
+TEST_CASE("a strain path whose stress vanishes without a peak is warned of, with the place") {
+  auto request = loose("inl2/S28-general");
+  request.R = {0.5};
+  const auto result = study::strain_paths(request);
+  CHECK_FALSE(result.paths[0].peak);
+  REQUIRE(result.warnings.size() == 2);
+  CHECK(result.warnings[0].find("R 0.5: p' falls below 2 kPa at an axial strain of 0.75") == 0);
+}
+
 TEST_CASE(
     "a start of strain paths that the law refuses is bad input; outside its range a warning") {
   auto request = loose("hypoplastic/S28-MT");
