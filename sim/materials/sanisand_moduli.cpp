@@ -42,30 +42,22 @@ std::vector<std::string> SanisandModuli<Space>::memory_names() const {
 }
 
 template <class Space>
-PointState<Space> SanisandModuli<Space>::standing(const State& state) const {
-  const double p = state.p(), radius = kSanisandRoot * law_.parameters().yield_radius;
-  Vector<Space> ratio = deviator<Space>(state.stress) / p;
+typename Sanisand<Space>::Standing SanisandModuli<Space>::standing(const State& state) const {
+  const double radius = kSanisandRoot * law_.parameters().yield_radius;
+  typename Sanisand<Space>::Standing s{.p = state.p(), .void_ratio = state.void_ratio};
+  const Vector<Space> ratio = deviator<Space>(state.stress) / s.p;
   const double size = ratio.norm();
-  const Vector<Space> n = size > 0 ? Vector<Space>(ratio / size) : compression<Space>();
-  ratio = std::max(size, 1.001 * radius) * n;
-  State s{p * (identity<Space>() + ratio), state.void_ratio, Memory::Zero(3 * kSize)};
-  s.memory.template segment<kSize>(0) = ratio - radius * n;
-  s.memory.template segment<kSize>(kSize) = state.memory.template head<kSize>();
+  s.n = size > 0 ? Vector<Space>(ratio / size) : compression<Space>();
+  const double length = std::max(size, 1.001 * radius);
+  s.ratio = length * s.n;
+  s.along = length - radius;
   return s;
-}
-
-template <class Space>
-typename Sanisand<Space>::Loading SanisandModuli<Space>::loading(const State& standing) const {
-  auto l = law_.loading(standing);
-  l.distance = std::abs((law_.alpha(standing) - law_.alpha_in(standing)).dot(l.n));
-  return l;
 }
 
 template <class Space>
 std::optional<std::string> SanisandModuli<Space>::objection(const State& state) const {
   if (!(state.p() > 0)) return "p' is not above 0, where the law ends";
-  const State s = standing(state);
-  if (auto base = law_.objection(s)) return base;
+  if (auto base = law_.objection(state.stress, state.void_ratio)) return base;
   if (at_limit(state))
     return "the stress ratio stands on the bounding surface of the base law, where a generalised "
            "triaxial path that raises it has no response";
@@ -75,25 +67,24 @@ std::optional<std::string> SanisandModuli<Space>::objection(const State& state) 
 template <class Space>
 bool SanisandModuli<Space>::at_limit(const State& state) const {
   if (!(state.p() > 0)) return false;
-  const State s = standing(state);
-  const auto l = law_.loading(s);
-  return !(l.bounding > law_.alpha(s).dot(l.n));
+  const auto s = standing(state);
+  return !(law_.bounding(s) > s.along);
 }
 
 template <class Space>
 void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
                                    Matrix<Space>& minus) const {
-  const State s = standing(state);
-  const auto l = loading(s);
-  const double modulus =
-      2.0 / 3 * s.p() * l.stiffness * (l.bounding - law_.alpha(s).dot(l.n));  // K_p · distance
-  const double shear = law_.shear_modulus(state), bulk = law_.bulk_modulus(state);
+  const auto s = standing(state);
+  const auto l = law_.loading(s);
+  const double distance = std::abs(s.along - state.memory.template head<kSize>().dot(s.n));
+  const double modulus = 2.0 / 3 * s.p * l.stiffness * (l.bounding - s.along);  // K_p · distance
   // The compliance of isotropic elasticity has the form of its stiffness.
-  plus = isotropic_stiffness<Space>(1 / (9 * bulk), 1 / (4 * shear));
+  plus = isotropic_stiffness<Space>(1 / (9 * (law_.bulk_ratio() * l.shear)), 1 / (4 * l.shear));
   minus = plus;
+  const Vector<Space> flow = (distance / modulus) * l.direction;
   for (int j = 0; j < kPrincipalAxes<Space>; ++j) {
     Matrix<Space>& loaded = l.normal(j) > 0 ? plus : minus;
-    loaded.col(j) += l.normal(j) * l.distance / modulus * l.direction;
+    loaded.col(j) += l.normal(j) * flow;
   }
 }
 
@@ -102,15 +93,15 @@ void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
 template <class Space>
 double SanisandModuli<Space>::gone_back(const State& state) const {
   if (state.memory(kTurning) == 0) return 0;
-  const State s = standing(state);
-  const Vector<Space> way = law_.alpha(s) - state.memory.template segment<kSize>(kSize);
+  const auto s = standing(state);
+  const Vector<Space> way = s.along * s.n - state.memory.template segment<kSize>(kSize);
   const double range = 2 * kSanisandRoot * law_.parameters().yield_radius;
-  return -state.memory(kRising) * way.dot(law_.loading(s).n) / range;
+  return -state.memory(kRising) * way.dot(s.n) / range;
 }
 
 template <class Space>
 bool SanisandModuli<Space>::turn(State& state, const PointRate<Space>& rate) const {
-  const State s = standing(state);
+  const auto s = standing(state);
   double& rising = state.memory(kRising);
   double& turning = state.memory(kTurning);
   const double back = gone_back(state);
@@ -122,13 +113,14 @@ bool SanisandModuli<Space>::turn(State& state, const PointRate<Space>& rate) con
   } else if (back <= 0) {
     turning = 0;
   }
-  const double rise = law_.loading(s).normal.dot(rate.stress);
+  // ∂f/∂σ : dσ
+  const double rise = s.n.dot(rate.stress) - s.n.dot(s.ratio) * trace<Space>(rate.stress) / 3;
   if (std::abs(rise) <= 1e-9 * rate.stress.norm()) return reversed;
   const double direction = rise > 0 ? 1 : -1;
   if (rising == 0) rising = direction;
   if (direction != rising && turning == 0) {
     turning = 1;
-    state.memory.template segment<kSize>(kSize) = law_.alpha(s);
+    state.memory.template segment<kSize>(kSize) = s.along * s.n;
   }
   return reversed;
 }

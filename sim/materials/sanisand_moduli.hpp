@@ -41,9 +41,8 @@ class SanisandModuli : public GeneralisedTriaxial<Space> {
   static constexpr int kSize = Space::kSize;
   // Of the memory, behind α_in and α at the turning point.
   static constexpr int kRising = 2 * kSize, kTurning = kRising + 1;
-  /// The state as SANISAND sees it: standing on a yield surface around the stress.
-  State standing(const State& state) const;
-  typename Sanisand<Space>::Loading loading(const State& standing) const;
+  /// On a yield surface that passes through the stress.
+  typename Sanisand<Space>::Standing standing(const State& state) const;
   double gone_back(const State& state) const;
 
   Sanisand<Space> law_;
