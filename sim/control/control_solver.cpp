@@ -9,6 +9,21 @@
 
 namespace triax::sim {
 
+namespace {
+
+bool holds_shear_at_zero(const PreparedControl<Tensor>& c) {
+  const auto apart = [](const Matrix<Tensor>& m) {
+    return m.topRightCorner<3, 3>().isZero(0) && m.bottomLeftCorner<3, 3>().isZero(0) &&
+           m.bottomRightCorner<3, 3>().isDiagonal(0);
+  };
+  if (!apart(c.stress) || !apart(c.strain) || !c.increment.tail<3>().isZero(0)) return false;
+  for (int i = 3; i < 6; ++i)
+    if ((c.stress(i, i) != 0) == (c.strain(i, i) != 0)) return false;
+  return true;
+}
+
+}  // namespace
+
 template <class Space>
 PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double modulus_pa)
     : stress(c.stress), strain(c.strain), increment(c.increment) {
@@ -21,6 +36,7 @@ PreparedControl<Space>::PreparedControl(const MixedControl<Space>& c, double mod
     increment(row) /= size;
   }
   strain_driven = stress.isZero(0);
+  if constexpr (Space::kSize == 6) principal = holds_shear_at_zero(*this);
   if (!strain_driven) return;
   const auto found = solve_regular<Space>(strain, increment);
   determined = found.has_value();

@@ -12,7 +12,8 @@
 // (1 − b·b) X² − 2 x·b X − x·x = 0, and 1 − b·dε/|dε| = det(S T + E)/det A.
 //
 // Interpolated form: Newton's method on (S + E C(dσ)) dσ = dy, C the secant compliance, started
-// from the stress increment before.
+// from the stress increment before. Of a tensor the first three components are solved alone where
+// neither N⁺ and N⁻ nor the conditions couple shear with anything and shear is held at zero.
 //
 // Where the determinant vanishes the conditions cannot be met (loss of control in Nova's sense).
 // The limiting variable is then the row with the largest |w_i dy_i|, w the left null vector: the
@@ -31,7 +32,10 @@ template <class Space>
 struct PreparedControl {
   Matrix<Space> stress, strain;
   Vector<Space> increment;
-  bool strain_driven = false;      ///< no stress enters
+  bool strain_driven = false;  ///< no stress enters
+  /// Of a tensor: rows 3 to 5 hold one shear component each at zero, in stress or strain, and rows
+  /// 0 to 2 are without shear.
+  bool principal = false;
   bool determined = true;          ///< strain driven only: the rows are independent
   Vector<Space> strain_increment;  ///< strain driven only: dε
 

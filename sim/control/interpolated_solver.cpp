@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "sim/law/interpolated_compliance.hpp"
 #include "sim/mechanics/linear_algebra.hpp"
@@ -10,92 +11,154 @@
 namespace triax::sim {
 namespace {
 
-/// Newton's method on the interpolated form.
+/// The principal components of a tensor whose shear components are zero and stay so.
+struct Principal {
+  static constexpr int kSize = 3;
+};
+
+/// Two or three equations in closed form.
 template <class Space>
+Vector<Space> solution(const Matrix<Space>& a, const Vector<Space>& b) {
+  if constexpr (Space::kSize <= 3)
+    return a.inverse() * b;
+  else
+    return sim::solve<Space>(a, b);
+}
+template <class Space>
+double determinant_of(const Matrix<Space>& a) {
+  if constexpr (Space::kSize <= 3)
+    return a.determinant();
+  else
+    return determinant<Space>(a);
+}
+
+/// Newton's method on the interpolated form, for the first components of the control. Where all
+/// strains are given the conditions are dε = what they give.
+template <class Space, class Whole>
 class InterpolatedSolver {
+  static constexpr int kSize = Space::kSize;
+
  public:
-  InterpolatedSolver(const InterpolatedForm<Space>& form, const PreparedControl<Space>& control)
-      : law_(form), control_(control) {}
+  InterpolatedSolver(const InterpolatedForm<Whole>& form, const PreparedControl<Whole>& control)
+      : law_(form.plus.template topLeftCorner<kSize, kSize>(),
+             form.minus.template topLeftCorner<kSize, kSize>(), form.quadratic),
+        control_(control),
+        strain_driven_(control.strain_driven && control.determined),
+        wanted_((strain_driven_ ? control.strain_increment : control.increment)
+                    .template head<kSize>()) {
+    if (strain_driven_) return;
+    s_ = control.stress.template topLeftCorner<kSize, kSize>();
+    e_ = control.strain.template topLeftCorner<kSize, kSize>();
+  }
 
   PointRate<Space> solve(const Vector<Space>& guess) {
     if (!std::isfinite(law_.mean().sum())) return rate_;  // the base has no answer here
-    const double size = control_.increment.norm();
-    if (size == 0) {
+    square_ = wanted_.squaredNorm();
+    if (square_ == 0) {
       rate_.controllable = true;
       return rate_;
     }
-    bool found = guess.squaredNorm() > 0 && newton(guess, size);
+    bool found = guess.squaredNorm() > 0 && newton(guess);
     if (!found) {
       const Vector<Space> linear = start();
-      found = newton(linear, size) || picard(linear, size);
+      found = newton(linear) || picard(linear);
     }
-    const Matrix<Space> jacobian = control_.stress + control_.strain * law_.tangent(stress_);
     // Sign and size relative to the diagonal part, which is positive definite.
-    const Matrix<Space> reference =
-        control_.stress + control_.strain * Matrix<Space>(law_.mean().diagonal().asDiagonal());
-    rate_.determinant = determinant<Space>(jacobian) / determinant<Space>(reference);
-    if (!found || !(rate_.determinant > 1e-9)) {
-      rate_.limiting_variable =
-          row_that_limits<Space>(left_null_vector<Space>(jacobian), control_.increment);
-      rate_.determinant = std::min(rate_.determinant, 0.0);
-      return rate_;
-    }
-    rate_.stress = stress_;
-    rate_.strain = law_.strain(stress_);
+    const Vector<Space> diagonal = law_.mean().diagonal();
+    const double reference =
+        strain_driven_ ? diagonal.prod()
+                       : determinant_of<Space>(s_ + e_ * Matrix<Space>(diagonal.asDiagonal()));
+    const Matrix<Space> tangent = law_.tangent(at_);
+    rate_.determinant = determinant_of<Space>(conditions_on(tangent)) / reference;
+    if (!found || !(rate_.determinant > 1e-9)) return lost(tangent);
+    rate_.stress = at_.stress;
+    rate_.strain = at_.strain;
     rate_.controllable = std::isfinite(rate_.stress.sum() + rate_.strain.sum());
     return rate_;
   }
 
  private:
-  Vector<Space> residual(const Vector<Space>& v) const {
-    return control_.stress * v + control_.strain * law_.strain(v) - control_.increment;
+  using Instant = typename InterpolatedCompliance<Space>::Instant;
+
+  /// ∂(S dσ + E dε)/∂dσ
+  Matrix<Space> conditions_on(const Matrix<Space>& compliance) const {
+    if (strain_driven_) return compliance;
+    return s_ + e_ * compliance;
   }
-  Vector<Space> start() const {
-    const Matrix<Space> a = control_.stress + control_.strain * law_.mean();
-    Vector<Space> v = sim::solve<Space>(a, control_.increment);
-    if (!v.allFinite() || v.squaredNorm() == 0) v = identity<Space>();
-    return v;
+  Vector<Space> residual(const Instant& at) const {
+    if (strain_driven_) return at.strain - wanted_;
+    return s_ * at.stress + e_ * at.strain - wanted_;
+  }
+  PointRate<Space> lost(const Matrix<Space>& tangent) {
+    if constexpr (std::is_same_v<Space, Whole>)  // else the whole control is asked again
+      rate_.limiting_variable = row_that_limits<Space>(
+          left_null_vector<Space>(control_.stress + control_.strain * tangent), control_.increment);
+    rate_.determinant = std::min(rate_.determinant, 0.0);
+    return rate_;
   }
 
-  bool newton(Vector<Space> v, double size) {
-    Vector<Space> r = residual(v);
+  Vector<Space> start() const {
+    Vector<Space> v = solution<Space>(conditions_on(law_.mean()), wanted_);
+    if (!v.allFinite() || v.squaredNorm() == 0) v = isotropic_direction();
+    return v;
+  }
+  static Vector<Space> isotropic_direction() {
+    if constexpr (kSize == 3)
+      return Vector<Space>::Ones();
+    else
+      return identity<Space>();
+  }
+
+  bool newton(const Vector<Space>& first) {
+    at_ = law_.at(first);
+    Vector<Space> rest = residual(at_);
+    double left = rest.squaredNorm();
     for (int i = 0; i < 40; ++i) {
-      stress_ = v;
-      if (r.norm() <= 1e-13 * size) return true;
-      const Matrix<Space> jacobian = control_.stress + control_.strain * law_.tangent(v);
-      const Vector<Space> step = sim::solve<Space>(jacobian, r);
+      if (left <= 1e-26 * square_) return true;
+      const Vector<Space> step = solution<Space>(conditions_on(law_.tangent(at_)), rest);
       if (!step.allFinite()) return false;
-      double part = 1;
-      for (;; part /= 2) {
-        if (part < 1e-3) return r.norm() <= 1e-10 * size;
-        const Vector<Space> next = v - part * step;
+      for (double part = 1;; part /= 2) {
+        if (part < 1e-3) return left <= 1e-20 * square_;
+        const Vector<Space> next = at_.stress - part * step;
         if (next.squaredNorm() == 0) continue;
-        const Vector<Space> rest = residual(next);
-        if (!(rest.norm() < (1 - 1e-4 * part) * r.norm())) continue;
-        v = next;
-        r = rest;
+        const Instant tried = law_.at(next);
+        rest = residual(tried);
+        const double now = rest.squaredNorm(), enough = 1 - 1e-4 * part;
+        if (!(now < enough * enough * left)) continue;
+        at_ = tried;
+        left = now;
         break;
       }
     }
     return false;
   }
 
-  bool picard(Vector<Space> v, double size) {
+  bool picard(Vector<Space> v) {
     for (int i = 0; i < 100; ++i) {
-      const Matrix<Space> a = control_.stress + control_.strain * law_.secant(v);
-      const Vector<Space> next = sim::solve<Space>(a, control_.increment);
+      const Vector<Space> next = solution<Space>(conditions_on(law_.secant(v)), wanted_);
       if (!next.allFinite() || next.squaredNorm() == 0) return false;
       v = i < 30 ? next : Vector<Space>(0.5 * (v + next));
-      if (residual(v).norm() <= 1e-6 * size) return newton(v, size);
+      if (residual(law_.at(v)).squaredNorm() <= 1e-12 * square_) return newton(v);
     }
     return false;
   }
 
-  InterpolatedCompliance<Space> law_;
-  const PreparedControl<Space>& control_;
-  Vector<Space> stress_;
+  const InterpolatedCompliance<Space> law_;
+  const PreparedControl<Whole>& control_;
+  const bool strain_driven_;
+  const Vector<Space> wanted_;
+  Matrix<Space> s_, e_;
+  double square_ = 0;  // |wanted|²
+  Instant at_;
   PointRate<Space> rate_;
 };
+
+/// Whether no shear component is coupled with another component.
+bool shear_is_apart(const Matrix<Tensor>& m) {
+  return m.topRightCorner<3, 3>().isZero(0) && m.bottomLeftCorner<3, 3>().isZero(0) &&
+         m(3, 4) == 0 && m(3, 5) == 0 && m(4, 3) == 0 && m(4, 5) == 0 && m(5, 3) == 0 &&
+         m(5, 4) == 0;
+}
 
 }  // namespace
 
@@ -103,7 +166,20 @@ template <class Space>
 PointRate<Space> solve_interpolated(const InterpolatedForm<Space>& form,
                                     const PreparedControl<Space>& control,
                                     const Vector<Space>& guess) {
-  return InterpolatedSolver<Space>(form, control).solve(guess);
+  if constexpr (Space::kSize == 6)
+    if (control.principal && shear_is_apart(form.plus) && shear_is_apart(form.minus)) {
+      const auto found =
+          InterpolatedSolver<Principal, Tensor>(form, control).solve(guess.template head<3>());
+      if (found.controllable) {
+        PointRate<Space> rate;
+        rate.controllable = true;
+        rate.stress.template head<3>() = found.stress;
+        rate.strain.template head<3>() = found.strain;
+        rate.determinant = found.determinant;
+        return rate;
+      }
+    }
+  return InterpolatedSolver<Space, Space>(form, control).solve(guess);
 }
 
 template PointRate<Axisymmetric> solve_interpolated(const InterpolatedForm<Axisymmetric>&,

@@ -18,25 +18,40 @@ template <class Space>
 class InterpolatedCompliance {
  public:
   explicit InterpolatedCompliance(const InterpolatedForm<Space>& form)
-      : mean_(0.5 * (form.plus + form.minus)),
-        half_(0.5 * (form.plus - form.minus)),
-        quadratic_(form.quadratic) {}
+      : InterpolatedCompliance(form.plus, form.minus, form.quadratic) {}
+  InterpolatedCompliance(const Matrix<Space>& plus, const Matrix<Space>& minus, bool quadratic)
+      : mean_(0.5 * (plus + minus)), half_(0.5 * (plus - minus)), quadratic_(quadratic) {}
 
   /// ½ (N⁺ + N⁻), the linear part.
   const Matrix<Space>& mean() const { return mean_; }
 
   Vector<Space> strain(const Vector<Space>& stress) const {
-    return mean_ * stress + half_ * weighted(stress);
+    return mean_ * stress + half_ * weighted(stress, stress.norm());
+  }
+  /// A direction with its strain, and what its tangent shares with that.
+  struct Instant {
+    Vector<Space> stress, strain;
+    double norm = 0;            ///< |dσ|
+    Vector<Space> half_weight;  ///< ½ (N⁺ − N⁻) w
+  };
+  Instant at(const Vector<Space>& stress) const {
+    Instant i;
+    i.stress = stress;
+    i.norm = stress.norm();
+    i.half_weight = half_ * weighted(stress, i.norm);
+    i.strain = mean_ * stress + i.half_weight;
+    return i;
   }
   /// ∂dε/∂dσ; by homogeneity dε = tangent · dσ too.
-  Matrix<Space> tangent(const Vector<Space>& stress) const {
-    const double norm = stress.norm();
-    Matrix<Space> inner = Matrix<Space>::Zero();
+  Matrix<Space> tangent(const Instant& at) const {
+    Matrix<Space> t = mean_;
     for (int j = 0; j < kPrincipalAxes<Space>; ++j)
-      inner(j, j) = quadratic_ ? 2 * single(stress, j) / norm : sign(stress(j));
-    if (quadratic_) inner -= weighted(stress) * stress.transpose() / (norm * norm);
-    return mean_ + half_ * inner;
+      t.col(j) +=
+          (quadratic_ ? 2 * single(at.stress, j) / at.norm : sign(at.stress(j))) * half_.col(j);
+    if (quadratic_) t -= at.half_weight * (at.stress / (at.norm * at.norm)).transpose();
+    return t;
   }
+  Matrix<Space> tangent(const Vector<Space>& stress) const { return tangent(at(stress)); }
   /// The compliance of Picard's iteration, dε = secant · dσ, whose columns are scaled only.
   Matrix<Space> secant(const Vector<Space>& stress) const {
     const double norm = stress.norm();
@@ -52,8 +67,7 @@ class InterpolatedCompliance {
     return Space::kSize == 2 && j == 1 ? v(j) / std::numbers::sqrt2 : v(j);
   }
   /// The vector that half_ multiplies.
-  Vector<Space> weighted(const Vector<Space>& v) const {
-    const double norm = v.norm();
+  Vector<Space> weighted(const Vector<Space>& v, double norm) const {
     Vector<Space> w = Vector<Space>::Zero();
     for (int j = 0; j < kPrincipalAxes<Space>; ++j)
       w(j) = quadratic_ ? v(j) * single(v, j) / norm : std::abs(v(j));

@@ -113,8 +113,9 @@ class Law {
     return r;
   }
 
-  /// Rate of the memory that goes with `rate`, a solution with `response`; `out` has its size. To
-  /// be written anew only where the memory changes with something else than the multipliers.
+  /// Rate of the memory that goes with `rate`, a solution with `response`; `out` comes with the
+  /// memory's size and is left empty where nothing changes. To be written anew only where the
+  /// memory changes with something else than the multipliers.
   virtual void memory_rate(const State& state, const Response<Space>& response, const Rate& rate,
                            Memory& out) const;
 
@@ -160,7 +161,7 @@ void Law<Space>::memory_rate(const State&, const Response<Space>& response, cons
     else
       out += rate.multiplier[k] * form->memory_slope[k];
   }
-  if (first) out.setZero();
+  if (first) out.resize(0);
 }
 
 /// Stress ratio by which a state may stand inside a yield surface and still count as on it.

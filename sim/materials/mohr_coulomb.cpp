@@ -26,6 +26,15 @@ constexpr std::array<std::array<int, 2>, 3> kPairs{{{0, 2}, {0, 1}, {1, 2}}};
 
 double along(const Eigen::Matrix3d& a, const Eigen::Vector3d& v) { return v.dot(a * v); }
 
+/// v vᵗ
+Vector<Tensor> dyad(const Eigen::Vector3d& v) {
+  constexpr double r = std::numbers::sqrt2;
+  Vector<Tensor> d;
+  d << v(0) * v(0), v(1) * v(1), v(2) * v(2), r * (v(0) * v(1)), r * (v(0) * v(2)),
+      r * (v(1) * v(2));
+  return d;
+}
+
 /// Axes of the symmetric `a` in the plane of columns i and j, the larger value in column i.
 void turn_axes(const Eigen::Matrix3d& a, Eigen::Matrix3d& axes, int i, int j) {
   const Eigen::Vector3d u = axes.col(i), v = axes.col(j);
@@ -77,11 +86,13 @@ struct MohrCoulomb<Space>::Planes {
   Eigen::Matrix3d stress;
   Eigen::Matrix3d axes;  ///< v₁, v₂, v₃
   Eigen::Matrix3d high, low;
-  Eigen::Vector3d value() const { return (axes.transpose() * stress * axes).diagonal(); }
+  Eigen::Vector3d value() const {
+    return {along(stress, axes.col(0)), along(stress, axes.col(1)), along(stress, axes.col(2))};
+  }
 };
 
 template <class Space>
-typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(
+typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::find_planes(
     const PointState<Tensor>& state) const {
   Planes p;
   p.stress = matrix_of(state.stress);
@@ -116,11 +127,33 @@ typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::planes(
   return p;
 }
 
+/// The same, valid until the next call on this thread: the distance of each mechanism, the settling
+/// and the response ask for the planes of one state a dozen times in a step.
+template <class Space>
+const typename MohrCoulomb<Space>::Planes& MohrCoulomb<Space>::planes(
+    const PointState<Tensor>& state) const {
+  struct Kept {
+    double sine = 0, cohesion = 0;  // with stress and memory all that planes depend on
+    Vector<Tensor> stress = Vector<Tensor>::Constant(std::nan(""));
+    Eigen::Matrix<double, 7, 1> memory;
+    Planes planes;
+  };
+  thread_local Kept kept;
+  if (kept.stress != state.stress || kept.memory != state.memory || kept.sine != sine_ ||
+      kept.cohesion != cohesion_) {
+    kept.planes = find_planes(state);
+    kept.memory = state.memory;
+    kept.sine = sine_;
+    kept.cohesion = cohesion_;
+    kept.stress = state.stress;
+  }
+  return kept.planes;
+}
+
 template <class Space>
 void MohrCoulomb<Space>::remember(PointState<Tensor>& state, const Eigen::Matrix3d& axes,
                                   double place) const {
-  state.memory.head<6>() = components(Eigen::Matrix3d(axes.col(0) * axes.col(0).transpose() -
-                                                      axes.col(2) * axes.col(2).transpose()));
+  state.memory.head<6>() = dyad(axes.col(0)) - dyad(axes.col(2));
   state.memory(6) = place;
 }
 
@@ -167,12 +200,9 @@ void MohrCoulomb<Space>::response(const State& state, Response<Space>& out) cons
     form.add_plastic(compression(flow_sine_), compression(sine_), 0);
     form.add_plastic(extension(flow_sine_), extension(sine_), 0);
   } else {
-    const Planes on = planes(state);
+    const Planes& on = planes(state);
     for (int k = 0; k < 3; ++k) {
-      const Vector<Space> high =
-          components(Eigen::Matrix3d(on.high.col(k) * on.high.col(k).transpose()));
-      const Vector<Space> low =
-          components(Eigen::Matrix3d(on.low.col(k) * on.low.col(k).transpose()));
+      const Vector<Space> high = dyad(on.high.col(k)), low = dyad(on.low.col(k));
       form.add_plastic((1 - flow_sine_) * high - (1 + flow_sine_) * low,
                        (1 - sine_) * high - (1 + sine_) * low, 0);
     }
@@ -186,7 +216,7 @@ double MohrCoulomb<Space>::yield_distance(const State& state, int k) const {
     const double axial = state.stress(0), radial = state.stress(1) / std::numbers::sqrt2;
     return (k == 0 ? excess(axial, radial) : excess(radial, axial)) / size;
   } else {
-    const Planes on = planes(state);
+    const Planes& on = planes(state);
     return excess(along(on.stress, on.high.col(k)), along(on.stress, on.low.col(k))) / size;
   }
 }
@@ -205,7 +235,7 @@ void MohrCoulomb<Space>::settle(State& state, unsigned on_yield) const {
   } else if (on_yield == 0) {
     state.memory.setZero();
   } else {
-    const Planes on = planes(state);
+    const Planes& on = planes(state);
     const double place = state.memory(6);
     const Eigen::Vector3d value = on.value();
     const double size = kOnYield * strength(state.p());

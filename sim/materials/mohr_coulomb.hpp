@@ -63,7 +63,8 @@ class MohrCoulomb : public Law<Space> {
 
  private:
   struct Planes;
-  Planes planes(const PointState<Tensor>& state) const;
+  Planes find_planes(const PointState<Tensor>& state) const;
+  const Planes& planes(const PointState<Tensor>& state) const;
   void remember(PointState<Tensor>& state, const Eigen::Matrix3d& axes, double place) const;
   double strength(double p) const { return 2 * (p * sine_ + cohesion_); }
   double excess(double high, double low) const {

@@ -92,13 +92,19 @@ double Sanisand<Space>::memory_scale(int entry) const {
 template <class Space>
 std::optional<std::string> Sanisand<Space>::objection(const State& state) const {
   if (auto general = Law<Space>::objection(state)) return general;
-  if (!all_compressed<Space>(state.stress))
+  return objection(state.stress, state.void_ratio);
+}
+
+template <class Space>
+std::optional<std::string> Sanisand<Space>::objection(const Vector<Space>& stress,
+                                                      double void_ratio) const {
+  if (!all_compressed<Space>(stress))
     return "a principal stress is tensile, which sand does not carry";
-  if (state.void_ratio >= 2.97)
-    return "the void ratio is " + short_number(state.void_ratio) + ", must be below 2.97";
+  if (void_ratio >= 2.97)
+    return "the void ratio is " + short_number(void_ratio) + ", must be below 2.97";
   const double c_h = parameters_.hardening_void_ratio_factor;
-  if (1 - c_h * state.void_ratio <= 0)
-    return "the void ratio is " + short_number(state.void_ratio) +
+  if (1 - c_h * void_ratio <= 0)
+    return "the void ratio is " + short_number(void_ratio) +
            ", must be below 1/c_h = " + short_number(1 / c_h) +
            ", where this parameter set's hardening vanishes";
   return std::nullopt;
@@ -172,57 +178,84 @@ double Sanisand<Space>::contraction_fade(double p) const {
 }
 
 template <class Space>
-typename Sanisand<Space>::Loading Sanisand<Space>::loading(const State& state) const {
-  const auto& par = parameters_;
-  const double p = state.p();
-  Loading l;
-  const Vector<Space> ratio = deviator<Space>(state.stress) / p;
+typename Sanisand<Space>::Standing Sanisand<Space>::standing(const State& state) const {
   const Vector<Space> a = alpha(state);
-  l.n = ratio - a;
-  const double size = l.n.norm();
-  if (size > 0) l.n /= size;
-  const Vector<Space> n2 = square<Space>(l.n);
-  const double cosine = std::clamp(std::sqrt(6.0) * n2.dot(l.n), -1.0, 1.0);
+  Standing at{.p = state.p(), .void_ratio = state.void_ratio};
+  at.ratio = deviator<Space>(state.stress) / at.p;
+  at.n = at.ratio - a;
+  const double size = at.n.norm();
+  if (size > 0) at.n /= size;
+  at.along = a.dot(at.n);
+  at.fabric = std::max(0.0, fabric(state).dot(at.n));
+  return at;
+}
+
+template <class Space>
+typename Sanisand<Space>::Lode Sanisand<Space>::lode(const Vector<Space>& n) const {
+  Lode l;
+  l.n2 = square<Space>(n);
+  l.cosine = std::clamp(std::sqrt(6.0) * l.n2.dot(n), -1.0, 1.0);
+  const double c = parameters_.extension_ratio;
+  l.g = 2 * c / ((1 + c) - (1 - c) * l.cosine);
+  return l;
+}
+
+template <class Space>
+double Sanisand<Space>::bounding_at(double limit, double psi) const {
+  return kSanisandRoot *
+         (limit * std::exp(-parameters_.bounding_exponent * psi) - parameters_.yield_radius);
+}
+
+template <class Space>
+double Sanisand<Space>::bounding(const Standing& at) const {
+  const double psi = state_parameter_at(at.p / parameters_.atmospheric_pressure_pa, at.void_ratio);
+  return bounding_at(lode(at.n).g * parameters_.critical_stress_ratio, psi);
+}
+
+template <class Space>
+typename Sanisand<Space>::Loading Sanisand<Space>::loading(const Standing& at) const {
+  const auto& par = parameters_;
+  Loading l;
+  l.n = at.n;
+  const auto [n2, cosine, g] = lode(at.n);
   const double c = par.extension_ratio;
-  const double g = 2 * c / ((1 + c) - (1 - c) * cosine);
-  const double relative_p = p / par.atmospheric_pressure_pa;
-  const double psi = state_parameter_at(relative_p, state.void_ratio);
-  const double along = a.dot(l.n);
+  const double relative_p = at.p / par.atmospheric_pressure_pa;
+  const double psi = state_parameter_at(relative_p, at.void_ratio);
   const double limit = g * par.critical_stress_ratio;
-  l.bounding = kSanisandRoot * (limit * std::exp(-par.bounding_exponent * psi) - par.yield_radius);
+  l.bounding = bounding_at(limit, psi);
   const double dilatancy_line =
       kSanisandRoot * (limit * std::exp(par.dilatancy_exponent * psi) - par.yield_radius);
-  l.dilatancy =
-      par.dilatancy_factor * (1 + std::max(0.0, fabric(state).dot(l.n))) * (dilatancy_line - along);
-  if (l.dilatancy > 0) l.dilatancy *= contraction_fade(p);
+  l.dilatancy = par.dilatancy_factor * (1 + at.fabric) * (dilatancy_line - at.along);
+  if (l.dilatancy > 0) l.dilatancy *= contraction_fade(at.p);
   const double b = 1 + 1.5 * (1 - c) / c * g * cosine;
   const double cc = 3 * std::sqrt(1.5) * (1 - c) / c * g;
   l.direction = b * l.n - cc * n2 + ((cc + l.dilatancy) / 3) * identity<Space>();
-  l.normal = l.n - (l.n.dot(ratio) / 3) * identity<Space>();
+  l.normal = l.n - (l.n.dot(at.ratio) / 3) * identity<Space>();
   const double root_p = std::sqrt(relative_p);
-  l.shear = shear_at(root_p, state.void_ratio);
+  l.shear = shear_at(root_p, at.void_ratio);
   l.stiffness = par.shear_modulus_factor * par.hardening_factor *
-                (1 - par.hardening_void_ratio_factor * state.void_ratio) / root_p;
-  l.distance = std::max(0.0, along - alpha_in(state).dot(l.n));
+                (1 - par.hardening_void_ratio_factor * at.void_ratio) / root_p;
   return l;
 }
 
 template <class Space>
 void Sanisand<Space>::response(const State& state, Response<Space>& out) const {
   StiffnessForm<Space>& form = stiffness_form(out);
-  const Loading l = loading(state);
+  const Standing at = standing(state);
+  const Loading l = loading(at);
+  const double distance = std::max(0.0, at.along - alpha_in(state).dot(l.n));
   const double shear = l.shear, bulk = bulk_ratio_ * shear;
   form.stiffness = isotropic_stiffness<Space>(bulk, shear);
   // K_p is multiplied by the distance since the last reversal, and the flow with it: both stay
   // finite, λ = L/distance.
-  form.add_plastic(isotropic_product<Space>(bulk, shear, l.distance * l.direction),
+  form.add_plastic(isotropic_product<Space>(bulk, shear, distance * l.direction),
                    isotropic_product<Space>(bulk, shear, l.normal), l.normal,
-                   2.0 / 3 * state.p() * l.stiffness * (l.bounding - alpha(state).dot(l.n)));
+                   2.0 / 3 * at.p * l.stiffness * (l.bounding - at.along));
   Memory& slope = form.memory_slope[0];
   slope.setZero(3 * kSize);
   slope.template segment<kSize>(0) = 2.0 / 3 * l.stiffness * (l.bounding * l.n - alpha(state));
   if (l.dilatancy < 0)
-    slope.template segment<kSize>(2 * kSize) = parameters_.fabric_rate * l.distance * l.dilatancy *
+    slope.template segment<kSize>(2 * kSize) = parameters_.fabric_rate * distance * l.dilatancy *
                                                (parameters_.fabric_limit * l.n + fabric(state));
 }
 

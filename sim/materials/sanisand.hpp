@@ -76,6 +76,7 @@ class Sanisand : public Law<Space> {
     return parameters_.critical_stress_ratio;
   }
 
+  double bulk_ratio() const { return bulk_ratio_; }  ///< K/G
   double shear_modulus(const State& state) const;
   double bulk_modulus(const State& state) const;
   double state_parameter(const State& state) const;
@@ -85,8 +86,14 @@ class Sanisand : public Law<Space> {
   static auto alpha_in(const State& s) { return s.memory.template segment<Space::kSize>(kSize); }
   static auto fabric(const State& s) { return s.memory.template segment<Space::kSize>(2 * kSize); }
 
-  /// Loading at a state, as if it stood on the yield surface with its axis at alpha = r − n √(2/3)
-  /// m.
+  /// Where a state stands on a yield surface.
+  struct Standing {
+    double p = 0, void_ratio = 0;
+    Vector<Space> ratio;  ///< s/p
+    Vector<Space> n;      ///< unit deviator from the axis of the surface to s/p
+    double along = 0;     ///< α:n
+    double fabric = 0;    ///< ⟨z:n⟩
+  };
   struct Loading {
     Vector<Space> n;          ///< unit deviator
     Vector<Space> direction;  ///< R′ + D δ/3
@@ -94,13 +101,24 @@ class Sanisand : public Law<Space> {
     double dilatancy = 0;     ///< D
     double bounding = 0;      ///< α^b:n
     double stiffness = 0;     ///< b₀ = h (α − α_in):n
-    double distance = 0;      ///< (α − α_in):n ≥ 0
     double shear = 0;         ///< G, Pa
   };
-  Loading loading(const State& state) const;
+  Standing standing(const State& state) const;
+  Loading loading(const Standing& at) const;
+  Loading loading(const State& state) const { return loading(standing(state)); }
+  /// α^b:n alone.
+  double bounding(const Standing& at) const;
+  /// Why there is no law at this stress (p′ > 0) and void ratio, whatever the memory.
+  std::optional<std::string> objection(const Vector<Space>& stress, double void_ratio) const;
 
  private:
   static constexpr int kSize = Space::kSize;
+  struct Lode {
+    Vector<Space> n2;  // n²
+    double cosine, g;  // cos 3θ
+  };
+  Lode lode(const Vector<Space>& n) const;
+  double bounding_at(double limit, double psi) const;  // g M, ψ
   double contraction_fade(double p) const;
   double shear_at(double root_p, double void_ratio) const;  // √(p/p_at)
   double state_parameter_at(double relative_p, double void_ratio) const;

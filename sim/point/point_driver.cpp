@@ -41,6 +41,7 @@ PointDriver<Space>::PointDriver(const Law<Space>& law, const PointState<Space>& 
       control_(control, typical_modulus(reference)),
       guess_(Vector<Space>::Zero()),
       scale_(reference.memory.size()) {
+  bend_.fill(guess_);
   for (int k = 0; k < scale_.size(); ++k) scale_(k) = 1 / law.memory_scale(k);
 }
 
@@ -63,7 +64,25 @@ unsigned PointDriver<Space>::on_yield(const PointState<Space>& state) const {
 template <class Space>
 PointRate<Space> PointDriver<Space>::respond(const PointState<Space>& state, const Branch& branch) {
   law_.response(state, response_);
-  return solve_control(response_, control_, branch, guess_);
+  PointRate<Space> rate = solve_control(response_, control_, branch, guess_);
+  if (rate.controllable) guess_ = rate.stress;
+  return rate;
+}
+
+/// At a stage of a step: as far from the first stage as in the step before, unless that is far.
+template <class Space>
+PointRate<Space> PointDriver<Space>::respond(const PointState<Space>& state, const Branch& branch,
+                                             const PointRate<Space>& first, double fraction,
+                                             int row) {
+  if (!std::holds_alternative<InterpolatedForm<Space>>(response_)) return respond(state, branch);
+  Vector<Space>& bend = bend_[static_cast<std::size_t>(row)];
+  guess_ = first.stress;
+  if (const Vector<Space> turned = fraction * bend;
+      turned.squaredNorm() < 0.01 * guess_.squaredNorm())
+    guess_ += turned;
+  const PointRate<Space> rate = respond(state, branch);
+  if (rate.controllable) bend = (rate.stress - first.stress) / fraction;
+  return rate;
 }
 
 /// Finds the mechanisms at whose yield surface the state stands, and settles it there. What a step
@@ -87,7 +106,6 @@ PointRate<Space> PointDriver<Space>::begin(PointState<Space>& state) {
   settle(state);
   PointRate<Space> rate = respond(state, {standing_, std::nullopt});
   if (rate.controllable && law_.turn(state, rate)) rate = respond(state, {standing_, {}});
-  if (rate.controllable) guess_ = rate.stress;
   return rate;
 }
 
@@ -119,13 +137,9 @@ void PointDriver<Space>::move(const PointState<Space>& from, double fraction, in
     at.void_ratio += weight[j] * flows_[j].void_ratio;
     trial.strain += weight[j] * flows_[j].strain;
   }
-  at.memory.resize(from.memory.size());
-  for (int k = 0; k < at.memory.size(); ++k) {
-    double entry = from.memory(k);
-    for (std::size_t j = 0; j < static_cast<std::size_t>(columns); ++j)
-      entry += weight[j] * flows_[j].memory(k);
-    at.memory(k) = entry;
-  }
+  at.memory = from.memory;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(columns); ++j)
+    if (flows_[j].memory.size() > 0) at.memory += weight[j] * flows_[j].memory;
 }
 
 /// One Runge-Kutta step over `fraction` of the increment on the branch that `first` is on.
@@ -139,7 +153,7 @@ void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointR
     move(from, fraction, row, trial);
     if (!std::isfinite(at.stress.sum()) || (!law_.carries_tension() && !(at.p() > 0))) return;
     if (row >= tableau_.evaluations) break;
-    const PointRate<Space> rate = respond(at, branch);
+    const PointRate<Space> rate = respond(at, branch, first, fraction, row);
     if (!rate.controllable) {
       trial.lost_control = rate.limiting_variable >= 0;
       trial.limiting_variable = rate.limiting_variable;
@@ -183,13 +197,13 @@ double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction
     strain += weight * flows_[static_cast<std::size_t>(i)].strain;
     void_ratio += weight * flows_[static_cast<std::size_t>(i)].void_ratio;
   }
-  for (int k = 0; k < at.memory.size(); ++k) {
-    double sum = 0;
-    for (int i = 0; i < tableau_.evaluations; ++i)
-      sum += tableau_.error[static_cast<std::size_t>(i)] *
-             flows_[static_cast<std::size_t>(i)].memory(k);
-    worst = std::max(worst, std::abs(sum) * scale_(k));
+  Memory memory;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(tableau_.evaluations); ++i) {
+    if (flows_[i].memory.size() == 0) continue;
+    if (memory.size() == 0) memory.setZero(at.memory.size());
+    memory += tableau_.error[i] * flows_[i].memory;
   }
+  if (memory.size() > 0) worst = memory.cwiseProduct(scale_).cwiseAbs().maxCoeff();
   worst *= fraction;
   const double size = std::max(std::abs(at.p()), kSmallestStress);
   return std::max({worst, stress.cwiseAbs().maxCoeff() / size, strain.cwiseAbs().maxCoeff(),

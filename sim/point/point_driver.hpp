@@ -85,6 +85,8 @@ class PointDriver {
   void settle(PointState<Space>& state);
   PointRate<Space> begin(PointState<Space>& state);
   PointRate<Space> respond(const PointState<Space>& state, const Branch& branch);
+  PointRate<Space> respond(const PointState<Space>& state, const Branch& branch,
+                           const PointRate<Space>& first, double fraction, int row);
   void flow_of(const PointState<Space>& at, const PointRate<Space>& rate, Flow& flow) const;
   void move(const PointState<Space>& from, double fraction, int row, Trial& trial) const;
   void runge_kutta(const PointState<Space>& from, const PointRate<Space>& first, double fraction,
@@ -108,7 +110,9 @@ class PointDriver {
   unsigned standing_ = 0;  // mechanisms on whose yield surface the step began
   Response<Space> response_;
   PreparedControl<Space> control_;
-  Vector<Space> guess_;
+  Vector<Space> guess_;  // interpolated form: dσ to start from, the one found last
+  /// Interpolated form: by how much dσ of a stage differed from that of the first, per fraction.
+  std::array<Vector<Space>, Tableau::kMostStages> bend_;
   Memory scale_;  // 1/size of each entry of the memory
   std::array<Flow, Tableau::kMostStages> flows_;
   Trial trial_;

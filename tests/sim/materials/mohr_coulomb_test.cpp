@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "sim/point/point_driver.hpp"
@@ -275,4 +276,36 @@ TEST_CASE("Mohr-Coulomb: without friction it is Tresca's law") {
   CHECK_FALSE(law.limit_stress_ratio());
   p.cohesion_pa = 0;
   CHECK_THROWS_WITH(Full(p), Catch::Contains("friction_angle_deg"));
+}
+
+TEST_CASE(
+    "Mohr-Coulomb: points driven in turn, by laws in the same place, do not disturb another") {
+  const auto control = true_triaxial(1e-3, 500, -500);
+  const auto next = [&control](const Full& law, const PointState<Tensor>& s) {
+    const auto step = advance_point(law, s, control);
+    REQUIRE(step.outcome == StepOutcome::accepted);
+    return step.state;
+  };
+  const auto alone = [&next](double cohesion_pa) {
+    const Full law(sand(5, cohesion_pa));
+    PointState<Tensor> s = law.isotropic(100e3, 0.8);
+    for (int i = 0; i < 20; ++i) s = next(law, s);
+    return s;
+  };
+  const double cohesion[] = {0, 20e3};
+  PointState<Tensor> s[] = {Full(sand(5, 0)).isotropic(100e3, 0.8),
+                            Full(sand(5, 20e3)).isotropic(100e3, 0.8)};
+  std::optional<Full> law;
+  for (int i = 0; i < 40; ++i) {
+    law.emplace(sand(5, cohesion[i % 2]));
+    s[i % 2] = next(*law, s[i % 2]);
+    // Asked of another's state in between, at which only the strength differs.
+    law.emplace(sand(5, cohesion[1 - i % 2]));
+    static_cast<void>(law->yield_distance(s[i % 2], 1));
+  }
+  for (int i = 0; i < 2; ++i) {
+    const auto expected = alone(cohesion[i]);
+    CHECK(s[i].stress == expected.stress);
+    CHECK(s[i].memory == expected.memory);
+  }
 }

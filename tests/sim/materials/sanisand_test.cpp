@@ -44,7 +44,8 @@ struct CollapseTerms {
 CollapseTerms collapse_terms(const Triaxial& law, const PointState<Axisymmetric>& state) {
   const auto l = law.loading(state);
   const double root = std::sqrt(2.0 / 3);
-  const double h = l.stiffness / l.distance / root * (l.bounding - law.alpha(state).dot(l.n));
+  const double h = l.stiffness / (law.alpha(state) - law.alpha_in(state)).dot(l.n) / root *
+                   (l.bounding - law.alpha(state).dot(l.n));
   return {state.p() * h * root,
           state.q() / state.p() * law.bulk_modulus(state) * l.dilatancy / root};
 }
