@@ -9,14 +9,19 @@
 
 #include "db/connection.hpp"
 #include "db/grain_writer.hpp"
+#include "db/pulse.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 
 struct GrainRecorder::Impl {
+  Impl(std::string file, const lab::GrainProgramme& run) : path(std::move(file)), programme(run) {}
+
   const std::string path;
   const lab::GrainProgramme& programme;
   std::optional<SQLite::Database> database;
+  Lease lease{Leased::grain_run};
+  std::optional<Pulse> pulse;
   std::int64_t id = 0, stages = 0;
   bool finished = false;
 
@@ -26,31 +31,34 @@ struct GrainRecorder::Impl {
     try {
       if (!database) database.emplace(open_for_writing(path));
       SQLite::Transaction transaction(*database, SQLite::TransactionBehavior::IMMEDIATE);
+      if (id != 0) lease.renew(*database);
       write(*database);
       transaction.commit();
     } catch (const SQLite::Exception& error) {
       throw_for(error, path);
     }
   }
-  void mark(const char* status) {
+  void mark(const char* status, bool complete) {
+    pulse.reset();
     in_transaction([&](SQLite::Database& d) {
       SQLite::Statement mark(d, "UPDATE grain_runs SET status = ? WHERE id = ?");
       mark.bind(1, status);
       mark.bind(2, id);
       mark.exec();
+      if (complete) lease.end(d);
     });
   }
 };
 
 GrainRecorder::GrainRecorder(std::string path, const lab::GrainProgramme& programme)
-    : impl_(std::make_unique<Impl>(Impl{std::move(path), programme})) {}
+    : impl_(std::make_unique<Impl>(std::move(path), programme)) {}
 
 GrainRecorder::~GrainRecorder() {
   if (impl_->id == 0 || impl_->finished) return;
   try {
-    impl_->mark("interrupted");
+    impl_->mark("interrupted", false);
   } catch (...) {  // NOLINT(bugprone-empty-catch)
-    // What was committed stands; the next to open the database marks the run.
+    // What was committed stands; readers see that no sign of life comes.
   }
 }
 
@@ -65,9 +73,12 @@ lab::GrainListener GrainRecorder::listener() {
 void GrainRecorder::made(const lab::GrainsMade& made) {
   const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   std::int64_t id = 0;
-  impl_->in_transaction(
-      [&](SQLite::Database& d) { id = insert_grain_run(d, impl_->programme, made, now); });
+  impl_->in_transaction([&](SQLite::Database& d) {
+    id = insert_grain_run(d, impl_->programme, made, now);
+    impl_->lease.take(d, id);
+  });
   impl_->id = id;
+  impl_->pulse.emplace(impl_->path, impl_->lease);
 }
 
 void GrainRecorder::ended(const lab::GrainStageResult& result) {
@@ -79,7 +90,7 @@ void GrainRecorder::ended(const lab::GrainStageResult& result) {
 
 std::int64_t GrainRecorder::finish() {
   if (impl_->id == 0) throw lab::WorkFailed(impl_->path + ": no run of grains was started");
-  impl_->mark("complete");
+  impl_->mark("complete", true);
   impl_->finished = true;
   return impl_->id;
 }

@@ -275,7 +275,7 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
   const auto& rest = std::get<lab::ReportedGrainRest>(run.report.stages[2].came);
   CHECK(rest.strain_held);
   CHECK(rest.rest.at_rest);
-  CHECK(SQLite::Database(folder.file("t.db"))
+  CHECK(db::open_for_reading(folder.file("t.db"))
             .execAndGet("SELECT ending FROM grain_stages WHERE number = 3")
             .getString() == "at rest");
   CHECK(rest.rest.settling.steps == lab::kNotStored);
