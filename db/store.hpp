@@ -17,8 +17,8 @@
 
 namespace triax::db {
 
-/// As a reader sees it: what runs has given a sign of life lately (db/lease.hpp), what was
-/// interrupted ended without a result or has been silent.
+/// As a reader sees it: what runs has given a sign of life lately (db/recording/lease.hpp), what
+/// was interrupted ended without a result or has been silent.
 enum class TestStatus { running, complete, interrupted };
 std::string_view to_string(TestStatus status);
 /// What is no status of ours was interrupted.

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "db/catalogue.hpp"
-#include "db/repair.hpp"
+#include "db/recording/repair.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "src/cli/shared_options.hpp"

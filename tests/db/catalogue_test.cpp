@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "db/connection.hpp"
-#include "db/lease.hpp"
-#include "db/recorder.hpp"
+#include "db/recording/lease.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "db/connection.hpp"
-#include "db/grain_recorder.hpp"
+#include "db/recording/grain_recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"

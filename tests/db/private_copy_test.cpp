@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "db/connection.hpp"
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "db/connection.hpp"
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"

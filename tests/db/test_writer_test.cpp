@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "db/connection.hpp"
-#include "db/lease.hpp"
+#include "db/recording/lease.hpp"
 #include "db/scan_writer.hpp"
 #include "db/test_reader.hpp"
 #include "tests/db/fake_session.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/lease.hpp"
+#include "db/recording/lease.hpp"
 
 #include <SQLiteCpp/Statement.h>
 
@@ -35,6 +35,13 @@ void Lease::take(SQLite::Database& database, std::int64_t id) const {
   insert.bind(1, writer_);
   insert.bind(2, id);
   insert.exec();
+}
+
+std::int64_t Lease::row(SQLite::Database& database) const {
+  SQLite::Statement select(
+      database, std::string("SELECT ") + table_of(what_).column + " FROM leases WHERE writer = ?");
+  select.bind(1, writer_);
+  return select.executeStep() ? select.getColumn(0).getInt64() : 0;
 }
 
 void Lease::renew(SQLite::Database& database) {

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 
 #include <QDateTime>
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "db/connection.hpp"
-#include "db/test_entry.hpp"
+#include "db/recording/spool.hpp"
+#include "db/recording/test_entry.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::db {
@@ -29,7 +32,8 @@ constexpr std::size_t kRowsAtMost = 20000;
 struct Recorder::Impl {
   enum class Ending { none, complete, interrupted, discarded };
 
-  explicit Impl(std::string path) : entry_(std::move(path), kPatience) {}
+  Impl(std::string path, Patience patience)
+      : patience_(std::move(patience)), entry_(std::move(path), patience_.quiet) {}
 
   void start(const lab::RecordHeader& header);
   template <class Row>
@@ -47,10 +51,18 @@ struct Recorder::Impl {
  private:
   void write_batches();
   bool take_batch();
+  void keep(Ending ending);
+  bool is_discarded();
   void store_batch(Ending ending);
+  bool set_aside();
+  void empty_spool();
+  void drop_spool();
+  void wait_for_turn();
+  std::string advice(const MayPass& why) const;
   void rethrow_failure();
   bool enters_at_once() const { return turns_ && !entered_; }
 
+  const Patience patience_;
   TestStart test_;
   Turns* turns_ = nullptr;
 
@@ -66,6 +78,8 @@ struct Recorder::Impl {
   std::thread writer_;
   Batch storing_;
   TestEntry entry_;
+  std::optional<Spool> spool_;
+  Waiting waiting_{patience_};
 };
 
 void Recorder::Impl::start(const lab::RecordHeader& header) {
@@ -108,7 +122,7 @@ void Recorder::Impl::write_batches() {
     while (more) {
       more = take_batch();
       if (!more && ending_ == Ending::discarded) break;
-      store_batch(more ? Ending::none : ending_);
+      keep(more ? Ending::none : ending_);
       storing_.clear();
     }
   } catch (...) {
@@ -118,11 +132,69 @@ void Recorder::Impl::write_batches() {
   }
 }
 
+/// Until the batch is in the database, or at least beside it. The end of a test has to be in it.
+void Recorder::Impl::keep(Ending ending) {
+  for (waiting_.count_from_now(); !is_discarded(); waiting_.pause()) try {
+      empty_spool();
+      store_batch(ending);
+      drop_spool();
+      waiting_.succeeded(entry_.path());
+      return entry_.set_patience(patience_.quiet);
+    } catch (const MayPass& why) {
+      const bool too_long = waiting_.failed(why);
+      entry_.set_patience(std::min(patience_.quiet, patience_.again));
+      const bool aside = set_aside();
+      if (aside && ending == Ending::interrupted && patience_.say) patience_.say(advice(why));
+      if (aside && ending != Ending::complete) return;
+      if (too_long) throw lab::WorkFailed(advice(why));
+    }
+}
+
+bool Recorder::Impl::is_discarded() {
+  const std::lock_guard lock(mutex_);
+  return ending_ == Ending::discarded;
+}
+
+/// False where the disk takes nothing at all.
+bool Recorder::Impl::set_aside() {
+  if (!spool_) spool_.emplace(entry_, patience_.most_bytes);
+  try {
+    if (storing_.rows() > 0) spool_->store(test_, storing_);
+    storing_.clear();
+    spool_->sign();
+    return true;
+  } catch (const MayPass&) {
+    return false;
+  }
+}
+
+void Recorder::Impl::empty_spool() {
+  if (!spool_ || spool_->is_empty()) return;
+  wait_for_turn();
+  spool_->empty_into(entry_, test_);
+  drop_spool();
+}
+
+void Recorder::Impl::drop_spool() {
+  if (spool_) spool_->remove();
+  spool_.reset();
+}
+
+std::string Recorder::Impl::advice(const MayPass& why) const {
+  if (!spool_ || spool_->is_empty()) return why.what();
+  return std::string(why.what()) + "; the readings wait in " + spool_->path() +
+         ", and `triax tests repair` takes them in";
+}
+
+void Recorder::Impl::wait_for_turn() {
+  if (turns_ && entry_.id() == 0) turns_->wait_for(test_.sweep->place);
+}
+
 void Recorder::Impl::store_batch(Ending ending) {
   const bool is_new = entry_.id() == 0;
   if (storing_.rows() == 0 && ending != Ending::complete && (is_new || ending == Ending::none))
     return entry_.sign();
-  if (is_new && turns_) turns_->wait_for(test_.sweep->place);
+  wait_for_turn();
   if (ending == Ending::complete)
     entry_.complete(test_, storing_, *summary_);
   else if (ending == Ending::interrupted)
@@ -148,10 +220,13 @@ void Recorder::Impl::end(Ending ending, const lab::TestSummary* summary) {
 
 void Recorder::Impl::discard() {
   if (open()) end(Ending::discarded, nullptr);
+  drop_spool();
+  entry_.set_patience(kPatience);
   entry_.discard();
 }
 
-Recorder::Recorder(std::string path) : impl_(std::make_unique<Impl>(std::move(path))) {}
+Recorder::Recorder(std::string path, Patience patience)
+    : impl_(std::make_unique<Impl>(std::move(path), std::move(patience))) {}
 
 Recorder::~Recorder() {
   if (!impl_->open()) return;

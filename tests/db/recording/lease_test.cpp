@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/lease.hpp"
+#include "db/recording/lease.hpp"
 
 #include <SQLiteCpp/Statement.h>
 

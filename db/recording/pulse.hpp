@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "db/lease.hpp"
+#include "db/recording/lease.hpp"
 
 namespace triax::db {
 

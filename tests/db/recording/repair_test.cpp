@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repair.hpp"
+#include "db/recording/repair.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "db/connection.hpp"
-#include "db/lease.hpp"
+#include "db/recording/lease.hpp"
 #include "db/test_writer.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"

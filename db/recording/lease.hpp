@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace triax::db {
 
@@ -21,10 +22,14 @@ class Lease {
   static constexpr std::chrono::seconds kBeat{2};
 
   explicit Lease(Leased what);
+  /// Of a writer that is gone.
+  Lease(Leased what, std::string writer) : what_(what), writer_(std::move(writer)) {}
   /// Random, 128 bits in hexadecimal figures.
   const std::string& writer() const { return writer_; }
   /// Of the row `id`, which this writer has made or found without a living writer.
   void take(SQLite::Database& database, std::int64_t id) const;
+  /// Of the row that this lease is about; 0 where there is none.
+  std::int64_t row(SQLite::Database& database) const;
   /// Before anything else is written: a sign of life. Where somebody took this writer for dead and
   /// marked the row as interrupted, it runs again. Throws lab::WorkFailed where the row was
   /// removed.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/test_entry.hpp"
+#include "db/recording/test_entry.hpp"
 
+#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
 #include <filesystem>
 #include <utility>
 
+#include "db/columns.hpp"
 #include "db/connection.hpp"
 #include "db/test_writer.hpp"
 
@@ -17,14 +19,32 @@ void Batch::clear() {
   events.clear();
 }
 
-TestEntry::TestEntry(std::string path, std::chrono::milliseconds patience)
-    : path_(std::move(path)), patience_(patience) {}
+TestEntry::TestEntry(std::string path, std::chrono::milliseconds patience, std::int64_t most_bytes)
+    : path_(std::move(path)), patience_(patience), most_bytes_(most_bytes) {}
+
+TestEntry::TestEntry(std::string path, std::chrono::milliseconds patience, std::string writer)
+    : path_(std::move(path)),
+      patience_(patience),
+      continues_(true),
+      lease_(Leased::test, std::move(writer)) {}
+
+void TestEntry::set_patience(std::chrono::milliseconds patience) {
+  patience_ = patience;
+  if (database_) database_->setBusyTimeout(static_cast<int>(patience.count()));
+}
+
+void TestEntry::bound() {
+  if (most_bytes_ == 0) return;
+  const auto page = database_->execAndGet("PRAGMA page_size").getInt64();
+  database_->exec("PRAGMA max_page_count = " + std::to_string(most_bytes_ / page));
+}
 
 void TestEntry::open() {
   if (database_) return;
-  const bool existed = std::filesystem::exists(path_);
+  created_ = created_ || !std::filesystem::exists(path_);
   database_.emplace(open_for_writing(path_, patience_));
-  created_ = created_ || !existed;
+  bound();
+  if (continues_) id_ = lease_.row(*database_);
 }
 
 /// Gives `work` the id of the test, 0 where it is not there yet; it comes back with that it has.
@@ -75,6 +95,47 @@ void TestEntry::interrupt(const TestStart& test, const Batch& batch) {
     write(test, batch, id);
     mark_interrupted(*database_, id);
   });
+}
+
+std::int64_t TestEntry::last_reading(const std::string& table) {
+  SQLite::Statement last(*database_, "SELECT coalesce(max(id) & 4294967295, -1) FROM " + table +
+                                         " WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295");
+  last.bind(1, id_);
+  last.executeStep();
+  return last.getColumn(0).getInt64();
+}
+
+std::vector<lab::Event> TestEntry::without_known(std::vector<lab::Event> events) {
+  SQLite::Statement known(
+      *database_,
+      "SELECT 1 FROM events WHERE test_id = ? AND reading = ? AND kind = ? AND detail = ?");
+  std::erase_if(events, [&](const lab::Event& event) {
+    Binder(known)
+        .integer(id_)
+        .integer(event.reading)
+        .text(to_string(event.kind))
+        .text(event.detail);
+    return known.executeStep();
+  });
+  return events;
+}
+
+void TestEntry::take_in(const TestStart& test, const Store& from, std::int64_t id) {
+  store(test, {});
+  constexpr std::size_t kAtATime = 20000;
+  const std::int64_t scanned = last_reading("scans"), worked = last_reading("work_points");
+  Batch batch;
+  from.for_each_scan(id, 1, [&](const lab::Reading& reading, const lab::State& state) {
+    if (reading.number <= scanned) return;
+    batch.scans.push_back({reading, state});
+    if (batch.rows() < kAtATime) return;
+    store(test, batch);
+    batch.clear();
+  });
+  batch.work = from.second_order_work(id);
+  std::erase_if(batch.work, [&](const auto& point) { return point.reading <= worked; });
+  batch.events = without_known(from.load(id).events);
+  store(test, batch);
 }
 
 void TestEntry::sign() {

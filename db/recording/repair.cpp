@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repair.hpp"
+#include "db/recording/repair.hpp"
 
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "db/connection.hpp"
+#include "db/recording/spool.hpp"
 #include "db/test_writer.hpp"
 #include "lab/base/text.hpp"
 
@@ -41,11 +42,14 @@ Repaired repair(const std::string& path) {
   check_there(path);
   Repaired done;
   std::vector<std::int64_t> ids;
+  for (const std::string& spool : spools_beside(path))
+    if (const auto id = take_in(spool, path)) ids.push_back(*id);
   try {
     SQLite::Database database = open_for_writing(path);
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    ids = silent_tests(database);
-    for (const std::int64_t id : ids) mark_interrupted(database, id);
+    const auto silent = silent_tests(database);
+    for (const std::int64_t id : silent) mark_interrupted(database, id);
+    ids.insert(ids.end(), silent.begin(), silent.end());
     done.runs = mark_silent_runs(database);
     transaction.commit();
   } catch (const SQLite::Exception& error) {

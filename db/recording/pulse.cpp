@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/pulse.hpp"
+#include "db/recording/pulse.hpp"
 
 #include <SQLiteCpp/Transaction.h>
 

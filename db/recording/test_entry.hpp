@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "db/lease.hpp"
+#include "db/recording/lease.hpp"
 #include "db/scan_writer.hpp"
 #include "db/store.hpp"
 
@@ -38,8 +38,11 @@ struct TestStart {
 /// at a time.
 class TestEntry {
  public:
-  /// A lock is waited for as long as `patience`.
-  TestEntry(std::string path, std::chrono::milliseconds patience);
+  /// A lock is waited for as long as `patience`; the file does not grow beyond `most_bytes`, where
+  /// they are not 0.
+  TestEntry(std::string path, std::chrono::milliseconds patience, std::int64_t most_bytes = 0);
+  /// Goes on with the test of a writer that is gone, if that ever entered the database.
+  TestEntry(std::string path, std::chrono::milliseconds patience, std::string writer);
 
   const std::string& path() const { return path_; }
   /// 0 before the test is there.
@@ -51,6 +54,11 @@ class TestEntry {
   void complete(const TestStart& test, const Batch& batch, const lab::TestSummary& summary);
   /// The last batch; the test ends without a result.
   void interrupt(const TestStart& test, const Batch& batch);
+  /// The readings, second-order work and events of the test `id` of another database that are not
+  /// there yet, in several transactions.
+  void take_in(const TestStart& test, const Store& from, std::int64_t id);
+  /// From the next transaction on.
+  void set_patience(std::chrono::milliseconds patience);
   /// A sign of life where one is due.
   void sign();
   /// Takes the test out again, and the file if this entry made it and nobody else uses it.
@@ -61,10 +69,15 @@ class TestEntry {
   template <class Work>
   void in_transaction(const Work& work);
   void open();
+  void bound();
+  std::int64_t last_reading(const std::string& table);
+  std::vector<lab::Event> without_known(std::vector<lab::Event> events);
   void write(const TestStart& test, const Batch& batch, std::int64_t& id);
 
   const std::string path_;
-  const std::chrono::milliseconds patience_;
+  std::chrono::milliseconds patience_;
+  std::int64_t most_bytes_ = 0;
+  bool continues_ = false;
   Lease lease_{Leased::test};
   std::optional<SQLite::Database> database_;
   std::optional<ScanWriter> scans_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/grain_recorder.hpp"
+#include "db/recording/grain_recorder.hpp"
 
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
@@ -9,27 +9,40 @@
 
 #include "db/connection.hpp"
 #include "db/grain_writer.hpp"
-#include "db/pulse.hpp"
+#include "db/recording/pulse.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 
 struct GrainRecorder::Impl {
-  Impl(std::string file, const lab::GrainProgramme& run) : path(std::move(file)), programme(run) {}
+  Impl(std::string file, const lab::GrainProgramme& run, Patience how_long)
+      : path(std::move(file)), programme(run), patience(std::move(how_long)) {}
 
   const std::string path;
   const lab::GrainProgramme& programme;
+  const Patience patience;
   std::optional<SQLite::Database> database;
   Lease lease{Leased::grain_run};
   std::optional<Pulse> pulse;
   std::int64_t id = 0, stages = 0;
   bool finished = false;
 
-  /// Runs `write` in a transaction of its own. IMMEDIATE: a second writer waits here.
+  /// Runs `write` in a transaction of its own, again until the database takes it.
   template <class Write>
   void in_transaction(const Write& write) {
+    Waiting waiting(patience);
+    for (;; waiting.pause()) try {
+        try_transaction(write);
+        return waiting.succeeded(path);
+      } catch (const MayPass& why) {
+        if (waiting.failed(why)) throw;
+      }
+  }
+  /// IMMEDIATE: a second writer waits here.
+  template <class Write>
+  void try_transaction(const Write& write) {
     try {
-      if (!database) database.emplace(open_for_writing(path));
+      if (!database) database.emplace(open_for_writing(path, patience.quiet));
       SQLite::Transaction transaction(*database, SQLite::TransactionBehavior::IMMEDIATE);
       if (id != 0) lease.renew(*database);
       write(*database);
@@ -50,8 +63,9 @@ struct GrainRecorder::Impl {
   }
 };
 
-GrainRecorder::GrainRecorder(std::string path, const lab::GrainProgramme& programme)
-    : impl_(std::make_unique<Impl>(std::move(path), programme)) {}
+GrainRecorder::GrainRecorder(std::string path, const lab::GrainProgramme& programme,
+                             Patience patience)
+    : impl_(std::make_unique<Impl>(std::move(path), programme, std::move(patience))) {}
 
 GrainRecorder::~GrainRecorder() {
   if (impl_->id == 0 || impl_->finished) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/grain_recorder.hpp"
+#include "db/recording/grain_recorder.hpp"
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
@@ -167,6 +167,31 @@ TEST_CASE("a run of grains gives signs of life while a stage is computed, and no
   CHECK(signs);
   recorder.finish();
   CHECK_FALSE(db::GrainStore(path).load(1).sign_of_life);
+}
+
+TEST_CASE("a run of grains waits for a lock and loses nothing; a stage after it is stored as well",
+          "[threads]") {
+  testing::TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  std::vector<std::string> said;
+  using namespace std::chrono_literals;
+  db::GrainRecorder recorder(
+      path, small(),
+      {.quiet = 50ms, .again = 20ms, .say = [&](const std::string& s) { said.push_back(s); }});
+  recorder.made(ran().made);
+  SQLite::Database foreign(path, SQLite::OPEN_READWRITE, 5000);
+  foreign.exec("BEGIN IMMEDIATE");
+  std::thread frees([&] {
+    std::this_thread::sleep_for(500ms);
+    foreign.exec("COMMIT");
+  });
+  for (const auto& result : ran().results) recorder.ended(result);
+  CHECK(recorder.finish() == 1);
+  frees.join();
+  const auto run = db::GrainStore(path).load(1);
+  CHECK(run.status == db::TestStatus::complete);
+  CHECK(run.report.stages.size() == ran().results.size());
+  CHECK(said.size() == 2);
 }
 
 TEST_CASE("a file that is no database of ours stays as it is") {
