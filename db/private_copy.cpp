@@ -3,14 +3,15 @@
 
 #include <SQLiteCpp/Backup.h>
 #include <sqlite3.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "db/connection.hpp"
 #include "lab/base/bad_input.hpp"
@@ -51,7 +52,7 @@ struct Unchanged {
   explicit Unchanged(const std::string& path) {
     struct stat of {};
     if (stat(path.c_str(), &of) == 0) file = {of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec};
-    std::ifstream(path + "-wal", std::ios::binary).read(wal_header.data(), wal_header.size());
+    std::ifstream(path + "-wal", std::ios::binary).read(wal_header.data(), std::ssize(wal_header));
   }
   bool operator==(const Unchanged&) const = default;
   std::array<std::int64_t, 3> file{};
