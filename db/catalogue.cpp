@@ -12,6 +12,7 @@
 
 #include "db/columns.hpp"
 #include "db/connection.hpp"
+#include "db/test_reader.hpp"
 #include "db/test_writer.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
@@ -22,11 +23,13 @@ namespace {
 using SQLite::Statement;
 
 constexpr const char* kListed =
-    "SELECT t.id, t.name, t.origin, t.programme, t.status, v.kind, "
-    "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
+    "SELECT t.id, t.name, t.origin, t.programme, s.status, s.last_sign_of_life, s.silent_s, "
+    "v.kind, "
+    "coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 "
     "AND t.id << 32 | 4294967295)), t.stored_at, t.source, t.digest, "
     "t.id IN (SELECT test_id FROM counted_tests) "
-    "FROM tests t LEFT JOIN verdicts v ON v.test_id = t.id "
+    "FROM tests t JOIN seen_tests s ON s.test_id = t.id "
+    "LEFT JOIN verdicts v ON v.test_id = t.id "
     "WHERE ?1 = '' OR EXISTS (SELECT 1 FROM tags g WHERE g.test_id = t.id AND g.tag = ?1) "
     "ORDER BY t.id";
 
@@ -37,6 +40,7 @@ ListedTest listed(Columns c) {
   test.origin = c.text() == "simulated" ? lab::Origin::simulated : lab::Origin::recorded;
   test.programme = c.text();
   test.status = status_of(c.text());
+  test.sign_of_life = sign_of_life(c);
   test.kind = lab::collapse_kind_from(c.text());
   test.readings = c.integer().value_or(0);
   test.stored_at = c.text();
@@ -66,7 +70,7 @@ std::vector<ListedTest> all_listed(SQLite::Database& database, const std::string
 /// Runs `work` in one transaction of a database that is there.
 template <class Work>
 auto change(const std::string& path, const Work& work) {
-  open_for_reading(path);  // says why it is none, and does not make one
+  check_there(path);
   try {
     SQLite::Database database = open_for_writing(path);
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);

@@ -17,11 +17,12 @@ struct ListedTest {
   lab::Origin origin = lab::Origin::recorded;
   std::string programme;
   TestStatus status = TestStatus::running;
-  std::optional<lab::CollapseKind> kind;  ///< empty: there is no verdict
-  std::int64_t readings = 0;              ///< so far, while it runs
-  std::string stored_at;                  ///< ISO 8601, UTC
-  std::string source, digest;             ///< as in lab::RecordHeader
-  bool counted = true;                    ///< in statistics: no later reading of its file stands
+  std::optional<SignOfLife> sign_of_life;  ///< as in StoredTest
+  std::optional<lab::CollapseKind> kind;   ///< empty: there is no verdict
+  std::int64_t readings = 0;               ///< so far, while it runs
+  std::string stored_at;                   ///< ISO 8601, UTC
+  std::string source, digest;              ///< as in lab::RecordHeader
+  bool counted = true;                     ///< in statistics: no later reading of its file stands
   std::vector<std::string> tags;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 // The columns of scans, scan_details and the view `readings` that follow from the table of
 // quantities (lab/results/quantity.cpp). A quantity that is new in that table gets its column when
-// a database is next opened where it can be written; elsewhere it reads as NULL.
+// a database is next opened for writing; until then it reads as NULL.
 #include <SQLiteCpp/Database.h>
 
 #include <string>
@@ -25,7 +25,7 @@ std::string selected(SQLite::Database& database, const std::string& table, const
 bool has_all_channels(SQLite::Database& database);
 /// Adds the columns that are missing and makes the view anew. Inside the caller's transaction.
 void add_missing_channels(SQLite::Database& database);
-/// For a database that cannot be written: a view of this connection that has all columns.
+/// For a database that is only read: a view of this connection that has all columns.
 void show_all_channels(SQLite::Database& database);
 
 }  // namespace triax::db

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/connection.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <sqlite3.h>
 
@@ -10,10 +9,10 @@
 #include <chrono>
 #include <filesystem>
 #include <thread>
-#include <vector>
+#include <utility>
 
 #include "db/channel_columns.hpp"
-#include "db/writer_identity.hpp"
+#include "db/private_copy.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/embedded.hpp"
 
@@ -25,7 +24,6 @@ namespace triax::db {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kBusyTimeoutMs = 20000;
 
 int version_of(const lab::EmbeddedFile& migration) {
   int version = 0;
@@ -59,9 +57,8 @@ void check_ours(SQLite::Database& database, const std::string& path) {
 }
 
 /// Two programs may create the file at once, and the switch to WAL does not wait by itself.
-void switch_to_wal(SQLite::Database& database) {
-  const auto deadline =
-      std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeoutMs);
+void switch_to_wal(SQLite::Database& database, std::chrono::milliseconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
     if (sqlite3_exec(database.getHandle(), "PRAGMA journal_mode = WAL", nullptr, nullptr,
                      nullptr) == SQLITE_OK)
@@ -72,11 +69,12 @@ void switch_to_wal(SQLite::Database& database) {
   }
 }
 
-void prepare_for_writing(SQLite::Database& database, const std::string& path) {
+void prepare_for_writing(SQLite::Database& database, const std::string& path,
+                         std::chrono::milliseconds patience) {
   check_ours(database, path);
   // Large pages: the scans of a test are read and written in long runs.
   if (is_empty(database)) database.exec("PRAGMA page_size = 32768");
-  switch_to_wal(database);
+  switch_to_wal(database, patience);
   // NORMAL syncs at checkpoints only: a killed program loses nothing that was committed.
   database.exec(
       "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 500; PRAGMA foreign_keys = ON; "
@@ -96,23 +94,35 @@ void check_path(const std::string& path) {
         "there is no folder " + folder.string() + " to put the database in; create it first");
 }
 
-/// What a reader does to a database it may not be allowed to change.
-void tidy_up(const std::string& path) {
-  try {
-    SQLite::Database database(path, SQLite::OPEN_READWRITE, kBusyTimeoutMs);
-    check_ours(database, path);
-    if (is_empty(database)) return;
-    migrate(database, path);
-    mark_abandoned_tests(database);
-  } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() == SQLITE_NOTADB || error.getErrorCode() == SQLITE_CORRUPT)
-      throw_for(error, path);
-  }
+void check_exists(const std::string& path) {
+  check_path(path);
+  if (!fs::exists(path))
+    throw lab::BadInput(path, 0,
+                        "no such database; `triax replay`, `simulate` and `grains` create one");
+}
+
+SQLite::Database read_only(SQLite::Database database) {
+  database.exec("PRAGMA query_only = ON");
+  return database;
+}
+
+SQLite::Database of_newest_schema(SQLite::Database database, const std::string& path) {
+  check_filled(database, path);
+  if (read_int(database, "PRAGMA user_version") < newest_schema())
+    return read_only(migrated_copy(database, path));
+  if (!has_all_channels(database)) show_all_channels(database);
+  return read_only(std::move(database));
+}
+
+SQLite::Database opened_in_place(const std::string& path) {
+  return of_newest_schema(SQLite::Database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX,
+                                           static_cast<int>(kPatience.count())),
+                          path);
 }
 
 /// A database in a folder without write permission: WAL needs files beside it, unless nobody
 /// writes.
-SQLite::Database open_immutable(const std::string& path) {
+SQLite::Database immutable(const std::string& path) {
   const QByteArray escaped = QUrl::toPercentEncoding(
       QString::fromStdString(fs::absolute(path).string()), QByteArrayLiteral("/"));
   return SQLite::Database("file:" + escaped.toStdString() + "?immutable=1",
@@ -143,87 +153,53 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
   transaction.commit();
 }
 
-SQLite::Database open_for_writing(const std::string& path) {
+SQLite::Database open_for_writing(const std::string& path, std::chrono::milliseconds patience) {
   check_path(path);
   try {
     // No mutexes: a connection belongs to one thread at a time.
-    SQLite::Database database(
-        path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, kBusyTimeoutMs);
-    prepare_for_writing(database, path);
-    mark_abandoned_tests(database);
+    SQLite::Database database(path,
+                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX,
+                              static_cast<int>(patience.count()));
+    prepare_for_writing(database, path, patience);
     return database;
   } catch (const SQLite::Exception& error) {
     throw_for(error, path);
   }
+}
+
+void check_filled(SQLite::Database& database, const std::string& path) {
+  check_ours(database, path);
+  if (is_empty(database))
+    throw lab::BadInput(path, 0,
+                        "is empty; `triax replay`, `simulate` and `grains` fill a database");
 }
 
 SQLite::Database open_for_reading(const std::string& path) {
-  check_path(path);
-  if (!fs::exists(path))
-    throw lab::BadInput(path, 0,
-                        "no such database; `triax replay`, `simulate` and `grains` create one");
-  tidy_up(path);
-  const auto checked = [&](SQLite::Database database) {
-    check_ours(database, path);
-    if (is_empty(database))
-      throw lab::BadInput(path, 0,
-                          "is empty; `triax replay`, `simulate` and `grains` fill a database");
-    const int version = read_int(database, "PRAGMA user_version");
-    if (version < newest_schema())
-      throw lab::BadInput(path, 0,
-                          "schema version " + std::to_string(version) +
-                              " needs migration, but the file cannot be written; make it writable");
-    if (!has_all_channels(database)) show_all_channels(database);
-    database.exec("PRAGMA query_only = ON");
-    return database;
-  };
+  check_exists(path);
   try {
-    return checked(
-        SQLite::Database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, kBusyTimeoutMs));
-  } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() != SQLITE_CANTOPEN && error.getErrorCode() != SQLITE_READONLY)
-      throw_for(error, path);
-  }
-  try {
-    return checked(open_immutable(path));
+    try {
+      return opened_in_place(path);
+    } catch (const SQLite::Exception& error) {
+      // The files that SQLite needs beside it are not there and cannot be made.
+      const int code = error.getErrorCode();
+      if (code != SQLITE_CANTOPEN && code != SQLITE_READONLY) throw;
+    }
+    return waits_beside(path) ? read_only(migrated_copy_of_files(path))
+                              : of_newest_schema(immutable(path), path);
   } catch (const SQLite::Exception& error) {
     throw_for(error, path);
   }
 }
 
-namespace {
-
-std::vector<std::int64_t> abandoned(SQLite::Database& database, const std::string& table) {
-  SQLite::Statement running(database, "SELECT id, writer_pid, writer_started, writer_host FROM " +
-                                          table + " WHERE status = 'running'");
-  std::vector<std::int64_t> ids;
-  while (running.executeStep())
-    if (!may_be_alive({running.getColumn(1).getInt64(), running.getColumn(2).getInt64(),
-                       running.getColumn(3).getString()}))
-      ids.push_back(running.getColumn(0).getInt64());
-  return ids;
-}
-
-void run_for_each(SQLite::Database& database, const char* sql,
-                  const std::vector<std::int64_t>& ids) {
-  for (const std::int64_t id : ids) {
-    SQLite::Statement statement(database, sql);
-    statement.bind(1, id);
-    statement.exec();
+void check_there(const std::string& path) {
+  check_exists(path);
+  try {
+    SQLite::Database database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX,
+                              static_cast<int>(kPatience.count()));
+    check_filled(database, path);
+  } catch (const SQLite::Exception& error) {
+    throw_for(error, path);
   }
-}
-
-}  // namespace
-
-void mark_abandoned_tests(SQLite::Database& database) {
-  run_for_each(database,
-               "UPDATE tests SET status = 'interrupted', readings = (SELECT count(*) FROM scans "
-               "WHERE scans.id BETWEEN tests.id << 32 AND tests.id << 32 | 4294967295) "
-               "WHERE id = ? AND status = 'running'",
-               abandoned(database, "tests"));
-  run_for_each(database,
-               "UPDATE grain_runs SET status = 'interrupted' WHERE id = ? AND status = 'running'",
-               abandoned(database, "grain_runs"));
 }
 
 void throw_for(const SQLite::Exception& error, const std::string& path) {
@@ -237,6 +213,12 @@ void throw_for(const SQLite::Exception& error, const std::string& path) {
     case SQLITE_READONLY:
     case SQLITE_PERM:
       throw lab::BadInput(path, 0, "cannot be written; check the permissions of file and folder");
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_PROTOCOL:
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      throw MayPass(path + ": " + error.what());
     default:
       throw lab::WorkFailed(path + ": " + error.what());
   }

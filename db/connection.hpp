@@ -3,12 +3,18 @@
 // Opening a triax database: what is accepted, how it is migrated, which settings a connection has.
 #include <SQLiteCpp/Database.h>
 
+#include <chrono>
 #include <string>
+
+#include "lab/base/bad_input.hpp"
 
 namespace triax::db {
 
 /// "TRIX", in the header of the file: `file` and this program tell a database of ours by it.
 inline constexpr int kApplicationId = 0x54524958;
+
+/// How long a statement waits for the lock of another program.
+inline constexpr std::chrono::milliseconds kPatience{20000};
 
 /// The number of the newest migration (db/migrations/NNNN_name.sql).
 int newest_schema();
@@ -18,19 +24,32 @@ int newest_schema();
 /// Throws lab::BadInput if the file belongs to another program or to a newer triax.
 void migrate(SQLite::Database& database, const std::string& path, int target = newest_schema());
 
-/// Read-write, in WAL mode and of the newest schema; creates the file if it does not exist. Throws
-/// lab::BadInput if that path cannot be a database, SQLite::Exception if the disk refuses.
-SQLite::Database open_for_writing(const std::string& path);
+/// Read-write, in WAL mode and of the newest schema; creates the file if it does not exist. A lock
+/// that another program holds is waited for as long as `patience`. Throws lab::BadInput if that
+/// path cannot be a database, lab::WorkFailed if the disk refuses.
+SQLite::Database open_for_writing(const std::string& path,
+                                  std::chrono::milliseconds patience = kPatience);
 
-/// Read only and query_only. Tests whose writer is gone are first marked as interrupted and an
-/// older schema is migrated, where the file can be written. Throws lab::BadInput if the file is
-/// missing, no triax database, of a newer schema, or of an older one that cannot be migrated.
+/// Read only and query_only: not a byte of the file changes. All that is there is read, also what a
+/// killed program left in the -wal of a folder without write permission; an older schema reads as
+/// the newest (both by a private copy, db/private_copy.hpp). Throws lab::BadInput if the file is
+/// missing, empty, no triax database or of a newer schema, or cannot be read whole.
 SQLite::Database open_for_reading(const std::string& path);
 
-/// Marks running tests and runs of grains whose writer is gone as interrupted.
-void mark_abandoned_tests(SQLite::Database& database);
+/// Throws lab::BadInput where open_for_reading() would because of what the file is; changes
+/// nothing.
+void check_there(const std::string& path);
+/// The same of a database that is open.
+void check_filled(SQLite::Database& database, const std::string& path);
 
-/// lab::BadInput or lab::WorkFailed for what SQLite says about `path`.
+/// What may pass by itself: a lock of another program, a disk that is full, one that does not
+/// answer.
+class MayPass : public lab::WorkFailed {
+ public:
+  using lab::WorkFailed::WorkFailed;
+};
+
+/// lab::BadInput, MayPass or lab::WorkFailed for what SQLite says about `path`.
 [[noreturn]] void throw_for(const SQLite::Exception& error, const std::string& path);
 
 }  // namespace triax::db

@@ -10,6 +10,7 @@
 
 #include "db/exact_row.hpp"
 #include "db/grain_columns.hpp"
+#include "db/test_reader.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::db {
@@ -176,7 +177,7 @@ class StageReader {
 
 /// A row of grain_runs beside the specimen.
 struct RunRow {
-  std::string name, source, status, recorded_at;
+  std::string name, source, recorded_at;
   SpecimenRow specimen;
   bool exact = true;
 };
@@ -219,7 +220,6 @@ StoredGrainRun read_grain_run(SQLite::Database& database, std::int64_t id) {
     r.specimen.told.measures = lab::measures_not_stored();
     row("name", r.name);
     row("source", r.source);
-    row("status", r.status);
     row("recorded_at", r.recorded_at);
     visit_specimen(row, r.specimen);
     if constexpr (std::is_same_v<std::decay_t<decltype(row)>, RowReader>) r.exact = row.exact();
@@ -228,7 +228,13 @@ StoredGrainRun read_grain_run(SQLite::Database& database, std::int64_t id) {
     throw lab::BadInput(fmt::format("there is no run of grains with the id {}", id));
   StoredGrainRun run;
   run.id = id;
-  run.status = status_of(found.front().status);
+  SQLite::Statement seen(
+      database, "SELECT status, last_sign_of_life, silent_s FROM seen_grain_runs WHERE run_id = ?");
+  seen.bind(1, id);
+  seen.executeStep();
+  Columns columns(seen);
+  run.status = status_of(columns.text());
+  run.sign_of_life = sign_of_life(columns);
   run.recorded_at = found.front().recorded_at;
   run.whole = found.front().exact;
   run.report.programme = found.front().name;

@@ -14,8 +14,9 @@ namespace triax::db {
 struct StoredGrainRun {
   std::int64_t id = 0;
   TestStatus status = TestStatus::running;
-  std::string recorded_at;  ///< ISO 8601, UTC
-  lab::GrainReport report;  ///< of an interrupted run the stages that had ended
+  std::optional<SignOfLife> sign_of_life;  ///< empty: complete, or of an older triax
+  std::string recorded_at;                 ///< ISO 8601, UTC
+  lab::GrainReport report;                 ///< of an interrupted run the stages that had ended
   /// False: an older version wrote it, and what it did not store is not known (grain_report.hpp).
   bool whole = true;
 };

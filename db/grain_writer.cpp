@@ -6,7 +6,6 @@
 
 #include "db/exact_row.hpp"
 #include "db/grain_columns.hpp"
-#include "db/writer_identity.hpp"
 
 namespace triax::db {
 namespace {
@@ -92,7 +91,6 @@ std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgra
     specimen.seed = static_cast<std::int64_t>(specimen.told.seed);
     specimen.compactions = specimen.told.trials;
   }
-  const WriterIdentity writer = this_process();
   insert_row(database, "grain_runs", {}, [&](auto& row) {
     row("name", programme.name);
     row("source", programme.source);
@@ -101,9 +99,6 @@ std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgra
     row("status", std::string("running"));
     row("recorded_at", recorded_at);
     visit_specimen(row, std::as_const(specimen));
-    row("writer_pid", writer.pid);
-    row("writer_started", writer.started);
-    row("writer_host", writer.host);
   });
   const std::int64_t run = database.getLastInsertRowid();
   StageRows(database, run, 0).measures("made", made.measures);

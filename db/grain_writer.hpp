@@ -10,7 +10,7 @@
 
 namespace triax::db {
 
-/// The run is running, its writer is this process. Returns its id.
+/// The run is running. Returns its id.
 std::int64_t insert_grain_run(SQLite::Database& database, const lab::GrainProgramme& programme,
                               const lab::GrainsMade& made, const std::string& recorded_at);
 /// A stage with its points or probes.

@@ -7,10 +7,11 @@ const std::vector<NamedQuery>& named_queries() {
   static const std::vector<NamedQuery> queries{
       {"tests",
        "every test: what it was, where it came from, how it ended, whether statistics count it",
-       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, t.status, t.stored_at, "
-       "coalesce(t.readings, (SELECT count(*) FROM scans s WHERE s.id BETWEEN t.id << 32 "
+       "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, s.status, t.stored_at, "
+       "coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 "
        "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed, "
-       "t.id IN (SELECT test_id FROM counted_tests) AS counted FROM tests t ORDER BY t.id"},
+       "t.id IN (SELECT test_id FROM counted_tests) AS counted "
+       "FROM tests t JOIN seen_tests s ON s.test_id = t.id ORDER BY t.id"},
       {"collapse_points",
        "the tests that collapsed, as in tables of papers: p'0, e, phi, eta; each file once",
        "SELECT * FROM collapse_points ORDER BY type_of_test, test_id"},
@@ -46,9 +47,10 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT r.* FROM sweep_results r JOIN sweep_members m ON m.test_id = r.test_id "
        "AND m.key = r.key ORDER BY r.sweep, r.place, m.position"},
       {"grain_runs", "the runs of specimens of grains: how they were made, what they are",
-       "SELECT id AS run_id, name AS run, origin, status, recorded_at, grains, seed, "
+       "SELECT r.id AS run_id, r.name AS run, r.origin, s.status, recorded_at, grains, seed, "
        "compaction_friction_deg, friction_angle_deg, stiffness_reading, porosity, void_ratio, "
-       "coordination, floating_grains, grains_outside, source FROM grain_runs ORDER BY id"},
+       "coordination, floating_grains, grains_outside, source "
+       "FROM grain_runs r JOIN seen_grain_runs s ON s.run_id = r.id ORDER BY r.id"},
       {"grain_stages", "the stages of every run of grains, and how each ended",
        "SELECT r.id AS run_id, r.name AS run, r.origin, s.number AS stage, s.name AS stage_name, "
        "s.action, s.started_from, s.strain_path_R, s.ending, s.porosity, s.coordination, "
@@ -98,7 +100,7 @@ const std::vector<NamedQuery>& named_queries() {
       {"warnings", "what was changed, joined or missing in the records",
        "SELECT DISTINCT t.id AS test_id, t.name AS test, t.origin, w.line, w.text "
        "FROM warnings w JOIN tests t ON t.id = w.test_id ORDER BY t.id, w.line"},
-      {"unfinished_tests", "tests that still run or were interrupted",
+      {"unfinished_tests", "tests that still run or were interrupted, with the last sign of life",
        "SELECT * FROM unfinished_tests ORDER BY test_id"},
   };
   return queries;

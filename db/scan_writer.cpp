@@ -37,6 +37,16 @@ ScanSource& registered(SQLite::Database& database, ScanSource& source) {
 
 }  // namespace
 
+std::map<int, StageReference> stage_references(SQLite::Database& database, std::int64_t test_id) {
+  PlainStatement select(
+      database, "SELECT stage, void_ratio, area_m2 FROM stage_references WHERE test_id = ?");
+  select.bind(1, test_id);
+  std::map<int, StageReference> result;
+  while (select.step())
+    result[static_cast<int>(select.integer(0))] = {select.number(1), select.number(2)};
+  return result;
+}
+
 ScanWriter::ScanWriter(SQLite::Database& database, std::int64_t test_id)
     : database_(database),
       test_id_(test_id),
@@ -46,7 +56,8 @@ ScanWriter::ScanWriter(SQLite::Database& database, std::int64_t test_id)
       work_(database,
             "INSERT INTO work_points (id, time_s, small_strain, eulerian, semi_lagrangian, "
             "normalised, normalised_error, window_readings, axial_strain_path) "
-            "VALUES (?,?,?,?,?,?,?,?,?)") {}
+            "VALUES (?,?,?,?,?,?,?,?,?)"),
+      references_(stage_references(database, test_id)) {}
 
 std::int64_t ScanWriter::key(std::int64_t reading) const {
   if (reading < 0 || reading > 0xffffffff)

@@ -14,8 +14,12 @@
 
 namespace triax::db {
 
-/// Writes the scans of one test: what runs a million times. Inside the caller's transaction; after
-/// a failure the transaction has to be rolled back and the writer thrown away.
+/// Void ratio and area at zero strain of each stage of a test that has scans.
+std::map<int, StageReference> stage_references(SQLite::Database& database, std::int64_t test_id);
+
+/// Writes the scans of one test, of which some may be there: what runs a million times. Inside the
+/// caller's transaction; after a failure the transaction has to be rolled back and the writer
+/// thrown away.
 class ScanWriter {
  public:
   /// `database` has to outlive the writer.

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "db/channel_columns.hpp"
 #include "db/connection.hpp"
 #include "db/plain_statement.hpp"
 #include "db/scan_codec.hpp"
+#include "db/scan_writer.hpp"
 #include "db/test_reader.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
@@ -64,20 +64,10 @@ bool read_detail(const PlainStatement& row, ScanDetail& detail) {
   return true;
 }
 
-std::map<int, StageReference> read_references(SQLite::Database& database, std::int64_t id) {
-  PlainStatement select(
-      database, "SELECT stage, void_ratio, area_m2 FROM stage_references WHERE test_id = ?");
-  select.bind(1, id);
-  std::map<int, StageReference> result;
-  while (select.step())
-    result[static_cast<int>(select.integer(0))] = {select.number(1), select.number(2)};
-  return result;
-}
-
 template <class Use>
 void visit_scans(SQLite::Database& database, std::int64_t id, std::int64_t every,
                  std::pair<std::int64_t, std::int64_t> readings, const Use& use) {
-  const auto references = read_references(database, id);
+  const auto references = stage_references(database, id);
   PlainStatement row(database, select_scans(database).c_str());
   row.bind(1, id);
   row.bind(2, every);
@@ -200,7 +190,7 @@ std::vector<std::int64_t> Store::find(const std::vector<std::string>& names) con
 StoredTest Store::load(std::int64_t id) const {
   return impl_->guarded([&] {
     StoredTest test = read_test(impl_->database, id);
-    if (test.status == TestStatus::running) test.summary.readings = scan_count(id);
+    if (test.id == 0) throw lab::BadInput(impl_->path, 0, "there is no test " + std::to_string(id));
     if (const auto& onset = test.summary.collapse.onset)
       test.state_at_onset = state_at(id, onset->reading);
     return test;

@@ -17,10 +17,18 @@
 
 namespace triax::db {
 
+/// As a reader sees it: what runs has given a sign of life lately (db/recording/lease.hpp), what
+/// was interrupted ended without a result or has been silent.
 enum class TestStatus { running, complete, interrupted };
 std::string_view to_string(TestStatus status);
 /// What is no status of ours was interrupted.
 TestStatus status_of(std::string_view text);
+
+/// Of the writer of what is not complete.
+struct SignOfLife {
+  std::string at;             ///< the last one, ISO 8601, UTC
+  std::int64_t silent_s = 0;  ///< since then
+};
 
 /// Which values of a sweep a test was run with.
 struct SweepMembership {
@@ -34,7 +42,8 @@ struct SweepMembership {
 struct StoredTest {
   std::int64_t id = 0;
   TestStatus status = TestStatus::running;
-  std::string stored_at;  ///< when it was imported or simulated, ISO 8601, UTC
+  std::optional<SignOfLife> sign_of_life;  ///< empty: complete, or of an older triax
+  std::string stored_at;                   ///< when it was imported or simulated, ISO 8601, UTC
   lab::RecordHeader header;
   lab::TestSummary summary;
   std::vector<lab::Event> events;
@@ -49,9 +58,8 @@ struct StoredTest {
 /// time.
 class Store {
  public:
-  /// Opens an existing database read only. Before that, tests whose writer is no longer alive are
-  /// marked as interrupted, where the file can be written at all. Throws lab::BadInput if the file
-  /// is missing, is no triax database, or has a newer schema than this program.
+  /// Opens an existing database read only, as open_for_reading() does. Throws lab::BadInput if the
+  /// file is missing, is no triax database, or has a newer schema than this program.
   explicit Store(const std::string& path);
   ~Store();
   Store(const Store&) = delete;

@@ -83,8 +83,11 @@ void read_stages(SQLite::Database& database, std::int64_t id, std::vector<lab::S
 void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) {
   lab::RecordHeader& h = test.header;
   for_rows(database, id,
-           "SELECT id, name, origin, programme, source, dialect, digest, seed, status, stored_at, "
-           "has_time, columns, readings, membrane_correction FROM tests WHERE id = ?",
+           "SELECT t.id, t.name, t.origin, t.programme, t.source, t.dialect, t.digest, t.seed, "
+           "s.status, s.last_sign_of_life, s.silent_s, t.stored_at, t.has_time, t.columns, "
+           "coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 "
+           "AND t.id << 32 | 4294967295)), t.membrane_correction "
+           "FROM tests t JOIN seen_tests s ON s.test_id = t.id WHERE t.id = ?",
            [&](Columns& c) {
              test.id = c.integer().value_or(0);
              h.name = c.text();
@@ -95,6 +98,7 @@ void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) 
              h.digest = c.text();
              if (const auto seed = c.integer()) h.seed = static_cast<std::uint64_t>(*seed);
              test.status = status_of(c.text());
+             test.sign_of_life = sign_of_life(c);
              test.stored_at = c.text();
              h.has_time = c.truth().value_or(true);
              h.columns = quantities_in(c.text());
@@ -298,11 +302,17 @@ void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::E
 
 }  // namespace
 
+std::optional<SignOfLife> sign_of_life(Columns& c) {
+  std::string at = c.text();
+  const auto silent_s = c.integer();
+  if (at.empty()) return std::nullopt;
+  return SignOfLife{std::move(at), silent_s.value_or(0)};
+}
+
 StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   StoredTest test;
   read_header(database, id, test);
-  if (test.id == 0)
-    throw lab::BadInput(database.getFilename(), 0, "there is no test " + std::to_string(id));
+  if (test.id == 0) return test;
   read_warnings(database, id, test);
   read_consolidation_and_checks(database, id, test.summary);
   test.summary.peak = read_instant(database, id, "peak");

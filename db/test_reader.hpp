@@ -5,11 +5,14 @@
 
 #include <cstdint>
 
+#include "db/columns.hpp"
 #include "db/store.hpp"
 
 namespace triax::db {
 
-/// Throws lab::BadInput if there is no test of that id.
+/// From the columns last_sign_of_life and silent_s.
+std::optional<SignOfLife> sign_of_life(Columns& columns);
+/// Its id is 0 if there is no test of that id.
 StoredTest read_test(SQLite::Database& database, std::int64_t id);
 
 }  // namespace triax::db

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "db/columns.hpp"
-#include "db/writer_identity.hpp"
 #include "lab/base/text.hpp"
 
 namespace triax::db {
@@ -249,12 +248,10 @@ std::vector<lab::Warning> warnings_of_earlier_readings(SQLite::Database& databas
 
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at) {
-  const WriterIdentity writer = this_process();
   Statement insert(
       database,
       "INSERT INTO tests (name, origin, programme, source, dialect, digest, seed, status, "
-      "stored_at, has_time, columns, writer_pid, writer_started, writer_host) "
-      "VALUES (?,?,?,?,?,?,?,'running',?,?,?,?,?,?)");
+      "stored_at, has_time, columns) VALUES (?,?,?,?,?,?,?,'running',?,?,?)");
   Binder(insert)
       .text(header.name)
       .text(to_string(header.origin))
@@ -266,9 +263,6 @@ std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& he
       .text(stored_at)
       .integer(header.has_time)
       .text(column_list(header.columns))
-      .integer(writer.pid)
-      .integer(writer.started)
-      .text(writer.host)
       .run();
   const std::int64_t id = database.getLastInsertRowid();
   insert_specimen(database, id, header.specimen);

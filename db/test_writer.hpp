@@ -12,7 +12,7 @@
 
 namespace triax::db {
 
-/// Test, specimen, stages and warnings; the test is running, its writer is this process. A file
+/// Test, specimen, stages and warnings; the test is running. A file
 /// that was read before (RecordHeader::digest) is one warning more. Returns the id of the test.
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at);

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <optional>
 
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"

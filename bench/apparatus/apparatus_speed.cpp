@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "bench/point/yardstick.hpp"
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"

@@ -58,11 +58,14 @@ void add_specimen(std::vector<Fact>& facts, const lab::ReportedGrains& g) {
 }
 
 std::string status_words(const db::StoredGrainRun& run) {
+  const auto& sign = run.sign_of_life;
   switch (run.status) {
     case db::TestStatus::running:
-      return "RUNNING: stages are still being stored";
+      return fmt::format("RUNNING: stages are still being stored{}",
+                         sign ? fmt::format(", last sign of life {} s ago", sign->silent_s) : "");
     case db::TestStatus::interrupted:
-      return "INTERRUPTED: only the stages that had ended are here";
+      return fmt::format("INTERRUPTED: only the stages that had ended are here{}",
+                         sign ? ", no sign of life since " + sign->at : "");
     case db::TestStatus::complete:
       break;
   }

@@ -261,11 +261,13 @@ std::string grain_json(const lab::GrainReport& report) {
 }
 
 std::string grain_run_json(const db::StoredGrainRun& run) {
-  study::Json document = {{"id", run.id},
-                          {"name", run.report.programme},
-                          {"status", db::to_string(run.status)},
-                          {"recorded_at", run.recorded_at},
-                          {"stored_whole", run.whole}};
+  study::Json document = {
+      {"id", run.id},
+      {"name", run.report.programme},
+      {"status", db::to_string(run.status)},
+      {"last_sign_of_life", study::json_text(run.sign_of_life ? run.sign_of_life->at : "")},
+      {"recorded_at", run.recorded_at},
+      {"stored_whole", run.whole}};
   document.update(document_of(run.report));
   return study::json_document(document);
 }

@@ -15,6 +15,7 @@
 #include "src/grains/grain_json.hpp"
 #include "src/grains/grain_outputs.hpp"
 #include "src/grains/grain_text.hpp"
+#include "src/output/notice.hpp"
 #include "src/output/output.hpp"
 #include "src/output/task_progress.hpp"
 #include "src/study/grains/grain_pieces.hpp"
@@ -106,7 +107,7 @@ std::optional<db::StoredGrainRun> run_stages(const Options& o, const lab::GrainP
     outputs.ends(stage, state);
   };
   return study::run_grains(programme, {chosen_jobs(o.jobs), shown_in(progress, interruption)}, o.db,
-                           listener);
+                           listener, {.say = notify});
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {
@@ -125,7 +126,8 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
 void run_merge(const Options& o, const lab::GrainProgramme& programme) {
   study::stage_for_pieces(programme);
   check_output(o, programme, {});
-  write_and_print(o, study::merge_grains(programme, chosen_jobs(o.jobs), o.db, o.merge));
+  write_and_print(
+      o, study::merge_grains(programme, chosen_jobs(o.jobs), o.db, o.merge, {.say = notify}));
 }
 
 void run(const Options& o) {

@@ -52,6 +52,14 @@ std::string duration(std::optional<double> seconds) {
   return number(*seconds / 3600, 2) + " h";
 }
 
+std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign) {
+  std::string words(db::to_string(status));
+  if (!sign || status == db::TestStatus::complete) return words;
+  return status == db::TestStatus::running
+             ? fmt::format("{}, last sign of life {} s ago", words, sign->silent_s)
+             : fmt::format("{}: no sign of life since {}", words, sign->at);
+}
+
 std::string inside_limit_surface(const lab::Collapse& collapse) {
   if (!collapse.inside_limit_surface) return kUnknown;
   return *collapse.inside_limit_surface ? "inside" : "on it";

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "db/store.hpp"
 #include "lab/results/summary.hpp"
 
 namespace triax::src {
@@ -26,6 +27,10 @@ std::string duration(std::optional<double> seconds);
 
 /// A name of the JSON document as people read it: "second_order_work" is "second order work".
 std::string spaced(std::string name);
+
+/// "complete"; "running, last sign of life 3 s ago"; "interrupted: no sign of life since
+/// 2026-11-23T06:39:12Z".
+std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign);
 
 /// "inside", "on the limit surface" or unknown.
 std::string inside_limit_surface(const lab::Collapse& collapse);

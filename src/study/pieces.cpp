@@ -10,12 +10,21 @@
 #include <sstream>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/byte_source.hpp"
+#include "lab/base/digest.hpp"
 
 namespace triax::study {
 namespace {
 
 /// A domain of the largest grid is some hundred megabytes.
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
+
+constexpr const char* kSeal = ",\n\"sha256\": \"";
+
+/// What ends a document that begins so.
+std::string seal_of(const std::string& document) {
+  return kSeal + lab::sha256(*lab::open_memory("piece", document)) + "\"\n}\n";
+}
 
 }  // namespace
 
@@ -44,6 +53,24 @@ void check_together(const std::vector<PieceName>& pieces, const std::string& who
   if (missing == of.end()) return;
   throw lab::BadInput(fmt::format("--merge: piece {} of {} is missing ({} of them are given)",
                                   missing - of.begin() + 1, first.count, pieces.size()));
+}
+
+std::string sealed(std::string document) {
+  document.resize(document.rfind("\n}\n"));
+  return document + seal_of(document);
+}
+
+void check_seal(const std::string& text, const std::string& file) {
+  const auto start = text.rfind(kSeal);
+  if (start == std::string::npos)
+    throw lab::BadInput(file, 0,
+                        "has no checksum: an older triax wrote it, or another program wrote it "
+                        "anew; compute the piece again");
+  const std::string document = text.substr(0, start);
+  if (text.substr(start) != seal_of(document))
+    throw lab::BadInput(file, 0,
+                        "was changed since it was written: its checksum (SHA-256) does not fit; "
+                        "copy it again, or compute the piece again");
 }
 
 std::string piece_text(const std::string& path, const std::string& writer,

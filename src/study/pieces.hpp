@@ -24,4 +24,11 @@ void check_together(const std::vector<PieceName>& pieces, const std::string& who
 std::string piece_text(const std::string& path, const std::string& writer,
                        const std::string& whole);
 
+/// The JSON document of a piece ("{...\n}\n") with a last member "sha256", of all bytes before it.
+std::string sealed(std::string document);
+
+/// Throws lab::BadInput unless the text is a sealed document, every byte as it was written: a digit
+/// that changed on the way would go unseen.
+void check_seal(const std::string& text, const std::string& file);
+
 }  // namespace triax::study

@@ -32,10 +32,14 @@ std::string agreement(const db::StoredTest& test) {
 std::string banner(const db::StoredTest& test) {
   std::vector<std::string> parts;
   if (test.header.origin == Origin::simulated) parts.emplace_back("SIMULATED, not measured");
+  const auto& sign = test.sign_of_life;
   if (test.status == db::TestStatus::interrupted)
-    parts.emplace_back("INTERRUPTED: the test was cut off, there is no verdict");
+    parts.push_back(fmt::format("INTERRUPTED: the test was cut off{}, there is no verdict",
+                                sign ? ", no sign of life since " + sign->at : ""));
   if (test.status == db::TestStatus::running)
-    parts.emplace_back("RUNNING: the test is still being recorded, there is no verdict yet");
+    parts.push_back(
+        fmt::format("RUNNING: the test is still being recorded{}, there is no verdict yet",
+                    sign ? fmt::format(" (last sign of life {} s ago)", sign->silent_s) : ""));
   return fmt::format("{}", fmt::join(parts, ". "));
 }
 
@@ -185,7 +189,7 @@ void add_tags(std::vector<Fact>& facts, const db::StoredTest& test) {
 }
 
 std::string stored_line(const db::StoredTest& test) {
-  return fmt::format("{}, {}", test.stored_at, db::to_string(test.status));
+  return fmt::format("{}, {}", test.stored_at, status_in_words(test.status, test.sign_of_life));
 }
 
 std::vector<std::string> note_lines(const std::vector<lab::Note>& notes) {

@@ -52,6 +52,7 @@ Json test_json(const db::StoredTest& test) {
           {"digest", study::json_text(header.digest)},
           {"seed", maybe(header.seed)},
           {"status", db::to_string(test.status)},
+          {"last_sign_of_life", test.sign_of_life ? Json(test.sign_of_life->at) : Json()},
           {"stored_at", study::json_text(test.stored_at)},
           {"readings", test.summary.readings},
           {"axis", header.has_time ? "time" : "axial_strain"},

@@ -14,6 +14,7 @@
 #include "lab/rig/recorded.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/table.hpp"
 #include "src/output/terminal.hpp"
@@ -106,7 +107,7 @@ void run_replay(const ReplayOptions& o) {
       };
       ids.push_back(
           study::run_test(*rig, {.reduction = reduction, .speed = o.speed, .otherwise = otherwise},
-                          o.db, {shown_on(bar)}));
+                          o.db, {shown_on(bar)}, {.say = notify}));
     } catch (const lab::BadInput& error) {
       bad.add(error);
     }

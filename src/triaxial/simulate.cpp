@@ -14,6 +14,7 @@
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/written_files.hpp"
 #include "src/study/triaxial/test_run.hpp"
@@ -71,7 +72,7 @@ void run_test_of(const SimulateOptions& o) {
     }});
   const auto id = study::run_test(
       rig, {.reduction = {}, .speed = o.speed, .stop = [&] { return interruption.requested(); }},
-      o.db, also);
+      o.db, also, {.say = notify});
   if (writer) {
     writer->finish(rig.truth());
     record.is_there();

@@ -13,6 +13,7 @@
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/output/notice.hpp"
 #include "src/output/output.hpp"
 #include "src/study/triaxial/sweep_summary.hpp"
 #include "src/triaxial/sweep_progress.hpp"
@@ -85,7 +86,8 @@ void run_sweep_command(const SweepOptions& o) {
                                 .name = name_of_sweep(programme),
                                 .db = o.db,
                                 .speed = o.speed,
-                                .jobs = chosen_jobs(o.jobs)});
+                                .jobs = chosen_jobs(o.jobs),
+                                .patience = {.say = notify}});
   if (o.json)
     print_sweep_json(o.db, members);
   else

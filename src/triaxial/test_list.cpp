@@ -24,18 +24,20 @@ std::string to_the_minute(std::string time) {
 }
 
 study::Json listed_json(const db::ListedTest& test) {
-  return {{"id", test.id},
-          {"name", test.name},
-          {"origin", lab::to_string(test.origin)},
-          {"programme", study::json_text(test.programme)},
-          {"status", db::to_string(test.status)},
-          {"kind", test.kind ? study::Json(lab::to_string(*test.kind)) : study::Json(nullptr)},
-          {"readings", test.readings},
-          {"stored_at", study::json_text(test.stored_at)},
-          {"source", study::json_text(test.source)},
-          {"digest", study::json_text(test.digest)},
-          {"counted", test.counted},
-          {"tags", test.tags}};
+  return {
+      {"id", test.id},
+      {"name", test.name},
+      {"origin", lab::to_string(test.origin)},
+      {"programme", study::json_text(test.programme)},
+      {"status", db::to_string(test.status)},
+      {"last_sign_of_life", test.sign_of_life ? study::Json(test.sign_of_life->at) : study::Json()},
+      {"kind", test.kind ? study::Json(lab::to_string(*test.kind)) : study::Json(nullptr)},
+      {"readings", test.readings},
+      {"stored_at", study::json_text(test.stored_at)},
+      {"source", study::json_text(test.source)},
+      {"digest", study::json_text(test.digest)},
+      {"counted", test.counted},
+      {"tags", test.tags}};
 }
 
 }  // namespace

@@ -9,11 +9,13 @@
 #include <memory>
 
 #include "db/catalogue.hpp"
+#include "db/recording/repair.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
+#include "src/output/words.hpp"
 #include "src/triaxial/json_report.hpp"
 #include "src/triaxial/test_list.hpp"
 #include "src/triaxial/text_report.hpp"
@@ -106,6 +108,18 @@ void run_remove(const TestsOptions& o) {
   print(sentences);
 }
 
+void run_repair(const TestsOptions& o) {
+  const db::Repaired repaired = db::repair(o.db);
+  if (o.json) return print(test_list_json(repaired.tests));
+  std::string sentences;
+  for (const auto& test : repaired.tests)
+    sentences += fmt::format("{}: {}, {} readings\n", test_in_words(test),
+                             status_in_words(test.status, test.sign_of_life), test.readings);
+  for (const auto& run : repaired.runs)
+    sentences += fmt::format("{} of grains: interrupted\n", run);
+  print(sentences.empty() ? "Nothing to repair: what runs gives signs of life.\n" : sentences);
+}
+
 struct Action {
   std::string_view name;
   const char* takes;  ///< as typed
@@ -121,6 +135,7 @@ constexpr auto kActions = std::to_array<Action>({
     {"tag", "ID TAG...", 2, kAny, run_tag},
     {"untag", "ID TAG...", 2, kAny, run_untag},
     {"remove", "ID...", 1, kAny, run_remove},
+    {"repair", "nothing", 0, 0, run_repair},
 });
 
 std::vector<std::string> action_names() {
@@ -144,7 +159,7 @@ void run_tests(const TestsOptions& o) {
 Command tests_command() {
   return {
       .name = "tests",
-      .purpose = "list the tests of the database; show, rename, tag or remove them",
+      .purpose = "list the tests of the database; show, rename, tag, remove or repair them",
       .description =
           {"Without an action the tests are listed: number, name, origin, type of test, verdict, "
            "readings, when they were stored, tags. show ID says in short what is stored about one: "
@@ -155,6 +170,10 @@ Command tests_command() {
            "of "
            "the database with all of their readings, without a question, all or none of them; a "
            "test that is still being recorded stays.",
+           "A test that is being recorded gives a sign of life every two seconds. After 20 s "
+           "without one it is told as interrupted, though nothing is written; repair marks such "
+           "tests and runs of grains as interrupted, and brings the schema of an older database up "
+           "to date. A program that was only held up takes its test up again.",
            "Tests are named by their number here, since several may have one name. A file that is "
            "replayed again is stored as a new test with a warning; statistics (query "
            "collapse_points, instability_line, figures of several tests) count it once, by its "
@@ -167,7 +186,8 @@ Command tests_command() {
                    {"triax tests --tag loose --json", "those with a tag, for a script"},
                    {"triax tests rename 3 \"CSU 26\"", "another name for test 3"},
                    {"triax tests tag 3 loose thesis", "two tags for it"},
-                   {"triax tests remove 1 2", "takes two tests out of the database"}},
+                   {"triax tests remove 1 2", "takes two tests out of the database"},
+                   {"triax tests repair", "marks tests whose program was killed"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<TestsOptions>();
         const auto actions = action_names();

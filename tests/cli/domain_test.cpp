@@ -2,6 +2,7 @@
 // triax domain: the same whatever the number of threads or pieces, and what it refuses.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/cli/program.hpp"
 
@@ -98,6 +99,12 @@ TEST_CASE("pieces that do not belong together are one line and status 2") {
         0);
   write(here / "cut.json", content(here / "2.json").substr(0, 3000));
   write(here / "foreign.json", "{\"type\": \"FeatureCollection\"}");
+  std::string digit = content(here / "2.json");
+  std::smatch least;
+  REQUIRE(std::regex_search(digit, least, std::regex("\"w2_normalised_least\": ?-?[0-9]\\.")));
+  char& changed = digit[static_cast<std::size_t>(least.position() + least.length())];
+  changed = changed == '1' ? '2' : '1';
+  write(here / "digit.json", digit);
   struct Bad {
     const char *arguments, *says;
   };
@@ -108,6 +115,7 @@ TEST_CASE("pieces that do not belong together are one line and status 2") {
         Bad{"--merge 1.json cut.json", "cut.json: is not a complete JSON document"},
         Bad{"--merge 1.json foreign.json", "foreign.json: is not a piece of a domain"},
         Bad{"--merge 1.json gone.json", "gone.json: cannot be read"},
+        Bad{"--merge 1.json digit.json", "digit.json: was changed since it was written"},
         Bad{"--merge 1.json 2.json --void-ratio 1", "--void-ratio and --merge"},
         Bad{"--merge 1.json 2.json --plane plane-strain", "--plane and --merge"},
         Bad{"--merge 1.json 2.json --set hardening_factor=2", "--set and --merge"},

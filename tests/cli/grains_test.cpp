@@ -132,7 +132,7 @@ TEST_CASE("grains: bad input is one line and status 2, and leaves nothing behind
   refused("s.toml", "s.grains");
 }
 
-TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, the run is marked",
+TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, the run is told so",
           "[slow]") {
   const Workplace here;
   // The last stage alone takes minutes.
@@ -154,5 +154,8 @@ TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, th
     REQUIRE(child.reaches("triax.db", "grain_stages WHERE run_id = 2", 1));
     CHECK(child.end_by(SIGKILL) == -1);
   }
+  silence(here / "triax.db");
+  CHECK(count_of(here, "seen_grain_runs WHERE status = 'interrupted'") == 2);
+  CHECK(here.triax("tests repair").out.find("run 2 ") == 0);
   CHECK(count_of(here, "grain_runs WHERE status = 'interrupted'") == 2);
 }

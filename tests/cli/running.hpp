@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // triax left running in a folder, until it is told to end in the midst of its work.
+#include <SQLiteCpp/Database.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,5 +53,11 @@ class Running {
   const Workplace& here_;
   pid_t child_;
 };
+
+/// As if the writers of what runs in the database had been silent for an hour.
+inline void silence(const std::filesystem::path& database) {
+  SQLite::Database(database.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE leases SET last_sign_of_life = datetime('now', '-1 hour')");
+}
 
 }  // namespace triax::cli_tests

@@ -102,14 +102,24 @@ TEST_CASE("reports are written whole, and queries cannot write") {
 }
 
 TEST_CASE(
-    "a killed test keeps what was read, passes the integrity check and is marked as interrupted") {
+    "a killed test keeps what was read, passes the integrity check and is told as interrupted") {
   const Workplace here;
   const Running test(here, "simulate " + source("samples/programmes/icu_6.toml") + " --speed 400");
   REQUIRE(test.reaches("triax.db", "scans", 200));
   CHECK(test.end_by(SIGKILL) == -1);
-  const json tests = json::parse(here.triax("query tests --format json").out);
-  REQUIRE(tests.size() == 1);
-  CHECK(tests[0]["status"] == "interrupted");
+  const auto seen = [&] {
+    const json tests = json::parse(here.triax("query tests --format json").out);
+    REQUIRE(tests.size() == 1);
+    return tests[0]["status"].get<std::string>();
+  };
+  CHECK(seen() == "running");  // it may have been about to give the next sign
+  CHECK(here.triax("tests show 1").out.find("running, last sign of life") != std::string::npos);
+  silence(here / "triax.db");
+  const std::string before = content(here / "triax.db");
+  CHECK(seen() == "interrupted");
+  CHECK(here.triax("tests show 1").out.find("interrupted: no sign of life since") !=
+        std::string::npos);
+  CHECK(content(here / "triax.db") == before);
   const json count = json::parse(
       here.triax("query \"SELECT count(*) AS n, max(reading) AS last FROM readings\" --format json")
           .out);
@@ -118,4 +128,9 @@ TEST_CASE(
   CHECK(here.triax("query \"PRAGMA integrity_check\" --format csv").out.find("ok") !=
         std::string::npos);
   CHECK(here.triax("report").out.find("INTERRUPTED") != std::string::npos);
+  const std::string raw = "query \"SELECT status FROM tests\" --format csv";
+  CHECK(here.triax(raw).out.find("running") != std::string::npos);
+  CHECK(here.triax("tests repair").out.find("test 1 'ICU 6': interrupted") == 0);
+  CHECK(here.triax(raw).out.find("interrupted") != std::string::npos);
+  CHECK(here.triax("tests repair").out.find("Nothing to repair") == 0);
 }

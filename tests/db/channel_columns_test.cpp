@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "db/connection.hpp"
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "db/store.hpp"
 #include "lab/results/quantity.hpp"
 #include "tests/db/fake_session.hpp"

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/connection.hpp"
 
-#include <SQLiteCpp/Statement.h>
-
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
 #include <thread>
 
-#include "db/writer_identity.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/temporary_folder.hpp"
 
@@ -226,29 +223,24 @@ TEST_CASE("paths that cannot be a database say why") {
   CHECK_THROWS_WITH(db::open_for_reading(folder.file("empty.db")), Contains("is empty"));
 }
 
-TEST_CASE("running tests are marked as interrupted only if their writer is gone") {
+TEST_CASE(
+    "reading an old database gives the newest schema and leaves its bytes, and nothing beside") {
   TemporaryFolder folder;
-  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
-  const db::WriterIdentity me = db::this_process();
-  for (const db::WriterIdentity& writer : {db::WriterIdentity{1, 1, "another.host.example"}, me,
-                                           db::WriterIdentity{me.pid, me.started + 1, me.host}}) {
-    SQLite::Statement insert(
-        database,
-        "INSERT INTO tests (name, origin, status, stored_at, has_time, columns, writer_pid, "
-        "writer_started, writer_host) VALUES ('a', 'recorded', 'running', '', 1, '', ?, ?, ?)");
-    insert.bind(1, writer.pid);
-    insert.bind(2, writer.started);
-    insert.bind(3, writer.host);
-    insert.exec();
+  const std::string path = folder.file("t.db");
+  {
+    SQLite::Database old(path, kCreate);
+    db::migrate(old, path, 1);
+    old.exec("INSERT INTO work_points VALUES (1, 0.5, 1, 1, 1, 1, 0.1, 51)");
   }
-  database.exec("INSERT INTO scans (id, stage) VALUES ((3 << 32) + 0, 1), ((3 << 32) + 1, 1)");
-  db::mark_abandoned_tests(database);
-  const auto status = [&](int id) {
-    return database.execAndGet("SELECT status FROM tests WHERE id = " + std::to_string(id))
-        .getString();
-  };
-  CHECK(status(1) == "running");
-  CHECK(status(2) == "running");
-  CHECK(status(3) == "interrupted");
-  CHECK(read_int(database, "SELECT readings FROM tests WHERE id = 3") == 2);
+  const std::string before = bytes_of(path);
+  {
+    SQLite::Database database = db::open_for_reading(path);
+    CHECK(read_int(database, "PRAGMA user_version") == db::newest_schema());
+    CHECK(read_int(database, "SELECT axial_strain_path IS NULL FROM work_points") == 1);
+    CHECK_THROWS_AS(database.exec("DELETE FROM work_points"), SQLite::Exception);
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
+      CHECK_THAT(entry.path().string(), !Contains("triax-reading"));
+  }
+  CHECK(bytes_of(path) == before);
 }

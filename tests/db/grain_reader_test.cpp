@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "db/connection.hpp"
-#include "db/grain_recorder.hpp"
+#include "db/recording/grain_recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
@@ -275,7 +275,7 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
   const auto& rest = std::get<lab::ReportedGrainRest>(run.report.stages[2].came);
   CHECK(rest.strain_held);
   CHECK(rest.rest.at_rest);
-  CHECK(SQLite::Database(folder.file("t.db"))
+  CHECK(db::open_for_reading(folder.file("t.db"))
             .execAndGet("SELECT ending FROM grain_stages WHERE number = 3")
             .getString() == "at rest");
   CHECK(rest.rest.settling.steps == lab::kNotStored);

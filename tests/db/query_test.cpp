@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "db/connection.hpp"
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
@@ -189,7 +189,7 @@ TEST_CASE("SQLite itself refuses to write") {
   CHECK(std::get<std::int64_t>(answer(path, "SELECT count(*) FROM scans")) == 100);
   CHECK(std::get<std::int64_t>(answer(path, "PRAGMA user_version")) == db::newest_schema());
   CHECK(std::get<std::string>(answer(path, "PRAGMA integrity_check")) == "ok");
-  CHECK(ask(path, "PRAGMA table_info(tests)").rows.size() == 17);
+  CHECK(ask(path, "PRAGMA table_info(tests)").rows.size() == 14);
 }
 
 TEST_CASE("SQL that cannot be run says why in SQLite's words") {

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"

@@ -192,7 +192,7 @@ inline lab::GrainReport sample_run() {
 
 /// As if the database had given it.
 inline db::StoredGrainRun stored(lab::GrainReport report) {
-  return {3, db::TestStatus::complete, "2026-01-01T00:00:00Z", std::move(report)};
+  return {3, db::TestStatus::complete, {}, "2026-01-01T00:00:00Z", std::move(report)};
 }
 
 }  // namespace triax::src::test

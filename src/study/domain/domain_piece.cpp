@@ -56,11 +56,14 @@ std::string piece_json(const ReportedDomain& columns, int index, int count) {
       dumped(Json(columns.settings.warnings)));
   for (std::size_t i = 0; i < columns.columns.size(); ++i)
     out += (i > 0 ? ",\n" : "\n") + dumped(column_json(columns.columns[i]));
-  return out + "\n]\n}\n";
+  return sealed(out + "\n]\n}\n");
 }
 
 DomainPiece load_piece(const std::string& path) {
-  return read_piece(piece_text(path, "triax domain --piece", "domain"), path);
+  const std::string text = piece_text(path, "triax domain --piece", "domain");
+  DomainPiece piece = read_piece(text, path);
+  check_seal(text, path);
+  return piece;
 }
 
 ReportedDomain merged(std::vector<DomainPiece> pieces) {

@@ -6,7 +6,7 @@
 //   {"format": "triax bifurcation domain piece", "version": 1, "program": "0.1.0",
 //    "origin": "simulated", "piece": {"index": 2, "count": 8}, "material": {...}, "grid": {...},
 //    "warnings": [...], "columns": [{"column": 1, "p_eff_kPa": ..., "compression": {...},
-//    "extension": {...}, "refusal": ..., "states": [...]}, ...]}
+//    "extension": {...}, "refusal": ..., "states": [...]}, ...], "sha256": "..."}
 //
 // Numbers have the digits that mean the same value, so that merged pieces are the run in one go to
 // the byte.
@@ -38,7 +38,7 @@ std::string piece_json(const ReportedDomain& columns, int index, int count);
 /// else than a piece, another version, numbers that do not belong to its grid.
 DomainPiece read_piece(std::string_view json, const std::string& file);
 
-/// The same from a file on disk.
+/// The same from a file on disk, which has to be what piece_json() gave, to the byte.
 DomainPiece load_piece(const std::string& path);
 
 /// All pieces of one domain as one. Throws lab::BadInput where settings differ, a piece is missing

@@ -80,11 +80,14 @@ std::string grain_piece_json(const GrainPiece& piece) {
     visit_probe(to, piece.probes[k]);
     out += (k > 0 ? ",\n" : "\n") + dumped(to.json);
   }
-  return out + "\n]\n}\n";
+  return sealed(out + "\n]\n}\n");
 }
 
 GrainPiece load_grain_piece(const std::string& path) {
-  return read_grain_piece(piece_text(path, "triax grains --piece", "rose"), path);
+  const std::string text = piece_text(path, "triax grains --piece", "rose");
+  GrainPiece piece = read_grain_piece(text, path);
+  check_seal(text, path);
+  return piece;
 }
 
 lab::GrainRose merged(const std::vector<GrainPiece>& pieces) {

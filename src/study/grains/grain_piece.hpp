@@ -6,7 +6,8 @@
 //
 //   {"format": "triax grain probe piece", "version": 1, "program": "0.1.0", "origin": "simulated",
 //    "piece": {"index": 2, "count": 8}, "specimen": {"programme", "stage", "fingerprint", ...},
-//    "probing": {"directions": 36, "norm_Pa": 1000, ...}, "probes": [{"number": 1, ...}, ...]}
+//    "probing": {"directions": 36, "norm_Pa": 1000, ...}, "probes": [{"number": 1, ...}, ...],
+//    "sha256": "..."}
 //
 // SI, as the engine has it, in digits that mean the same double: merged pieces are the run in one
 // go to the bit. Compression positive.
@@ -53,7 +54,7 @@ std::string grain_piece_json(const GrainPiece& piece);
 /// else than a piece, another version, numbers or probes that do not belong to it.
 GrainPiece read_grain_piece(std::string_view json, const std::string& file);
 
-/// The same from a file on disk.
+/// The same from a file on disk, which has to be what grain_piece_json() gave, to the byte.
 GrainPiece load_grain_piece(const std::string& path);
 
 /// "probing norm_Pa is 500.0, in FILE 1000.0": the first value of specimen or probing that differs,

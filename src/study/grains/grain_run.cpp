@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/grains/grain_run.hpp"
 
-#include "db/grain_recorder.hpp"
+#include "db/recording/grain_recorder.hpp"
 #include "src/study/grains/grain_pieces.hpp"
 
 namespace triax::study {
 
 std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programme,
                                              const lab::GrainRunOptions& options,
-                                             const std::string& db,
-                                             const lab::GrainListener& also) {
-  std::optional<db::GrainRecorder> recorder(std::in_place, db, programme);
+                                             const std::string& db, const lab::GrainListener& also,
+                                             db::Patience patience) {
+  std::optional<db::GrainRecorder> recorder(std::in_place, db, programme, std::move(patience));
   if (lab::run_grains(programme, options, {recorder->listener(), also})) recorder->finish();
   const std::int64_t id = recorder->id();
   recorder.reset();  // marks a run that did not finish
@@ -19,10 +19,11 @@ std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programm
 }
 
 db::StoredGrainRun merge_grains(const lab::GrainProgramme& programme, int threads,
-                                const std::string& db, const std::vector<std::string>& pieces) {
+                                const std::string& db, const std::vector<std::string>& pieces,
+                                db::Patience patience) {
   const lab::GrainsMade made = specimen_alone(programme, threads);
   const lab::GrainStageResult result = merge_grain_pieces(programme, made, pieces);
-  db::GrainRecorder recorder(db, programme);
+  db::GrainRecorder recorder(db, programme, std::move(patience));
   recorder.made(made);
   recorder.ended(result);
   return db::GrainStore(db).load(recorder.finish());

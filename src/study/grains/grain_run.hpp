@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "db/grain_store.hpp"
+#include "db/recording/patience.hpp"
 #include "lab/grains/grain_run.hpp"
 
 namespace triax::study {
@@ -15,14 +16,17 @@ namespace triax::study {
 /// Gives what the database then holds: a complete run, or an interrupted one with the stages that
 /// had ended. Empty: it was stopped before there was a specimen, and nothing is stored.
 ///
-/// Throws as lab::run_grains and db::GrainRecorder; what had ended is stored.
+/// The database is waited for with `patience`. Throws as lab::run_grains and db::GrainRecorder;
+/// what had ended is stored.
 std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programme,
                                              const lab::GrainRunOptions& options,
-                                             const std::string& db, const lab::GrainListener& also);
+                                             const std::string& db, const lab::GrainListener& also,
+                                             db::Patience patience = {});
 
 /// The same from the pieces of its only stage (grain_pieces.hpp). Throws too where they do not
 /// belong together.
 db::StoredGrainRun merge_grains(const lab::GrainProgramme& programme, int threads,
-                                const std::string& db, const std::vector<std::string>& pieces);
+                                const std::string& db, const std::vector<std::string>& pieces,
+                                db::Patience patience = {});
 
 }  // namespace triax::study

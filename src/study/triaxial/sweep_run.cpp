@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
@@ -79,7 +79,7 @@ class SweepRun {
     programme.changes = job_.edits;
     programme.name += fmt::format(" [{}]", job_.sweep.label(member.place));
     lab::VirtualRig rig(programme);
-    db::Recorder recorder(job_.db);
+    db::Recorder recorder(job_.db, job_.patience);
     recorder.belongs_to({job_.name, member.place, job_.sweep.values(member.place)}, turns_);
     try {
       const lab::TestSummary summary = lab::run_session(

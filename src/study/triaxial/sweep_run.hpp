@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "db/recording/patience.hpp"
 #include "lab/programmes/sweep.hpp"
 #include "lab/results/summary.hpp"
 
@@ -32,6 +33,7 @@ struct SweepJob {
   std::string db;
   double speed = 0;  ///< as SessionOptions
   int jobs = 1;      ///< tests that run at a time
+  db::Patience patience = {};
 };
 
 /// What is put into the programme for the test at `place`: the sweep's values behind those that all

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/triaxial/test_run.hpp"
 
-#include "db/recorder.hpp"
+#include <utility>
+
+#include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::study {
 
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, lab::SessionListeners also) {
-  db::Recorder recorder(db);
+                      const std::string& db, lab::SessionListeners also, db::Patience patience) {
+  db::Recorder recorder(db, std::move(patience));
   also.insert(also.begin(), recorder.listener());
   try {
     return recorder.finish(lab::run_session(back_end, options, also));

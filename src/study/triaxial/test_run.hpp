@@ -3,14 +3,17 @@
 #include <cstdint>
 #include <string>
 
+#include "db/recording/patience.hpp"
 #include "lab/rig/session.hpp"
 
 namespace triax::study {
 
 /// Runs one back end through the session into the database;
 /// gives the test's id. Bad input takes out again what was stored of this test; any other failure
-/// leaves it there, marked as interrupted. `also` listen beside the database.
+/// leaves it there, marked as interrupted. `also` listen beside the database, which
+/// is waited for with `patience`.
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, lab::SessionListeners also = {});
+                      const std::string& db, lab::SessionListeners also = {},
+                      db::Patience patience = {});
 
 }  // namespace triax::study

@@ -29,6 +29,22 @@ TEST_CASE("all pieces must be of one division in any order, once each") {
       "a: is a piece of another whole: x is 1");
 }
 
+TEST_CASE("a sealed document tells every byte that changes, and stays one of JSON") {
+  const std::string document = "{\n\"a\": [1, 2.5],\n\"b\": 7\n}\n";
+  const std::string text = sealed(document);
+  // printf '{\n"a": [1, 2.5],\n"b": 7' | sha256sum
+  CHECK(text == document.substr(0, document.size() - 3) + ",\n\"sha256\": \"" +
+                    "dd293733dbce553c28cd86126cb61e040768e4fa4fd53e5471976d80cca8fc37" + "\"\n}\n");
+  CHECK_NOTHROW(check_seal(text, "p.json"));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string changed = text;
+    changed[i] = changed[i] == '3' ? '4' : '3';
+    INFO(changed);
+    CHECK_THROWS_AS(check_seal(changed, "p.json"), lab::BadInput);
+  }
+  CHECK_THROWS_WITH(check_seal(document, "p.json"), Contains("p.json: has no checksum"));
+}
+
 TEST_CASE("what is no file of a piece says who writes one") {
   CHECK_THROWS_WITH(piece_text(".", "triax domain --piece", "domain"),
                     ".: cannot be read; expected a file written by triax domain --piece");

@@ -15,10 +15,10 @@ namespace {
 
 void add_test(SQLite::Database& database, int id, const std::string& name) {
   database.exec(
-      "INSERT INTO tests (id, name, origin, status, stored_at, has_time, columns, writer_pid, "
-      "writer_started, writer_host) VALUES (" +
+      "INSERT INTO tests (id, name, origin, status, stored_at, has_time, columns) "
+      "VALUES (" +
       std::to_string(id) + ", '" + name +
-      "', 'simulated', 'complete', '', 1, '', 1, 1, 'h'); INSERT INTO specimens (test_id) VALUES "
+      "', 'simulated', 'complete', '', 1, ''); INSERT INTO specimens (test_id) VALUES "
       "(" +
       std::to_string(id) + ")");
 }
@@ -28,9 +28,9 @@ void add_run(SQLite::Database& database, int id, const std::string& name) {
       "INSERT INTO grain_runs (id, name, source, programme, status, recorded_at, grains, "
       "stiffness_reading, stiffness_over_diameter_MPa, tangential_ratio, friction_angle_deg, "
       "density_kg_per_m3, damping, time_step_s, porosity, void_ratio, coordination, "
-      "floating_grains, grains_outside, writer_pid, writer_started, writer_host) VALUES (" +
+      "floating_grains, grains_outside) VALUES (" +
       std::to_string(id) + ", '" + name +
-      "', '', '', 'complete', '', 5, 'literal', 1, 1, 1, 1, 0, 1, 1, 1, 1, 0, 0, 1, 1, 'h')");
+      "', '', '', 'complete', '', 5, 'literal', 1, 1, 1, 1, 0, 1, 1, 1, 1, 0, 0)");
 }
 
 ReportChoice chosen(const std::vector<std::string>& names) {

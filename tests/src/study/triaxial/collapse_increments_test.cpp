@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "src/study/probe/tested_state.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"

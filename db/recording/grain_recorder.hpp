@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "db/recording/patience.hpp"
 #include "lab/grains/grain_run.hpp"
 
 namespace triax::db {
@@ -12,12 +13,15 @@ namespace triax::db {
 /// over, so that a kill loses at most the stage under way and others can read meanwhile. Nothing is
 /// touched on disk before the specimen is made.
 ///
-/// Throws lab::BadInput (no database of ours), lab::WorkFailed (disk full); what was committed
-/// before stands.
+/// A database that takes nothing (the lock of another program, a full disk) is waited for as long
+/// as Patience::most; the run stands still meanwhile.
+///
+/// Throws lab::BadInput (no database of ours), lab::WorkFailed (waited for too long); what was
+/// committed before stands.
 class GrainRecorder {
  public:
   /// `programme` has to outlive it.
-  GrainRecorder(std::string path, const lab::GrainProgramme& programme);
+  GrainRecorder(std::string path, const lab::GrainProgramme& programme, Patience patience = {});
   ~GrainRecorder();  ///< a run that was not finished stays behind as interrupted
   GrainRecorder(const GrainRecorder&) = delete;
   GrainRecorder& operator=(const GrainRecorder&) = delete;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/turns.hpp"
+#include "db/recording/turns.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/recorder.hpp"
-
-#include <SQLiteCpp/Transaction.h>
+#include "db/recording/recorder.hpp"
 
 #include <QDateTime>
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -15,8 +13,8 @@
 #include <vector>
 
 #include "db/connection.hpp"
-#include "db/scan_writer.hpp"
-#include "db/test_writer.hpp"
+#include "db/recording/spool.hpp"
+#include "db/recording/test_entry.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::db {
@@ -32,22 +30,10 @@ constexpr std::size_t kRowsAtMost = 20000;
 
 /// The session's thread fills one batch while the writer's thread stores the other.
 struct Recorder::Impl {
-  struct Batch {
-    std::vector<Scan> scans;
-    std::vector<lab::SecondOrderWorkPoint> work;
-    std::vector<lab::Event> events;
-
-    std::size_t rows() const { return scans.size() + work.size() + events.size(); }
-    void clear() {
-      scans.clear();
-      work.clear();
-      events.clear();
-    }
-  };
-
   enum class Ending { none, complete, interrupted, discarded };
 
-  explicit Impl(std::string path) : path_(std::move(path)) {}
+  Impl(std::string path, Patience patience)
+      : patience_(std::move(patience)), entry_(std::move(path), patience_.quiet) {}
 
   void start(const lab::RecordHeader& header);
   template <class Row>
@@ -57,24 +43,27 @@ struct Recorder::Impl {
   bool started() const { return writer_.joinable() || ending_ != Ending::none; }
   bool open() const { return writer_.joinable(); }
   void belongs_to(SweepMembership sweep, Turns& turns) {
-    sweep_ = std::move(sweep);
+    test_.sweep = std::move(sweep);
     turns_ = &turns;
   }
-  std::int64_t test_id() const { return test_id_; }
+  std::int64_t test_id() const { return entry_.id(); }
 
  private:
   void write_batches();
   bool take_batch();
+  void keep(Ending ending);
+  bool is_discarded();
   void store_batch(Ending ending);
-  void store_rows();
-  void open_database();
+  bool set_aside();
+  void empty_spool();
+  void drop_spool();
+  void wait_for_turn();
+  std::string advice(const MayPass& why) const;
   void rethrow_failure();
   bool enters_at_once() const { return turns_ && !entered_; }
 
-  const std::string path_;
-  lab::RecordHeader header_;
-  std::string stored_at_;
-  std::optional<SweepMembership> sweep_;
+  const Patience patience_;
+  TestStart test_;
   Turns* turns_ = nullptr;
 
   std::mutex mutex_;
@@ -88,16 +77,15 @@ struct Recorder::Impl {
   // Of the writer's thread while that runs.
   std::thread writer_;
   Batch storing_;
-  std::optional<SQLite::Database> database_;
-  std::optional<ScanWriter> scans_;
-  std::int64_t test_id_ = 0;
-  bool created_ = false;
+  TestEntry entry_;
+  std::optional<Spool> spool_;
+  Waiting waiting_{patience_};
 };
 
 void Recorder::Impl::start(const lab::RecordHeader& header) {
-  if (started()) throw lab::WorkFailed(path_ + ": a recorder records one test");
-  header_ = header;
-  stored_at_ = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  if (started()) throw lab::WorkFailed(entry_.path() + ": a recorder records one test");
+  test_.header = header;
+  test_.stored_at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   filling_.scans.reserve(kRowsAtMost);
   storing_.scans.reserve(kRowsAtMost);
   writer_ = std::thread([this] { write_batches(); });
@@ -134,7 +122,7 @@ void Recorder::Impl::write_batches() {
     while (more) {
       more = take_batch();
       if (!more && ending_ == Ending::discarded) break;
-      store_batch(more ? Ending::none : ending_);
+      keep(more ? Ending::none : ending_);
       storing_.clear();
     }
   } catch (...) {
@@ -144,39 +132,76 @@ void Recorder::Impl::write_batches() {
   }
 }
 
-void Recorder::Impl::open_database() {
-  if (database_) return;
-  const bool existed = std::filesystem::exists(path_);
-  database_.emplace(open_for_writing(path_));
-  created_ = !existed;
+/// Until the batch is in the database, or at least beside it. The end of a test has to be in it.
+void Recorder::Impl::keep(Ending ending) {
+  for (waiting_.count_from_now(); !is_discarded(); waiting_.pause()) try {
+      empty_spool();
+      store_batch(ending);
+      drop_spool();
+      waiting_.succeeded(entry_.path());
+      return entry_.set_patience(patience_.quiet);
+    } catch (const MayPass& why) {
+      const bool too_long = waiting_.failed(why);
+      entry_.set_patience(std::min(patience_.quiet, patience_.again));
+      const bool aside = set_aside();
+      if (aside && ending == Ending::interrupted && patience_.say) patience_.say(advice(why));
+      if (aside && ending != Ending::complete) return;
+      if (too_long) throw lab::WorkFailed(advice(why));
+    }
 }
 
-void Recorder::Impl::store_batch(Ending ending) {
-  const bool ends = ending == Ending::complete || (ending == Ending::interrupted && test_id_ != 0);
-  if (storing_.rows() == 0 && !ends) return;
-  if (test_id_ == 0 && turns_) turns_->wait_for(sweep_->place);
+bool Recorder::Impl::is_discarded() {
+  const std::lock_guard lock(mutex_);
+  return ending_ == Ending::discarded;
+}
+
+/// False where the disk takes nothing at all.
+bool Recorder::Impl::set_aside() {
+  if (!spool_) spool_.emplace(entry_, patience_.most_bytes);
   try {
-    open_database();
-    // IMMEDIATE: a second writer waits here instead of failing in the middle.
-    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-    const std::int64_t id = test_id_ != 0 ? test_id_ : insert_test(*database_, header_, stored_at_);
-    if (test_id_ == 0 && sweep_) insert_sweep(*database_, id, *sweep_);
-    if (!scans_) scans_.emplace(*database_, id);
-    store_rows();
-    for (const lab::Event& event : storing_.events) insert_event(*database_, id, event);
-    if (ending == Ending::complete) insert_summary(*database_, id, *summary_);
-    if (ending == Ending::interrupted) mark_interrupted(*database_, id);
-    transaction.commit();
-    test_id_ = id;
-    if (turns_) turns_->over(sweep_->place);
-  } catch (const SQLite::Exception& error) {
-    throw_for(error, path_);
+    if (storing_.rows() > 0) spool_->store(test_, storing_);
+    storing_.clear();
+    spool_->sign();
+    return true;
+  } catch (const MayPass&) {
+    return false;
   }
 }
 
-void Recorder::Impl::store_rows() {
-  scans_->write(storing_.scans);
-  for (const lab::SecondOrderWorkPoint& point : storing_.work) scans_->write(point);
+void Recorder::Impl::empty_spool() {
+  if (!spool_ || spool_->is_empty()) return;
+  wait_for_turn();
+  spool_->empty_into(entry_, test_);
+  drop_spool();
+}
+
+void Recorder::Impl::drop_spool() {
+  if (spool_) spool_->remove();
+  spool_.reset();
+}
+
+std::string Recorder::Impl::advice(const MayPass& why) const {
+  if (!spool_ || spool_->is_empty()) return why.what();
+  return std::string(why.what()) + "; the readings wait in " + spool_->path() +
+         ", and `triax tests repair` takes them in";
+}
+
+void Recorder::Impl::wait_for_turn() {
+  if (turns_ && entry_.id() == 0) turns_->wait_for(test_.sweep->place);
+}
+
+void Recorder::Impl::store_batch(Ending ending) {
+  const bool is_new = entry_.id() == 0;
+  if (storing_.rows() == 0 && ending != Ending::complete && (is_new || ending == Ending::none))
+    return entry_.sign();
+  wait_for_turn();
+  if (ending == Ending::complete)
+    entry_.complete(test_, storing_, *summary_);
+  else if (ending == Ending::interrupted)
+    entry_.interrupt(test_, storing_);
+  else
+    entry_.store(test_, storing_);
+  if (turns_) turns_->over(test_.sweep->place);
 }
 
 void Recorder::Impl::end(Ending ending, const lab::TestSummary* summary) {
@@ -187,42 +212,28 @@ void Recorder::Impl::end(Ending ending, const lab::TestSummary* summary) {
     due_.notify_one();
   }
   writer_.join();
-  scans_.reset();
   // After a failure the database stays open for discard().
   if (ending == Ending::discarded) return;
   rethrow_failure();
-  database_.reset();
+  entry_.close();
 }
 
 void Recorder::Impl::discard() {
   if (open()) end(Ending::discarded, nullptr);
-  if (!database_) return;
-  try {
-    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-    if (test_id_ != 0) remove_test(*database_, test_id_);
-    transaction.commit();
-    bool remove_file = false;
-    if (created_ && database_->execAndGet("SELECT count(*) FROM tests").getInt() == 0) {
-      // Leaving WAL succeeds only for the last connection: nobody else uses the file.
-      remove_file =
-          database_->tryExec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE") == 0;
-    }
-    database_.reset();
-    if (remove_file) std::filesystem::remove(path_);
-  } catch (const SQLite::Exception& error) {
-    database_.reset();
-    throw_for(error, path_);
-  }
+  drop_spool();
+  entry_.set_patience(kPatience);
+  entry_.discard();
 }
 
-Recorder::Recorder(std::string path) : impl_(std::make_unique<Impl>(std::move(path))) {}
+Recorder::Recorder(std::string path, Patience patience)
+    : impl_(std::make_unique<Impl>(std::move(path), std::move(patience))) {}
 
 Recorder::~Recorder() {
   if (!impl_->open()) return;
   try {
     impl_->end(Impl::Ending::interrupted, nullptr);
   } catch (...) {  // NOLINT(bugprone-empty-catch)
-    // What was committed stands; the next to open the database marks the test as interrupted.
+    // What was committed stands; readers see that no sign of life comes.
   }
 }
 
@@ -232,16 +243,15 @@ void Recorder::belongs_to(SweepMembership sweep, Turns& turns) {
 
 lab::SessionListener Recorder::listener() {
   Impl* const impl = impl_.get();
-  return {
-      .started = [impl](const lab::RecordHeader& header) { impl->start(header); },
-      .scanned =
-          [impl](const lab::Reading& reading, const lab::State& state) {
-            impl->add(&Impl::Batch::scans, Scan{reading, state});
-          },
-      .second_order_work =
-          [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Impl::Batch::work, point); },
-      .happened = [impl](const lab::Event& event) { impl->add(&Impl::Batch::events, event); },
-      .progressed = {}};
+  return {.started = [impl](const lab::RecordHeader& header) { impl->start(header); },
+          .scanned =
+              [impl](const lab::Reading& reading, const lab::State& state) {
+                impl->add(&Batch::scans, Scan{reading, state});
+              },
+          .second_order_work =
+              [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
+          .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },
+          .progressed = {}};
 }
 
 std::int64_t Recorder::finish(const lab::TestSummary& summary) {

@@ -4,8 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "db/recording/patience.hpp"
+#include "db/recording/turns.hpp"
 #include "db/store.hpp"
-#include "db/turns.hpp"
 #include "lab/rig/session_listener.hpp"
 
 namespace triax::db {
@@ -18,12 +19,17 @@ namespace triax::db {
 /// thousand scans, or finish): bad input that shows up early leaves the database, and even its
 /// absence, as it was.
 ///
-/// All calls come from one thread. What goes wrong while writing (disk full, folder
+/// While the database takes nothing (the lock of another program, a full disk), batches wait in
+/// memory and in a file beside it (db/recording/spool.hpp), then the session waits, until it takes
+/// them again. Nothing is lost as long as Patience::most; after that, and after a kill, `triax
+/// tests repair` takes in what the file holds.
+///
+/// All calls come from one thread. What goes wrong while writing (folder
 /// missing, file of another program) is thrown as lab::WorkFailed or lab::BadInput by finish(), or
 /// earlier out of what the session tells next; batches committed before stand until discard().
 class Recorder {
  public:
-  explicit Recorder(std::string path);
+  explicit Recorder(std::string path, Patience patience = {});
   ~Recorder();  ///< a test that was not finished stays behind as interrupted
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;

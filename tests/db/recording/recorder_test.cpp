@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/recorder.hpp"
+#include "db/recording/recorder.hpp"
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
@@ -28,8 +28,8 @@ namespace {
 
 /// A recorder and what a session tells it, which has started.
 struct Recording {
-  Recording(const std::string& path, const std::string& name)
-      : recorder(path), listener(recorder.listener()) {
+  Recording(const std::string& path, const std::string& name, db::Patience patience = {})
+      : recorder(path, std::move(patience)), listener(recorder.listener()) {
     listener.started(testing::raw_header(name));
   }
   db::Recorder recorder;
@@ -175,7 +175,7 @@ TEST_CASE("discard keeps a database that another recorder uses by now", "[thread
   CHECK_THROWS_AS(store.find({"first"}), lab::BadInput);
 }
 
-TEST_CASE("a test killed at any instant keeps all but its last second and is marked") {
+TEST_CASE("a test killed at any instant keeps all but its last second and is told as such") {
   TemporaryFolder folder;
   std::mt19937 random(std::random_device{}());
   for (int round = 0; round < 4; ++round) {
@@ -214,6 +214,8 @@ TEST_CASE("a test killed at any instant keeps all but its last second and is mar
 
     CHECK(integrity(path) == "ok");
     const db::Store store(path);
+    SQLite::Database(path, SQLite::OPEN_READWRITE)
+        .exec("UPDATE leases SET last_sign_of_life = datetime('now', '-1 minute')");
     CHECK(store.load(1).status == db::TestStatus::interrupted);
     std::int64_t expected = 0;
     std::mt19937_64 numbers(1);
@@ -274,7 +276,7 @@ TEST_CASE("a path that cannot be written fails at the end, and while scans come"
   }
 }
 
-TEST_CASE("a disk that is full is reported and leaves a sound database without that test") {
+TEST_CASE("a disk that stays full is reported and leaves a sound database without that test") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   {
@@ -289,7 +291,7 @@ TEST_CASE("a disk that is full is reported and leaves a sound database without t
     const rlimit limit{4'000'000, 4'000'000};
     setrlimit(RLIMIT_FSIZE, &limit);
     int outcome = 1;
-    Recording second(path, "second");
+    Recording second(path, "second", {.quiet = 50ms, .again = 20ms, .most = 1s});
     try {
       testing::send_scans(second.listener, 0, 500000);
     } catch (const lab::WorkFailed&) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/grain_recorder.hpp"
+#include "db/recording/grain_recorder.hpp"
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <optional>
+#include <thread>
 
 #include "db/connection.hpp"
+#include "db/grain_store.hpp"
 #include "db/query.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
@@ -143,19 +146,52 @@ TEST_CASE("a run of grains that does not finish is interrupted; every named quer
   }
 }
 
-TEST_CASE("a run of grains whose writer was killed is marked by the next to open the database") {
+TEST_CASE("a run of grains gives signs of life while a stage is computed, and none when it is over",
+          "[threads]") {
   testing::TemporaryFolder folder;
-  {
-    db::GrainRecorder recorder(folder.file("t.db"), small());
-    recorder.made(ran().made);
-    recorder.finish();
+  const std::string path = folder.file("t.db");
+  const auto age = [&](const std::string& by) {
+    SQLite::Database(path, SQLite::OPEN_READWRITE)
+        .exec("UPDATE leases SET last_sign_of_life = datetime('now', '" + by + "')");
+  };
+  db::GrainRecorder recorder(path, small());
+  recorder.made(ran().made);
+  CHECK(db::GrainStore(path).load(1).status == db::TestStatus::running);
+  age("-1 hour");
+  CHECK(db::GrainStore(path).load(1).status == db::TestStatus::interrupted);
+  bool signs = false;  // without a word from the run itself
+  for (int i = 0; i < 100 && !signs; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    signs = db::GrainStore(path).load(1).status == db::TestStatus::running;
   }
-  {
-    SQLite::Database d = db::open_for_writing(folder.file("t.db"));
-    d.exec("UPDATE grain_runs SET status = 'running', writer_pid = 1, writer_started = 1");
-  }
-  SQLite::Database d = db::open_for_reading(folder.file("t.db"));
-  CHECK(word(d, "SELECT status FROM grain_runs") == "interrupted");
+  CHECK(signs);
+  recorder.finish();
+  CHECK_FALSE(db::GrainStore(path).load(1).sign_of_life);
+}
+
+TEST_CASE("a run of grains waits for a lock and loses nothing; a stage after it is stored as well",
+          "[threads]") {
+  testing::TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  std::vector<std::string> said;
+  using namespace std::chrono_literals;
+  db::GrainRecorder recorder(
+      path, small(),
+      {.quiet = 50ms, .again = 20ms, .say = [&](const std::string& s) { said.push_back(s); }});
+  recorder.made(ran().made);
+  SQLite::Database foreign(path, SQLite::OPEN_READWRITE, 5000);
+  foreign.exec("BEGIN IMMEDIATE");
+  std::thread frees([&] {
+    std::this_thread::sleep_for(500ms);
+    foreign.exec("COMMIT");
+  });
+  for (const auto& result : ran().results) recorder.ended(result);
+  CHECK(recorder.finish() == 1);
+  frees.join();
+  const auto run = db::GrainStore(path).load(1);
+  CHECK(run.status == db::TestStatus::complete);
+  CHECK(run.report.stages.size() == ran().results.size());
+  CHECK(said.size() == 2);
 }
 
 TEST_CASE("a file that is no database of ours stays as it is") {

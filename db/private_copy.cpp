@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/private_copy.hpp"
+
+#include <SQLiteCpp/Backup.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "db/connection.hpp"
+#include "lab/base/bad_input.hpp"
+#include "lab/base/whole_file.hpp"
+
+namespace triax::db {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What SQLite keeps beside a database that belongs to its content.
+constexpr std::array<const char*, 2> kBeside = {"-wal", "-journal"};
+
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::string pattern = (fs::temp_directory_path() / "triax-reading-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw lab::WorkFailed(pattern + ": cannot be made: " + std::strerror(errno) +
+                            "; TMPDIR names another folder for temporary files");
+    path_ = pattern;
+  }
+  ~PrivateFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  std::string database() const { return path_ / "copy.db"; }
+
+ private:
+  fs::path path_;
+};
+
+/// What changes whenever the file itself is written. A writer that only appends to the -wal
+/// meanwhile does no harm: a copy of it ends with the last whole transaction.
+struct Unchanged {
+  explicit Unchanged(const std::string& path) {
+    struct stat of {};
+    if (stat(path.c_str(), &of) == 0) file = {of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec};
+    std::ifstream(path + "-wal", std::ios::binary).read(wal_header.data(), std::ssize(wal_header));
+  }
+  bool operator==(const Unchanged&) const = default;
+  std::array<std::int64_t, 3> file{};
+  std::array<char, 32> wal_header{};
+};
+
+void copy(const std::string& from, const std::string& to, const std::string& path) {
+  std::error_code error;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  if (!error) return;
+  if (error == std::errc::no_space_on_device)
+    throw lab::WorkFailed(path + ": is read by way of a copy, and " + to + " has no room for it: " +
+                          error.message() + "; TMPDIR names another folder for temporary files");
+  throw lab::BadInput(path, 0,
+                      "cannot be read whole: " + from + ": " + error.message() +
+                          "; part of the tests is in that file: make it readable, or open the "
+                          "database once as a user who may write there (triax tests repair)");
+}
+
+void copy_files(const std::string& file, const std::string& to, const std::string& path) {
+  copy(file, to, path);
+  for (const char* ending : kBeside) {
+    fs::remove(to + ending);
+    if (fs::exists(file + ending)) copy(file + ending, to + ending, path);
+  }
+}
+
+/// The folder and its file lose their names: they are gone when the connection is.
+SQLite::Database opened_and_migrated(const PrivateFolder& folder, const std::string& path) {
+  SQLite::Database copy(folder.database(), SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX);
+  copy.exec("PRAGMA journal_mode = MEMORY; PRAGMA temp_store = MEMORY; PRAGMA synchronous = OFF");
+  check_filled(copy, path);
+  migrate(copy, path);
+  return copy;
+}
+
+}  // namespace
+
+bool waits_beside(const std::string& path) {
+  const std::string file = lab::behind_links(path);
+  for (const char* ending : kBeside) {
+    std::error_code error;
+    const auto size = fs::file_size(file + ending, error);
+    if (error ? error != std::errc::no_such_file_or_directory : size > 0) return true;
+  }
+  return fs::exists(file + "-shm");  // somebody may have opened it
+}
+
+SQLite::Database migrated_copy(SQLite::Database& source, const std::string& path) {
+  const PrivateFolder folder;
+  try {
+    SQLite::Database copy(folder.database(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Backup(copy, source).executeStep();
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_FULL) throw;
+    throw lab::WorkFailed(path + ": is of an older triax and read by way of a copy, for which " +
+                          folder.database() +
+                          " has no room; TMPDIR names another folder for temporary files, and "
+                          "triax tests repair brings the database itself up to date");
+  }
+  return opened_and_migrated(folder, path);
+}
+
+SQLite::Database migrated_copy_of_files(const std::string& path) {
+  const PrivateFolder folder;
+  const std::string file = lab::behind_links(path);  // beside it SQLite keeps its others
+  constexpr int kTries = 5;
+  for (int i = 0; i < kTries; ++i) {
+    const Unchanged before(file);
+    copy_files(file, folder.database(), path);
+    if (Unchanged(file) == before) return opened_and_migrated(folder, path);
+  }
+  throw lab::BadInput(path, 0,
+                      "is being written by a program whose files beside it this user may not open; "
+                      "ask for the right to read " +
+                          path + "-shm, or wait until it has ended");
+}
+
+}  // namespace triax::db

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/recording/spool.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "db/connection.hpp"
+
+namespace triax::db {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kWaiting = ".waiting-";
+/// Beside a computer that is in trouble: little in memory, short waits.
+constexpr std::chrono::milliseconds kOwnFile{100};
+
+void remove_database(const std::string& path) {
+  for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
+    std::error_code ignored;
+    fs::remove(path + ending, ignored);
+  }
+}
+
+}  // namespace
+
+Spool::Spool(const TestEntry& of, std::int64_t most_bytes)
+    : entry_(of.path() + kWaiting + of.lease().writer(), kOwnFile, most_bytes) {}
+
+void Spool::empty_into(TestEntry& test, const TestStart& start) {
+  test.take_in(start, Store(path()), entry_.id());
+}
+
+void Spool::remove() {
+  entry_.close();
+  remove_database(path());
+}
+
+std::vector<std::string> spools_beside(const std::string& database) {
+  const fs::path folder = fs::absolute(database).parent_path();
+  const std::string begins = fs::path(database).filename().string() + kWaiting;
+  std::vector<std::string> spools;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(begins) && name.find('-', begins.size()) == std::string::npos)
+      spools.push_back((fs::path(database).parent_path() / name).string());
+  }
+  std::ranges::sort(spools);
+  return spools;
+}
+
+namespace {
+
+/// It signs in its test while it empties the spool, in the spool while that is locked.
+bool writer_lives(const std::string& database, const std::string& writer) {
+  SQLite::Database there = open_for_reading(database);
+  SQLite::Statement alive(there, "SELECT 1 FROM seen_leases WHERE writer = ? AND alive");
+  alive.bind(1, writer);
+  return alive.executeStep();
+}
+
+}  // namespace
+
+std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database) {
+  std::int64_t id = 0;
+  if (fs::file_size(spool) > 0) {  // else its writer was killed before the first batch
+    const Store waiting(spool);
+    const auto ids = waiting.find({});
+    if (!ids.empty()) {
+      const StoredTest test = waiting.load(ids.front());
+      const std::string writer = spool.substr(spool.rfind('-') + 1);
+      if (test.status == TestStatus::running || writer_lives(database, writer)) return std::nullopt;
+      TestEntry entry(database, kPatience, writer);
+      const TestStart start{test.header, test.stored_at, test.sweep};
+      entry.take_in(start, waiting, ids.front());
+      entry.interrupt(start, {});
+      id = entry.id();
+    }
+  }
+  remove_database(spool);
+  return id == 0 ? std::nullopt : std::optional(id);
+}
+
+}  // namespace triax::db

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/recording/test_entry.hpp"
+
+namespace triax::db {
+
+/// Where the readings of one test wait while its database takes none: a database of its own beside
+/// it, so that a kill loses nothing either, and every command can read what waits. It is called
+/// DATABASE.waiting-WRITER, after the lease of the test. One thread at a time.
+class Spool {
+ public:
+  /// Nothing is made before the first batch.
+  Spool(const TestEntry& of, std::int64_t most_bytes);
+
+  /// Whether nothing waits.
+  bool is_empty() const { return entry_.id() == 0; }
+  const std::string& path() const { return entry_.path(); }
+  /// Throws MayPass where the disk or its bound is full: the batch then is still the caller's.
+  void store(const TestStart& test, const Batch& batch) { entry_.store(test, batch); }
+  /// A sign of life where one is due.
+  void sign() { entry_.sign(); }
+  /// All that waits into the test itself. After a failure (MayPass) it may be called again: what
+  /// went over is not taken twice.
+  void empty_into(TestEntry& test, const TestStart& start);
+  /// Takes the file away.
+  void remove();
+
+ private:
+  TestEntry entry_;
+};
+
+/// The spools beside a database, whoever's they are.
+std::vector<std::string> spools_beside(const std::string& database);
+/// What a writer that is gone left waiting goes into its test, or a new one, which is interrupted
+/// then; the file goes. Gives the number of the test; none where the writer lives.
+std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database);
+
+}  // namespace triax::db

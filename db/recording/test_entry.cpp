@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/recording/test_entry.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "db/columns.hpp"
+#include "db/connection.hpp"
+#include "db/test_writer.hpp"
+
+namespace triax::db {
+
+void Batch::clear() {
+  scans.clear();
+  work.clear();
+  events.clear();
+}
+
+TestEntry::TestEntry(std::string path, std::chrono::milliseconds patience, std::int64_t most_bytes)
+    : path_(std::move(path)), patience_(patience), most_bytes_(most_bytes) {}
+
+TestEntry::TestEntry(std::string path, std::chrono::milliseconds patience, std::string writer)
+    : path_(std::move(path)),
+      patience_(patience),
+      continues_(true),
+      lease_(Leased::test, std::move(writer)) {}
+
+void TestEntry::set_patience(std::chrono::milliseconds patience) {
+  patience_ = patience;
+  if (database_) database_->setBusyTimeout(static_cast<int>(patience.count()));
+}
+
+void TestEntry::bound() {
+  if (most_bytes_ == 0) return;
+  const auto page = database_->execAndGet("PRAGMA page_size").getInt64();
+  database_->exec("PRAGMA max_page_count = " + std::to_string(most_bytes_ / page));
+}
+
+void TestEntry::open() {
+  if (database_) return;
+  created_ = created_ || !std::filesystem::exists(path_);
+  database_.emplace(open_for_writing(path_, patience_));
+  bound();
+  if (continues_) id_ = lease_.row(*database_);
+}
+
+/// Gives `work` the id of the test, 0 where it is not there yet; it comes back with that it has.
+template <class Work>
+void TestEntry::in_transaction(const Work& work) {
+  try {
+    open();
+    // IMMEDIATE: a second writer waits here instead of failing in the middle.
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    std::int64_t id = id_;
+    if (id != 0) lease_.renew(*database_);
+    work(id);
+    transaction.commit();
+    id_ = id;
+  } catch (const SQLite::Exception& error) {
+    scans_.reset();  // what it remembers was rolled back
+    throw_for(error, path_);
+  }
+}
+
+void TestEntry::write(const TestStart& test, const Batch& batch, std::int64_t& id) {
+  if (id == 0) {
+    id = insert_test(*database_, test.header, test.stored_at);
+    lease_.take(*database_, id);
+    if (test.sweep) insert_sweep(*database_, id, *test.sweep);
+  }
+  if (!scans_) scans_.emplace(*database_, id);
+  scans_->write(batch.scans);
+  for (const lab::SecondOrderWorkPoint& point : batch.work) scans_->write(point);
+  for (const lab::Event& event : batch.events) insert_event(*database_, id, event);
+}
+
+void TestEntry::store(const TestStart& test, const Batch& batch) {
+  in_transaction([&](std::int64_t& id) { write(test, batch, id); });
+}
+
+void TestEntry::complete(const TestStart& test, const Batch& batch,
+                         const lab::TestSummary& summary) {
+  in_transaction([&](std::int64_t& id) {
+    write(test, batch, id);
+    insert_summary(*database_, id, summary);
+    lease_.end(*database_);
+  });
+}
+
+void TestEntry::interrupt(const TestStart& test, const Batch& batch) {
+  in_transaction([&](std::int64_t& id) {
+    write(test, batch, id);
+    mark_interrupted(*database_, id);
+  });
+}
+
+std::int64_t TestEntry::last_reading(const std::string& table) {
+  SQLite::Statement last(*database_, "SELECT coalesce(max(id) & 4294967295, -1) FROM " + table +
+                                         " WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295");
+  last.bind(1, id_);
+  last.executeStep();
+  return last.getColumn(0).getInt64();
+}
+
+std::vector<lab::Event> TestEntry::without_known(std::vector<lab::Event> events) {
+  SQLite::Statement known(
+      *database_,
+      "SELECT 1 FROM events WHERE test_id = ? AND reading = ? AND kind = ? AND detail = ?");
+  std::erase_if(events, [&](const lab::Event& event) {
+    Binder(known)
+        .integer(id_)
+        .integer(event.reading)
+        .text(to_string(event.kind))
+        .text(event.detail);
+    return known.executeStep();
+  });
+  return events;
+}
+
+void TestEntry::take_in(const TestStart& test, const Store& from, std::int64_t id) {
+  store(test, {});
+  constexpr std::size_t kAtATime = 20000;
+  const std::int64_t scanned = last_reading("scans"), worked = last_reading("work_points");
+  Batch batch;
+  from.for_each_scan(id, 1, [&](const lab::Reading& reading, const lab::State& state) {
+    if (reading.number <= scanned) return;
+    batch.scans.push_back({reading, state});
+    if (batch.rows() < kAtATime) return;
+    store(test, batch);
+    batch.clear();
+  });
+  batch.work = from.second_order_work(id);
+  std::erase_if(batch.work, [&](const auto& point) { return point.reading <= worked; });
+  batch.events = without_known(from.load(id).events);
+  store(test, batch);
+}
+
+void TestEntry::sign() {
+  if (id_ != 0 && lease_.is_due()) in_transaction([](std::int64_t&) {});
+}
+
+void TestEntry::close() {
+  scans_.reset();
+  database_.reset();
+}
+
+void TestEntry::discard() {
+  scans_.reset();
+  if (!database_) return;
+  try {
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    if (id_ != 0) remove_test(*database_, id_);
+    transaction.commit();
+    bool remove_file = false;
+    if (created_ && database_->execAndGet("SELECT count(*) FROM tests").getInt() == 0) {
+      // Leaving WAL succeeds only for the last connection: nobody else uses the file.
+      remove_file =
+          database_->tryExec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE") == 0;
+    }
+    database_.reset();
+    if (remove_file) std::filesystem::remove(path_);
+  } catch (const SQLite::Exception& error) {
+    database_.reset();
+    throw_for(error, path_);
+  }
+}
+
+}  // namespace triax::db

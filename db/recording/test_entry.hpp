@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One test on its way into one database.
+#include <SQLiteCpp/Database.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/recording/lease.hpp"
+#include "db/scan_writer.hpp"
+#include "db/store.hpp"
+
+namespace triax::db {
+
+/// What a session told since the batch before.
+struct Batch {
+  std::vector<Scan> scans;
+  std::vector<lab::SecondOrderWorkPoint> work;
+  std::vector<lab::Event> events;
+
+  std::size_t rows() const { return scans.size() + work.size() + events.size(); }
+  void clear();
+};
+
+/// What is known of a test when it starts.
+struct TestStart {
+  lab::RecordHeader header;
+  std::string stored_at;  ///< ISO 8601, UTC
+  std::optional<SweepMembership> sweep;
+};
+
+/// Enters the database with its first batch, and holds the lease of the test from then on. Each
+/// function is one transaction, all or nothing, and may be called again after a failure. They throw
+/// MayPass for a lock or a full disk, lab::WorkFailed or lab::BadInput for what stays. One thread
+/// at a time.
+class TestEntry {
+ public:
+  /// A lock is waited for as long as `patience`; the file does not grow beyond `most_bytes`, where
+  /// they are not 0.
+  TestEntry(std::string path, std::chrono::milliseconds patience, std::int64_t most_bytes = 0);
+  /// Goes on with the test of a writer that is gone, if that ever entered the database.
+  TestEntry(std::string path, std::chrono::milliseconds patience, std::string writer);
+
+  const std::string& path() const { return path_; }
+  /// 0 before the test is there.
+  std::int64_t id() const { return id_; }
+  const Lease& lease() const { return lease_; }
+
+  void store(const TestStart& test, const Batch& batch);
+  /// The last batch, and the summary.
+  void complete(const TestStart& test, const Batch& batch, const lab::TestSummary& summary);
+  /// The last batch; the test ends without a result.
+  void interrupt(const TestStart& test, const Batch& batch);
+  /// The readings, second-order work and events of the test `id` of another database that are not
+  /// there yet, in several transactions.
+  void take_in(const TestStart& test, const Store& from, std::int64_t id);
+  /// From the next transaction on.
+  void set_patience(std::chrono::milliseconds patience);
+  /// A sign of life where one is due.
+  void sign();
+  /// Takes the test out again, and the file if this entry made it and nobody else uses it.
+  void discard();
+  void close();
+
+ private:
+  template <class Work>
+  void in_transaction(const Work& work);
+  void open();
+  void bound();
+  std::int64_t last_reading(const std::string& table);
+  std::vector<lab::Event> without_known(std::vector<lab::Event> events);
+  void write(const TestStart& test, const Batch& batch, std::int64_t& id);
+
+  const std::string path_;
+  std::chrono::milliseconds patience_;
+  std::int64_t most_bytes_ = 0;
+  bool continues_ = false;
+  Lease lease_{Leased::test};
+  std::optional<SQLite::Database> database_;
+  std::optional<ScanWriter> scans_;
+  std::int64_t id_ = 0;
+  bool created_ = false;
+};
+
+}  // namespace triax::db
