@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "db/channel_columns.hpp"
+#include "db/files/folder_claim.hpp"
 #include "db/writer_identity.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/embedded.hpp"
@@ -145,6 +146,7 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
 
 SQLite::Database open_for_writing(const std::string& path) {
   check_path(path);
+  const FolderClaim claim(path, FolderClaim::Kind::shared);
   try {
     // No mutexes: a connection belongs to one thread at a time.
     SQLite::Database database(

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "db/connection.hpp"
+#include "db/files/created_file.hpp"
 #include "db/scan_writer.hpp"
 #include "db/test_writer.hpp"
 #include "lab/base/bad_input.hpp"
@@ -91,7 +92,7 @@ struct Recorder::Impl {
   std::optional<SQLite::Database> database_;
   std::optional<ScanWriter> scans_;
   std::int64_t test_id_ = 0;
-  bool created_ = false;
+  std::optional<CreatedFile> created_;  ///< the database is new, and this recorder made it
 };
 
 void Recorder::Impl::start(const lab::RecordHeader& header) {
@@ -148,7 +149,7 @@ void Recorder::Impl::open_database() {
   if (database_) return;
   const bool existed = std::filesystem::exists(path_);
   database_.emplace(open_for_writing(path_));
-  created_ = !existed;
+  if (!existed) created_.emplace(path_, *database_);
 }
 
 void Recorder::Impl::store_batch(Ending ending) {
@@ -201,14 +202,8 @@ void Recorder::Impl::discard() {
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     if (test_id_ != 0) remove_test(*database_, test_id_);
     transaction.commit();
-    bool remove_file = false;
-    if (created_ && database_->execAndGet("SELECT count(*) FROM tests").getInt() == 0) {
-      // Leaving WAL succeeds only for the last connection: nobody else uses the file.
-      remove_file =
-          database_->tryExec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE") == 0;
-    }
+    if (created_) created_->remove_if_unused(database_);
     database_.reset();
-    if (remove_file) std::filesystem::remove(path_);
   } catch (const SQLite::Exception& error) {
     database_.reset();
     throw_for(error, path_);
