@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "db/channel_columns.hpp"
+#include "db/files/folder_claim.hpp"
 #include "db/private_copy.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/embedded.hpp"
@@ -155,6 +156,7 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
 
 SQLite::Database open_for_writing(const std::string& path, std::chrono::milliseconds patience) {
   check_path(path);
+  const FolderClaim claim(path, FolderClaim::Kind::shared);
   try {
     // No mutexes: a connection belongs to one thread at a time.
     SQLite::Database database(path,

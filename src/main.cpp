@@ -83,6 +83,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is for us to see, not a death amid a transaction
+  std::signal(SIGXFSZ, SIG_IGN);  // nor is a limit on the size of files: writing fails with EFBIG
   try {
     const int status = run(argc, argv);
     announce();

@@ -41,8 +41,9 @@ void TestEntry::bound() {
 
 void TestEntry::open() {
   if (database_) return;
-  created_ = created_ || !std::filesystem::exists(path_);
+  const bool existed = std::filesystem::exists(path_);
   database_.emplace(open_for_writing(path_, patience_));
+  if (!existed) created_.emplace(path_, *database_);
   bound();
   if (continues_) id_ = lease_.row(*database_);
 }
@@ -154,14 +155,8 @@ void TestEntry::discard() {
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     if (id_ != 0) remove_test(*database_, id_);
     transaction.commit();
-    bool remove_file = false;
-    if (created_ && database_->execAndGet("SELECT count(*) FROM tests").getInt() == 0) {
-      // Leaving WAL succeeds only for the last connection: nobody else uses the file.
-      remove_file =
-          database_->tryExec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE") == 0;
-    }
+    if (created_) created_->remove_if_unused(database_);
     database_.reset();
-    if (remove_file) std::filesystem::remove(path_);
   } catch (const SQLite::Exception& error) {
     database_.reset();
     throw_for(error, path_);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "db/files/created_file.hpp"
 #include "db/recording/lease.hpp"
 #include "db/scan_writer.hpp"
 #include "db/store.hpp"
@@ -82,7 +83,7 @@ class TestEntry {
   std::optional<SQLite::Database> database_;
   std::optional<ScanWriter> scans_;
   std::int64_t id_ = 0;
-  bool created_ = false;
+  std::optional<CreatedFile> created_;  ///< the database is new, and this entry made it
 };
 
 }  // namespace triax::db

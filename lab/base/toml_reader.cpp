@@ -79,10 +79,14 @@ std::size_t string_end(std::string_view text, std::size_t i) {
   return text.size();
 }
 
-// Each dot of a dotted key is a table inside a table, and tables are taken apart by recursion.
+constexpr int kDeepest = 200;
+
+// Each dot of a dotted key is a table inside a table, each bracket a list or a table in another,
+// and they are taken apart by recursion. What is inside brackets counts on from what they stand in.
 bool too_deep(std::string_view text) {
-  constexpr int kMostDots = 200;
-  int dots = 0;
+  std::vector<int> outside;
+  int depth = 0;
+  const auto base = [&] { return outside.empty() ? 0 : outside.back() + 1; };
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
@@ -90,8 +94,16 @@ bool too_deep(std::string_view text) {
     } else if (c == '#') {
       i = std::min(text.find('\n', i), text.size());
     } else {
-      if (c == '\n') dots = 0;
-      if (c == '.' && ++dots > kMostDots) return true;
+      if (c == '\n' || c == ',') depth = base();
+      if (c == '[' || c == '{') {
+        outside.push_back(depth++);
+      } else if ((c == ']' || c == '}') && !outside.empty()) {
+        depth = outside.back();
+        outside.pop_back();
+      } else if (c == '.') {
+        ++depth;
+      }
+      if (depth > kDeepest) return true;
       ++i;
     }
   }
@@ -104,7 +116,8 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& file, std::
                            const std::vector<TomlEdit>& edits) {
   if (too_deep(text))
     throw BadInput(file, first_line,
-                   "not a description: a line has more than 200 dots outside texts");
+                   "not a description: tables and lists stand in one another more than 200 deep "
+                   "(dots of keys and brackets outside texts)");
   auto impl = std::make_shared<Impl>();
   impl->file = file;
   impl->line_offset = first_line - 1;

@@ -11,7 +11,8 @@ namespace triax::sim {
 namespace {
 
 struct UmatNumbers {
-  double state_variables = 0, void_ratio_index = 0, strain_rate_per_s = 0, time_limit_s = 0;
+  double state_variables = 0, void_ratio_index = 0, strain_rate_per_s = 0, time_limit_s = 0,
+         memory_limit_megabytes = 0;
 };
 
 const ParameterTable<UmatNumbers>& umat_table() {
@@ -48,7 +49,15 @@ const ParameterTable<UmatNumbers>& umat_table() {
         {.above = 0, .at_most = 3600},
         ParameterKind::number,
         10},
-       &P::time_limit_s}};
+       &P::time_limit_s},
+      {{"memory_limit_megabytes",
+        "",
+        "",
+        "megabytes that it may ask for",
+        {.at_least = 1, .at_most = 1e6},
+        ParameterKind::number,
+        1024},
+       &P::memory_limit_megabytes}};
   return table;
 }
 
@@ -118,8 +127,12 @@ double stress_unit_of(const ParameterSet& set) {
 
 Material make_umat(const ParameterSet& set, const MaterialFinder&) {
   const UmatNumbers numbers = parameters_from(set, umat_table());
-  UmatPlugin plugin{library_of(set), text_of(set, "name", ""), list_of(set, "properties"),
-                    whole("state_variables", numbers.state_variables), numbers.time_limit_s};
+  UmatPlugin plugin{library_of(set),
+                    text_of(set, "name", ""),
+                    list_of(set, "properties"),
+                    whole("state_variables", numbers.state_variables),
+                    numbers.time_limit_s,
+                    static_cast<std::size_t>(numbers.memory_limit_megabytes) << 20U};
   if (plugin.name.size() > 80)
     throw std::invalid_argument("name is longer than the 80 characters of CMNAME");
   UmatSettings settings{stress_unit_of(set), list_of(set, "initial_state"),

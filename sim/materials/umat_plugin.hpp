@@ -15,6 +15,7 @@ struct UmatPlugin {
   std::vector<double> properties;  ///< PROPS
   int state_variables = 0;         ///< NSTATV
   double time_limit_s = 10;        ///< for one call, and for loading
+  std::size_t memory_limit_bytes = std::size_t{1} << 30U;  ///< that it may ask for
 };
 
 /// The arguments of one call that change, in the plug-in's own units and signs: tension positive,

@@ -78,19 +78,22 @@ std::string UmatWorker::start() {
   output_ = memfd_create("umat output", MFD_CLOEXEC);
   if (output_ < 0) return system_error("memfd_create");
   fcntl(output_, F_SETFL, O_APPEND);
-  const pid_t self = getpid();
-  const pid_t made = fork();
-  if (made == 0) run_umat(plugin_, *exchange_, output_, self);
+  std::array<int, 2> pipe{-1, -1};
+  const pid_t made = pipe2(pipe.data(), O_CLOEXEC) == 0 ? fork() : -1;
+  if (made == 0) run_umat(plugin_, *exchange_, output_, pipe[0]);
+  const std::string failure = made < 0 ? system_error("pipe or fork") : "";
+  if (pipe[0] >= 0) close(pipe[0]);
+  lifeline_ = pipe[1];
   if (made < 0) {
-    const std::string failure = system_error("fork");
-    close(output_);
+    close_files();
     return failure;
   }
   process_ = made;
+  setpgid(made, made);  // either side may be the first to do it
   const Answer answer = wait();
   if (answer != Answer::came) return ended(answer);
   if (exchange_->stage == UmatStage::ready) return {};
-  const std::string why = exchange_->message.data();
+  const std::string why = exchange_->said();
   stop();
   return why.find(plugin_.library) == std::string::npos ? plugin_.library + ": " + why : why;
 }
@@ -111,6 +114,7 @@ UmatWorker::Answer UmatWorker::wait() {
     const pid_t gone = waitpid(process_, &status_, WNOHANG);
     if (gone != 0) {
       if (gone < 0) status_ = -1;
+      kill(-process_, SIGKILL);  // whom it left behind where it could make others
       process_ = 0;
       return sem_trywait(&exchange_->answered) == 0 && exchange_->stage == UmatStage::refused
                  ? Answer::came
@@ -124,22 +128,49 @@ std::string UmatWorker::ended(Answer answer) {
   std::string text = plugin_.library + ": ";
   if (answer == Answer::late) {
     const bool loading = exchange_->stage == UmatStage::loading;
-    kill(process_, SIGKILL);
-    waitpid(process_, &status_, 0);
-    process_ = 0;
+    kill_group();
     text += std::string(loading ? "loading" : "the call") + " did not end within " +
             number(plugin_.time_limit_s) + " s and was stopped";
   } else {
     text += why_it_ended();
   }
   if (const std::string words = last_words(); !words.empty()) text += "; it printed: " + words;
-  close(output_);
-  output_ = -1;
+  close_files();
   return text;
 }
 
+void UmatWorker::kill_group() {
+  kill(-process_, SIGKILL);
+  kill(process_, SIGKILL);  // before it was made a group
+  waitpid(process_, &status_, 0);
+  process_ = 0;
+}
+
+void UmatWorker::close_files() {
+  for (int* file : {&output_, &lifeline_}) {
+    if (*file >= 0) close(*file);
+    *file = -1;
+  }
+}
+
+std::string UmatWorker::how_it_trespassed() const {
+  const UmatArguments::Beside where = exchange_->trespass;
+  const auto number = static_cast<std::size_t>(where.argument);
+  if (number >= kUmatArguments) return "the plug-in wrote over memory that is not its own";
+  const UmatArgumentText argument = text_of(where.argument, plugin_);
+  const std::string values =
+      std::to_string(argument.values) + (argument.values == 1 ? " value" : " values");
+  std::string remedy;
+  if (where.argument == UmatArgument::statev) remedy = ": is state_variables right?";
+  if (where.argument == UmatArgument::props) remedy = ": are properties complete?";
+  return std::string("the plug-in reads or writes ") +
+         (where.behind ? "past the last value of " : "before the first value of ") + argument.name +
+         ", which has " + values + remedy;
+}
+
 std::string UmatWorker::why_it_ended() const {
-  const std::string message = one_line(exchange_->message.data());
+  const std::string message = one_line(exchange_->said());
+  if (exchange_->stage == UmatStage::trespassed) return how_it_trespassed();
   if (exchange_->stage == UmatStage::xit)
     return "the plug-in called XIT" + (message.empty() ? "" : " (" + message + ")");
   if (exchange_->stage == UmatStage::exited)
@@ -190,7 +221,7 @@ std::string UmatWorker::call(UmatCall& c) {
   if (answer != Answer::came) return ended(answer);
   if (exchange_->stage == UmatStage::objected) {
     exchange_->stage = UmatStage::ready;
-    return plugin_.library + ": " + one_line(exchange_->message.data());
+    return plugin_.library + ": " + one_line(exchange_->said());
   }
   c.stress = there.stress;
   c.tangent = there.tangent;
@@ -209,14 +240,10 @@ void UmatWorker::stop() {
       gone = waitpid(process_, &status_, WNOHANG);
       if (gone == 0) usleep(i < 20 ? 50 : 1000);
     }
-    if (gone == 0) {
-      kill(process_, SIGKILL);
-      waitpid(process_, &status_, 0);
-    }
+    if (gone == 0) kill_group();
     process_ = 0;
   }
-  if (output_ >= 0) close(output_);
-  output_ = -1;
+  close_files();
 }
 
 }  // namespace triax::sim

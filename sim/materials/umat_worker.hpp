@@ -2,7 +2,8 @@
 #pragma once
 // A foreign library is never run inside triax: a process of its own (fork) loads it and answers
 // calls through shared memory, so that whatever it does (a segmentation fault, STOP, XIT, an
-// endless loop) ends that process only and comes back as words.
+// endless loop) ends that process only and comes back as words. The process cannot outlive triax,
+// and it has no others (umat_confinement.hpp).
 #include <memory>
 #include <mutex>
 #include <string>
@@ -37,14 +38,18 @@ class UmatWorker {
   std::string why_it_ended() const;
   std::string last_words() const;
   void shorten_output() const;
+  std::string how_it_trespassed() const;
+  void close_files();
+  void kill_group();
   void stop();
 
   UmatPlugin plugin_;
   std::mutex mutex_;
   UmatExchange* exchange_ = nullptr;
-  int process_ = 0;  ///< 0: none
-  int status_ = 0;   ///< of the process that ended, as waitpid gives it; −1: unknown
-  int output_ = -1;  ///< what the plug-in prints
+  int process_ = 0;    ///< 0: none
+  int status_ = 0;     ///< of the process that ended, as waitpid gives it; −1: unknown
+  int output_ = -1;    ///< what the plug-in prints
+  int lifeline_ = -1;  ///< closed at the end of triax, which ends the process
   unsigned calls_ = 0;
 };
 

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/grains/grain_figure_folder.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <set>
 
 #include "src/grains/grain_figures.hpp"
+#include "src/output/file_names.hpp"
 
 namespace triax::src {
 
 std::vector<std::string> write_grain_figures(const std::vector<db::StoredGrainRun>& runs,
                                              const std::string& folder) {
   std::vector<std::string> written;
-  std::set<std::string> names;
+  FileNames names;
   for (const auto& run : runs) {
-    std::string name = lab::in_file_name(run.report.programme);
-    if (!names.insert(name).second) name += fmt::format("_{}", run.id);
+    const std::string name = names.take(lab::in_file_name(run.report.programme), run.id);
     const std::string prefix = (std::filesystem::path(folder) / name).string();
     for (const NamedFigure& figure : grain_figures(run.report)) {
       write_named_figure(figure, prefix);

@@ -9,8 +9,8 @@ namespace triax::src {
 
 /// Writes the figures of each run, with the numbers behind them, into a folder that exists, as
 /// NAME_FIGURE.svg, .png, .pdf, .csv and .json: NAME is that of the programme as
-/// lab::in_file_name() has it; of two runs with one name the second has its id behind it. Gives the
-/// prefixes written. Throws lab::BadInput, lab::WorkFailed.
+/// lab::in_file_name() has it; of two runs with one name the second has its id behind it
+/// (FileNames). Gives the prefixes written. Throws lab::BadInput, lab::WorkFailed.
 std::vector<std::string> write_grain_figures(const std::vector<db::StoredGrainRun>& runs,
                                              const std::string& folder);
 

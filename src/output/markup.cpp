@@ -20,11 +20,15 @@ std::string align_attribute(const Column& column) {
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
-  auto unicode = QString::fromStdString(text);
+std::string in_xml(const std::string& markup) {
+  auto unicode = QString::fromStdString(markup);
   for (auto& character : unicode)
     if (!allowed_in_xml(character)) character = QChar::ReplacementCharacter;
-  return unicode.toHtmlEscaped().replace('\'', "&#39;").toStdString();
+  return unicode.toStdString();
+}
+
+std::string escaped(const std::string& text) {
+  return QString::fromStdString(in_xml(text)).toHtmlEscaped().replace('\'', "&#39;").toStdString();
 }
 
 std::string table_markup(const Table& table, const std::vector<std::string>& anchors,

@@ -13,6 +13,8 @@ namespace triax::src {
 /// UTF-8 text as content of an element or value of an attribute: & < > " ' are escaped, and
 /// characters that no XML may hold read U+FFFD.
 std::string escaped(const std::string& text);
+/// Markup that is there already, with U+FFFD for those characters.
+std::string in_xml(const std::string& markup);
 
 /// Headings, then rows; numbers to the right. With `anchors`, as many as rows, the cell of column
 /// `anchor_column` links to the element of that id.

@@ -4,9 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/output/terminal.hpp"
@@ -69,16 +75,30 @@ class TableWriter : public ResultWriter {
 
 class CsvWriter : public ResultWriter {
  public:
-  void columns(const std::vector<std::string>& names) override { line(names); }
+  void columns(const std::vector<std::string>& names) override {
+    std::vector<std::string> cells;
+    cells.reserve(names.size());
+    for (const auto& name : names) cells.push_back(inert(name));
+    line(cells);
+  }
   void row(const std::vector<db::Value>& values) override {
     std::vector<std::string> cells;
     cells.reserve(values.size());
-    for (const auto& value : values) cells.push_back(exact_text(value));
+    for (const auto& value : values)
+      cells.push_back(std::holds_alternative<std::string>(value) ? inert(exact_text(value))
+                                                                 : exact_text(value));
     line(cells);
   }
   void finish() override { print({}); }
 
  private:
+  /// Text that neither commands a terminal nor is a formula to a spreadsheet, which an apostrophe
+  /// in front tells. A number written as text stays one.
+  static std::string inert(const std::string& cell) {
+    const std::string text = without_controls(cell);
+    const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) < 4;
+    return formula && !lab::whole_text_as<double>(text) ? "'" + text : text;
+  }
   static std::string quoted(const std::string& cell) {
     if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
     std::string text = "\"";
@@ -92,22 +112,46 @@ class CsvWriter : public ResultWriter {
   }
 };
 
+/// Nothing is printed before the last row is there: a document that ends in the middle is none. It
+/// waits in a file without a name, however long it is.
 class JsonWriter : public ResultWriter {
  public:
+  JsonWriter() : waiting_(std::tmpfile()) {
+    if (!waiting_) fail();
+  }
   void columns(const std::vector<std::string>& names) override {
     names_.reserve(names.size());
     for (const auto& name : names) names_.push_back(unused(name));
-    put("[");
+    wait("[");
   }
   void row(const std::vector<db::Value>& values) override {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < values.size(); ++i) object[names_[i]] = json(values[i]);
     constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    put((rows_++ > 0 ? ",\n " : "\n ") + object.dump(-1, ' ', false, replace));
+    wait((rows_++ > 0 ? ",\n " : "\n ") + object.dump(-1, ' ', false, replace));
   }
-  void finish() override { print(rows_ > 0 ? "\n]\n" : "]\n"); }
+  void finish() override {
+    wait(rows_ > 0 ? "\n]\n" : "]\n");
+    if (std::fflush(waiting_.get()) != 0) fail();
+    std::rewind(waiting_.get());
+    std::array<char, 65536> part{};
+    while (const std::size_t bytes = std::fread(part.data(), 1, part.size(), waiting_.get()))
+      put({part.data(), bytes});
+    if (std::ferror(waiting_.get()) != 0) fail();
+    print({});
+  }
 
  private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  [[noreturn]] static void fail() {
+    throw lab::WorkFailed(
+        fmt::format("a temporary file cannot be written: {}", std::strerror(errno)));
+  }
+  void wait(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), waiting_.get()) != text.size()) fail();
+  }
   std::string unused(const std::string& name) const {
     const auto taken = [&](const std::string& candidate) {
       return std::find(names_.begin(), names_.end(), candidate) != names_.end();
@@ -123,6 +167,7 @@ class JsonWriter : public ResultWriter {
     if (number && std::isfinite(*number)) return *number;
     return nullptr;
   }
+  std::unique_ptr<std::FILE, Close> waiting_;
   std::vector<std::string> names_;
   std::size_t rows_ = 0;
 };

@@ -31,6 +31,21 @@ class Utf8Locale {
   locale_t locale_;
 };
 
+/// Bytes of a character at `text[i]` that turns the order of reading round or breaks lines:
+/// U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069; 0 for any other.
+std::size_t direction_mark(const std::string& text, std::size_t i) {
+  const auto at = [&](std::size_t k) {
+    return static_cast<unsigned char>(i + k < text.size() ? text[i + k] : 0);
+  };
+  if (at(0) == 0xd8 && at(1) == 0x9c) return 2;
+  if (at(0) != 0xe2) return 0;
+  const unsigned char last = at(2);
+  const bool mark =
+      (at(1) == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae))) ||
+      (at(1) == 0x81 && last >= 0xa6 && last <= 0xa9);
+  return mark ? 3 : 0;
+}
+
 std::string blanked(std::string text, bool keep_line_breaks) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
@@ -39,6 +54,7 @@ std::string blanked(std::string text, bool keep_line_breaks) {
     // U+0080 to U+009F, among them a CSI that some terminals obey.
     const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : ' ');
     if (c == 0xc2 && next >= 0x80 && next < 0xa0) text.replace(i, 2, " ");
+    if (const std::size_t bytes = direction_mark(text, i); bytes > 0) text.replace(i, bytes, " ");
   }
   return text;
 }

@@ -7,13 +7,16 @@
 #include <QBuffer>
 #include <QFontMetricsF>
 #include <QHash>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSvgGenerator>
 #include <algorithm>
 #include <array>
+#include <clocale>
 #include <cmath>
 
 #include "lab/base/bad_input.hpp"
+#include "src/output/markup.hpp"
 #include "src/plot/plot_style.hpp"
 
 namespace triax::src {
@@ -62,10 +65,14 @@ void need_drawing() {
   // Qt warns of a missing XDG_RUNTIME_DIR, which a program without windows does not need.
   const auto usual = qInstallMessageHandler(
       [](QtMsgType, const QMessageLogContext&, const QString&) { /* nobody to tell */ });
+  QLocale::setDefault(QLocale::c());
   // QCustomPlot draws the axes of a frame in the order of a hash: the same bytes in every run.
   QHashSeed::setDeterministicGlobalSeed();
   static const auto* application = new QApplication(argument_count, arguments.data());
   static_cast<void>(application);
+  // Numbers read the same everywhere: Qt takes over the locale of the environment, for itself and
+  // for the C library.
+  std::setlocale(LC_NUMERIC, "C");
   qInstallMessageHandler(usual);
 }
 
@@ -103,7 +110,7 @@ std::string to_svg(const QCustomPlot& plot) {
   auto text = QString::fromUtf8(buffer.data());
   // Qt's own title would pop up over every figure.
   text.remove(QRegularExpression("<(title|desc)>[^<]*</(title|desc)>\n"));
-  return with_text_lengths(text.mid(text.indexOf("<svg"))).toStdString();
+  return in_xml(with_text_lengths(text.mid(text.indexOf("<svg"))).toStdString());
 }
 
 std::string to_png(const QCustomPlot& plot, double scale, const std::string& description) {

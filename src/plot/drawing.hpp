@@ -27,7 +27,8 @@ struct Drawing {
 };
 
 /// Makes the application object that fonts and plots need, on Qt's platform without a screen; no
-/// display, no window system. Call before any drawing; further calls do nothing.
+/// display, no window system. Call before any drawing; further calls do nothing. Numbers
+/// have a decimal point from then on, whatever the locale of the environment is.
 void need_drawing();
 
 /// An empty plot of that size in the house style. Calls need_drawing().

@@ -24,6 +24,7 @@ constexpr double kSmallestNormStrain = 1e-10, kLargestNormStrain = 0.1;
 constexpr double kSmallestRatio = 0.01, kLargestR = 100;
 constexpr double kSmallestStrain = 1e-5, kLargestStrain = 0.5;
 constexpr double kSmallestStep_deg = 0.01, kLargestStep_deg = 45;
+constexpr double kSmallestSphereStep_deg = 0.5;
 
 void must_lie(const char* option, double value, double lowest, double highest) {
   if (!(value >= lowest && value <= highest))
@@ -210,6 +211,8 @@ study::Probing checked_probing(const ProbeOptions& o) {
 
 study::SphereProbing checked_sphere(const ProbeOptions& o) {
   const study::Probing plane = checked_probing(o);
+  // Directions and what is written of them grow with the square: at 0.5 degrees 260,000.
+  must_lie("--plane 3d --step", o.step_deg.value_or(10), kSmallestSphereStep_deg, kLargestStep_deg);
   if (o.finite || o.control || o.probes || !o.R.empty() || !o.conditions.empty())
     throw lab::BadInput("--plane 3d excludes --finite, --control, --R, --conditions and --probes");
   if (plane.directions % 2 != 0 || plane.directions < 12)

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/figure_folder.hpp"
 
-#include <fmt/format.h>
-
 #include <cctype>
 #include <filesystem>
 #include <map>
-#include <set>
 
 #include "src/cli/output_guard.hpp"
+#include "src/output/file_names.hpp"
 #include "src/plot/figure_files.hpp"
 #include "src/study/triaxial/read_again.hpp"
 #include "src/study/triaxial/tests_origin.hpp"
@@ -50,10 +48,9 @@ class FigureFolder {
 };
 
 void add_tests(FigureFolder& folder, const std::vector<study::TestResult>& tests) {
-  std::set<std::string> names;
+  FileNames names;
   for (const auto& test : tests) {
-    auto name = file_name(test.stored.header.name);
-    if (!names.insert(name).second) name += fmt::format("_{}", test.stored.id);
+    const auto name = names.take(file_name(test.stored.header.name), test.stored.id);
     for (const auto& figure : test_figures(test))
       folder.add(name + '_' + figure.name, figure.drawing);
   }
@@ -67,12 +64,14 @@ void add_types(FigureFolder& folder, const std::vector<study::TestResult>& tests
     const auto& type = test.stored.header.programme;
     types[type.empty() ? "other" : type].push_back(test);
   }
+  FileNames names;
+  std::int64_t number = 0;
   for (const auto& [type, members] : types) {
+    const auto name = names.take(file_name(type), ++number);
     const auto series = study::shear_series(members);
-    folder.add(file_name(type) + "_stress_paths", stress_paths_figure(series));
-    folder.add(file_name(type) + "_shear_curves", shear_curves_figure(series));
-    folder.add(file_name(type) + "_strains",
-               strains_over_p_figure(study::shear_beginnings(members)));
+    folder.add(name + "_stress_paths", stress_paths_figure(series));
+    folder.add(name + "_shear_curves", shear_curves_figure(series));
+    folder.add(name + "_strains", strains_over_p_figure(study::shear_beginnings(members)));
   }
 }
 

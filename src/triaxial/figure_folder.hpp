@@ -16,8 +16,9 @@ namespace triax::src {
 ///   TYPE_stress_paths, TYPE_shear_curves, TYPE_strains    of all tests of a type (ICU, CSD...)
 ///   collapse_points, stress_increments                    of all tests
 ///
-/// TEST and TYPE are their names in small letters, what is no letter and no digit being '_'; of two
-/// tests with one name the second has its id behind it. A figure without data is left out. Gives
+/// TEST and TYPE are their names in small letters, what is no letter and no digit being '_', and
+/// distinct as FileNames makes them: of two tests with one name the second has its id behind it. A
+/// figure without data is left out. Gives
 /// the prefixes written. Throws lab::BadInput, lab::WorkFailed.
 std::vector<std::string> write_figures(const std::vector<study::TestResult>& tests,
                                        const std::vector<study::CollapseIncrement>& increments,

@@ -12,6 +12,7 @@
 #include "lab/reduction/reduction.hpp"
 #include "lab/rig/otherwise.hpp"
 #include "lab/rig/recorded.hpp"
+#include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/notice.hpp"
@@ -58,6 +59,14 @@ class BadRecords {
   std::size_t records_, bad_ = 0;
 };
 
+/// Ctrl-C or SIGTERM amid a record.
+struct Stopped : lab::WorkFailed {
+  Stopped()
+      : WorkFailed(
+            "stopped by the operator; what was read of this record is stored as interrupted, "
+            "records behind it were not read") {}
+};
+
 /// A record that was looked at: opened, so that whatever can be seen in its head is told before the
 /// first has run for minutes. Beyond the first hundred files are closed again.
 struct Looked {
@@ -94,6 +103,13 @@ void run_replay(const ReplayOptions& o) {
   ReferenceFiles references;
   std::vector<Looked> records = look_at_all(o, record, reduction, references, bad);
   references.store(o.db);
+  const Interruption interruption;
+  // Thrown through the session: what was read stays, marked as interrupted.
+  const auto stop = [&interruption]() -> bool {
+    if (interruption.requested()) throw Stopped();
+    return false;
+  };
+  bool stopped = false;
   for (Looked& one : records) {
     try {
       const auto rig = one.rig ? std::move(one.rig) : lab::open_record(one.path, record);
@@ -105,14 +121,18 @@ void run_replay(const ReplayOptions& o) {
           return lab::open_record(one.path, other);
         });
       };
-      ids.push_back(
-          study::run_test(*rig, {.reduction = reduction, .speed = o.speed, .otherwise = otherwise},
-                          o.db, {shown_on(bar)}, {.say = notify}));
+      ids.push_back(study::run_test(
+          *rig, {.reduction = reduction, .speed = o.speed, .stop = stop, .otherwise = otherwise},
+          o.db, {shown_on(bar)}, {.say = notify}));
     } catch (const lab::BadInput& error) {
       bad.add(error);
+    } catch (const Stopped&) {
+      stopped = true;
+      break;
     }
   }
   print_replayed(o.db, ids, references, o.json);
+  if (stopped) throw Stopped();
   bad.finish();
 }
 

@@ -240,3 +240,35 @@ TEST_CASE("every table and view that the help names has the column test_id") {
   CHECK(here.triax("query \"SELECT test_id, test FROM tests\" --format csv").out ==
         "test_id,test\r\n1,tiny\r\n");
 }
+
+TEST_CASE("CSV of a query holds neither commands for terminals nor formulas for spreadsheets") {
+  const Replayed here;
+  const Outcome csv = here.triax(
+      "query \"SELECT '=1+2' AS a, '+x' AS b, '-5.5' AS c, -5.5 AS d, '@y' AS e, 'u' || char(27) "
+      "|| "
+      "'[31m' AS f, '-z' AS '=g', 'h' AS h\" --format csv");
+  CHECK(csv.out == "a,b,c,d,e,f,'=g,h\r\n'=1+2,'+x,-5.5,-5.5,'@y,u [31m,'-z,h\r\n");
+}
+
+TEST_CASE("JSON of a query is whole or not there") {
+  const Replayed here;
+  // The second row fails: abs() of the smallest integer overflows.
+  const std::string sql =
+      "query \"SELECT abs(x) AS n FROM (SELECT 1 AS x UNION ALL SELECT "
+      "-9223372036854775807 - 1)\" --format ";
+  const Outcome failed = here.triax(sql + "json");
+  CHECK(failed.status != 0);
+  CHECK(failed.out.empty());
+  CHECK(failed.err.find("overflow") != std::string::npos);
+}
+
+TEST_CASE("a limit on the size of files is an error in words, not a death") {
+  const Replayed here;
+  const std::string command = "cd '" + (here / "").string() +
+                              "' && ulimit -f 8 && " TRIAX_PROGRAM
+                              " replay tiny.csv --db limited.db >.out 2>.err </dev/null";
+  const int status = std::system(command.c_str());
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 1);
+  CHECK(content(here / ".err").find("triax: limited.db") != std::string::npos);
+}

@@ -313,3 +313,16 @@ TEST_CASE("a UMAT that crashes answers nothing: its words, no lost control, and 
   CHECK_FALSE(d["warnings"].empty());
 }
 #endif
+
+TEST_CASE("a sphere of directions too fine to be held is refused before it is begun") {
+  const Workplace here;
+  const std::string sphere =
+      "probe --plane 3d --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio 1.086 "
+      "--step ";
+  for (const char* step : {"0.01", "0.25"}) {
+    const Outcome refused = here.triax(sphere + step);
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("from 0.5 to 45") != std::string::npos);
+  }
+  CHECK(here.triax(sphere + "30").status == 0);
+}

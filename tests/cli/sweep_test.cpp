@@ -125,3 +125,21 @@ TEST_CASE("Ctrl-C keeps the finished tests of a sweep") {
   CHECK(tests[0]["status"] == "complete");
   CHECK(tests[0]["n"].get<int>() > 1);
 }
+
+TEST_CASE("a replay that is stopped keeps what it read, as interrupted, by either signal") {
+  const Workplace here;
+  REQUIRE(here.triax("simulate " + kIcu6 + " --record x.csv --db a.db").status == 0);
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const std::string database = signal == SIGTERM ? "term.db" : "int.db";
+    const Running replay(here, "replay x.csv x.csv --speed 400 --db " + database);
+    REQUIRE(replay.reaches(database, "scans", 50));
+    CHECK(replay.end_by(signal) == 1);
+    CHECK(replay.err().find("stopped by the operator") != std::string::npos);
+    const json tests = json::parse(
+        here.triax("query \"SELECT status, readings FROM tests\" --format json --db " + database)
+            .out);
+    REQUIRE(tests.size() == 1);
+    CHECK(tests[0]["status"] == "interrupted");
+    CHECK(tests[0]["readings"].get<int>() > 50);
+  }
+}

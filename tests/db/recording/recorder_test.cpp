@@ -11,9 +11,11 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "db/connection.hpp"
+#include "db/files/folder_claim.hpp"
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
@@ -331,4 +333,26 @@ TEST_CASE("a reading number beyond the key is refused") {
   Recording recording(folder.file("t.db"), "a");
   testing::send_scans(recording.listener, 0x1'0000'0000, 1);
   CHECK_THROWS_WITH(recording.recorder.finish({}), Contains("4294967296 cannot be stored"));
+}
+
+TEST_CASE("discard keeps a new database in which another wrote, or that another is opening",
+          "[threads]") {
+  TemporaryFolder folder;
+  for (const bool opening : {false, true}) {
+    const std::string path = folder.file(opening ? "opening.db" : "written.db");
+    Recording first(path, "first");
+    testing::send_scans(first.listener, 0, 10000);
+    REQUIRE(comes_true([&] { return std::filesystem::exists(path); }));
+    std::optional<db::FolderClaim> claim;
+    if (opening) {
+      claim.emplace(path, db::FolderClaim::Kind::shared);
+    } else {
+      // Waits for the first batch; no test, but something that another program stored.
+      SQLite::Database other(path, SQLite::OPEN_READWRITE, 20000);
+      REQUIRE(comes_true([&] { return other.tableExists("tests"); }));
+      other.exec("CREATE TABLE anothers (value INTEGER)");
+    }
+    first.recorder.discard();
+    CHECK(std::filesystem::exists(path));
+  }
 }

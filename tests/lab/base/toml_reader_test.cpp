@@ -109,3 +109,18 @@ TEST_CASE("dots in remarks and texts make nothing deep; those behind them count"
     CHECK_THROWS_WITH(TomlTable::parse(before + deep + " = 1", "a.toml"),
                       Catch::Matchers::Contains("dots"));
 }
+
+TEST_CASE("depth counts over lists and tables in one another, not along them") {
+  std::string key = "a", deep;
+  for (int i = 0; i < 150; ++i) key += ".a";
+  for (int i = 0; i < 100; ++i) deep += "x." + key + " = [\n{";
+  std::string closed = "x = 1";
+  for (int i = 0; i < 100; ++i) closed += "}]";
+  CHECK_THROWS_WITH(TomlTable::parse(deep + closed, "a.toml"),
+                    Catch::Matchers::Contains("200 deep"));
+  std::string wide = "a = [";
+  for (int i = 0; i < 1000; ++i) wide += "[0.5, 1.5],\n{b.c = 2.5},";
+  CHECK_NOTHROW(TomlTable::parse(wide + "]\n[t.u]\nv.w = 1\n", "a.toml"));
+  // Brackets too many at the end: the parser's to refuse.
+  CHECK_THROWS_AS(TomlTable::parse("a = []]]]", "a.toml"), BadInput);
+}

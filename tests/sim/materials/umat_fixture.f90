@@ -23,6 +23,26 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     normal(6), trace, turn(3, 3), principal(3), directions(3, 3), turned(6)
   double precision, parameter :: delta(6) = [1d0, 1d0, 1d0, 0d0, 0d0, 0d0]
   integer :: i, misbehaviour
+  interface
+    integer(c_int) function parent() bind(c, name='getppid')
+      import :: c_int
+    end function parent
+    integer(c_int) function tell(process, number) bind(c, name='kill')
+      import :: c_int
+      integer(c_int), value :: process, number
+    end function tell
+    integer(c_int) function new_process() bind(c, name='fork')
+      import :: c_int
+    end function new_process
+    integer(c_int) function new_session() bind(c, name='setsid')
+      import :: c_int
+    end function new_session
+    type(c_ptr) function ignore(number, handler) bind(c, name='signal')
+      import :: c_int, c_intptr_t, c_ptr
+      integer(c_int), value :: number
+      integer(c_intptr_t), value :: handler
+    end function ignore
+  end interface
 
   bulk = props(1); shear = props(2); m = props(3); n = props(4); c = props(5)
   misbehaviour = nint(props(6))
@@ -79,6 +99,17 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   if (misbehaviour == 9) ddsdde(2, 1) = ieee_value(1d0, ieee_positive_inf)
   if (misbehaviour == 10) statev(3) = ieee_value(1d0, ieee_quiet_nan)
   if (misbehaviour == 11) stress(2) = stress(2) * 1.01d0
+  ! Indices out of range: one past the end, one before the start, and 300 beyond.
+  if (misbehaviour == 14) statev(nstatv + 1) = 1
+  if (misbehaviour == 15) stress(misbehaviour - 15) = 1
+  if (misbehaviour == 16) ddsdde(1, misbehaviour - 9) = 1
+  if (misbehaviour == 17) statev(2) = props(nprops + 1)
+  if (misbehaviour == 18) statev(nstatv + 300) = 1
+  if (misbehaviour == 21) statev(misbehaviour - 21) = 1
+  if (misbehaviour == 22) statev(2) = tell(parent(), 0)
+  if (misbehaviour == 23) statev(2) = new_process()
+  if (misbehaviour == 24) statev(2) = new_session()
+  if (misbehaviour == 25) statev(2) = room_for(256)
 
 contains
 
@@ -89,6 +120,8 @@ contains
     integer :: integers(1)
     double precision :: reals(1)
     character(len=8) :: texts(1)
+    double precision :: since, now
+    type(c_ptr) :: nobody
     select case (kind)
     case (1)
       call c_f_pointer(c_null_ptr, nowhere)
@@ -108,6 +141,25 @@ contains
       if (maxval(abs(dstran)) > 2d-4) pnewdt = 0.25d0
     case (13)
       write (*, *) 'a word on every call'
+    case (26)
+      do i = 1, 64
+        nobody = ignore(i, 1_c_intptr_t)
+      end do
+      call cpu_time(since)
+      now = since
+      do while (now < since + 8)
+        call cpu_time(now)
+      end do
     end select
   end subroutine misbehave
+
+  !> 1 if so many megabytes can be had, else 0.
+  integer function room_for(megabytes)
+    integer, intent(in) :: megabytes
+    double precision, allocatable :: much(:)
+    integer :: refused
+    allocate (much(megabytes * 131072), stat=refused)
+    room_for = merge(1, 0, refused == 0)
+    if (refused == 0) deallocate (much)
+  end function room_for
 end subroutine umat

@@ -35,7 +35,18 @@ enum class Misbehaviour {
   nan_state = 10,
   lopsided = 11,
   error_message = 12,
-  prints = 13
+  prints = 13,
+  past_state = 14,
+  before_stress = 15,
+  past_tangent = 16,
+  past_properties = 17,
+  far_past_state = 18,
+  before_state = 21,
+  signals_triax = 22,  ///< the answer of kill() is STATEV(2)
+  forks = 23,          ///< that of fork() is
+  own_session = 24,    ///< that of setsid() is
+  allocates = 25,      ///< STATEV(2) is 1 if 256 megabytes were to be had
+  ignores_signals = 26
 };
 
 // kPa

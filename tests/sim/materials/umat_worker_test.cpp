@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/materials/umat_worker.hpp"
 
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
 #include <thread>
 #include <vector>
 
@@ -15,6 +21,45 @@ namespace {
 UmatPlugin cone(Misbehaviour misbehaviour = Misbehaviour::none) {
   const ParameterSet set = umat_fixture(misbehaviour);
   return {kUmatFixture, "CONE", set.lists.at("properties"), 12, 5};
+}
+
+UmatCall a_strain() {
+  UmatCall call;
+  call.strain_increment[0] = -1e-6;
+  return call;
+}
+
+/// What the worker says of the first call with strain.
+std::string verdict(Misbehaviour misbehaviour, int state_variables = 12) {
+  UmatPlugin plugin = cone(misbehaviour);
+  plugin.state_variables = state_variables;
+  UmatWorker worker(plugin);
+  UmatCall call = a_strain();
+  const std::string words = worker.call(call);
+  // Without strain the fixture behaves: the process was made anew where that was due.
+  UmatCall sound;
+  CHECK((state_variables < 12 || worker.call(sound).empty()));
+  return words;
+}
+
+double second_state_variable(Misbehaviour misbehaviour, std::size_t megabytes = 1024) {
+  UmatPlugin plugin = cone(misbehaviour);
+  plugin.memory_limit_bytes = megabytes << 20U;
+  UmatWorker worker(plugin);
+  UmatCall call = a_strain();
+  CHECK(worker.call(call) == "");
+  CHECK(call.stress[0] == Approx(-1e-6 * (kBulk + 4 * kShear / 3)));
+  return call.state[1];
+}
+
+/// Ends as it was killed: only to be called in a process made for that.
+[[noreturn]] void call_and_stay(Misbehaviour misbehaviour) {
+  UmatPlugin plugin = cone(misbehaviour);
+  plugin.time_limit_s = 100;
+  UmatWorker worker(plugin);
+  UmatCall call = a_strain();
+  worker.call(call);
+  _exit(0);
 }
 
 }  // namespace
@@ -54,4 +99,67 @@ TEST_CASE("several threads may use one plug-in") {
     });
   for (auto& thread : threads) thread.join();
   for (const int count : right) CHECK(count == 500);
+}
+
+TEST_CASE("an index out of range is an error that names the argument, at either end and far off") {
+  if (!umat_fixture_is_there()) return;
+  using Catch::Contains;
+  const std::string past = "reads or writes past the last value of ";
+  const std::string before = "reads or writes before the first value of ";
+  CHECK_THAT(verdict(Misbehaviour::past_state),
+             Contains(past + "STATEV, which has 12 values: is state_variables right?"));
+  CHECK_THAT(verdict(Misbehaviour::far_past_state), Contains(past + "STATEV"));
+  CHECK_THAT(verdict(Misbehaviour::before_state), Contains(before + "STATEV"));
+  CHECK_THAT(verdict(Misbehaviour::before_stress), Contains(before + "STRESS, which has 6 values"));
+  CHECK_THAT(verdict(Misbehaviour::past_tangent), Contains(past + "DDSDDE, which has 36 values"));
+  CHECK_THAT(verdict(Misbehaviour::past_properties),
+             Contains(past + "PROPS, which has 6 values: are properties complete?"));
+  // Declared with fewer state variables than it uses: 5, 1 and none.
+  for (const int declared : {5, 1, 0})
+    CHECK_THAT(verdict(Misbehaviour::none, declared), Contains(past + "STATEV"));
+  CHECK(verdict(Misbehaviour::none).empty());
+}
+
+TEST_CASE("a plug-in can neither signal triax nor make other processes nor leave its group") {
+  if (!umat_fixture_is_there()) return;
+  CHECK(second_state_variable(Misbehaviour::none) == 0);
+  CHECK(second_state_variable(Misbehaviour::signals_triax) == -1);
+  CHECK(second_state_variable(Misbehaviour::forks) == -1);
+  CHECK(second_state_variable(Misbehaviour::own_session) == -1);
+}
+
+TEST_CASE("a plug-in has the memory that it is given") {
+  if (!umat_fixture_is_there()) return;
+  CHECK(second_state_variable(Misbehaviour::allocates, 1024) == 1);
+  CHECK(second_state_variable(Misbehaviour::allocates, 128) == 0);
+}
+
+TEST_CASE("the process of a plug-in ends with triax, killed or not, whatever signals it ignores") {
+  if (!umat_fixture_is_there()) return;
+  REQUIRE(prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);  // orphans come to this process
+  const pid_t host = fork();
+  if (host == 0) call_and_stay(Misbehaviour::ignores_signals);
+  REQUIRE(host > 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  REQUIRE(waitpid(host, nullptr, WNOHANG) == 0);  // waits for the plug-in
+  kill(host, SIGKILL);
+  CHECK(waitpid(host, nullptr, 0) == host);
+  int status = 0;
+  pid_t ended = 0;
+  for (int i = 0; i < 40 && ended == 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ended = waitpid(-1, &status, WNOHANG);
+  }
+  CHECK(ended > 0);
+  CHECK((WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL));
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
+}
+
+TEST_CASE("a plug-in started in a thread works on when that thread has ended") {
+  if (!umat_fixture_is_there()) return;
+  std::unique_ptr<UmatWorker> worker;
+  std::thread([&] { worker = std::make_unique<UmatWorker>(cone()); }).join();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  UmatCall call = a_strain();
+  CHECK(worker->call(call) == "");
 }

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "lab/base/bad_input.hpp"
 #include "tests/src/sample_tests.hpp"
@@ -62,4 +63,23 @@ TEST_CASE("where no folder can be made the message says so") {
   std::filesystem::create_directories(here.inside(""));
   std::ofstream(here.inside("file")) << "x";
   CHECK_THROWS_AS(write_figures({test::flow_test()}, {}, here.inside("file")), lab::BadInput);
+}
+
+TEST_CASE("names that differ by blanks and case, that look like another's, or of 300 letters") {
+  const Folder here;
+  std::vector<TestResult> tests;
+  for (const std::string name : {"a b", "A_b", "a_b_2", "a_b_2_3"}) {
+    tests.push_back(test::flow_test());
+    tests.back().stored.header.name = name;
+    tests.back().stored.id = static_cast<std::int64_t>(tests.size());
+  }
+  tests.push_back(test::flow_test());
+  tests.back().stored.header.name = std::string(300, 'N');
+  tests.back().stored.id = 5;
+  const auto written = write_figures(tests, {}, here.inside("x"));
+  CHECK(std::set<std::string>(written.begin(), written.end()).size() == written.size());
+  std::size_t paths = 0;
+  for (const auto& file : std::filesystem::directory_iterator(here.inside("x")))
+    paths += file.path().string().ends_with("_stress_path.svg") ? 1 : 0;
+  CHECK(paths == tests.size());
 }

@@ -4,6 +4,7 @@
 #include <qcustomplot.h>
 
 #include <catch2/catch.hpp>
+#include <clocale>
 #include <cstdlib>
 
 #include "src/triaxial/figures/collapse_points_figure.hpp"
@@ -73,4 +74,22 @@ TEST_CASE("figures need no screen") {
   CHECK(png.rfind("\x89PNG", 0) == 0);
   CHECK(png.size() > 5000);
   CHECK(to_svg(*drawing.plot).find("<svg") != std::string::npos);
+}
+
+TEST_CASE("numbers in figures read the same in every locale, and no character breaks their XML") {
+  auto odd = test::flow_test();
+  odd.stored.header.name = "esc \x1b[31m \x01 end";
+  const auto drawn = [&] {
+    const Drawing drawing = collapse_points_figure(collapse_points({odd, test::simulated_test()}));
+    return to_svg(*drawing.plot);
+  };
+  const std::string svg = drawn();
+  CHECK(svg.find("esc") != std::string::npos);
+  for (const char c : svg) CHECK((c < 0 || c >= ' ' || c == '\n' || c == '\t' || c == '\r'));
+  need_drawing();
+  CHECK(QLocale().decimalPoint() == ".");
+  CHECK(QLocale().name() == "C");
+  const QCustomPlot plot;
+  CHECK(plot.locale().toString(-0.5) == "-0.5");
+  CHECK(std::string(std::localeconv()->decimal_point) == ".");
 }
