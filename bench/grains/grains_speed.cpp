@@ -4,6 +4,11 @@
 //   (median of the repeats); details on lines with #.
 // grains_speed make STATE [GRAINS]
 //   makes such a packing: isotropic, 100 kPa.
+// grains_speed shared STATE [STEPS [ROUNDS]]
+//   one thread and two in turn, beside no, one and two busy processes that it starts itself, as
+//   "shared BUSY ONE TWO RATIO LEAST MOST": medians over the rounds, and of two over one in the
+//   same round its median, least and most. What else the machine does meanwhile disturbs both
+//   alike.
 // STATE: "N lox hix loy hiy loz hiz", then "x y z r" for each grain, in metres.
 #include <sys/resource.h>
 
@@ -19,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/grains/busy_processes.hpp"
 #include "sim/grains/engine/grains.hpp"
 #include "sim/grains/state/grain_measures.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
@@ -123,21 +129,60 @@ void print_details(const GrainState& s) {
               static_cast<double>(usage.ru_maxrss) / 1024);
 }
 
+GrainState strained(const GrainState& state) {
+  Grains grains(state);
+  grains.drive({stress_drive(kStress), strain_rate_drive(0.05), stress_drive(kStress)});
+  grains.step(500);
+  return grains.state();
+}
+
+/// Particle-steps per second of some steps.
+double rate_of(Grains& grains, std::int64_t steps) {
+  const double start = seconds();
+  grains.step(steps);
+  return static_cast<double>(steps) * static_cast<double>(grains.state().grains.size()) /
+         (seconds() - start);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// One engine lives at a time, so that no thread is there when processes are started.
+void compare_shared(const GrainState& state, std::int64_t steps, int rounds) {
+  std::array<std::array<std::vector<double>, 2>, 3> rates;
+  std::array<std::vector<double>, 3> ratios;
+  for (int round = 0; round < rounds; ++round)
+    for (int busy = 0; busy < 3; ++busy) {
+      const triax::bench::BusyProcesses others(busy);
+      for (int threads = 1; threads <= 2; ++threads) {
+        Grains grains(state, threads);
+        grains.step(steps / 10);
+        rates[busy][threads - 1].push_back(rate_of(grains, steps));
+      }
+      ratios[busy].push_back(rates[busy][1].back() / rates[busy][0].back());
+    }
+  std::printf("# busy processes, particle-steps/s on one thread and two, two over one: median, ");
+  std::printf("least, most of %d\n", rounds);
+  for (int busy = 0; busy < 3; ++busy) {
+    const auto [least, most] = std::minmax_element(ratios[busy].begin(), ratios[busy].end());
+    std::printf("shared %d %.4g %.4g %.2f %.2f %.2f\n", busy, median(rates[busy][0]),
+                median(rates[busy][1]), median(ratios[busy]), *least, *most);
+  }
+}
+
 void time_steps(Grains& grains, int threads, std::int64_t steps, int repeats) {
   std::vector<double> rates;
   for (int r = 0; r < repeats; ++r) {
     const std::int64_t sorts = grains.state().sorts;
-    const double start = seconds();
-    grains.step(steps);
-    const auto particle_steps =
-        static_cast<double>(steps) * static_cast<double>(grains.state().grains.size());
-    rates.push_back(particle_steps / (seconds() - start));
+    rates.push_back(rate_of(grains, steps));
     std::printf("# repeat %d: %.4g, sorted %ld times\n", r, rates.back(),
                 static_cast<long>(grains.state().sorts - sorts));
   }
   print_details(grains.state());
-  std::sort(rates.begin(), rates.end());
-  std::printf("# best %.4g\ntriax %d %.4g\n", rates.back(), threads, rates[rates.size() / 2]);
+  std::printf("# best %.4g\ntriax %d %.4g\n", *std::max_element(rates.begin(), rates.end()),
+              threads, median(rates));
 }
 
 }  // namespace
@@ -153,12 +198,15 @@ int main(int argc, char** argv) {
     write_state(args[1], make_packing(number(2, 10000)));
     return 0;
   }
+  if (args[0] == "shared") {
+    if (args.size() < 2) return 2;
+    compare_shared(strained(read_state(args[1])), number(2, 2000), std::max(1, number(3, 7)));
+    return 0;
+  }
   const int threads = number(1, 1);
   const bool portable = args.size() > 4 && args[4] == "portable";
-  Grains grains(read_state(args[0]), threads,
+  Grains grains(strained(read_state(args[0])), threads,
                 portable ? InstructionSet::portable : best_instruction_set());
-  grains.drive({stress_drive(kStress), strain_rate_drive(0.05), stress_drive(kStress)});
-  grains.step(500);
   time_steps(grains, threads, number(2, 3000), number(3, 5));
   return 0;
 }

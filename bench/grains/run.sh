@@ -3,7 +3,8 @@
 # bench/grains/run.sh [--state FILE[.gz]] [--peers FOLDER] [--jobs "1 2"] [--steps N]
 # Particle-steps per second of the discrete element engine, as "triax THREADS PARTICLE_STEPS_PER_S", and those of
 # yade and LAMMPS where they are installed and FOLDER holds run_yade.sh and run_lammps.sh, which take
-# "NUMBER_OF_GRAINS THREADS" and print such lines. Then the ratios.
+# "NUMBER_OF_GRAINS THREADS" and print such lines. Then the ratios, and one thread and two beside none, one and two busy
+# processes that the program starts itself, as "shared BUSY ONE TWO RATIO LEAST MOST".
 # FILE (or $TRIAX_GRAINS_STATE): "N lox hix loy hiy loz hiz", then "x y z r" a grain, in metres; without it a specimen of
 # 10,000 grains is made and compressed to 100 kPa first (a minute or two).
 set -euo pipefail
@@ -44,3 +45,4 @@ awk '/^#/ {next} {rate[$1, $2] = $3; if ($1 != "triax") peer[$1, $2] = $1; if ($
     for (key in peer) {split(key, k, SUBSEP); if (k[2] in own) printf "# triax over %s, %d: %.2f\n", k[1], k[2], own[k[2]] / rate[key]}
     if (1 in own && 2 in own) printf "# two threads over one: %.2f\n", own[2] / own[1]
   }' "$scratch/rates.txt"
+build/release/bench/bench_grains_speed shared "$state"

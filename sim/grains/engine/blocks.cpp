@@ -98,6 +98,8 @@ void Blocks::load(GrainState& state, const Kernels& kernels, int block) {
   range.friction_coefficient = friction_coefficient(state.law);
   range.tangential_step = state.law.tangential_ratio * state.time_step_s;
   range.half_step = 0.5 * state.time_step_s;
+  b.friction_j = 0;
+  if (booked_) range.friction_j = &b.friction_j;
   kernels.pairs(range);
   load_walls(state, b);
 }
@@ -127,6 +129,8 @@ void Blocks::move(GrainState& state, const Kernels& kernels, int block) {
   range.count = b.end - b.first;
   range.time_step = state.time_step_s;
   range.damping = state.law.damping;
+  b.sums = {};
+  if (booked_) range.sums = &b.sums;
   b.fastest = kernels.motion(range);
 }
 
@@ -138,6 +142,26 @@ void Blocks::sum_walls(WallState& walls) const {
       walls.force_n[w] += b.wall_force[w];
       walls.stiffness_n_per_m[w] += b.wall_stiffness[w];
     }
+}
+
+double Blocks::friction_j() const {
+  double sum = 0;
+  for (const Block& b : blocks_) sum += b.friction_j;
+  return sum;
+}
+
+MotionSums Blocks::motion_sums() const {
+  MotionSums all;
+  for (const Block& b : blocks_) {
+    all.kinetic += b.sums.kinetic;
+    all.damping_before += b.sums.damping_before;
+    all.damping_after += b.sums.damping_after;
+    for (int a = 0; a < 3; ++a) {
+      all.momentum[a] += b.sums.momentum[a];
+      all.braked[a] += b.sums.braked[a];
+    }
+  }
+  return all;
 }
 
 FastestTwo Blocks::fastest() const {

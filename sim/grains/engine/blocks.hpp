@@ -25,6 +25,9 @@ class Blocks {
 
   int count() const { return static_cast<int>(blocks_.size()); }
 
+  /// From now on what a ledger needs is summed, too; by the portable kernels alone.
+  void book() { booked_ = true; }
+
   /// Forces of the block's pairs and of the walls on its grains.
   void load(GrainState& state, const Kernels& kernels, int block);
   /// Moves the block's grains. Pre-condition: every block is loaded.
@@ -32,6 +35,9 @@ class Blocks {
 
   /// Sums over the blocks, in their order, of what load() found; sets force and stiffness.
   void sum_walls(WallState& walls) const;
+  /// Sums over the blocks, in their order, of the last load() and of the last move(); booked.
+  double friction_j() const;
+  MotionSums motion_sums() const;
   /// The two fastest of all grains at the last move().
   FastestTwo fastest() const;
 
@@ -43,6 +49,8 @@ class Blocks {
     std::array<std::int32_t, 6> wall_begin{}, wall_end{};
     std::array<double, 6> wall_force{}, wall_stiffness{};
     FastestTwo fastest{};
+    double friction_j = 0;
+    MotionSums sums;
     AlignedVector<GrainLoad> loads;  ///< of grains first to loaded_end; 0 between steps
   };
   static void place(Block& block, const GrainState& state);
@@ -50,6 +58,7 @@ class Blocks {
   void add_halos(int block);
 
   std::vector<Block> blocks_;
+  bool booked_ = false;
 };
 
 }  // namespace triax::sim

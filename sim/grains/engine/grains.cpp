@@ -44,33 +44,41 @@ void Grains::restore(const GrainState& state) {
   state_ = state;
   blocks_.renew(state_);
   smallest_radius_ = smallest_radius(state_);
+  if (book_) book_.emplace();
 }
 
 std::int64_t Grains::step(std::int64_t n) {
   made_ = 0;
   stop_ = false;
   failure_ = nullptr;
-  MeetingPoint all(team_->size());
-  team_->run([&](int thread) { run(thread, n, all); });
+  if (n <= 0) return 0;
+  // Two rounds a step: forces, then motion. Walls move between them, with the sum of their forces.
+  TeamWork work;
+  work.pieces = blocks_.count();
+  work.piece = [this](unsigned round, int block) {
+    if (round % 2 == 0)
+      blocks_.load(state_, kernels_, block);
+    else
+      blocks_.move(state_, kernels_, block);
+  };
+  work.after_round = [this, n](unsigned round) {
+    if (round % 2 == 0) {
+      load_walls();
+      return true;
+    }
+    finish_step();
+    return !stop_ && made_ < n;
+  };
+  team_->run(work);
   if (failure_) std::rethrow_exception(failure_);
   return made_;
 }
 
-void Grains::run(int thread, std::int64_t n, MeetingPoint& all) {
-  for (std::int64_t s = 0; s < n && !stop_; ++s) {
-    const int begin = blocks_.count() * thread / team_->size(),
-              end = blocks_.count() * (thread + 1) / team_->size();
-    for (int b = begin; b < end; ++b) blocks_.load(state_, kernels_, b);
-    all.wait();
-    if (thread == 0) {
-      blocks_.sum_walls(state_.walls);
-      move_walls(state_);
-    }
-    for (int b = begin; b < end; ++b) blocks_.move(state_, kernels_, b);
-    all.wait();
-    if (thread == 0) finish_step();
-    all.wait();
-  }
+void Grains::load_walls() {
+  blocks_.sum_walls(state_.walls);
+  if (book_) book_->before_walls(state_, blocks_.friction_j());
+  move_walls(state_);
+  if (book_) book_->after_walls(state_);
 }
 
 void Grains::finish_step() {
@@ -82,14 +90,25 @@ void Grains::finish_step() {
   state_.time_s += state_.time_step_s;
   ++made_;
   stop_ = !(first * state_.time_step_s < smallest_radius_);
-  if (stop_ || state_.neighbours.travelled_m < state_.margin.near_m) return;
   try {
+    if (book_) book_->end_step(state_, blocks_.motion_sums());
+    if (stop_ || state_.neighbours.travelled_m < state_.margin.near_m) return;
     renew_neighbours(state_);
     blocks_.renew(state_);
   } catch (...) {
     failure_ = std::current_exception();
     stop_ = true;
   }
+}
+
+void Grains::keep_ledger() {
+  kernels_ = kernels(InstructionSet::portable);
+  blocks_.book();
+  book_.emplace();
+}
+
+std::optional<GrainLedger> Grains::ledger() const {
+  return book_ ? book_->closed(state_) : std::nullopt;
 }
 
 void Grains::drive(const std::array<AxisDrive, 3>& drives) {
@@ -115,14 +134,19 @@ void Grains::set_margin(const NeighbourMargin& margin) {
 }
 
 void Grains::stop_motion() {
+  if (book_) book_->before_change(state_);
   for (Grain& g : state_.grains) {
     std::fill_n(g.velocity, 3, 0.0);
     std::fill_n(g.spin, 3, 0.0);
   }
+  if (book_) book_->after_change(state_);
 }
 
 void Grains::set_velocity(std::size_t index, const std::array<double, 3>& velocity_m_per_s) {
-  std::copy(velocity_m_per_s.begin(), velocity_m_per_s.end(), state_.grains.at(index).velocity);
+  Grain& grain = state_.grains.at(index);
+  if (book_) book_->before_change(state_);
+  std::copy(velocity_m_per_s.begin(), velocity_m_per_s.end(), grain.velocity);
+  if (book_) book_->after_change(state_);
 }
 
 }  // namespace triax::sim

@@ -14,8 +14,10 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "sim/grains/engine/blocks.hpp"
+#include "sim/grains/engine/grain_ledger.hpp"
 #include "sim/grains/engine/kernels.hpp"
 #include "sim/grains/engine/team.hpp"
 #include "sim/grains/state/grain_state.hpp"
@@ -36,6 +38,12 @@ class Grains {
   /// one after that step. After std::bad_alloc only restore() is of use.
   std::int64_t step(std::int64_t n);
 
+  /// Keeps a ledger of energy and momentum (grain_ledger.hpp) from the next step on. The same bits;
+  /// steps take some four times as long, as they are made by the portable kernels.
+  void keep_ledger();
+  /// Until now; empty where none is kept or no step was made since. restore() begins a new one.
+  std::optional<GrainLedger> ledger() const;
+
   /// Drives of all three axes. A stress target starts at what its axis carries now. Throws
   /// std::invalid_argument (walls.hpp) and changes nothing.
   void drive(const std::array<AxisDrive, 3>& drives);
@@ -51,7 +59,7 @@ class Grains {
   void set_velocity(std::size_t index, const std::array<double, 3>& velocity_m_per_s);
 
  private:
-  void run(int thread, std::int64_t n, MeetingPoint& all);
+  void load_walls();
   void finish_step();
 
   GrainState state_;
@@ -62,6 +70,7 @@ class Grains {
   std::int64_t made_ = 0;
   bool stop_ = false;
   std::exception_ptr failure_;
+  std::optional<LedgerBook> book_;
 };
 
 }  // namespace triax::sim

@@ -22,7 +22,18 @@ struct PairRange {
   double friction_coefficient;  ///< tan φ
   double tangential_step;       ///< k_t/k_n Δt, s
   double half_step;             ///< Δt/2, s
+  /// Where the portable version adds what sliding took, J (grain_ledger.hpp); null: not counted.
+  double* friction_j = nullptr;
 };
+
+// NOLINTBEGIN(modernize-avoid-c-arrays): plain data, as grain.hpp
+/// What the portable version adds of the motion of grains, J and kg m/s (grain_ledger.hpp).
+struct MotionSums {
+  double kinetic = 0;  ///< ½ m v₋ · v₊ and spins alike: at the time of the forces
+  double damping_before = 0, damping_after = 0;  ///< half of it with v₋, half with v₊
+  double momentum[3]{}, braked[3]{};             ///< Σ m v₊; Σ of the damping forces × Δt
+};
+// NOLINTEND(modernize-avoid-c-arrays)
 
 /// Some of the grains. Their loads are taken (and set to 0).
 struct GrainRange {
@@ -30,6 +41,7 @@ struct GrainRange {
   GrainLoad* loads;  ///< of the first
   std::int64_t count;
   double time_step, damping;
+  MotionSums* sums = nullptr;  ///< null: not counted
 };
 
 /// Squares of the two highest speeds, m²/s². One that is not a number may hide here; grains that

@@ -9,12 +9,25 @@ namespace {
 double smaller(double a, double b) { return a < b ? a : b; }
 double larger(double a, double b) { return a > b ? a : b; }
 
+/// Mean of the force before and after, times the slip (T_tried − T_after)/k_t.
+void book_sliding(const PairRange& r, std::int64_t k, const double (&before)[3],
+                  const double (&tried)[3], const double (&after)[3]) {
+  const double stiffness = r.stiffness[k] * r.tangential_step / (2 * r.half_step);
+  double sum = 0;
+  for (int a = 0; a < 3; ++a) sum += 0.5 * (before[a] + after[a]) * (tried[a] - after[a]);
+  if (sum != 0) *r.friction_j += sum / stiffness;
+}
+
 void add_pair(const PairRange& r, std::int64_t k) {
   const Grain &a = r.grains[r.i[k]], &b = r.grains[r.j[k]];
   const double dx = b.position[0] - a.position[0], dy = b.position[1] - a.position[1],
                dz = b.position[2] - a.position[2];
   const double square = (dx * dx + dy * dy) + dz * dz, reach = r.reach[k];
   if (!(square < reach * reach)) {
+    if (r.friction_j) {
+      const double last[3] = {r.tx[k], r.ty[k], r.tz[k]};
+      book_sliding(r, k, last, last, {0, 0, 0});
+    }
     r.tx[k] = r.ty[k] = r.tz[k] = 0;
     return;
   }
@@ -47,9 +60,11 @@ void add_pair(const PairRange& r, std::int64_t k) {
   const double limit = r.friction_coefficient * normal, size = (tx * tx + ty * ty) + tz * tz;
   if (size > limit * limit) {
     const double scale = limit / std::sqrt(size);
+    const double tried[3] = {tx, ty, tz};
     tx = tx * scale;
     ty = ty * scale;
     tz = tz * scale;
+    if (r.friction_j) book_sliding(r, k, {hx, hy, hz}, tried, {tx, ty, tz});
   }
   r.tx[k] = tx;
   r.ty[k] = ty;
@@ -78,6 +93,26 @@ double next_velocity(double v, double a, const GrainRange& r) {
   return v + r.time_step * (a - std::copysign(r.damping * std::abs(a), middle));
 }
 
+/// Of one component before it is moved; `inertia` is a mass or a moment of inertia.
+void book(double v, double a, double inertia, const GrainRange& r, MotionSums& sums) {
+  const double next = next_velocity(v, a, r);
+  const double taken = inertia * ((v + r.time_step * a) - next);  // of momentum, by damping
+  sums.kinetic += 0.5 * inertia * v * next;
+  sums.damping_before += 0.5 * taken * v;
+  sums.damping_after += 0.5 * taken * next;
+}
+
+void book(const Grain& g, const GrainLoad& load, const GrainRange& r, MotionSums& sums) {
+  for (int a = 0; a < 3; ++a) {
+    const double mass = 1 / g.inverse_mass, v = g.velocity[a];
+    const double pull = load.force[a] * g.inverse_mass, next = next_velocity(v, pull, r);
+    book(v, pull, mass, r, sums);
+    book(g.spin[a], load.moment[a] * g.inverse_inertia, 1 / g.inverse_inertia, r, sums);
+    sums.momentum[a] += mass * next;
+    sums.braked[a] -= mass * ((v + r.time_step * pull) - next);
+  }
+}
+
 }  // namespace
 
 void portable_pairs(const PairRange& range) {
@@ -89,6 +124,7 @@ FastestTwo portable_motion(const GrainRange& range) {
   for (std::int64_t i = 0; i < range.count; ++i) {
     Grain& g = range.grains[i];
     GrainLoad& load = range.loads[i];
+    if (range.sums) book(g, load, range, *range.sums);
     for (int a = 0; a < 3; ++a) {
       g.velocity[a] = next_velocity(g.velocity[a], load.force[a] * g.inverse_mass, range);
       g.spin[a] = next_velocity(g.spin[a], load.moment[a] * g.inverse_inertia, range);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/grains/engine/team.hpp"
 
+#include <chrono>
+#include <stdexcept>
+
 #if defined(__x86_64__)
 #include <emmintrin.h>
 #endif
@@ -8,7 +11,16 @@
 namespace triax::sim {
 namespace {
 
-constexpr int kSpins = 4000;
+using Clock = std::chrono::steady_clock;
+
+/// How long a thread looks for the next round before it sleeps: rounds take some ten microseconds.
+constexpr std::chrono::microseconds kLook{100};
+/// Looks between two readings of the clock.
+constexpr int kLooks = 64;
+/// How often a thread that holds no piece offers its processor to whoever waits for one. Schedulers
+/// give turns of some milliseconds: a thread that gives its own back in time is seldom stopped in
+/// the middle of a piece, where the others would have to wait for it.
+constexpr std::chrono::microseconds kOffer{2000};
 
 void breathe() {
 #if defined(__x86_64__)
@@ -16,66 +28,94 @@ void breathe() {
 #endif
 }
 
-}  // namespace
-
-void MeetingPoint::wait() {
-  if (threads_ == 1) return;
-  const unsigned round = round_.load(std::memory_order_relaxed);
-  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
-    arrived_.store(0, std::memory_order_relaxed);
-    round_.store(round + 1, std::memory_order_release);
-    round_.notify_all();
-    return;
+void run_alone(const TeamWork& work) {
+  for (unsigned round = 0;; ++round) {
+    for (int k = 0; k < work.pieces; ++k) work.piece(round, k);
+    if (!work.after_round(round)) return;
   }
-  for (int spin = 0; spin < kSpins; ++spin) {
-    if (round_.load(std::memory_order_acquire) != round) return;
-    breathe();
-  }
-  round_.wait(round, std::memory_order_acquire);
 }
+
+}  // namespace
 
 Team::Team(int threads) {
   for (int t = 1; t < threads; ++t) others_.emplace_back([this, t] { serve(t); });
 }
 
 Team::~Team() {
-  {
-    const std::lock_guard lock(mutex_);
-    leaving_ = true;
-  }
-  wake_.notify_all();
+  leaving_.store(true);
+  round_.fetch_add(2);  // a change that opens no round
+  round_.notify_all();
   for (std::thread& t : others_) t.join();
 }
 
-void Team::run(const std::function<void(int)>& task) {
-  if (others_.empty()) {
-    task(0);
-    return;
+void Team::run(const TeamWork& work) {
+  if (work.pieces < 1 || work.pieces > kMostPieces)
+    throw std::invalid_argument("a round of a team has 1 to 16 pieces");
+  if (others_.empty()) return run_alone(work);
+  const unsigned round = round_.load(std::memory_order_relaxed) + 1;
+  for (Piece& piece : pieces_) piece.taken.store(round - 2, std::memory_order_relaxed);
+  work_ = &work;
+  first_ = round;
+  pieces_a_round_.store(work.pieces, std::memory_order_relaxed);
+  left_.store(work.pieces, std::memory_order_relaxed);
+  round_.store(round);
+  round_.notify_all();
+  work_on(0, round);
+}
+
+/// Takes part until no round is open; returns what round_ was then.
+unsigned Team::work_on(int thread, unsigned round) {
+  auto offered = Clock::now();
+  while (round % 2 == 1) {
+    take_pieces(thread, round);
+    wait_for_change(round);
+    round = round_.load(std::memory_order_acquire);
+    if (Clock::now() - offered < kOffer) continue;
+    std::this_thread::yield();
+    offered = Clock::now();
   }
-  {
-    const std::lock_guard lock(mutex_);
-    task_ = &task;
-    running_ = static_cast<int>(others_.size());
-    ++round_;
+  return round;
+}
+
+void Team::take_pieces(int thread, unsigned round) {
+  const int count = pieces_a_round_.load(std::memory_order_relaxed);
+  const int own = count * thread / size();
+  for (int i = 0; i < count; ++i) {
+    const int k = (own + i) % count;
+    std::atomic<unsigned>& taken = pieces_[static_cast<std::size_t>(k)].taken;
+    unsigned free = round - 2;
+    if (taken.load(std::memory_order_relaxed) != free) continue;
+    if (!taken.compare_exchange_strong(free, round, std::memory_order_relaxed)) continue;
+    work_->piece((round - first_) / 2, k);
+    if (left_.fetch_sub(1, std::memory_order_acq_rel) == 1) return close(round);
   }
-  wake_.notify_all();
-  task(0);
-  std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return running_ == 0; });
+}
+
+/// By the thread that finished the last piece of the round.
+void Team::close(unsigned round) {
+  const bool more = work_->after_round((round - first_) / 2);
+  left_.store(work_->pieces, std::memory_order_relaxed);
+  // In the one order of all such operations: notify_all() then knows of whoever went to sleep on
+  // the round before.
+  round_.store(more ? round + 2 : round + 1);
+  round_.notify_all();
+}
+
+void Team::wait_for_change(unsigned round) const {
+  if (round_.load(std::memory_order_acquire) != round) return;
+  const auto until = Clock::now() + kLook;
+  for (int look = 1; round_.load(std::memory_order_acquire) == round; ++look) {
+    breathe();
+    if (look % kLooks == 0 && Clock::now() > until)
+      return round_.wait(round, std::memory_order_acquire);
+  }
 }
 
 void Team::serve(int thread) {
   unsigned seen = 0;
-  for (;;) {
-    std::unique_lock lock(mutex_);
-    wake_.wait(lock, [&] { return leaving_ || round_ != seen; });
-    if (leaving_) return;
-    seen = round_;
-    const auto* task = task_;
-    lock.unlock();
-    (*task)(thread);
-    lock.lock();
-    if (--running_ == 0) done_.notify_one();
+  while (!leaving_.load()) {
+    wait_for_change(seen);
+    seen = work_on(thread, round_.load(std::memory_order_acquire));
   }
 }
 

@@ -1,50 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A few threads that run one function together, again and again, and meet in between.
+// A few threads that share rounds of work.
+//
+// A round is a fixed number of pieces. Each piece is taken by whichever thread comes first, a
+// thread's own ones before the others', and the thread that finishes the last piece does alone what
+// is between this round and the next. Nobody waits for a thread that holds no piece: one that the
+// machine does not run at the moment costs its share and no more.
+#include <array>
 #include <atomic>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace triax::sim {
 
-/// Where all threads of a team wait for each other: spinning, as they come within microseconds, and
-/// asleep when they do not, so that a machine with other work is not held up.
-class MeetingPoint {
- public:
-  explicit MeetingPoint(int threads) : threads_(threads) {}
-  void wait();
-
- private:
-  const int threads_;
-  alignas(64) std::atomic<int> arrived_{0};
-  alignas(64) std::atomic<unsigned> round_{0};
+/// What a team does together. None may throw; which thread does which piece is left to chance.
+struct TeamWork {
+  int pieces = 1;                             ///< of every round, 1 to Team::kMostPieces
+  std::function<void(unsigned, int)> piece;   ///< (round, piece), both from 0
+  std::function<bool(unsigned)> after_round;  ///< (round); false: it was the last one
 };
 
 class Team {
  public:
-  /// The calling thread is number 0; starts `threads` − 1 others, which sleep between runs.
+  static constexpr int kMostPieces = 16;
+
+  /// The calling thread is number 0; starts `threads` − 1 others, which sleep between works.
   explicit Team(int threads);
   ~Team();
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
   int size() const { return static_cast<int>(others_.size()) + 1; }
-  /// task(0) here, task(1) and on in the other threads; returns when all have. Tasks must not
-  /// throw.
-  void run(const std::function<void(int)>& task);
+
+  /// Does rounds until after_round() says that it was the last. Every piece of a round sees what
+  /// all earlier rounds wrote. From one thread at a time. Throws std::invalid_argument on a number
+  /// of pieces out of its range.
+  void run(const TeamWork& work);
 
  private:
+  // round_ grows by 2 from round to round: odd while one is open, even between two works. A piece
+  // is free in round r as long as its `taken` is r − 2, and r − 2 it is in no other round: a thread
+  // that comes late with an old r finds nothing. So whoever takes a piece knows that the round is
+  // open, and that work_ and first_ stay as they are until it is done.
+  struct alignas(64) Piece {
+    std::atomic<unsigned> taken{0};  ///< the round it was last taken in
+  };
   void serve(int thread);
+  unsigned work_on(int thread, unsigned round);
+  void take_pieces(int thread, unsigned round);
+  void close(unsigned round);
+  void wait_for_change(unsigned round) const;
 
-  std::mutex mutex_;
-  std::condition_variable wake_, done_;
-  const std::function<void(int)>* task_ = nullptr;
-  unsigned round_ = 0;
-  int running_ = 0;
-  bool leaving_ = false;
+  std::array<Piece, kMostPieces> pieces_;
+  alignas(64) std::atomic<unsigned> round_{0};
+  std::atomic<bool> leaving_{false};
+  std::atomic<int> pieces_a_round_{1};
+  alignas(64) std::atomic<int> left_{0};  ///< pieces of the open round that are not done
+  const TeamWork* work_ = nullptr;
+  unsigned first_ = 0;  ///< what round_ was in the first round of this work
   std::vector<std::thread> others_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/grains/engine/grain_ledger.hpp"
 #include "sim/grains/state/grain_measures.hpp"
 #include "tests/sim/grains/packings.hpp"
 
@@ -42,17 +43,6 @@ Momentum momentum(const GrainState& state) {
     p.angular_size += l.norm();
   }
   return p;
-}
-
-double elastic_energy(const GrainState& state) {
-  double sum = 0;
-  for (const GrainContact& c : contacts_of(state)) {
-    const double k =
-        c.j < 0 ? wall_stiffness(state.law, state.grains[c.i].radius)
-                : normal_stiffness(state.law, state.grains[c.i].radius, state.grains[c.j].radius);
-    sum += 0.5 * c.normal_force_n * c.normal_force_n / k;
-  }
-  return sum;
 }
 
 std::array<AxisDrive, 3> shearing() {
