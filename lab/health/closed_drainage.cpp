@@ -8,10 +8,14 @@
 
 namespace triax::lab {
 
-void ClosedDrainage::open() {
-  const auto [volume, back] = std::pair(volume_m3_, back_);
-  *this = ClosedDrainage(volume);
-  back_ = back;
+void ClosedDrainage::open(const Reading& believed) {
+  ClosedDrainage anew(volume_m3_);
+  anew.back_ = back_;
+  const double volume = believed[Quantity::back_volume];
+  const bool moved = !std::isnan(gauge_) && !std::isnan(volume) && volume != gauge_;
+  anew.gauge_ = std::isnan(volume) ? gauge_ : volume;
+  anew.gauge_rested_ = moved ? 0 : gauge_rested_ + 1;
+  *this = std::move(anew);
 }
 
 void ClosedDrainage::conclude(std::int64_t last, std::string reason) {
@@ -109,7 +113,8 @@ bool ClosedDrainage::is_silent_near(double size, double total_p) {
 
 void ClosedDrainage::look_for_silence(double total_p) {
   const double loading = std::fabs(total_p - start_p_);
-  if (answered_ || !(loading >= kLoading * start_p_eff_)) return;
+  const bool dry = gauge_rested_ < kLive && !std::isnan(start_volume_);
+  if (answered_ || dry || !(loading >= kLoading * start_p_eff_)) return;
   answered_ =
       std::max(largest_, largest_alone_) >= std::min(kAnswer * loading, kWorth * start_p_eff_);
   if (answered_) return;

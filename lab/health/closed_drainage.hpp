@@ -22,7 +22,11 @@ namespace triax::lab {
 ///   silence the mean total stress p = σ_c + q/3 changed by kLoading p′_0 and |d| not by kAnswer of
 ///           that, nor did it reach kWorth p′_0: a saturated specimen answers with B, of nearly 1.
 ///           A controller that holds its volume, which then stands still, instead of its pressure
-///           goes along with u: there the change of u itself is the answer.
+///           goes along with u: there the change of u itself is the answer. Nothing follows from
+///           silence where V_b moved until the valve was shut, within kLive readings, and stood
+///           still from then on: that gauge lives, and it is dry. A loose specimen with air in its
+///           pores contracts by as much as a falling cell pressure lets the air expand, and u
+///           rests.
 /// The last two are known late. The verdict then ends where |d| began to shrink, or where the valve
 /// was shut. Where the back pressure is not read its last value stands, the value of u at the start
 /// if there was none; p and p′_0 are those of the first reading at which they are known. Slow
@@ -34,6 +38,7 @@ class ClosedDrainage {
                           kBack = 0.1;
   static constexpr std::int64_t kLeastRest = 10;
   static constexpr double kLoading = 0.15, kAnswer = 0.2;
+  static constexpr std::int64_t kLive = 10;
 
   struct Doubt {
     std::int64_t last = -1;  ///< last reading at which the specimen was undrained: the one before a
@@ -44,8 +49,8 @@ class ClosedDrainage {
   /// Volume of the specimen as built; 0: unknown.
   explicit ClosedDrainage(double volume_m3) : volume_m3_(volume_m3) {}
 
-  /// The programme has the valve open.
-  void open();
+  /// The programme has the valve open; `believed` as below.
+  void open(const Reading& believed);
   /// The programme has it shut; `believed` lacks what cannot be believed, and so does `state`: q
   /// and p′ are NaN where a channel behind them is wrong. Pre-condition: numbers ascend.
   void add(const Reading& believed, const State& state);
@@ -74,6 +79,9 @@ class ClosedDrainage {
   double start_volume_ = NAN;
   int wet_ = 0;
   std::int64_t dry_until_ = -1;  ///< reading before the first wet one
+
+  double gauge_ = NAN;                 ///< V_b when last read with the valve open
+  std::int64_t gauge_rested_ = kLive;  ///< readings with the valve open since it moved
 
   double back_ = NAN;  ///< the last that was read
   double start_difference_ = NAN, start_p_ = NAN, start_p_eff_ = NAN;

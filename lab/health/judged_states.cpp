@@ -122,7 +122,7 @@ bool JudgedStates::may_go_on(const State& state) const {
 /// False where the verdict has to end before this state.
 bool JudgedStates::watch_drainage(Judged& entry, const StageInfo* stage) {
   if (!header_.is_raw() || !stage) return true;
-  if (stage->drainage == Drainage::open) drainage_.open();
+  if (stage->drainage == Drainage::open) drainage_.open(believed(entry));
   if (stage->drainage != Drainage::closed || !is_watched(stage)) return true;
   drainage_.add(believed(entry), believed_state(entry));
   entry.mark = drainage_.is_mark();

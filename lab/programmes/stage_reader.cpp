@@ -131,7 +131,8 @@ void check_ends(const TomlTable& table, const Stage& stage, const Programme& pro
                                     stage.time_limit_s / 60));
     const double direction = stage.axial_rate_m_per_s;
     const double travel = programme.frame.travel_m;
-    if (end.quantity == EndQuantity::axial_displacement && end.above && *end.above > travel)
+    const double displaced = end.above.value_or(-end.below.value_or(0));
+    if (end.quantity == EndQuantity::axial_displacement && displaced > travel)
       table.fail("end", fmt::format("the frame's travel ends at {:g} mm", travel * 1e3));
     if (end.quantity == EndQuantity::axial_strain && stage.end.size() == 1 &&
         ((end.above && *end.above > 0 && direction < 0) ||

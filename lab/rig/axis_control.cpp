@@ -67,6 +67,7 @@ AxisDemand AxisControl::demand(const Seen& seen, double next_cell_pa, double dt_
     d.perturbed = stage_.impulse_n_s != 0 || stage_.load_step_n != 0;
   }
   if (d.dead) {
+    wanted_ = force_at_start_ + stage_.load_step_n;
     d.start_force_n = d.force_n = dead_force_;
     return d;
   }

@@ -37,7 +37,8 @@ class AxisControl {
   void resume(const Seen& seen, double true_force_n);
   /// For the tick from now to dt later; `next_cell_pa` is the cell pressure asked for then.
   AxisDemand demand(const Seen& seen, double next_cell_pa, double dt_s);
-  /// What the servo is to bring the load cell to; empty where nothing follows a force.
+  /// What the load cell is to read at the end of the tick: a servo's aim, or the masses put on or
+  /// taken off at the start of the stage; empty where no force is prescribed.
   std::optional<double> wanted_force_n() const { return wanted_; }
 
  private:

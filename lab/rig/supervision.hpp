@@ -8,7 +8,7 @@
 // Looked for:
 // - a transducer without a reading, or at the end of its range, for kDeaf_s;
 // - a channel that a loop or the end needs and that stands still as noise never would;
-// - a force that stays away from what the servo wants although the cap stands (in a collapse it
+// - a force that stays away from that of servo or masses although the cap stands (in a collapse it
 //   moves);
 // - a pressure that stays away from what its controller was asked for;
 // - a crosshead that was asked to move and a displacement that does not, twice in a row;
@@ -30,7 +30,7 @@ namespace triax::lab {
 
 /// What the rig asked for at a look, beside what it then saw.
 struct Asked {
-  std::optional<double> force_n;    ///< that the servo follows
+  std::optional<double> force_n;    ///< of servo or masses, as the load cell is to read it
   double crosshead_velocity = 0;    ///< m/s; only where nothing lies between crosshead and cap
   double cell_pa = 0, back_pa = 0;  ///< set points
   bool back_by_volume = false;

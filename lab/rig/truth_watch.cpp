@@ -8,6 +8,31 @@
 
 namespace triax::lab {
 
+Truth lost_equilibrium(double time_s, const sim::SpecimenState& state, double height_at_shear_m) {
+  Truth truth;
+  truth.lost_sustainability = true;
+  truth.time_s = time_s;
+  truth.axial_strain = 1 - state.height_m / height_at_shear_m;
+  truth.q_pa = state.material.q();
+  truth.p_eff_pa = state.material.p();
+  truth.pore_pressure_pa = state.pore_pressure;
+  return truth;
+}
+
+bool fell(const sim::SpecimenState& state) {
+  const sim::RunAway& last = state.run_away;
+  if (last.count == 0 || last.end == sim::RunAway::End::arrested) return false;
+  return last.end == sim::RunAway::End::end_of_travel ||
+         std::fabs(state.height_m / last.start_height_m - 1) >= kLeastFall;
+}
+
+Truth earlier_of(const Truth& by_work, const Truth& by_fall) {
+  if (!by_work.lost_sustainability) return by_fall;
+  const bool later = *by_work.time_s > *by_fall.time_s &&
+                     std::fabs(*by_work.axial_strain - *by_fall.axial_strain) >= kLeastFall;
+  return later ? by_fall : by_work;
+}
+
 void TruthWatch::open(const Middle& now, double height_at_shear_m) {
   const bool turned = last_ && last_->work > 0;
   const double time_s =

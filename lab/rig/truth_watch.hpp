@@ -57,4 +57,16 @@ class TruthWatch {
   Truth truth_;
 };
 
+/// The truth of a specimen that lost its equilibrium in this state, whatever its second-order work:
+/// a load on an area that shrinks runs away while dσ′:dε is positive yet.
+Truth lost_equilibrium(double time_s, const sim::SpecimenState& state, double height_at_shear_m);
+
+/// Whether the last run-away found no new equilibrium: it came to the end of the travel, or is
+/// under way and has gone further than any slip, by kLeastFall of the height.
+inline constexpr double kLeastFall = 0.01;
+bool fell(const sim::SpecimenState& state);
+
+/// What second-order work tells, unless it turned in the fall only, after kLeastFall of strain.
+Truth earlier_of(const Truth& by_work, const Truth& by_fall);
+
 }  // namespace triax::lab

@@ -104,6 +104,7 @@ struct VirtualRig::Impl {
   StrainPathControl strain_path;
   TruthWatch watch;
   RunAwayLog run_aways;
+  std::optional<Truth> lost;  ///< where the last run-away began, if that was in shear
   std::vector<Event> events;
 
   Reading reading;  ///< the latest look
@@ -279,13 +280,15 @@ bool VirtualRig::Impl::tick(double dt_s) {
   before = demand(dt_s);
   const sim::SpecimenState start = plant.state().specimen;
   const sim::SpecimenStep& step = plant.advance(before, time_s, dt_s);
+  const bool sheared = stage().role == StageRole::shear && mode == Mode::running;
   if (step.outcome != sim::StepOutcome::failed)
-    watch.watch(time_s, dt_s, start, step,
-                stage().role == StageRole::shear && mode == Mode::running,
+    watch.watch(time_s, dt_s, start, step, sheared,
                 shear_height.value_or(programme.specimen.height_m));
   if (!survived(step)) return false;
   time_s += dt_s;
   if (mode == Mode::running) seen.add_stage_time(dt_s);
+  if (sheared && step.state.run_away.count != start.run_away.count)
+    lost = lost_equilibrium(time_s - step.state.run_away.elapsed_s, start, *shear_height);
   if (const std::string news = run_aways.watch(time_s, step.state); !news.empty())
     tell(EventKind::run_away, news);
   return within_travel(step);
@@ -296,11 +299,12 @@ bool VirtualRig::Impl::tick(double dt_s) {
 bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   constexpr double kRoundOff = 1 - 1e-9;
   const double travel = programme.frame.travel_m;
-  if (programme.specimen.height_m - step.state.height_m < travel * kRoundOff) return true;
+  const double displaced = programme.specimen.height_m - step.state.height_m;
+  if (std::fabs(displaced) < travel * kRoundOff) return true;
   const bool fell = step.at_stop && mode == Mode::running;
   const std::string why =
-      fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached", stage().name,
-                  time_s, travel * 1e3);
+      fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached{}", stage().name,
+                  time_s, travel * 1e3, displaced < 0 ? " in extension" : "");
   fell ? cut(why) : warn(why);
   if (fell) mode = Mode::fallen;
   return fell;
@@ -344,6 +348,7 @@ const Plant& VirtualRig::plant() const { return impl_->plant; }
 
 std::optional<Truth> VirtualRig::truth() const {
   Truth truth = impl_->watch.truth();
+  if (impl_->lost && fell(impl_->plant.state().specimen)) truth = earlier_of(truth, *impl_->lost);
   truth.run_aways = impl_->run_aways.all();
   return truth;
 }

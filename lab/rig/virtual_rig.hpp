@@ -44,7 +44,8 @@ class VirtualRig : public BackEnd {
   /// second reading.
   bool next(Reading& reading) override;
   double progress() const override;
-  /// See TruthWatch and RunAwayLog.
+  /// See TruthWatch and RunAwayLog. Where the cap fell before second-order work turned, the
+  /// specimen lost its equilibrium where that began.
   std::optional<Truth> truth() const override;
   /// What happened to the rig since the last call.
   std::vector<Event> events() override;

@@ -30,7 +30,7 @@ struct AxialDrive {
   double damping_n_s_per_m = 0;  ///< c
   double impulse_n_s = 0;        ///< given to the mass at the start of the step; needs a mass
   bool inertial = false;         ///< inertia from the start of the step (a load step); needs a mass
-  double travel_m = 0;           ///< x at which a stop catches the cap; 0: no stop
+  double travel_m = 0;           ///< |x| at which a stop catches the cap, either way; 0: none
 };
 
 /// The water's way out of the specimen.

@@ -83,11 +83,13 @@ SpecimenStep InertialMotion::substep(const SpecimenState& state, double elapsed_
   const double v = state.velocity_m_per_s;
   const double acceleration = (applied - specimen_.axial_force(state) - c * v) / m;
   double half = v + acceleration * h / 2;
-  const double left = std::max(axis.travel_m - specimen_.displacement_m(state), 0.0);
-  const bool stops = axis.travel_m > 0 && half > 0 && half * h >= left;
+  const double way = std::copysign(1, half);  // of the stop ahead, in extension as in compression
+  const double left = std::max(axis.travel_m - way * specimen_.displacement_m(state), 0.0);
+  const bool stops = axis.travel_m > 0 && half != 0 && way * half * h >= left;
   if (stops && left > 0) {  // up to the stop: v h + a h²/2 = left
-    h = std::min(h, 2 * left / (v + std::sqrt(std::max(v * v + 2 * acceleration * left, 0.0))));
-    half = left / h;
+    const double ahead = 2 * way * acceleration * left;
+    h = std::min(h, 2 * left / (way * v + std::sqrt(std::max(v * v + ahead, 0.0))));
+    half = way * left / h;
   } else if (stops) {
     half = 0;
   }

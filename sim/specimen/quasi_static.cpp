@@ -25,13 +25,15 @@ SpecimenStep QuasiStatic::driven(const ImplicitStep& by, const SpecimenState& st
   return step;
 }
 
-/// The cap goes to its stop and stays there.
-SpecimenStep QuasiStatic::to_stop(const SpecimenState& state, double elapsed_s, double h) const {
+/// The cap goes to its stop, on the side of `way` (+1: compression, -1: extension), and stays
+/// there.
+SpecimenStep QuasiStatic::to_stop(const SpecimenState& state, double way, double elapsed_s,
+                                  double h) const {
   SpecimenBoundary held = boundary_;
   held.axis = {};
   held.axis.kind = AxialDrive::Kind::rigid;
   held.axis.velocity_m_per_s =
-      std::max(boundary_.axis.travel_m - specimen_.displacement_m(state), 0.0) / h;
+      way * std::max(boundary_.axis.travel_m - way * specimen_.displacement_m(state), 0.0) / h;
   SpecimenStep step =
       driven(ImplicitStep(specimen_, held, tolerance_, state.height_m), state, elapsed_s, h);
   step.at_stop = true;
@@ -43,14 +45,17 @@ SpecimenStep QuasiStatic::to_stop(const SpecimenState& state, double elapsed_s, 
 SpecimenStep QuasiStatic::part(const SpecimenState& state, double elapsed_s, double h) const {
   const AxialDrive& axis = boundary_.axis;
   const bool has_stop = axis.kind == AxialDrive::Kind::force && axis.travel_m > 0;
-  if (has_stop && specimen_.displacement_m(state) >= axis.travel_m * (1 - kAtStop)) {
-    SpecimenStep held = to_stop(state, elapsed_s, h);
-    if (!went_on(held) || held.state.applied_force_n >= specimen_.axial_force(held.state))
-      return held;
+  const double x = specimen_.displacement_m(state);
+  if (has_stop && std::abs(x) >= axis.travel_m * (1 - kAtStop)) {
+    const double way = std::copysign(1, x);
+    SpecimenStep held = to_stop(state, way, elapsed_s, h);
+    const double pressed = held.state.applied_force_n - specimen_.axial_force(held.state);
+    if (!went_on(held) || way * pressed >= 0) return held;
   }
   SpecimenStep step = driven(implicit_, state, elapsed_s, h);
-  if (has_stop && specimen_.displacement_m(step.state) > axis.travel_m)
-    return to_stop(state, elapsed_s, h);
+  const double then = specimen_.displacement_m(step.state);
+  if (has_stop && std::abs(then) > axis.travel_m)
+    return to_stop(state, std::copysign(1, then), elapsed_s, h);
   return step;
 }
 

@@ -19,7 +19,7 @@ class QuasiStatic : DrivenSpecimen {
   SpecimenStep part(const SpecimenState& state, double elapsed_s, double h) const;
   SpecimenStep driven(const ImplicitStep& by, const SpecimenState& state, double elapsed_s,
                       double h) const;
-  SpecimenStep to_stop(const SpecimenState& state, double elapsed_s, double h) const;
+  SpecimenStep to_stop(const SpecimenState& state, double way, double elapsed_s, double h) const;
   bool require_sustained(SpecimenStep& whole) const;
   void run_through_resistance(SpecimenStep& whole, double dt_s) const;
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lab/measured/instant.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/cyclic_fact.hpp"
@@ -173,8 +175,13 @@ std::string truth_line(const lab::Truth& truth) {
   if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
   if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
   if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
-  return fmt::format("the simulated specimen became unstable (W₂ < 0) at {}",
-                     fmt::join(parts, ", "));
+  const bool fell = std::ranges::any_of(truth.run_aways, [&](const lab::RunAwayTruth& run_away) {
+    return run_away.start_s == truth.time_s;
+  });
+  return fmt::format(
+      "the simulated specimen {} at {}",
+      fell ? "lost its equilibrium (runaway, W₂ still positive)" : "became unstable (W₂ < 0)",
+      fmt::join(parts, ", "));
 }
 
 std::string axis_line(const db::StoredTest& test) {

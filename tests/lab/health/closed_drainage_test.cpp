@@ -15,14 +15,16 @@ constexpr double kVolume_m3 = 5e-4;
 /// and whatever else is done to the reading; q and p′ are not known at readings that are `blind`. q
 /// grows by 1 kPa a reading, p′ starts at 100 kPa.
 struct Watched {
-  ClosedDrainage drainage{kVolume_m3};
+  ClosedDrainage drainage;
   std::vector<std::int64_t> marks;
   std::optional<std::int64_t> known_at;
 
   Watched(
       std::int64_t n, const std::function<double(std::int64_t)>& excess_kPa,
       const std::function<void(Reading&)>& spoil = [](Reading&) {},
-      const std::function<bool(std::int64_t)>& blind = [](std::int64_t) { return false; }) {
+      const std::function<bool(std::int64_t)>& blind = [](std::int64_t) { return false; },
+      const ClosedDrainage& until_then = ClosedDrainage{kVolume_m3})
+      : drainage(until_then) {
     for (std::int64_t i = 0; i < n; ++i) {
       Reading r;
       r.number = i;
@@ -148,6 +150,31 @@ TEST_CASE("a pore pressure that does not answer: the valve never closed") {
   CHECK(Watched(200, [](auto) { return 20.0; }).drainage.doubt());
 }
 
+TEST_CASE("a volume gauge that moved until the valve was shut, and then stands, needs no answer") {
+  const auto rests = [](auto) { return 0.0; };
+  const auto doubted = [&](const std::function<double(std::int64_t)>& volume_mm3) {
+    Reading open;
+    ClosedDrainage drainage{kVolume_m3};
+    for (open.number = -60; open.number < 0; ++open.number) {
+      open[Quantity::back_volume] = 1e-9 * volume_mm3(open.number);
+      drainage.open(open);
+    }
+    return Watched(
+               200, rests,
+               [&](Reading& r) { r[Quantity::back_volume] = 1e-9 * volume_mm3(r.number); },
+               [](auto) { return false; }, drainage)
+        .drainage.doubt()
+        .has_value();
+  };
+  CHECK_FALSE(doubted([](auto i) { return i < 0 ? double(i) : 0.0; }));
+  // Dead or at rest before: nobody knows.
+  CHECK(doubted([](auto) { return 0.0; }));
+  CHECK(doubted([](auto i) { return double(std::min<std::int64_t>(i, -20)); }));
+  CHECK(doubted([](auto i) { return i < 0 ? double(i) : kMissing; }));
+  // It lives, and it is wet.
+  CHECK(doubted([](auto i) { return double(3 * i); }));
+}
+
 TEST_CASE("a dead sensor of the back pressure leaves its last value; a dead gauge the other") {
   const auto without = [](Quantity q, std::int64_t from) {
     return [q, from](Reading& r) {
@@ -184,7 +211,7 @@ TEST_CASE("stresses that are not known are no load, and hide none") {
 TEST_CASE("an open valve wipes the slate clean") {
   Watched silent(60, [](auto) { return 0.0; });
   REQUIRE(silent.drainage.doubt());
-  silent.drainage.open();
+  silent.drainage.open({});
   CHECK_FALSE(silent.drainage.doubt());
   CHECK_FALSE(silent.drainage.wet());
 }

@@ -87,14 +87,14 @@ inline SpecimenState run(const Specimen& specimen, SpecimenState state, Specimen
   return state;
 }
 
-/// Compressed at constant velocity until F has fallen by 3 % from its peak: an equilibrium that no
-/// dead load holds.
-inline SpecimenState past_peak(const Specimen& specimen) {
+/// Compressed (way 1) or extended (-1) at constant velocity until F has fallen by 3 % from its
+/// peak: an equilibrium that no dead load holds.
+inline SpecimenState past_peak(const Specimen& specimen, double way = 1) {
   SpecimenState state = specimen.start();
   double peak = 0;
-  for (int i = 0; i < 5000 && specimen.axial_force(state) >= 0.97 * peak; ++i) {
-    state = specimen.advance(state, moved(1e-5), 0.25).state;
-    peak = std::max(peak, specimen.axial_force(state));
+  for (int i = 0; i < 5000 && way * specimen.axial_force(state) >= 0.97 * peak; ++i) {
+    state = specimen.advance(state, moved(way * 1e-5), 0.25).state;
+    peak = std::max(peak, way * specimen.axial_force(state));
   }
   return state;
 }

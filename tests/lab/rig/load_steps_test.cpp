@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loads that are put on and taken off at once, under the eyes of the supervision.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/lab/rig/rig_text.hpp"
+
+using namespace triax::lab;
+using Catch::Contains;
+
+namespace {
+
+const std::string kOneMinute = "\"time_min\", above = 1.0";
+const std::string kMassesAtRest = "[rig.frame]\nmoving_mass_kg = 5.0\ndamping_N_s_per_m = 500.0\n";
+
+std::string step_text(const std::string& axial, double step_n, const std::string& keys = {}) {
+  return test::shear_stage("open", axial, "load_step_N = " + std::to_string(step_n) + "\n" + keys,
+                           kOneMinute);
+}
+
+struct Stepped {
+  std::vector<Reading> readings;
+  std::string warnings;
+
+  Stepped(const std::string& stages, const std::string& rig = kMassesAtRest) {
+    VirtualRig virtual_rig(test::rig_programme(stages, rig, 1, "sanisand/S28-general"));
+    readings = test::all_readings(virtual_rig);
+    for (const Warning& warning : virtual_rig.header().warnings) warnings += warning.text + "\n";
+  }
+  /// The force at the end of a stage, N.
+  double force(int stage) const {
+    const auto some = test::of_stage(readings, stage);
+    return some.empty() ? kMissing : some.back()[Quantity::axial_force];
+  }
+};
+
+}  // namespace
+
+TEST_CASE("masses are put on and taken off, and supervision expects what they weigh") {
+  const std::vector<double> steps = {5, 20, 120, -40, -80, 15};
+  std::string stages;
+  for (const double step : steps) stages += step_text("dead_load", step);
+  const Stepped test(stages);
+  CHECK(test.warnings.empty());
+  CHECK(test.readings.back().time_s == 60.0 * double(steps.size()));
+  double sum = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    CHECK(test.force(int(i) + 1) == Approx(sum += steps[i]).margin(0.1));
+}
+
+TEST_CASE("a step of a servo is expected, too") {
+  const double area = M_PI / 4 * 0.07 * 0.07;
+  const Stepped test(step_text("load", 60, "load_rate_N_per_min = 5.0\n") +
+                     step_text("load", -30, "load_rate_N_per_min = 5.0\n") +
+                     step_text("constant_q", 25, "held_q_kPa = 10.0\n"));
+  CHECK(test.warnings.empty());
+  CHECK(test.force(1) == Approx(65).margin(0.5));
+  CHECK(test.force(2) == Approx(40).margin(0.5));
+  CHECK(test.force(3) == Approx(10e3 * area + 25).margin(0.5));
+}
+
+TEST_CASE("a mass that the load cell does not show is a load astray") {
+  const std::string stuck = "[[faults]]\ndevice = \"axial_force\"\nkind = \"stuck\"\nfrom_s = ";
+  const Stepped before(step_text("dead_load", 20) + step_text("dead_load", 30) + stuck + "50.0\n");
+  CHECK_THAT(before.warnings,
+             Contains("the load cell reads 20.0 N instead of the 50.0 N prescribed"));
+  CHECK(before.readings.back().time_s < 90);
+  // What it shows too much, likewise: 40 N within a minute.
+  const Stepped drifting(step_text("dead_load", 20) + step_text("dead_load", 0) +
+                         "[[faults]]\ndevice = \"axial_force\"\nkind = \"drift\"\nfrom_s = "
+                         "61.0\ndrift_N_per_min = 40.0\n");
+  CHECK_THAT(drifting.warnings, Contains("instead of the 20.0 N prescribed"));
+}
