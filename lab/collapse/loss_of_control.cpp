@@ -64,9 +64,10 @@ void LossOfControl::follow(const State& state) {
   if (after_.readings++ == 0) {
     after_.under_load = control_ == AxialControl::load;
     after_.least = q;
-    after_.first_load = carried_load(state);
+    after_.first_load = after_.least_load = carried_load(state);
   }
   after_.load = carried_load(state);
+  after_.least_load = std::min(after_.least_load, after_.load);
   after_.least = std::min(after_.least, q);
   after_.last = q;
   if (!carried_on() || q < (1 + kLostQ) * before) return;
@@ -88,7 +89,8 @@ bool LossOfControl::carried_on() const {
   const bool grew =
       after_.last >= (1 + kLostQ) * before || after_.load >= (1 + kLostQ) * after_.first_load;
   const bool long_enough = after_.readings > kCalm || grew;
-  return after_.under_load && long_enough && after_.least > (1 - kLostQ) * before &&
+  const bool shed = after_.least_load <= (1 - kLostQ) * after_.first_load;
+  return after_.under_load && long_enough && !shed && after_.least > (1 - kLostQ) * before &&
          after_.last >= before;
 }
 

@@ -22,8 +22,9 @@ namespace triax::lab {
 ///   valve open to stand, or to go on as the controller took it so far.
 /// Under a load, a burst after which q never fell by 5 %, and went on for kCalm readings, or q or
 /// the load itself grew by 5 % (at constant q on a growing area, as on a limit surface), took
-/// nothing away: the programme holds. It is told, but not counted; where q grew by 5 %
-/// the watch begins anew. A record that ends sooner says nothing against the loss. A frame that
+/// nothing away: the programme holds, unless the load fell by 5 % (in extension it does at a q that
+/// grows, on an area that shrinks). It is told, but not counted; where q grew by 5 % the watch
+/// begins anew. A record that ends sooner says nothing against the loss. A frame that
 /// prescribes displacement keeps its control through a peak: nothing is looked for. Where nobody
 /// says what is prescribed, a burst of the axial strain counts that is ten times faster than the
 /// fastest step so far, while q falls by more than 5 %: no frame does that.
@@ -81,7 +82,7 @@ class LossOfControl : public CollapseCriterion {
     bool over = false;        ///< its stage is
     int readings = 0;
     double least = 0, last = 0;  ///< |q|
-    double first_load = 0, load = 0;
+    double first_load = 0, load = 0, least_load = 0;
   } after_;  ///< the burst
   std::optional<Fall> fall_;
 };

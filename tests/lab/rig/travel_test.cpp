@@ -102,8 +102,7 @@ TEST_CASE("a cap that fell is no specimen that stayed sustainable; its record re
   CHECK(replayed.readings == seen.readings);
   CHECK(replayed.collapse.kind == seen.collapse.kind);
   CHECK(replayed.collapse.onset.has_value() == seen.collapse.onset.has_value());
-  if (std::string(drainage) == "open") return;
   REQUIRE(seen.collapse.detected());
   CHECK(*replayed.collapse.onset->time_s == *seen.collapse.onset->time_s);
-  CHECK(*seen.collapse.onset->time_s == Approx(*truth.time_s).margin(3));
+  CHECK(*seen.collapse.onset->time_s == Approx(*truth.time_s).margin(5));
 }
