@@ -162,14 +162,16 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
 void LossOfControl::check_leap(const State& before, const State& state, bool has_time) {
   const bool next = state.reading == before.reading + 1;
   const double leap = std::fabs(state.strain.axial - before.strain.axial);
-  const double q_left = std::fabs(state.q / before.q);
-  if (!next || !(leap >= kFall) || !(q_left < 1 - kLostQ)) return;
-  finding_ =
-      Finding{instant_of(before, has_time),
-              fmt::format("axial strain jumped from {:.3f} % to {:.3f} % between two readings "
-                          "and q fell from {:.2f} kPa to {:.2f} kPa",
-                          before.strain.axial * 100, state.strain.axial * 100, before.q / 1e3,
-                          state.q / 1e3)};
+  // Pulled on, it sheds the load with its area at a q that stays.
+  const bool pulled = state.q < 0 && state.strain.axial < before.strain.axial;
+  const double left = pulled ? carried_load(state) / carried_load(before) : state.q / before.q;
+  if (!next || !(leap >= kFall) || !(std::fabs(left) < 1 - kLostQ)) return;
+  finding_ = Finding{
+      instant_of(before, has_time),
+      fmt::format("axial strain jumped from {:.3f} % to {:.3f} % between two readings "
+                  "and {} from {:.2f} kPa to {:.2f} kPa",
+                  before.strain.axial * 100, state.strain.axial * 100,
+                  pulled ? "the load fell, with q" : "q fell", before.q / 1e3, state.q / 1e3)};
 }
 
 /// The latest step against the fastest before it, and the q that was lost with it.

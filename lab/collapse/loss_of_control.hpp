@@ -15,8 +15,8 @@ namespace triax::lab {
 /// - the axial strain bursts, under load or held q, at ten times the rate of the stage so far or
 ///   more;
 /// - before the stage has shown a rate, the axial strain leaps by 1 % or more from one reading to
-///   the next, be it from the last reading of the stage before, and q falls by more than 5 % with
-///   it: a load that the specimen carries does not fall;
+///   the next, be it from the last reading of the stage before, and q (in extension q times the
+///   area) falls by more than 5 % with it: a load that the specimen carries does not fall;
 /// - the pore pressure bursts, like the strain, beyond what the programme asks of it, by 5 % of p'
 ///   at least. With the valve closed it is asked to follow the cell pressure (B near 1), with the
 ///   valve open to stand, or to go on as the controller took it so far.

@@ -106,3 +106,20 @@ TEST_CASE("a cap that fell is no specimen that stayed sustainable; its record re
   CHECK(*replayed.collapse.onset->time_s == *seen.collapse.onset->time_s);
   CHECK(*seen.collapse.onset->time_s == Approx(*truth.time_s).margin(5));
 }
+
+TEST_CASE(
+    "a fall in extension on the limit surface is a failure, and not a test that stayed whole") {
+  VirtualRig rig(read_programme(R"(
+test = {name = "b", type = "CSD", scan_interval_s = 2.5}
+specimen = {material = "sanisand/Toyoura-DM04", height_mm = 100, diameter_mm = 50, void_ratio = 0.9, initial_effective_stress_kPa = 100}
+rig = {back_pressure_kPa = 200}
+)" + test::shear_stage("open", "load", "load_rate_N_per_min = -30.0", kHour),
+                                "p.toml"));
+  const TestSummary seen = run_session(rig, {});
+  CHECK(seen.truth->lost_sustainability);
+  CHECK(seen.truth->run_aways.back().end == RunAwayEnd::end_of_travel);
+  CHECK(seen.collapse.kind == CollapseKind::none);
+  CHECK(seen.collapse.inside_limit_surface == false);
+  REQUIRE(seen.collapse.onset);
+  CHECK(*seen.collapse.onset->time_s == Approx(*seen.truth->time_s).margin(2.5));
+}
