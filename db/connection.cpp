@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/Transaction.h>
 #include <sqlite3.h>
+#include <sys/resource.h>
 
 #include <QUrl>
 #include <charconv>
@@ -204,6 +205,24 @@ void check_there(const std::string& path) {
   }
 }
 
+namespace {
+
+/// Whether a file of the database can hardly grow any more by the limit that this process has: no
+/// disk that is freed changes that.
+bool is_at_size_limit(const std::string& path) {
+  constexpr std::uintmax_t kNear = 1U << 16U;  // of the index beside a -wal, and a few pages
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+  for (const char* beside : {"", "-wal", "-shm"}) {
+    std::error_code none;
+    const auto size = std::filesystem::file_size(path + beside, none);
+    if ((none ? 0 : size) + kNear > limit.rlim_cur) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 void throw_for(const SQLite::Exception& error, const std::string& path) {
   switch (error.getErrorCode()) {
     case SQLITE_NOTADB:
@@ -215,11 +234,15 @@ void throw_for(const SQLite::Exception& error, const std::string& path) {
     case SQLITE_READONLY:
     case SQLITE_PERM:
       throw lab::BadInput(path, 0, "cannot be written; check the permissions of file and folder");
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      if (is_at_size_limit(path))
+        throw lab::WorkFailed(path + ": " + error.what() +
+                              "; the size of a file is limited here (ulimit -f)");
+      [[fallthrough]];
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_PROTOCOL:
-    case SQLITE_FULL:
-    case SQLITE_IOERR:
       throw MayPass(path + ": " + error.what());
     default:
       throw lab::WorkFailed(path + ": " + error.what());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/Error.hpp>
 #include <algorithm>
@@ -31,6 +33,13 @@ int complain(const std::string& message, int status) {
   std::fprintf(stderr, "%s %s\n", triax::src::alarming("triax:", stderr).c_str(),
                triax::src::on_one_line(message).c_str());
   return status;
+}
+
+/// The number of a standard stream that is closed would be given to the next file that is opened,
+/// and what is printed would stand in that. Nothing can be written to what is open for reading.
+void keep_numbers_of_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1) static_cast<void>(open("/dev/null", O_RDONLY));
 }
 
 /// What was written is said whether or not the command succeeded, before the error if it did not.
@@ -82,6 +91,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_numbers_of_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is for us to see, not a death amid a transaction
   std::signal(SIGXFSZ, SIG_IGN);  // nor is a limit on the size of files: writing fails with EFBIG
   try {

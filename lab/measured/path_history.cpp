@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace triax::lab {
 
@@ -43,13 +42,17 @@ std::vector<PathSample> PathHistory::between(double first_reading, double last_r
   const auto block = [&level](std::size_t i) -> const PathSample& {  // oldest first
     return level.ring[(level.next + i) % level.ring.size()];
   };
-  const auto places = std::views::iota(std::size_t{0}, level.ring.size());
-  auto place = std::ranges::partition_point(
-      places, [&](std::size_t i) { return block(i).signal[PathSample::reading] < first_reading; });
+  std::size_t place = 0;
+  for (std::size_t ahead = level.ring.size(); ahead > 0;) {
+    const std::size_t half = ahead / 2;
+    const bool before = block(place + half).signal[PathSample::reading] < first_reading;
+    place += before ? half + 1 : 0;
+    ahead = before ? ahead - half - 1 : half;
+  }
   std::vector<PathSample> blocks;
-  for (; place != places.end() && block(*place).signal[PathSample::reading] <= last_reading;
+  for (; place < level.ring.size() && block(place).signal[PathSample::reading] <= last_reading;
        ++place)
-    blocks.push_back(block(*place));
+    blocks.push_back(block(place));
   return blocks;
 }
 
