@@ -36,6 +36,7 @@ void ClosedDrainage::look_for_water(const Reading& believed) {
   if (stage_ != believed.stage) start_volume_ = volume;
   stage_ = believed.stage;
   const double flowed = volume - start_volume_;
+  most_flowed_ = std::max(most_flowed_, std::fabs(flowed));
   if (std::fabs(flowed) <= kWater * volume_m3_) {
     wet_ = 0;
     return;
@@ -113,7 +114,8 @@ bool ClosedDrainage::is_silent_near(double size, double total_p) {
 
 void ClosedDrainage::look_for_silence(double total_p) {
   const double loading = std::fabs(total_p - start_p_);
-  const bool dry = gauge_rested_ < kLive && !std::isnan(start_volume_);
+  const bool dry =
+      gauge_rested_ < kLive && !std::isnan(start_volume_) && most_flowed_ <= kDry * volume_m3_;
   if (answered_ || dry || !(loading >= kLoading * start_p_eff_)) return;
   answered_ =
       std::max(largest_, largest_alone_) >= std::min(kAnswer * loading, kWorth * start_p_eff_);

