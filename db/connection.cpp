@@ -127,8 +127,8 @@ SQLite::Database opened_in_place(const std::string& path) {
 SQLite::Database immutable(const std::string& path) {
   const QByteArray escaped = QUrl::toPercentEncoding(
       QString::fromStdString(fs::absolute(path).string()), QByteArrayLiteral("/"));
-  return SQLite::Database("file:" + escaped.toStdString() + "?immutable=1",
-                          SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  return {"file:" + escaped.toStdString() + "?immutable=1",
+          SQLite::OPEN_READONLY | SQLite::OPEN_URI};
 }
 
 }  // namespace
@@ -207,16 +207,16 @@ void check_there(const std::string& path) {
 
 namespace {
 
-/// Whether a file of the database can hardly grow any more by the limit that this process has: no
+/// Whether a file of the database can hardly grow any more by the hard limit of this process: no
 /// disk that is freed changes that.
 bool is_at_size_limit(const std::string& path) {
   constexpr std::uintmax_t kNear = 1U << 16U;  // of the index beside a -wal, and a few pages
   rlimit limit{};
-  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return false;
   for (const char* beside : {"", "-wal", "-shm"}) {
     std::error_code none;
     const auto size = std::filesystem::file_size(path + beside, none);
-    if ((none ? 0 : size) + kNear > limit.rlim_cur) return true;
+    if ((none ? 0 : size) + kNear > limit.rlim_max) return true;
   }
   return false;
 }

@@ -33,7 +33,8 @@ PointState<Space> SanisandModuli<Space>::start(const Vector<Space>& stress,
 template <class Space>
 std::vector<std::string> SanisandModuli<Space>::memory_names() const {
   std::vector<std::string> all = law_.memory_names();
-  std::vector<std::string> names(all.begin() + kSize, all.begin() + 2 * kSize);
+  const auto first = all.begin() + kSize;
+  std::vector<std::string> names(first, first + kSize);
   for (int i = 0; i < kSize; ++i)
     names.push_back(std::string(names[static_cast<std::size_t>(i)]).replace(0, 8, "alpha_turn"));
   names.emplace_back("rising");
