@@ -25,8 +25,7 @@ using SQLite::Statement;
 constexpr const char* kListed =
     "SELECT t.id, t.name, t.origin, t.programme, s.status, s.last_sign_of_life, s.silent_s, "
     "v.kind, "
-    "coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 "
-    "AND t.id << 32 | 4294967295)), t.stored_at, t.source, t.digest, "
+    "s.readings, t.stored_at, t.source, t.digest, "
     "t.id IN (SELECT test_id FROM counted_tests) "
     "FROM tests t JOIN seen_tests s ON s.test_id = t.id "
     "LEFT JOIN verdicts v ON v.test_id = t.id "

@@ -131,6 +131,20 @@ SQLite::Database immutable(const std::string& path) {
           SQLite::OPEN_READONLY | SQLite::OPEN_URI};
 }
 
+/// Whether a file of the database can hardly grow any more by the hard limit of this process: no
+/// disk that is freed changes that.
+bool is_at_size_limit(const std::string& path) {
+  constexpr std::uintmax_t kNear = 1U << 16U;  // of the index beside a -wal, and a few pages
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return false;
+  for (const char* beside : {"", "-wal", "-shm"}) {
+    std::error_code none;
+    const auto size = fs::file_size(path + beside, none);
+    if ((none ? 0 : size) + kNear > limit.rlim_max) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int newest_schema() { return version_of(lab::kMigrations.back()); }
@@ -204,24 +218,6 @@ void check_there(const std::string& path) {
     throw_for(error, path);
   }
 }
-
-namespace {
-
-/// Whether a file of the database can hardly grow any more by the hard limit of this process: no
-/// disk that is freed changes that.
-bool is_at_size_limit(const std::string& path) {
-  constexpr std::uintmax_t kNear = 1U << 16U;  // of the index beside a -wal, and a few pages
-  rlimit limit{};
-  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return false;
-  for (const char* beside : {"", "-wal", "-shm"}) {
-    std::error_code none;
-    const auto size = std::filesystem::file_size(path + beside, none);
-    if ((none ? 0 : size) + kNear > limit.rlim_max) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 void throw_for(const SQLite::Exception& error, const std::string& path) {
   switch (error.getErrorCode()) {

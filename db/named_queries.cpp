@@ -8,8 +8,7 @@ const std::vector<NamedQuery>& named_queries() {
       {"tests",
        "every test: what it was, where it came from, how it ended, whether statistics count it",
        "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, s.status, t.stored_at, "
-       "coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 "
-       "AND t.id << 32 | 4294967295)) AS readings, t.source, t.dialect, t.seed, "
+       "s.readings, t.source, t.dialect, t.seed, "
        "t.id IN (SELECT test_id FROM counted_tests) AS counted "
        "FROM tests t JOIN seen_tests s ON s.test_id = t.id ORDER BY t.id"},
       {"collapse_points",

@@ -85,8 +85,7 @@ void read_header(SQLite::Database& database, std::int64_t id, StoredTest& test) 
   for_rows(database, id,
            "SELECT t.id, t.name, t.origin, t.programme, t.source, t.dialect, t.digest, t.seed, "
            "s.status, s.last_sign_of_life, s.silent_s, t.stored_at, t.has_time, t.columns, "
-           "coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 "
-           "AND t.id << 32 | 4294967295)), t.membrane_correction "
+           "s.readings, t.membrane_correction "
            "FROM tests t JOIN seen_tests s ON s.test_id = t.id WHERE t.id = ?",
            [&](Columns& c) {
              test.id = c.integer().value_or(0);

@@ -29,7 +29,9 @@ CREATE VIEW seen_tests AS
 SELECT t.id AS test_id, t.name AS test, t.origin,
   CASE WHEN t.status = 'running' AND NOT coalesce(l.alive, 0) THEN 'interrupted' ELSE t.status END
     AS status,
-  l.last_sign_of_life, l.silent_s
+  l.last_sign_of_life, l.silent_s,
+  coalesce(t.readings, (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 AND t.id << 32 | 4294967295))
+    AS readings  -- so far
 FROM tests t LEFT JOIN seen_leases l ON l.test_id = t.id;
 
 CREATE VIEW seen_grain_runs AS
@@ -42,10 +44,7 @@ FROM grain_runs r LEFT JOIN seen_leases l ON l.run_id = r.id;
 DROP VIEW unfinished_tests;
 CREATE VIEW unfinished_tests AS
 SELECT
-  t.id AS test_id, t.name AS test, t.origin, s.status, t.stored_at,
-  (SELECT count(*) FROM scans c WHERE c.id BETWEEN t.id << 32 AND t.id << 32 | 4294967295)
-    AS readings,
-  s.last_sign_of_life, s.silent_s
+  t.id AS test_id, t.name AS test, t.origin, s.status, t.stored_at, s.readings, s.last_sign_of_life, s.silent_s
 FROM tests t JOIN seen_tests s ON s.test_id = t.id
 WHERE t.status <> 'complete';
 

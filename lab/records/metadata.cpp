@@ -55,6 +55,8 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
     if (value == "recorded") origin = Origin::recorded;
     if (value == "simulated") origin = Origin::simulated;
     header.origin = one_of(where, key, value, origin, {"recorded", "simulated"});
+  } else if (name == "cut_short") {
+    header.cut_short = value;
   } else if (name == "seed") {
     const auto seed = whole_text_as<std::uint64_t>(value);
     if (!seed || *seed > kLargestSeed)
@@ -175,7 +177,8 @@ const std::vector<SpecimenKey>& specimen_keys() {
 }
 
 std::vector<std::string> metadata_keys() {
-  std::vector<std::string> keys{"test.name", "test.origin", "test.programme", "test.seed"};
+  std::vector<std::string> keys{"test.name", "test.origin", "test.programme", "test.seed",
+                                "test.cut_short"};
   for (const SpecimenKey& row : specimen_keys())
     keys.push_back("specimen." + full_name(row.name, row.unit));
   for (const char* key :
@@ -237,6 +240,13 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
   }
   if (const auto table = document.table("truth")) truth = read_truth(*table);
   document.finish();
+}
+
+std::string ending_toml(const RecordHeader& header) {
+  if (header.cut_short.empty()) return {};
+  std::string out = "[test]\n";
+  append_text(out, "cut_short", header.cut_short);
+  return out;
 }
 
 std::string metadata_toml(const RecordHeader& header) {

@@ -32,8 +32,11 @@ void set_metadata(RecordHeader& header, const std::string& where, std::string_vi
 /// Takes [test], [specimen], [[stages]] and [truth] of a document; unknown keys are BadInput.
 void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const TomlTable& document);
 
-/// The same as TOML text, known values only. Reading it back gives the same values.
+/// The same but the ending as TOML text, known values only. Reading it back gives the same values.
 std::string metadata_toml(const RecordHeader& header);
+
+/// What is known of a test only once it has ended, as TOML text; empty where there is nothing.
+std::string ending_toml(const RecordHeader& header);
 
 /// "cell_pressure_kPa" -> {"cell_pressure", kPa}; nothing where the last part is no unit.
 struct NamedUnit {

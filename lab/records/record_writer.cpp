@@ -93,7 +93,8 @@ void RecordWriter::write(const Reading& reading) {
   if (impl_->text.size() > kFlushAt) impl_->flush();
 }
 
-void RecordWriter::finish(const std::optional<Truth>& truth) {
+void RecordWriter::finish(const RecordHeader& header, const std::optional<Truth>& truth) {
+  impl_->text += as_comment(ending_toml(header));
   if (truth) impl_->text += as_comment(truth_toml(*truth));
   impl_->flush();
   impl_->file.finish();

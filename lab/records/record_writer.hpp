@@ -10,7 +10,7 @@
 namespace triax::lab {
 
 /// Writes a record in triax's own CSV (docs/formats.md): the metadata as TOML behind #, one row a
-/// reading, the truth of a simulation below the rows.
+/// reading, below the rows how it ended and the truth of a simulation.
 ///
 /// The file appears under its name only when it is complete (WholeFile). Values are written in
 /// units of the field with the fewest digits that give the reading's bits back: exactly for values
@@ -29,7 +29,7 @@ class RecordWriter {
   void write(const Reading& reading);
   /// Completes the file and gives it its name, replacing an older one. Throws WorkFailed; then
   /// nothing stands under that name that was not there before.
-  void finish(const std::optional<Truth>& truth);
+  void finish(const RecordHeader& header, const std::optional<Truth>& truth);
 
  private:
   struct Impl;

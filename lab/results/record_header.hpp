@@ -130,6 +130,10 @@ struct RecordHeader {
   std::vector<Note> notes;  ///< all of what the preamble of the file says
   std::vector<Guess> guesses;
   std::vector<Warning> warnings;
+  /// Why the test ended before its programme did; empty where it ended as it was meant to, or where
+  /// nobody says. A shear cut short earns no verdict of none. Like the warnings known as far as
+  /// readings have been drawn.
+  std::string cut_short;
   /// The counter of the back volume was set to zero between stages, and its parts were joined.
   /// Like the warnings known as far as readings have been drawn.
   bool back_volume_joined = false;

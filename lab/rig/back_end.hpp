@@ -30,9 +30,6 @@ class BackEnd {
   virtual std::optional<Truth> truth() const { return std::nullopt; }
   /// What happened to the rig itself since the last call: held, safe state, run-away.
   virtual std::vector<Event> events() { return {}; }
-  /// Why the test ended before its programme did, once next() has returned false; empty where it
-  /// ended as it was meant to, or where nobody knows. A shear cut short earns no verdict of none.
-  virtual std::string cut_short() const { return {}; }
   /// The test is broken off after the reading last drawn: no more readings are asked for. `reason`
   /// is a whole sentence for the record; a back end that drives something brings it to rest. True
   /// if a warning of its header says so from now on.

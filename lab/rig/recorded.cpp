@@ -324,9 +324,10 @@ void RecordedRig::Impl::finish() {
       throw BadInput(layout.file, layout.heading_line,
                      "a column without a single value: " + missing);
   if (!table->trailer().empty()) {
-    RecordHeader unused;
-    read_metadata(unused, truth,
+    RecordHeader end;
+    read_metadata(end, truth,
                   TomlTable::parse(table->trailer(), layout.file, table->trailer_line()));
+    if (header.cut_short.empty()) header.cut_short = end.cut_short;
   }
   over = true;
   findings.finish();

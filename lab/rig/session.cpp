@@ -216,7 +216,7 @@ void SessionRun::summarise() {
   collapse = states_.ends_at_mark() ? until_mark_ : monitor_.finish();
   states_.bound(collapse);
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
-  if (const std::string why = back_end_.cut_short(); !why.empty() && !collapse.onset)
+  if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
     collapse.end_at(last_reading_, why);
   if (options_.otherwise && collapse.judged)
     if (const auto doubt = contradiction(collapse, options_.otherwise())) collapse.withhold(*doubt);

@@ -70,7 +70,7 @@ struct VirtualRig::Impl {
   /// The test ends here without having reached its end.
   void cut(const std::string& why) {
     warn(why);
-    cut_short = why;
+    header.cut_short = why;
   }
   void warn_once(bool& done, const std::string& text) {
     if (!std::exchange(done, true)) warn(text);
@@ -113,7 +113,6 @@ struct VirtualRig::Impl {
   std::size_t stage_index = 0;
   Mode mode = Mode::running;
   int safe_readings = 0;
-  std::string cut_short;
   std::size_t next_action = 0;
   PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
@@ -186,9 +185,11 @@ bool VirtualRig::Impl::go(Mode next, EventKind kind, const std::string& detail) 
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
-  const std::string why =
-      fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s, stage().name, detail);
-  if (next == Mode::safe) kind == EventKind::safe_state ? cut(why) : warn(why);
+  if (next == Mode::safe) {
+    const std::string why = fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s,
+                                        stage().name, detail);
+    kind == EventKind::safe_state ? cut(why) : warn(why);
+  }
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
   return true;
 }
@@ -352,8 +353,6 @@ std::optional<Truth> VirtualRig::truth() const {
   truth.run_aways = impl_->run_aways.all();
   return truth;
 }
-
-std::string VirtualRig::cut_short() const { return impl_->cut_short; }
 
 std::vector<Event> VirtualRig::events() { return std::exchange(impl_->events, {}); }
 

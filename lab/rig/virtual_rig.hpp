@@ -54,7 +54,6 @@ class VirtualRig : public BackEnd {
   void hold();
   void resume();
   bool abort(const std::string& reason) override;
-  std::string cut_short() const override;
 
   /// True state of the specimen at the last reading, which no instrument sees.
   const sim::SpecimenState& specimen_state() const;

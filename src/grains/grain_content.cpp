@@ -58,14 +58,12 @@ void add_specimen(std::vector<Fact>& facts, const lab::ReportedGrains& g) {
 }
 
 std::string status_words(const db::StoredGrainRun& run) {
-  const auto& sign = run.sign_of_life;
+  const std::string sign = sign_in_words(run.status, run.sign_of_life);
   switch (run.status) {
     case db::TestStatus::running:
-      return fmt::format("RUNNING: stages are still being stored{}",
-                         sign ? fmt::format(", last sign of life {} s ago", sign->silent_s) : "");
+      return "RUNNING: stages are still being stored" + sign;
     case db::TestStatus::interrupted:
-      return fmt::format("INTERRUPTED: only the stages that had ended are here{}",
-                         sign ? ", no sign of life since " + sign->at : "");
+      return "INTERRUPTED: only the stages that had ended are here" + sign;
     case db::TestStatus::complete:
       break;
   }

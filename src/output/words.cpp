@@ -52,12 +52,15 @@ std::string duration(std::optional<double> seconds) {
   return number(*seconds / 3600, 2) + " h";
 }
 
-std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign) {
-  std::string words(db::to_string(status));
-  if (!sign || status == db::TestStatus::complete) return words;
+std::string sign_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign) {
+  if (!sign || status == db::TestStatus::complete) return {};
   return status == db::TestStatus::running
-             ? fmt::format("{}, last sign of life {} s ago", words, sign->silent_s)
-             : fmt::format("{}: no sign of life since {}", words, sign->at);
+             ? fmt::format(", last sign of life {} s ago", sign->silent_s)
+             : fmt::format(", no sign of life since {}", sign->at);
+}
+
+std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign) {
+  return std::string(db::to_string(status)) + sign_in_words(status, sign);
 }
 
 std::string inside_limit_surface(const lab::Collapse& collapse) {

@@ -28,8 +28,10 @@ std::string duration(std::optional<double> seconds);
 /// A name of the JSON document as people read it: "second_order_work" is "second order work".
 std::string spaced(std::string name);
 
-/// "complete"; "running, last sign of life 3 s ago"; "interrupted: no sign of life since
-/// 2026-11-23T06:39:12Z".
+/// ", last sign of life 3 s ago"; ", no sign of life since 2026-11-23T06:39:12Z"; "" where there is
+/// none, or none is needed.
+std::string sign_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign);
+/// "complete"; "running, last sign of life 3 s ago".
 std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign);
 
 /// "inside", "on the limit surface" or unknown.

@@ -34,14 +34,12 @@ std::string agreement(const db::StoredTest& test) {
 std::string banner(const db::StoredTest& test) {
   std::vector<std::string> parts;
   if (test.header.origin == Origin::simulated) parts.emplace_back("SIMULATED, not measured");
-  const auto& sign = test.sign_of_life;
+  const std::string sign = sign_in_words(test.status, test.sign_of_life);
   if (test.status == db::TestStatus::interrupted)
-    parts.push_back(fmt::format("INTERRUPTED: the test was cut off{}, there is no verdict",
-                                sign ? ", no sign of life since " + sign->at : ""));
+    parts.push_back(fmt::format("INTERRUPTED: the test was cut off{}, there is no verdict", sign));
   if (test.status == db::TestStatus::running)
     parts.push_back(
-        fmt::format("RUNNING: the test is still being recorded{}, there is no verdict yet",
-                    sign ? fmt::format(" (last sign of life {} s ago)", sign->silent_s) : ""));
+        fmt::format("RUNNING: the test is still being recorded{}, there is no verdict yet", sign));
   return fmt::format("{}", fmt::join(parts, ". "));
 }
 

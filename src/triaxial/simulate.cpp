@@ -74,7 +74,7 @@ void run_test_of(const SimulateOptions& o) {
       rig, {.reduction = {}, .speed = o.speed, .stop = [&] { return interruption.requested(); }},
       o.db, also, {.say = notify});
   if (writer) {
-    writer->finish(rig.truth());
+    writer->finish(rig.header(), rig.truth());
     record.is_there();
   }
   print_tests(o.db, {id}, o.json);

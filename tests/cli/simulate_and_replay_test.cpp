@@ -117,7 +117,7 @@ TEST_CASE(
   silence(here / "triax.db");
   const std::string before = content(here / "triax.db");
   CHECK(seen() == "interrupted");
-  CHECK(here.triax("tests show 1").out.find("interrupted: no sign of life since") !=
+  CHECK(here.triax("tests show 1").out.find("interrupted, no sign of life since") !=
         std::string::npos);
   CHECK(content(here / "triax.db") == before);
   const json count = json::parse(

@@ -53,13 +53,16 @@ def void_ratios(triax) -> str:
     return f"The arrows come from tests of other void ratios ({at[0]} and {at[1]} at collapse) than the 1.1 of the cones."
 
 
+def spans(one: dict, sense: str) -> str:
+    lost = [s for s in one["control"]["lost"] if s["sense"] == sense]
+    return ", ".join(f"R from {s['from_R']:.2f} to {s['to_R']:.2f}" for s in lost) or "–"
+
+
 def control(triax) -> str:
     told = triax.documents("probe", "--material", "inl2/S28-general", *LOOSE, "--eta", "0.5,0.6,0.7")
     lines = ["| η | σ₁ − σ₃/R cannot grow in compression | nor fall in extension |", "|---|---|---|"]
     for one in told:
-        def spans(sense, one=one):
-            return ", ".join(f"R from {s['from_R']:.2f} to {s['to_R']:.2f}" for s in one["control"]["lost"] if s["sense"] == sense) or "–"
-        lines.append(f"| {one['state']['eta']:.1f} | {spans('loading')} | {spans('unloading')} |")
+        lines.append(f"| {one['state']['eta']:.1f} | {spans(one, 'loading')} | {spans(one, 'unloading')} |")
     return "\n".join(lines)
 
 

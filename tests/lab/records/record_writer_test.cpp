@@ -64,7 +64,7 @@ TEST_CASE("a simulation says in its first line that it is one and how it is repe
   auto header = header_with_all_columns();
   header.source = "some/folder/csu_26.toml";
   const auto first_line = [&] {
-    RecordWriter(path, header).finish({});
+    RecordWriter(path, header).finish(header, {});
     const auto text = read_text_file(path);
     return text.substr(0, text.find('\n'));
   };
@@ -88,7 +88,7 @@ TEST_CASE("what is written reads back to the bit, missing stays missing") {
     RecordWriter writer(path, header);
     for (const Reading& reading : readings) writer.write(reading);
     CHECK_FALSE(std::filesystem::exists(path));
-    writer.finish(truth);
+    writer.finish(header, truth);
   }
   CHECK(folder.files() == 1);
   const auto rig = open_record(path, {});
@@ -123,7 +123,7 @@ TEST_CASE("a record that is not finished leaves nothing behind, not even over an
   {
     RecordWriter writer(path, header);
     writer.write(readings[0]);
-    writer.finish({});
+    writer.finish(header, {});
   }
   const auto size = std::filesystem::file_size(path);
   {
@@ -141,7 +141,7 @@ TEST_CASE("a record without time has no time column; a folder that is not there 
   header.has_time = false;
   RecordWriter writer(folder / "r.csv", header);
   writer.write(random_readings(1)[0]);
-  writer.finish({});
+  writer.finish(header, {});
   CHECK_FALSE(open_record(folder / "r.csv", {})->header().has_time);
   CHECK_THROWS_AS(RecordWriter(folder / "none/r.csv", header), WorkFailed);
   CHECK_THROWS_AS(RecordWriter("/dev/null", header), BadInput);

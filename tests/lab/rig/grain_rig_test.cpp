@@ -53,7 +53,7 @@ TEST_CASE("loose grains flow in an undrained test, as the verdict and the truth 
       .scanned = [&](const Reading& reading, const State&) { writer.write(reading); }};
   const TestSummary summary = run_session(rig, {}, {to_record});
   const auto truth = rig.truth();
-  writer.finish(truth);
+  writer.finish(rig.header(), truth);
   CHECK(summary.collapse.kind == CollapseKind::flow);
   REQUIRE(summary.collapse.onset);
   REQUIRE(truth);

@@ -36,9 +36,9 @@ class FakeRig : public BackEnd {
     return false;
   }
 
-  std::string cut_short() const override { return cut; }
+  void cut_short(const std::string& why) { header_.cut_short = why; }
 
-  std::string aborted_for, cut;
+  std::string aborted_for;
 
  private:
   RecordHeader header_;
@@ -172,16 +172,17 @@ TEST_CASE("a test that was cut short earns no verdict of none; a collapse before
   CHECK(none.judged);
   CHECK_FALSE(none.detected());
 
+  const std::string why = "stage \"shear\" ended: the law has no result beyond";
   FakeRig cut(300);
-  cut.cut = "stage \"shear\" ended: the law has no result beyond";
+  cut.cut_short(why);
   const Collapse open = run_session(cut, {}).collapse;
   CHECK_FALSE(open.judged);
   CHECK(open.judged_until == 299);
-  CHECK(open.judged_until_reason == cut.cut);
+  CHECK(open.judged_until_reason == why);
   for (const Criterion& c : open.criteria) CHECK_FALSE(c.detected);
 
   FakeRig lost(3000);  // q has fallen to nothing long before
-  lost.cut = cut.cut;
+  lost.cut_short(why);
   const Collapse fell = run_session(lost, {}).collapse;
   CHECK(fell.judged);
   CHECK(fell.detected());

@@ -14,6 +14,7 @@
 #include "lab/rig/recorded.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
+#include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax;
 using namespace triax::lab;
@@ -30,7 +31,7 @@ std::string simulated_record(std::uint64_t seed) {
   VirtualRig rig(load_programme(kProgramme), seed);
   RecordWriter writer(path, rig.header());
   for (Reading reading; rig.next(reading);) writer.write(reading);
-  writer.finish(rig.truth());
+  writer.finish(rig.header(), rig.truth());
   auto text = read_text_file(path);
   std::filesystem::remove(path);
   return text;
@@ -166,4 +167,31 @@ TEST_CASE("neither speed nor the size of a read changes anything") {
   check_same(expected, run(*paced, 50'000));
   VirtualRig simulated(load_programme(kProgramme));
   check_same(expected, run(simulated, 50'000));
+}
+
+TEST_CASE("why a test was cut short stands in its record: the replay is not judged either") {
+  const auto path = (std::filesystem::temp_directory_path() /
+                     ("triax_cut_" + std::to_string(::getpid()) + ".csv"))
+                        .string();
+  VirtualRig rig(
+      test::rig_programme(test::shear_stage("closed", "displacement", "axial_rate_mm_per_min = 0.5",
+                                            R"("axial_strain_pct", above = 10.0)"),
+                          test::kIdealFrame + "load_limit_N = 60.0\n"));
+  RecordWriter writer(path, rig.header());
+  for (Reading reading; rig.next(reading);) writer.write(reading);
+  writer.finish(rig.header(), rig.truth());
+  const std::string why = rig.header().cut_short;
+  CHECK_THAT(why, Catch::Contains("emergency stop"));
+
+  const auto recorded = open_record(path, {});
+  const Collapse replayed = run_session(*recorded, {}).collapse;
+  CHECK(recorded->header().cut_short == why);
+  CHECK_FALSE(replayed.judged);
+  CHECK(replayed.judged_until_reason == why);
+
+  // Said by hand of a record that does not say it.
+  const auto said =
+      open_record(kRecord, {.dialect = {}, .sets = {{"test.cut_short", "power cut"}}});
+  CHECK(said->header().cut_short == "power cut");
+  std::filesystem::remove(path);
 }

@@ -85,7 +85,7 @@ TEST_CASE("a cap that fell is no specimen that stayed sustainable; its record re
   const auto path = (std::filesystem::temp_directory_path() / "triax_travel.csv").string();
   RecordWriter writer(path, rig.header());
   for (Reading reading; rig.next(reading);) writer.write(reading);
-  writer.finish(rig.truth());
+  writer.finish(rig.header(), rig.truth());
 
   const Truth truth = *rig.truth();
   REQUIRE_FALSE(truth.run_aways.empty());

@@ -207,7 +207,7 @@ TEST_CASE("any law can be the specimen; where one ends the test ends with its re
   run(inl2);
   CHECK(*inl2.truth()->axial_strain * 100 == Approx(0.414).margin(0.005));
   CHECK(inl2.header().warnings.empty());
-  CHECK(inl2.cut_short().empty());
+  CHECK(inl2.header().cut_short.empty());
 
   lab::VirtualRig liquefied(
       programme(replaced(longer, "sanisand/S28-general", "hypoplastic/S28-MT")));
@@ -215,7 +215,7 @@ TEST_CASE("any law can be the specimen; where one ends the test ends with its re
   REQUIRE(liquefied.header().warnings.size() == 1);
   CHECK_THAT(liquefied.header().warnings[0].text,
              Contains("the law has no result beyond") && Contains("liquefied"));
-  CHECK(liquefied.cut_short() == liquefied.header().warnings[0].text);
+  CHECK(liquefied.header().cut_short == liquefied.header().warnings[0].text);
   CHECK(liquefied.truth()->lost_sustainability);
 }
 
