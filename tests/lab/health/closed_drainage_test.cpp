@@ -173,6 +173,9 @@ TEST_CASE("a volume gauge that moved until the valve was shut, and then stands, 
   CHECK(doubted([](auto i) { return i < 0 ? double(i) : kMissing; }));
   // It lives, and it is wet.
   CHECK(doubted([](auto i) { return double(3 * i); }));
+  // A few drops are too little to be called water, and too much for a gauge that stands.
+  CHECK(doubted([](auto i) { return i < 0 ? double(i) : 0.5 * double(i); }));
+  CHECK_FALSE(doubted([](auto i) { return i < 0 ? double(i) : 4 * double(i % 2); }));
 }
 
 TEST_CASE("a dead sensor of the back pressure leaves its last value; a dead gauge the other") {
