@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bench_apparatus_memory PROGRAMME [DATABASE]: resident memory of this process while a test of
+// bench_apparatus_memory [--labels] PROGRAMME [DATABASE]: resident memory of this process while a test of
 // three days runs at a reading a second, with the database if one is named. Drained shear is slowed
 // down until it lasts that long, so that reduction, monitor and recorder work all the time. Prints
-// HOURS RESIDENT_KB, and fails if the last is above that of a day by more than kSlack_kb: until
+// the hours and kB, and fails if the last is above that of a day by more than kSlack_kb: until
 // then buffers of fixed size (batches of the recorder, pages of SQLite) are touched for the first
 // time.
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 #include <fstream>
 #include <optional>
 
+#include "bench/point/yardstick.hpp"
 #include "db/recording/recorder.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
@@ -47,9 +48,15 @@ lab::Programme slowed(const std::string& file) {
                               {stage + ".time_limit_min", "100000"}});
 }
 
+void print(double hours, long kb) {
+  fmt::print("{:>7g} h {:>10} kB\n", hours, bench::timed(static_cast<double>(kb), 0));
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  bench::take_labels(argc, argv);
   const std::string file = argc > 1 ? argv[1] : "samples/programmes/csu_26.toml";
   lab::VirtualRig rig(slowed(file));
   lab::SessionListeners listeners;
@@ -61,17 +68,19 @@ int main(int argc, char** argv) {
     if (next >= std::size(kHours) || reading.time_s < kHours[next] * kHour_s) return;
     last_kb = resident_kb();
     if (kHours[next] == kFilled_h) filled_kb = last_kb;
-    fmt::print("{:g} {}\n", kHours[next++], last_kb);
-    std::fflush(stdout);
+    print(kHours[next++], last_kb);
   }});
-  const auto over = [&] { return next == std::size(kHours); };
+  // The first hour is enough for the words.
+  const auto over = [&] { return next == (bench::only_labels ? 1 : std::size(kHours)); };
   const lab::TestSummary summary = lab::run_session(rig, {.stop = over}, listeners);
   if (recorder) recorder->finish(summary);
-  if (!over()) {
+  if (bench::only_labels)
+    for (; next < std::size(kHours); ++next) print(kHours[next], last_kb);
+  if (next < std::size(kHours)) {
     fmt::print(stderr, "the test ended after {} readings\n", summary.readings);
     return 1;
   }
-  if (last_kb > filled_kb + kSlack_kb) {
+  if (!bench::only_labels && last_kb > filled_kb + kSlack_kb) {
     fmt::print(stderr, "memory grew by {} kB\n", last_kb - filled_kb);
     return 1;
   }

@@ -4,8 +4,7 @@
 //
 // The yardstick is the bare material point: the strain increments that the specimen made between
 // readings, each one call of sim::advance_point from the state in which the specimen was. All in
-// one process and thread (the recorder has a second one for the disk). Prints WHAT SECONDS
-// SIMULATED_PER_WALL TIMES_THE_POINT.
+// one process and thread (the recorder has a second one for the disk).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,29 +88,31 @@ void run_stored(const lab::Programme& programme, const std::string& db) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  bench::take_labels(argc, argv);
   const std::string file = argc > 1 ? argv[1] : "samples/programmes/csu_26.toml";
   const std::string db = argc > 2 ? argv[2] : "bench_apparatus_speed.db";
   const lab::Programme programme = programme_of(file);
   const auto increments = increments_of(programme);
   const double simulated_s = static_cast<double>(run_rig(programme) - 1) * kInterval_s;
-  fmt::print("# {}: {:.0f} s of test, {} increments between readings\n", programme.name,
+  fmt::print("{}: {:.0f} s of test, {} increments between readings\n\n", programme.name,
              simulated_s, increments.size());
-  fmt::print("# WHAT SECONDS SIMULATED_PER_WALL TIMES_THE_POINT\n");
+  fmt::print("{:<36}{:>9}{:>20}{:>17}\n", "", "seconds", "simulated a second", "times the point");
   double sink = 0;
   const std::pair<const char*, std::function<void()>> subjects[] = {
-      {"point", [&] { sink = drive_point(programme, increments); }},
+      {"material point alone", [&] { sink = drive_point(programme, increments); }},
       {"rig", [&] { run_rig(programme); }},
-      {"rig+reduction+monitor", [&] { run_monitored(programme); }},
-      {"rig+reduction+monitor+database", [&] { run_stored(programme, db); }}};
+      {"rig, reduction and monitor", [&] { run_monitored(programme); }},
+      {"the same into the database", [&] { run_stored(programme, db); }}};
   double least_s[std::size(subjects)];
   std::fill(std::begin(least_s), std::end(least_s), std::numeric_limits<double>::infinity());
   // In turn, so that what else runs on the machine falls on all alike.
-  for (int i = 0; i < kRepetitions; ++i)
+  for (int i = 0; i < (bench::only_labels ? 1 : kRepetitions); ++i)
     for (std::size_t k = 0; k < std::size(subjects); ++k)
       least_s[k] = std::min(least_s[k], bench::least_seconds(1, subjects[k].second));
   for (std::size_t k = 0; k < std::size(subjects); ++k)
-    fmt::print("{} {:.3f} {:.0f} {:.2f}\n", subjects[k].first, least_s[k], simulated_s / least_s[k],
-               least_s[k] / least_s[0]);
+    fmt::print("{:<36}{:>9}{:>20}{:>17}\n", subjects[k].first, bench::timed(least_s[k], 2),
+               bench::timed(simulated_s / least_s[k], 0),
+               bench::timed(least_s[k] / least_s[0], 1));
   volatile double kept = sink;
   static_cast<void>(kept);
 }

@@ -23,6 +23,7 @@
 
 #include "bench/detection/subjects.hpp"
 #include "bench/detection/table.hpp"
+#include "bench/detection/tails.hpp"
 #include "lab/base/bad_input.hpp"
 
 using namespace triax;
@@ -100,7 +101,7 @@ int run(const Options& options) {
   if (subjects.empty())
     throw lab::BadInput("--only " + options.only + ": no programme of that type");
   const auto results = run_all(subjects, options);
-  fmt::print("{}", bench::table(results));
+  fmt::print("{}{}", bench::table(results), bench::tails(results, {}));
   if (!options.csv.empty()) {
     std::ofstream file(options.csv);
     file << bench::csv(results);
@@ -108,6 +109,7 @@ int run(const Options& options) {
   }
   const auto faults = bench::broken(results, {}, options.only.empty());
   for (const std::string& fault : faults) fmt::print("not held: {}\n", fault);
+  if (faults.empty() && options.only.empty()) fmt::print("all bounds hold\n");
   return faults.empty() ? 0 : 1;
 }
 

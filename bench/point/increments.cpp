@@ -4,7 +4,7 @@
 // Undrained compression of 10 % in equal increments, each one call of the driver with a state in
 // and a state out, as a host program would do it. The number of increments and the tolerance are
 // the cheapest of a list with which the whole path keeps its relative error of stress below 1e-6,
-// judged against the same path with a tolerance of 1e-13. Prints LAW SPACE NS_PER_INCREMENT RATIO.
+// judged against the same path with a tolerance of 1e-13.
 #include <fmt/format.h>
 #include <cstdio>
 #include <optional>
@@ -52,18 +52,14 @@ std::optional<sim::Vector<Space>> run(const sim::Law<Space>& law,
   return state.stress;
 }
 
-struct Best {
-  double ns = 0, error = 0, tolerance = 0;
-  int increments = 0;
-};
-
+/// Nanoseconds of an increment, none where no path of the list is of that accuracy.
 template <class Space>
-std::optional<Best> cheapest(const sim::Law<Space>& law, const Subject& subject) {
+std::optional<double> cheapest(const sim::Law<Space>& law, const Subject& subject) {
   const auto start = law.isotropic(subject.p_pa, subject.void_ratio);
   if (law.objection(start)) return std::nullopt;
   const auto exact = run(law, start, 100, 1e-13);
   if (!exact) return std::nullopt;
-  std::optional<Best> best;
+  std::optional<double> best;
   for (const int increments : {5000, 10000, 20000})
     for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-8}) {
       const auto found = run(law, start, increments, tolerance);
@@ -73,7 +69,7 @@ std::optional<Best> cheapest(const sim::Law<Space>& law, const Subject& subject)
       const double seconds =
           bench::least_seconds(5, [&] { run(law, start, increments, tolerance); });
       const double ns = seconds * 1e9 / increments;
-      if (!best || ns < best->ns) best = Best{ns, error, tolerance, increments};
+      if (!best || ns < best->ns) best = ns;
     }
   return best;
 }
@@ -83,24 +79,21 @@ void print(const std::string& set, const char* space, const sim::Law<Space>* law
            const Subject& subject) {
   const auto best = law ? cheapest(*law, subject) : std::nullopt;
   if (!best) {
-    fmt::print("# {} {}: no path of this accuracy\n", set, space);
+    fmt::print("{:<28}{:<14}no path of this accuracy\n", set, space);
     return;
   }
   const double yardstick = bench::solution_ns();  // beside each law: a machine's clock changes
-  fmt::print("{} {} {:.0f} {:.2f}\n", set, space, best->ns, best->ns / yardstick);
-  fmt::print(
-      "#   {} increments, tolerance {:g}, error of the path {:.1e}, {:.1f} million a second; one "
-      "solution {:.0f} ns\n",
-      best->increments, best->tolerance, best->error, 1e3 / best->ns, yardstick);
+  fmt::print("{:<28}{:<14}{:>16}{:>17}{:>7}\n", set, space, bench::timed(*best, 0),
+             bench::timed(yardstick, 0), bench::timed(*best / yardstick, 2));
   std::fflush(stdout);
 }
 
 }  // namespace
 
-int main() {
-  fmt::print(
-      "# LAW SPACE NS_PER_INCREMENT RATIO to one solution of a 6 x 6 system (LU, partial "
-      "pivoting)\n");
+int main(int argc, char** argv) {
+  bench::take_labels(argc, argv);
+  fmt::print("{:<28}{:<14}{:>16}{:>17}{:>7}\n", "law", "space", "an increment, ns", "a solution, ns",
+             "ratio");
   for (const Subject& subject : kSubjects) {
     const auto set = lab::find_material(subject.set);
     print(set.name, "axisymmetric", set.material.axisymmetric.get(), subject);

@@ -1,16 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <chrono>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace triax::bench {
+
+/// Whether the words of the output are asked for and no times (`--labels`, tools/pages): work is done
+/// once, and what the clock says is printed as #.
+inline bool only_labels = false;
+
+/// True where the first argument is --labels, which is then noted and passed over.
+inline bool take_labels(int& argc, char**& argv) {
+  only_labels = argc > 1 && std::string_view(argv[1]) == "--labels";
+  if (only_labels) --argc, ++argv;
+  return only_labels;
+}
+
+/// A figure that depends on the clock.
+inline std::string timed(double value, int digits) {
+  return only_labels ? "#" : fmt::format("{:.{}f}", value, digits);
+}
 
 /// Seconds of one call of `work`, the least of several repetitions (another process may interfere
 /// with any one of them, none can make it faster).
 template <class Work>
 double least_seconds(int repetitions, Work&& work) {
   double least = std::numeric_limits<double>::infinity();
+  if (only_labels) repetitions = 1;
   for (int i = 0; i < repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     work();

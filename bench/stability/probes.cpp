@@ -3,9 +3,8 @@
 //
 // A probe is one direction of the circle at a loaded state (p′ = 100 kPa, η = 0.5) that is made
 // ready once, as for a grid of states: direction, strain, W₂ and its norms. The yardsticks are one
-// solution of a 2 × 2 and of a 6 × 6 system in the same run. Prints
-// LAW PLANE NS_PER_PROBE MILLION_A_SECOND RATIO_2x2 RATIO_6x6, then the domain:
-// LAW PLANE THREADS SECONDS, and the scaling from one thread to two.
+// solution of a 2 × 2 and of a 6 × 6 system in the same run. A domain is 200 × 200 states with 360
+// directions each, on one thread and on two.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -48,7 +47,7 @@ void time_probe(const Subject& subject, const char* plane, const sim::Law<Space>
   const auto state =
       law->start(sim::domain_stress<Space>(kMean, kRatio * kMean), subject.void_ratio);
   if (const auto objection = law->objection(state)) {
-    fmt::print("# {} {}: {}\n", subject.set, plane, *objection);
+    fmt::print("{:<28}{:<14}{}\n", subject.set, plane, *objection);
     return;
   }
   const auto prober = sim::make_prober(
@@ -61,8 +60,9 @@ void time_probe(const Subject& subject, const char* plane, const sim::Law<Space>
   volatile double kept = sink;
   static_cast<void>(kept);
   const double ns = seconds * 1e9 / (kTurns * kDirections);
-  fmt::print("{} {} {:.0f} {:.1f} {:.1f} {:.2f}\n", subject.set, plane, ns, 1e3 / ns,
-             ns / yardsticks.small_ns, ns / yardsticks.large_ns);
+  fmt::print("{:<28}{:<14}{:>11}{:>19}{:>13}{:>13}\n", subject.set, plane, bench::timed(ns, 0),
+             bench::timed(1e3 / ns, 1), bench::timed(ns / yardsticks.small_ns, 1),
+             bench::timed(ns / yardsticks.large_ns, 2));
   std::fflush(stdout);
 }
 
@@ -73,6 +73,7 @@ double time_domain(const lab::MaterialSet& set, sim::ProbePlane plane, int threa
                              .q_to = 390e3,
                              .void_ratio = 1.086,
                              .plane = plane};
+  if (bench::only_labels) return 1;
   std::vector<int> columns(static_cast<std::size_t>(grid.columns));
   std::iota(columns.begin(), columns.end(), 0);
   return bench::least_seconds(3, [&] {
@@ -89,25 +90,27 @@ double time_domain(const lab::MaterialSet& set, sim::ProbePlane plane, int threa
 void domain(const char* name, const char* plane_name, sim::ProbePlane plane) {
   const auto set = lab::find_material(name);
   const double one = time_domain(set, plane, 1), two = time_domain(set, plane, 2);
-  fmt::print("{} {} 1 {:.2f}\n{} {} 2 {:.2f}\n# {:.2f} times faster on two threads\n", name,
-             plane_name, one, name, plane_name, two, one / two);
+  fmt::print("{:<28}{:<14}{:>13}{:>16}{:>14}\n", name, plane_name, bench::timed(one, 2),
+             bench::timed(two, 2), bench::timed(one / two, 2));
   std::fflush(stdout);
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  bench::take_labels(argc, argv);
   const Yardsticks yardsticks{bench::solution_ns<2>(), bench::solution_ns<6>()};
-  fmt::print(
-      "# one solution of a system (LU, partial pivoting): 2 x 2 {:.1f} ns, 6 x 6 {:.0f} ns\n",
-      yardsticks.small_ns, yardsticks.large_ns);
-  fmt::print("# LAW PLANE NS_PER_PROBE MILLION_A_SECOND RATIO_2x2 RATIO_6x6\n");
+  fmt::print("one solution of a system (LU, partial pivoting): 2 x 2 {} ns, 6 x 6 {} ns\n\n",
+             bench::timed(yardsticks.small_ns, 1), bench::timed(yardsticks.large_ns, 0));
+  fmt::print("{:<28}{:<14}{:>11}{:>19}{:>13}{:>13}\n", "law", "plane", "a probe, ns",
+             "million a second", "over 2 x 2", "over 6 x 6");
   for (const Subject& subject : kSubjects) {
     const auto set = lab::find_material(subject.set);
     time_probe(subject, "axisymmetric", set.material.axisymmetric.get(), yardsticks);
     time_probe(subject, "plane-strain", set.material.tensor.get(), yardsticks);
   }
-  fmt::print("# 200 x 200 states, 360 directions each: LAW PLANE THREADS SECONDS\n");
+  fmt::print("\n{:<28}{:<14}{:>13}{:>16}{:>14}\n", "domain of 200 x 200 states", "plane",
+             "one thread, s", "two threads, s", "times faster");
   for (const char* name : {"inl2/S28-general", "octolinear/S28-general", "sanisand/S28-general"}) {
     domain(name, "axisymmetric", sim::ProbePlane::axisymmetric);
     domain(name, "plane-strain", sim::ProbePlane::plane_strain);

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -32,7 +33,7 @@ using namespace triax;
 namespace {
 
 struct Options {
-  int seeds = 8, from = 1;
+  int seeds = 8, from = 1, every = 1;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::string keep, only;
   bool wrong = false;
@@ -52,6 +53,7 @@ struct Counts {
 
 struct Table {
   std::vector<std::array<Counts, 3>> by_trait{bench::traits().size()};
+  std::map<std::string, int> not_right;  ///< files by answer, trait and specimen
   std::vector<std::string> wrong;
 };
 
@@ -96,6 +98,8 @@ void run_subject(const bench::Subject& subject, std::uint64_t seed, const Option
       const std::scoped_lock lock(guard);
       ++table.by_trait[t][f].of[answer];
       if (answer == right) continue;
+      ++table.not_right[fmt::format("{:<13}{:<27}{} ({})", kAnswers[answer], trait.name,
+                                    subject.programme.name, subject.programme.material.name)];
       table.wrong.push_back(fmt::format("{:<12} {:<26} {:<17} {}: {}", kAnswers[answer], trait.name,
                                         form.name, name, why));
       if (options.keep.empty()) continue;
@@ -126,6 +130,8 @@ int report(const Table& table, const Options& options) {
         print(fmt::format("{}, {}", bench::traits()[t].name, bench::forms()[f].name), counts);
     }
   print("all", sum);
+  if (!table.not_right.empty()) fmt::print("\nnot right, by trait and specimen\n");
+  for (const auto& [where, files] : table.not_right) fmt::print("{:<92}{:>7}\n", where, files);
   if (options.wrong)
     for (const std::string& one : table.wrong) fmt::print("{}\n", one);
   const double all = sum.all();
@@ -150,7 +156,10 @@ std::vector<bench::Subject> all_subjects() {
 }
 
 int run(const Options& options) {
-  const auto subjects = all_subjects();
+  std::vector<bench::Subject> subjects;
+  int taken = 0;
+  for (bench::Subject& subject : all_subjects())
+    if (taken++ % options.every == 0) subjects.push_back(std::move(subject));
   const std::size_t count = subjects.size() * static_cast<std::size_t>(options.seeds);
   std::atomic<std::size_t> next = 0;
   std::mutex guard;
@@ -175,6 +184,8 @@ int main(int argc, char** argv) {
   CLI::App app("Verdicts on simulated records as laboratories hand them over");
   app.add_option("--seeds", options.seeds, "tests of each subject")->check(CLI::PositiveNumber);
   app.add_option("--from", options.from, "first seed")->check(CLI::PositiveNumber);
+  app.add_option("--every", options.every, "of the subjects every N-th only")
+      ->check(CLI::PositiveNumber);
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::PositiveNumber);
   app.add_option("--only", options.only, "one trait, by its name");
   app.add_option("--keep", options.keep, "folder for the files that were not answered rightly");

@@ -1,19 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of docs/benchmarks.md (tools/pages): what the benchmarks print. Minutes each, on a machine that does nothing else."""
+"""The figures of docs/benchmarks.md (tools/pages): what the benchmarks print. Minutes each, on a machine that does nothing else."""
+from remade.benchmark import sampled, timed
 
 
 def replay(triax) -> str:
-    return triax.output_of("bench/replay/run.sh")
+    return timed(triax, "bench/replay/run.sh")
 
 
 def verdicts(triax) -> str:
-    return triax.output_of("bench/verdicts/run.sh", "--seeds", "6")
+    return sampled(triax, "bench/verdicts/run.sh --seeds 6", "bench/verdicts/run.sh --seeds 1 --every 12")
+
+
+def verdicts_unseen(triax) -> str:
+    return sampled(triax, "bench/verdicts/run.sh --from 11 --seeds 2", "bench/verdicts/run.sh --from 11 --seeds 1 --every 12")
 
 
 def detection(triax) -> str:
-    return triax.output_of("bench/detection/run.sh")
+    return sampled(triax, "bench/detection/run.sh", "bench/detection/run.sh --seeds 1 --only SP")
 
 
 def point(triax) -> str:
-    """The first of the two tables; the second is the diagram below it."""
-    return triax.output_of("bash", "-c", "bench/point/run.sh | grep -v '^#'")
+    return timed(triax, "bench/point/run.sh")
+
+
+def stability(triax) -> str:
+    return timed(triax, "bench/stability/run.sh")
+
+
+def apparatus(triax) -> str:
+    return timed(triax, "bench/apparatus/run.sh")

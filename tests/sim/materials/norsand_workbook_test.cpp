@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NorSand against its authors' workbook, whose explicit scheme is done here on top of the law's own
 // functions.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "tests/sim/materials/norsand_paths.hpp"
@@ -158,6 +163,31 @@ TEST_CASE("the converged undrained path is where the workbook goes with finer st
   CHECK(q == Approx(fine).epsilon(4e-4));
   // First order: the error falls with the step.
   CHECK((coarse - q) / (fine - q) == Approx(20).epsilon(0.1));
+}
+
+TEST_CASE("docs/material-point.md prints these peaks") {
+  std::ifstream file("docs/material-point.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  const NorSand law(test::nerlerk());
+  const auto holds = [&](double q_kPa, double eta) {
+    CHECK_THAT(page, Catch::Contains(fmt::format("| {:.2f} | {:.3f} |", q_kPa, eta)));
+  };
+  const Row printed = peak_of(workbook(law, Drainage::undrained, true));
+  const Row right = peak_of(workbook(law, Drainage::undrained, false));
+  const auto converged = [&](auto control) {
+    return peak_on(law, loose(law, 500, 0.108), control).state;
+  };
+  const State watery = converged([](double d) { return undrained_with_water(d, 1e9); });
+  const State undrained = converged([](double d) { return Control::strain_path(d); });
+  holds(printed.q_kPa, printed.q_kPa / printed.p_kPa);
+  holds(right.q_kPa, right.q_kPa / right.p_kPa);
+  holds(watery.q() / 1e3, watery.q() / watery.p());
+  holds(undrained.q() / 1e3, undrained.q() / undrained.p());
+  const double eta = printed.q_kPa / printed.p_kPa;
+  CHECK_THAT(page, Catch::Contains(
+                       fmt::format("{:.1f} % in q and {:.1f} % in η at the undrained peak",
+                                   100 * (undrained.q() / 1e3 / printed.q_kPa - 1),
+                                   100 * (undrained.q() / undrained.p() / eta - 1))));
 }
 
 TEST_CASE("the drained path is where the workbook goes with finer steps") {
