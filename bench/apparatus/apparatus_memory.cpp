@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bench_apparatus_memory [--labels] PROGRAMME [DATABASE]: resident memory of this process while a test of
-// three days runs at a reading a second, with the database if one is named. Drained shear is slowed
-// down until it lasts that long, so that reduction, monitor and recorder work all the time. Prints
-// the hours and kB, and fails if the last is above that of a day by more than kSlack_kb: until
-// then buffers of fixed size (batches of the recorder, pages of SQLite) are touched for the first
-// time.
+// bench_apparatus_memory [--labels] PROGRAMME [DATABASE]: resident memory of this process while a
+// test of three days runs at a reading a second, with the database if one is named. Drained shear
+// is slowed down until it lasts that long, so that reduction, monitor and recorder work all the
+// time. Prints the hours and kB, and fails if the last is above that of a day by more than
+// kSlack_kb: until then buffers of fixed size (batches of the recorder, pages of SQLite) are
+// touched for the first time.
 #include <fmt/format.h>
 #include <unistd.h>
 #include <algorithm>

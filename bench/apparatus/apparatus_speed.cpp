@@ -111,8 +111,7 @@ int main(int argc, char** argv) {
       least_s[k] = std::min(least_s[k], bench::least_seconds(1, subjects[k].second));
   for (std::size_t k = 0; k < std::size(subjects); ++k)
     fmt::print("{:<36}{:>9}{:>20}{:>17}\n", subjects[k].first, bench::timed(least_s[k], 2),
-               bench::timed(simulated_s / least_s[k], 0),
-               bench::timed(least_s[k] / least_s[0], 1));
+               bench::timed(simulated_s / least_s[k], 0), bench::timed(least_s[k] / least_s[0], 1));
   volatile double kept = sink;
   static_cast<void>(kept);
 }

@@ -69,7 +69,7 @@ std::optional<double> cheapest(const sim::Law<Space>& law, const Subject& subjec
       const double seconds =
           bench::least_seconds(5, [&] { run(law, start, increments, tolerance); });
       const double ns = seconds * 1e9 / increments;
-      if (!best || ns < best->ns) best = ns;
+      if (!best || ns < *best) best = ns;
     }
   return best;
 }
@@ -92,8 +92,8 @@ void print(const std::string& set, const char* space, const sim::Law<Space>* law
 
 int main(int argc, char** argv) {
   bench::take_labels(argc, argv);
-  fmt::print("{:<28}{:<14}{:>16}{:>17}{:>7}\n", "law", "space", "an increment, ns", "a solution, ns",
-             "ratio");
+  fmt::print("{:<28}{:<14}{:>16}{:>17}{:>7}\n", "law", "space", "an increment, ns",
+             "a solution, ns", "ratio");
   for (const Subject& subject : kSubjects) {
     const auto set = lab::find_material(subject.set);
     print(set.name, "axisymmetric", set.material.axisymmetric.get(), subject);

@@ -10,8 +10,8 @@
 
 namespace triax::bench {
 
-/// Whether the words of the output are asked for and no times (`--labels`, tools/pages): work is done
-/// once, and what the clock says is printed as #.
+/// Whether the words of the output are asked for and no times (`--labels`, tools/pages): work is
+/// done once, and what the clock says is printed as #.
 inline bool only_labels = false;
 
 /// True where the first argument is --labels, which is then noted and passed over.

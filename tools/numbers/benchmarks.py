@@ -12,11 +12,11 @@ def verdicts(triax) -> str:
 
 
 def verdicts_unseen(triax) -> str:
-    return sampled(triax, "bench/verdicts/run.sh --from 11 --seeds 2", "bench/verdicts/run.sh --from 11 --seeds 1 --every 12")
+    return sampled(triax, "bench/verdicts/run.sh --from 11 --seeds 2", "bench/verdicts/run.sh --from 11 --seeds 1 --every 20")
 
 
 def detection(triax) -> str:
-    return sampled(triax, "bench/detection/run.sh", "bench/detection/run.sh --seeds 1 --only SP")
+    return sampled(triax, "bench/detection/run.sh", "bench/detection/run.sh --seeds 1 --only ICU")
 
 
 def point(triax) -> str:

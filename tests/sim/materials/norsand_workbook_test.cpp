@@ -184,10 +184,10 @@ TEST_CASE("docs/material-point.md prints these peaks") {
   holds(watery.q() / 1e3, watery.q() / watery.p());
   holds(undrained.q() / 1e3, undrained.q() / undrained.p());
   const double eta = printed.q_kPa / printed.p_kPa;
-  CHECK_THAT(page, Catch::Contains(
-                       fmt::format("{:.1f} % in q and {:.1f} % in η at the undrained peak",
-                                   100 * (undrained.q() / 1e3 / printed.q_kPa - 1),
-                                   100 * (undrained.q() / undrained.p() / eta - 1))));
+  CHECK_THAT(page,
+             Catch::Contains(fmt::format("{:.1f} % in q and {:.1f} % in η at the undrained peak",
+                                         100 * (undrained.q() / 1e3 / printed.q_kPa - 1),
+                                         100 * (undrained.q() / undrained.p() / eta - 1))));
 }
 
 TEST_CASE("the drained path is where the workbook goes with finer steps") {
