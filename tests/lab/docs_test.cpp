@@ -113,7 +113,7 @@ TEST_CASE("the fault and the operator that are printed are of a programme") {
   const Programme programme = read_programme(joined(lines, "\n"), "docs/programmes.md");
   REQUIRE(programme.faults.size() == 1);
   CHECK(programme.faults[0].until_s == 5400);
-  CHECK(programme.operator_actions.size() == 1);
+  CHECK(programme.operator_actions.size() == 2);
 }
 
 TEST_CASE("the record that is printed is a record") {
