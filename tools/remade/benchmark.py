@@ -11,6 +11,7 @@ import os
 import re
 import shlex
 import subprocess
+import sys
 
 from remade.program import ROOT, Triax
 
@@ -49,6 +50,8 @@ def agrees(label: str, line: str) -> bool:
 def timed(triax, command: str) -> str:
     """A benchmark whose figures depend on the clock."""
     if not triax.checking:
+        if os.getloadavg()[0] > 0.5:
+            sys.stderr.write(f"{command}: the machine does something else (load {os.getloadavg()[0]:.1f}): its times will say little\n")
         return run_now(command)
     labels = triax.output_of(*shlex.split(command), "--labels")
     lines = printed_part(triax.standing).split("\n")
