@@ -31,7 +31,8 @@ def machine() -> str:
 def run_now(command: str) -> str:
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
     day = datetime.date.today()
-    told = f"`{command}`, {day.day} {day:%B %Y}, commit {commit}, {machine()}, load {os.getloadavg()[0]:.1f} before it:"
+    load = f"load {os.getloadavg()[0]:.1f} before it{', raised priority' if os.nice(0) < 0 else ''}"
+    told = f"`{command}`, {day.day} {day:%B %Y}, commit {commit}, {machine()}, {load}:"
     printed = Triax.output_of(*shlex.split(command))
     return f"{told}\n\n{printed}\n<!-- as printed: {digest(printed)} -->"
 
