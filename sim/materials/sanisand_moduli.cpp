@@ -72,29 +72,34 @@ void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
                                    Matrix<Space>& minus) const {
   const auto s = standing(state);
   const auto l = law_.loading(s);
-  const double from = alpha_in(state.memory, size_of(s));
-  const double distance = std::max(s.along - kSanisandRoot * from, 0.0);
+  const double eta = size_of(s);
+  // In first loading to the bit what it is without a memory.
+  const double from_last =
+      eta < state.memory(0) ? kSanisandRoot * distance(state.memory, eta) : s.along;
   const double modulus = 2.0 / 3 * s.p * l.stiffness * (l.bounding - s.along);  // K_p · distance
   // The compliance of isotropic elasticity has the form of its stiffness.
   plus = isotropic_stiffness<Space>(1 / (9 * (law_.bulk_ratio() * l.shear)), 1 / (4 * l.shear));
   minus = plus;
-  const Vector<Space> flow = (distance / modulus) * l.direction;
+  const Vector<Space> flow = (from_last / modulus) * l.direction;
   for (int j = 0; j < kPrincipalAxes<Space>; ++j) {
     Matrix<Space>& loaded = l.normal(j) > 0 ? plus : minus;
     loaded.col(j) += l.normal(j) * flow;
   }
 }
 
-/// α_in along n, √(3/2) its size.
+/// (α − α_in):n √(3/2)
 template <class Space>
-double SanisandModuli<Space>::alpha_in(const Memory& loops, double eta) const {
-  double from = 0;
+double SanisandModuli<Space>::distance(const Memory& loops, double eta) const {
+  double outer = law_.parameters().yield_radius, share = 1, distance = eta - outer;
   for (int k = 0; k < kLoops && eta < loops(2 * k); ++k) {
-    const double back = std::min(eta, loops(2 * k + 1)) - law_.parameters().yield_radius;
-    const double x = (loops(2 * k) - eta) / range();
-    from = x < 1 ? from + x * x * (3 - 2 * x) * (back - from) : back;
+    const double left = loops(2 * k), back = std::min(eta, loops(2 * k + 1));
+    const double x = std::min((left - eta) / range(), 1.0), w = 1 - x * x * (3 - 2 * x);
+    const double size = (left - back) / (left - outer);
+    share *= size * size * size;
+    distance = w * distance + (1 - w) * share * (eta - back);
+    outer = back;
   }
-  return from;
+  return distance;
 }
 
 template <class Space>

@@ -16,21 +16,23 @@ namespace triax::sim {
 /// The yield surface always passes through the stress, α = r − √(2/3) m n with n along r; below a
 /// stress ratio of m α = 0. Fabric is left out.
 ///
-/// K_p grows without bound where α comes near α_in. In first loading α_in = 0. Where |η| = √(3/2)
-/// |r| has turned at `left` and come back as far as `back`, loading again is stiff at first and
-/// softens until it meets the loading that it left:
+/// K_p grows without bound where the distance d = (α − α_in):n vanishes. In first loading d = |η| −
+/// m (times √(2/3); |η| = √(3/2) |r|). Where |η| has turned at `left` and come back as far as
+/// `back`, loading again is stiff and meets the loading that it left:
 ///
-///   α_in = back (1 − w) + w α_in of the loading that was left,   w = 1 − x² (3 − 2x),
-///   x = (left − |η|)/0.2 m, at most 1
+///   d = w d of the loading that was left + (1 − w) s³ (|η| − back),
+///   w = 1 − x² (3 − 2x),  x = (left − |η|)/0.2 m, at most 1,
+///   s = (left − back)/(left − where that loading came from)
 ///
-/// (stress ratios less m, along n). At `left` w = 1: there the old loading goes on as if it had
-/// never been interrupted. Where |η| falls, back = |η|: over a tenth of the base law's elastic
-/// range 2m the answer becomes elastic. A loop within a loop is kept once; not so a loop in that
-/// one, or in one smaller than 0.2 m. Through q = 0 the answer is continuous: α = α_in = 0 there,
-/// N⁺ = N⁻ = C_e, and loading to the other side is first loading.
+/// s = 1 is what the base law does after a reversal; what is small beside the loading that it
+/// interrupts is nearly elastic. At `left` w = 1: there the old loading goes on as if it had never
+/// been interrupted. Where |η| falls, back = |η|, and over a tenth of the base law's elastic range
+/// 2m the answer becomes elastic. A loop within a loop is kept once, s³ being the product of both;
+/// not so a loop in that one, or in one smaller than 0.2 m. Through q = 0 the answer is continuous:
+/// d = 0 there, N⁺ = N⁻ = C_e, and loading to the other side is first loading.
 ///
-/// At the same η α − α_in is never smaller on the way up than on the way down, and R is along r: a
-/// loop of η at constant p′ gives no work.
+/// At the same |η| d is never smaller on the way up than on the way down, and R is along r: a loop
+/// of η at constant p′ gives no work.
 ///
 /// Memory: `left` and `back` of the loop, then those of the loop within it, all as |η|, at
 /// least m; 0 where there is none. Then r where the last step began if |η| fell there, else 0:
@@ -59,7 +61,7 @@ class SanisandModuli : public GeneralisedTriaxial<Space> {
   static constexpr int kLoops = 2, kFalling = 2 * kLoops;
   /// On a yield surface that passes through the stress.
   typename Sanisand<Space>::Standing standing(const State& state) const;
-  double alpha_in(const Memory& loops, double eta) const;
+  double distance(const Memory& loops, double eta) const;
   /// |η|, at least m
   double size_of(const typename Sanisand<Space>::Standing& at) const {
     return std::max(at.ratio.norm() / kSanisandRoot, law_.parameters().yield_radius);

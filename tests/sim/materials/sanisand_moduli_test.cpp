@@ -84,11 +84,11 @@ TEST_CASE("a fall of the stress ratio makes loading stiff until it is where it w
     CHECK(softening(39) > softening(35));
     CHECK(softening(39) < 0.8 * virgin.plus(0, 0) / virgin.minus(0, 0));
     // There the moduli are those of first loading, but for the void ratio, and stay so.
-    const State again = along(material, inside, {40, 40.1});
+    const State again = along(material, inside, {40.1, 40.2});
     CHECK(left(again) == 0);
     CHECK(moduli(material, along(material, inside, {39.999})).plus.isApprox(virgin.plus, 5e-3));
     CHECK(moduli(material, again)
-              .plus.isApprox(moduli(material, along(material, first, {40.1})).plus, 5e-3));
+              .plus.isApprox(moduli(material, along(material, first, {40.2})).plus, 5e-3));
   }
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("a loop within a loop is left for the outer one, and that for the load
     CHECK(left(inner, 1) == Approx(0.35).epsilon(1e-9));
     CHECK(back(inner, 1) == Approx(0.30).epsilon(1e-9));
     CHECK(shear_compliance(material, inner, 1) <
-          0.9 * shear_compliance(material, along(material, first, {40, 20, 32}), 1));
+          0.97 * shear_compliance(material, along(material, first, {40, 20, 32}), 1));
     const State closed = along(material, inner, {36});
     CHECK(left(closed, 1) == 0);
     CHECK(shear_compliance(material, closed, 1) ==
@@ -218,7 +218,7 @@ TEST_CASE("wobbles on the way up leave the undrained peak within 3 %") {
       return largest;
     };
     const double plain = peak(0);
-    for (const double wobble : {0.3, 1.0, 4.0}) {
+    for (const double wobble : {0.3, 1.0, 4.0, 8.0}) {
       INFO("wobbles of " << wobble << " kPa");
       CHECK(peak(wobble) < 1.001 * plain);
       CHECK(peak(wobble) > 0.97 * plain);

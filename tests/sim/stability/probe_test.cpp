@@ -95,6 +95,15 @@ TEST_CASE("finite probes tend to the rate with the norm, in proportion to it") {
       CHECK(probe.stress.norm() == Approx(norm));
       difference[i] = (probe.strain / norm - rate(angle).strain).norm() / rate(angle).strain.norm();
     }
+    // Where it falls, |η| has gone a part of 0.2 m, over which the law becomes elastic.
+    const auto end =
+        make_finite_prober(law, response->state(), ProbeKind::stress, 10)(angle).stress;
+    const double rise = deviator_stress<Axisymmetric>(end) - 0.6 * mean_stress<Axisymmetric>(end);
+    if (rise < 0) {
+      CHECK(difference[1] < 0.6 * difference[0]);
+      CHECK(difference[2] < 0.01);
+      continue;
+    }
     CHECK(difference[0] < 0.2);
     CHECK(difference[1] / difference[0] == Approx(0.1).epsilon(0.25));
     CHECK(difference[2] / difference[1] == Approx(0.1).epsilon(0.1));
