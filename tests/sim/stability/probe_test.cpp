@@ -2,6 +2,7 @@
 #include "sim/stability/probe.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "sim/materials/elastic.hpp"
 #include "tests/sim/stability/stability_states.hpp"
@@ -96,9 +97,9 @@ TEST_CASE("finite probes tend to the rate with the norm, in proportion to it") {
       difference[i] = (probe.strain / norm - rate(angle).strain).norm() / rate(angle).strain.norm();
     }
     // Where it falls, |η| has gone a part of 0.2 m, over which the law becomes elastic.
-    const auto end =
-        make_finite_prober(law, response->state(), ProbeKind::stress, 10)(angle).stress;
-    const double rise = deviator_stress<Axisymmetric>(end) - 0.6 * mean_stress<Axisymmetric>(end);
+    const Vector<Axisymmetric> direction(std::sin(angle), std::cos(angle));
+    const double rise =
+        deviator_stress<Axisymmetric>(direction) - 0.6 * mean_stress<Axisymmetric>(direction);
     if (rise < 0) {
       CHECK(difference[1] < 0.6 * difference[0]);
       CHECK(difference[2] < 0.01);
