@@ -73,7 +73,7 @@ std::optional<Best> cheapest(const sim::Law<Space>& law, const Subject& subject)
       const double error = (*found - *exact).norm() / exact->norm();
       if (error > kLargestError) continue;
       const double seconds =
-          bench::least_seconds(5, [&] { run(law, start, increments, tolerance); });
+          bench::least_thread_seconds(5, [&] { run(law, start, increments, tolerance); });
       const double ns = seconds * 1e9 / increments;
       if (!best || ns < best->ns) best = Best{ns, error, tolerance, increments};
     }
@@ -88,12 +88,12 @@ void print(const std::string& set, const char* space, const sim::Law<Space>* law
     fmt::print("# {} {}: no path of this accuracy\n", set, space);
     return;
   }
-  // In turn, the least of each: what else runs on the machine comes and goes.
+  // In turn, the least of each: what else runs on the machine comes and goes, the clock changes.
   const auto start = law->isotropic(subject.p_pa, subject.void_ratio);
   double ns = best->ns, yardstick = bench::solution_ns();
   for (int round = 0; round < kRounds; ++round) {
-    const double seconds =
-        bench::least_seconds(5, [&] { run(*law, start, best->increments, best->tolerance); });
+    const double seconds = bench::least_thread_seconds(
+        5, [&] { run(*law, start, best->increments, best->tolerance); });
     ns = std::min(ns, seconds * 1e9 / best->increments);
     yardstick = std::min(yardstick, bench::solution_ns());
   }
