@@ -141,19 +141,28 @@ NorSand::NorSand(const NorSandParameters& p) : parameters_(p) {
   check_parameters(p, norsand_table());
 }
 
-double NorSand::critical_void_ratio(double p) const {
+NorSand::CriticalState NorSand::critical_state(double p) const {
   const auto& par = parameters_;
   const double ratio = p / par.critical_pressure_pa;
-  return par.critical_void_ratio -
-         par.critical_slope * (par.critical_exponent == 0 ? std::log(ratio)
-                                                          : std::pow(ratio, par.critical_exponent));
+  if (par.critical_exponent == 0)
+    return {par.critical_void_ratio - par.critical_slope * std::log(ratio), par.critical_slope};
+  const double fall = par.critical_slope * std::pow(ratio, par.critical_exponent);
+  return {par.critical_void_ratio - fall, par.critical_exponent * fall};
 }
 
-double NorSand::critical_slope(double p) const {
+/// λ₀, of a p₀ that stays as it is for a whole path.
+double NorSand::consolidation_slope(double p0) const {
   const auto& par = parameters_;
   if (par.critical_exponent == 0) return par.critical_slope;
-  return par.critical_slope * par.critical_exponent *
-         std::pow(p / par.critical_pressure_pa, par.critical_exponent);
+  struct Kept {
+    double p0 = 0, slope = 0, exponent = 0, pressure = 0, of_p0 = 0;
+  };
+  thread_local Kept kept;
+  if (kept.p0 != p0 || kept.slope != par.critical_slope || kept.exponent != par.critical_exponent ||
+      kept.pressure != par.critical_pressure_pa)
+    kept = {p0, par.critical_slope, par.critical_exponent, par.critical_pressure_pa,
+            critical_state(p0).slope};
+  return kept.of_p0;
 }
 
 double NorSand::shear_modulus(double p) const {
@@ -161,46 +170,52 @@ double NorSand::shear_modulus(double p) const {
          std::pow(p / parameters_.shear_modulus_pressure_pa, parameters_.shear_modulus_exponent);
 }
 
-double NorSand::bulk_modulus(double p) const {
+double NorSand::bulk_ratio() const {
   const double nu = parameters_.poisson_ratio;
-  return 2 * (1 + nu) / (3 * (1 - 2 * nu)) * shear_modulus(p);
+  return 2 * (1 + nu) / (3 * (1 - 2 * nu));
 }
 
 double NorSand::hardening(const State& state) const {
-  return std::max(
-      parameters_.hardening_modulus - parameters_.hardening_state_slope * state_parameter(state),
-      10.0);
+  const double slope = parameters_.hardening_state_slope;
+  const double fall = slope == 0 ? 0 : slope * state_parameter(state);
+  return std::max(parameters_.hardening_modulus - fall, 10.0);
 }
 
-NorSand::Image NorSand::image(double p, double void_ratio, double image_pressure, double p0) const {
+/// Without largest_ratio.
+NorSand::Image NorSand::image_at(double p, double void_ratio, double image_pressure,
+                                 double p0) const {
   const auto& par = parameters_;
   const double m = par.critical_stress_ratio;
   Image i;
   i.ratio = image_pressure / p;
-  i.state_parameter = void_ratio - critical_void_ratio(image_pressure);
-  i.dilatancy = par.state_dilatancy / (1 - critical_slope(p0) * par.state_dilatancy / m);
+  const auto critical = critical_state(image_pressure);
+  i.critical_slope = critical.slope;
+  i.state_parameter = void_ratio - critical.void_ratio;
+  i.dilatancy = par.state_dilatancy / (1 - consolidation_slope(p0) * par.state_dilatancy / m);
   i.stress_ratio = m - i.dilatancy * par.volumetric_coupling * std::abs(i.state_parameter);
-  const double least_dilatancy = i.dilatancy * i.state_parameter;
-  i.largest_ratio = std::exp(-least_dilatancy / i.stress_ratio);
-  i.limit = i.stress_ratio - least_dilatancy;
+  i.limit = i.stress_ratio - i.dilatancy * i.state_parameter;
   return i;
 }
 
-NorSand::Image NorSand::image(const State& state) const {
-  return image(state.p(), state.void_ratio, image_pressure(state), state.memory(1));
+NorSand::Image NorSand::image_at(const State& state) const {
+  return image_at(state.p(), state.void_ratio, image_pressure(state), state.memory(1));
 }
 
-double NorSand::restraint(const State& state) const {
+NorSand::Image NorSand::image(const State& state) const {
+  Image i = image_at(state);
+  i.largest_ratio = std::exp(-i.dilatancy * i.state_parameter / i.stress_ratio);
+  return i;
+}
+
+double NorSand::restraint(double skeleton_pa) const {
   const double fluid = parameters_.pore_fluid_bulk_modulus_pa;
-  if (fluid == 0) return 0;
-  const double skeleton = bulk_modulus(state.p());
-  return fluid * skeleton / (fluid + skeleton);
+  return fluid * skeleton_pa / (fluid + skeleton_pa);
 }
 
 double NorSand::cap_softening(const State& state, const Image& i, double restraint_pa) const {
   const double eta = state.q() / state.p();
-  const double share =
-      1 / (1 + i.dilatancy * critical_slope(state.memory(1)) / parameters_.critical_stress_ratio);
+  const double share = 1 / (1 + i.dilatancy * consolidation_slope(state.memory(1)) /
+                                    parameters_.critical_stress_ratio);
   return -eta / i.limit * (i.stress_ratio - eta) * share * restraint_pa / state.p();
 }
 
@@ -210,14 +225,14 @@ double NorSand::image_on_yield(const State& state, double p0, double first) cons
   double x = std::log(first / p);
   for (int k = 0; k < 20; ++k) {
     const double pressure = p * std::exp(x);
-    const Image i = image(p, state.void_ratio, pressure, p0);
+    const Image i = image_at(p, state.void_ratio, pressure, p0);
     const double slope =
         i.stress_ratio -
         (1 + x) * std::copysign(i.dilatancy * parameters_.volumetric_coupling, i.state_parameter) *
-            critical_slope(pressure);
+            i.critical_slope;
     const double step = (i.stress_ratio * (1 + x) - eta) / slope;
     x -= step;
-    if (!(std::abs(step) > 1e-15)) break;
+    if (!(std::abs(step) > 1e-9)) break;  // the next would be of the order of its square
   }
   return p * std::exp(x);
 }
@@ -283,8 +298,8 @@ std::optional<std::string> NorSand::refusal(const State& state, const Rate& rate
   if (constant_q && dp < -kNoRate && (elastic || drained_set)) return kNoInstabilityLine;
   if (elastic && dp < -kGivesWay && dq - eta * dp > kNoRate) return kNoInstabilityLine;
   // Beyond M_i the law dilates, and p′ may rise past a peak of q.
-  const bool contracts = eta < image(state).stress_ratio;
-  if (constant_q && dp > kNoRate && (elastic || contracts)) return kIsotropicLoading;
+  if (constant_q && dp > kNoRate && (elastic || eta < image_at(state).stress_ratio))
+    return kIsotropicLoading;
   const bool backwards = shear_strain(axisymmetric_strain(rate.strain)) < 0;
   if ((eta <= kOnYield && dq < -kNoRate) || (!elastic && backwards)) return kExtension;
   return wrong_drainage(state, rate);
@@ -313,7 +328,7 @@ std::optional<std::string> NorSand::warning(const State& state) const {
 }
 
 double NorSand::yield_distance(const State& state, int) const {
-  const Image i = image(state);
+  const Image i = image_at(state);
   return state.q() / state.p() - i.stress_ratio * (1 + std::log(i.ratio));
 }
 
@@ -325,18 +340,18 @@ void NorSand::settle(State& state, unsigned on_yield) const {
 void NorSand::response(const State& state, Response<Axisymmetric>& out) const {
   StiffnessForm<Axisymmetric>& form = stiffness_form(out);
   const double p = state.p(), q = state.q();
-  const double pressure = image_pressure(state);
-  form.stiffness = isotropic_stiffness<Axisymmetric>(bulk_modulus(p), shear_modulus(p));
+  const double shear = shear_modulus(p), bulk = bulk_ratio() * shear;
+  form.stiffness = isotropic_stiffness<Axisymmetric>(bulk, shear);
   const Image i = image(state);
   const double growth = hardening(state) * (i.largest_ratio - i.ratio) / (i.ratio * i.ratio) +
-                        cap_softening(state, i, restraint(state));  // dp_i/p_i per dε_q^p
+                        cap_softening(state, i, restraint(bulk));  // dp_i/p_i per dε_q^p
   // M_i changes with p_i and, through the void ratio, with any strain: the second part belongs to
   // the trigger. On yield p (1 + ln r) = q/M_i.
   const double fall =
       q / i.stress_ratio *
       std::copysign(i.dilatancy * parameters_.volumetric_coupling, i.state_parameter);
   const Vector<Axisymmetric> flow = shear_and_volume(i.stress_ratio - q / p);
-  form.add_plastic(flow, flow, growth * (p * i.stress_ratio - fall * critical_slope(pressure)));
+  form.add_plastic(flow, flow, growth * (p * i.stress_ratio - fall * i.critical_slope));
   form.trigger[0] -= fall * (1 + state.void_ratio) * identity<Axisymmetric>();
   form.memory_slope[0].setZero(2);
   form.memory_slope[0](0) = growth * state.memory(0);

@@ -90,11 +90,15 @@ class NorSand : public Law<Axisymmetric> {
     return parameters_.critical_stress_ratio;
   }
 
-  double critical_void_ratio(double p) const;
-  /// −de_c/d ln p
-  double critical_slope(double p) const;
+  struct CriticalState {
+    double void_ratio = 0;  ///< e_c
+    double slope = 0;       ///< −de_c/d ln p
+  };
+  CriticalState critical_state(double p) const;
+  double critical_void_ratio(double p) const { return critical_state(p).void_ratio; }
+  double critical_slope(double p) const { return critical_state(p).slope; }
   double shear_modulus(double p) const;
-  double bulk_modulus(double p) const;
+  double bulk_modulus(double p) const { return bulk_ratio() * shear_modulus(p); }
   double state_parameter(const State& state) const {
     return state.void_ratio - critical_void_ratio(state.p());
   }
@@ -104,6 +108,7 @@ class NorSand : public Law<Axisymmetric> {
   /// What follows from the image pressure.
   struct Image {
     double ratio = 0;            ///< r
+    double critical_slope = 0;   ///< −de_c/d ln p at p_i
     double state_parameter = 0;  ///< ψ_i
     double dilatancy = 0;        ///< χ_i
     double stress_ratio = 0;     ///< M_i
@@ -113,14 +118,18 @@ class NorSand : public Law<Axisymmetric> {
   Image image(const State& state) const;
 
   /// K_S; 0 in a set for drained loading.
-  double restraint(const State& state) const;
+  double restraint(const State& state) const { return restraint(bulk_modulus(state.p())); }
   /// S with this K_S (Pa).
   double cap_softening(const State& state, const Image& image, double restraint_pa) const;
 
   static double image_pressure(const State& s) { return s.memory(0) * s.memory(1); }
 
  private:
-  Image image(double p, double void_ratio, double image_pressure, double p0) const;
+  Image image_at(double p, double void_ratio, double image_pressure, double p0) const;
+  Image image_at(const State& state) const;
+  double consolidation_slope(double p0) const;
+  double bulk_ratio() const;  ///< K/G
+  double restraint(double skeleton_pa) const;
   std::optional<std::string> wrong_drainage(const State& state, const Rate& rate) const;
   double image_on_yield(const State& state, double p0, double first) const;
 

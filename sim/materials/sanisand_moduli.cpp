@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/materials/component_names.hpp"
+
 namespace triax::sim {
 namespace {
 
@@ -27,18 +29,13 @@ SanisandModuli<Space>::SanisandModuli(const SanisandParameters& parameters)
 template <class Space>
 PointState<Space> SanisandModuli<Space>::start(const Vector<Space>& stress,
                                                double void_ratio) const {
-  return {stress, void_ratio, Memory::Zero(2 * kSize + 2)};
+  return {stress, void_ratio, Memory::Zero(kFalling + Space::kSize)};
 }
 
 template <class Space>
 std::vector<std::string> SanisandModuli<Space>::memory_names() const {
-  std::vector<std::string> all = law_.memory_names();
-  const auto first = all.begin() + kSize;
-  std::vector<std::string> names(first, first + kSize);
-  for (int i = 0; i < kSize; ++i)
-    names.push_back(std::string(names[static_cast<std::size_t>(i)]).replace(0, 8, "alpha_turn"));
-  names.emplace_back("rising");
-  names.emplace_back("turning");
+  std::vector<std::string> names = {"eta_left_1", "eta_back_1", "eta_left_2", "eta_back_2"};
+  name_components<Space>("ratio_falling", names);
   return names;
 }
 
@@ -46,12 +43,10 @@ template <class Space>
 typename Sanisand<Space>::Standing SanisandModuli<Space>::standing(const State& state) const {
   const double radius = kSanisandRoot * law_.parameters().yield_radius;
   typename Sanisand<Space>::Standing s{.p = state.p(), .void_ratio = state.void_ratio};
-  const Vector<Space> ratio = deviator<Space>(state.stress) / s.p;
-  const double size = ratio.norm();
-  s.n = size > 0 ? Vector<Space>(ratio / size) : compression<Space>();
-  const double length = std::max(size, 1.001 * radius);
-  s.ratio = length * s.n;
-  s.along = length - radius;
+  s.ratio = deviator<Space>(state.stress) / s.p;
+  const double size = s.ratio.norm();
+  s.n = size > 0 ? Vector<Space>(s.ratio / size) : compression<Space>();
+  s.along = std::max(size - radius, 0.0);
   return s;
 }
 
@@ -77,53 +72,71 @@ void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
                                    Matrix<Space>& minus) const {
   const auto s = standing(state);
   const auto l = law_.loading(s);
-  const double distance = std::abs(s.along - state.memory.template head<kSize>().dot(s.n));
+  const double eta = size_of(s);
+  // In first loading to the bit what it is without a memory.
+  const double from_last =
+      eta < state.memory(0) ? kSanisandRoot * distance(state.memory, eta) : s.along;
   const double modulus = 2.0 / 3 * s.p * l.stiffness * (l.bounding - s.along);  // K_p · distance
   // The compliance of isotropic elasticity has the form of its stiffness.
   plus = isotropic_stiffness<Space>(1 / (9 * (law_.bulk_ratio() * l.shear)), 1 / (4 * l.shear));
   minus = plus;
-  const Vector<Space> flow = (distance / modulus) * l.direction;
+  const Vector<Space> flow = (from_last / modulus) * l.direction;
   for (int j = 0; j < kPrincipalAxes<Space>; ++j) {
     Matrix<Space>& loaded = l.normal(j) > 0 ? plus : minus;
     loaded.col(j) += l.normal(j) * flow;
   }
 }
 
-/// How far α lies behind the turning point, as a share of the base law's elastic range 2 m; 0 where
-/// nothing is turning.
+/// (α − α_in):n √(3/2)
 template <class Space>
-double SanisandModuli<Space>::gone_back(const State& state) const {
-  if (state.memory(kTurning) == 0) return 0;
-  const auto s = standing(state);
-  const Vector<Space> way = s.along * s.n - state.memory.template segment<kSize>(kSize);
-  const double range = 2 * kSanisandRoot * law_.parameters().yield_radius;
-  return -state.memory(kRising) * way.dot(s.n) / range;
+double SanisandModuli<Space>::distance(const Memory& loops, double eta) const {
+  double outer = law_.parameters().yield_radius, share = 1, distance = eta - outer;
+  for (int k = 0; k < kLoops && eta < loops(2 * k); ++k) {
+    const double left = loops(2 * k), back = std::min(eta, loops(2 * k + 1));
+    const double x = std::min((left - eta) / range(), 1.0), w = 1 - x * x * (3 - 2 * x);
+    const double size = (left - back) / (left - outer);
+    share *= size * size * size;
+    distance = w * distance + (1 - w) * share * (eta - back);
+    outer = back;
+  }
+  return distance;
+}
+
+template <class Space>
+double SanisandModuli<Space>::reversal(const State& state) const {
+  const auto begin = state.memory.template tail<Space::kSize>();
+  const double size = begin.norm();
+  if (size == 0) return 1;
+  const Vector<Space> ratio = deviator<Space>(state.stress) / state.p();
+  return (begin - ratio).dot(ratio) / size;
 }
 
 template <class Space>
 bool SanisandModuli<Space>::turn(State& state, const PointRate<Space>& rate) const {
   const auto s = standing(state);
-  double& rising = state.memory(kRising);
-  double& turning = state.memory(kTurning);
-  const double back = gone_back(state);
-  const bool reversed = back >= 1;
-  if (reversed) {
-    rising = -rising;
-    state.memory.template head<kSize>() = state.memory.template segment<kSize>(kSize);
-    turning = 0;
-  } else if (back <= 0) {
-    turning = 0;
+  const double eta = size_of(s);
+  Memory& loops = state.memory;
+  int open = 0;
+  bool coming_up = true;
+  for (; open < kLoops && eta < loops(2 * open); ++open) {
+    double& back = loops(2 * open + 1);
+    coming_up = eta > back && loops(2 * open) - back >= range();
+    if (eta > back) continue;
+    back = eta;
+    ++open;
+    break;
   }
+  // Those passed, and those within a loop that goes further back.
+  loops.segment(2 * open, 2 * (kLoops - open)).setZero();
   // ∂f/∂σ : dσ
   const double rise = s.n.dot(rate.stress) - s.n.dot(s.ratio) * trace<Space>(rate.stress) / 3;
-  if (std::abs(rise) <= 1e-9 * rate.stress.norm()) return reversed;
-  const double direction = rise > 0 ? 1 : -1;
-  if (rising == 0) rising = direction;
-  if (direction != rising && turning == 0) {
-    turning = 1;
-    state.memory.template segment<kSize>(kSize) = s.along * s.n;
-  }
-  return reversed;
+  const bool falls = rise < -1e-9 * rate.stress.norm();
+  if (falls && coming_up && open < kLoops) loops.template segment<2>(2 * open).setConstant(eta);
+  if (falls)
+    loops.template tail<Space::kSize>() = s.ratio;
+  else
+    loops.template tail<Space::kSize>().setZero();
+  return false;
 }
 
 template class SanisandModuli<Axisymmetric>;

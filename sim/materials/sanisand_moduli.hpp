@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <algorithm>
+
 #include "sim/materials/generalised_triaxial.hpp"
 #include "sim/materials/sanisand.hpp"
 
@@ -11,13 +13,31 @@ namespace triax::sim {
 ///
 ///   column j = C_e e_j + (n_f·e_j/K_p) R   where ±n_f·e_j > 0,   else C_e e_j
 ///
-/// There is no elastic range: the yield surface always passes through the stress, α = r − √(2/3) m
-/// n with n along r, and below a stress ratio of 1.001 m it is taken as there. Fabric is left out.
+/// The yield surface always passes through the stress, α = r − √(2/3) m n with n along r; below a
+/// stress ratio of m α = 0. Fabric is left out.
 ///
-/// Memory: α_in, α at the last reversal of dη, and the sign of dη since. What goes back by less
-/// than the base law's elastic range, 2 m in η, is no reversal (the turning point is remembered
-/// until it is passed again): to the base law that is elastic, and a real servo's noise of some Pa
-/// would make the specimen stiff anew again and again.
+/// K_p grows without bound where the distance d = (α − α_in):n vanishes. In first loading d = |η| −
+/// m (times √(2/3); |η| = √(3/2) |r|). Where |η| has turned at `left` and come back as far as
+/// `back`, loading again is stiff and meets the loading that it left:
+///
+///   d = w d of the loading that was left + (1 − w) s³ (|η| − back),
+///   w = 1 − x² (3 − 2x),  x = (left − |η|)/0.2 m, at most 1,
+///   s = (left − back)/(left − where that loading came from)
+///
+/// s = 1 is what the base law does after a reversal; what is small beside the loading that it
+/// interrupts is nearly elastic. At `left` w = 1: there the old loading goes on as if it had never
+/// been interrupted. Where |η| falls, back = |η|, and over a tenth of the base law's elastic range
+/// 2m the answer becomes elastic. A loop within a loop is kept once, s³ being the product of both;
+/// not so a loop in that one, or in one smaller than 0.2 m. Through q = 0 the answer is continuous:
+/// d = 0 there, N⁺ = N⁻ = C_e, and loading to the other side is first loading.
+///
+/// At the same |η| d is never smaller on the way up than on the way down, and R is along r: a loop
+/// of η at constant p′ gives no work.
+///
+/// Memory: `left` and `back` of the loop, then those of the loop within it, all as |η|, at
+/// least m; 0 where there is none. Then r where the last step began if |η| fell there, else 0:
+/// where |η| stops falling within a step, as at q = 0, is isolated by reversal(), (r_begin −
+/// r):r/|r_begin|.
 template <class Space>
 class SanisandModuli : public GeneralisedTriaxial<Space> {
  public:
@@ -33,17 +53,21 @@ class SanisandModuli : public GeneralisedTriaxial<Space> {
   std::optional<std::string> warning(const State& state) const override {
     return law_.warning(state);
   }
-  double reversal(const State& state) const override { return 1 - gone_back(state); }
+  double reversal(const State& state) const override;
   bool turn(State& state, const PointRate<Space>& rate) const override;
   std::optional<double> limit_stress_ratio() const override { return law_.limit_stress_ratio(); }
 
  private:
-  static constexpr int kSize = Space::kSize;
-  // Of the memory, behind α_in and α at the turning point.
-  static constexpr int kRising = 2 * kSize, kTurning = kRising + 1;
+  static constexpr int kLoops = 2, kFalling = 2 * kLoops;
   /// On a yield surface that passes through the stress.
   typename Sanisand<Space>::Standing standing(const State& state) const;
-  double gone_back(const State& state) const;
+  double distance(const Memory& loops, double eta) const;
+  /// |η|, at least m
+  double size_of(const typename Sanisand<Space>::Standing& at) const {
+    return std::max(at.ratio.norm() / kSanisandRoot, law_.parameters().yield_radius);
+  }
+  /// Fall of |η| over which the answer becomes elastic.
+  double range() const { return 0.2 * law_.parameters().yield_radius; }
 
   Sanisand<Space> law_;
 };

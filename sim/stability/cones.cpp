@@ -173,9 +173,12 @@ Circle probe_circle(const Prober& prober, const CircleOptions& options) {
   refinement.find_minima();
   refinement.find_edges();
   circle.cones = cones_of(refinement.probes());
+  // Opposite directions of a linear answer are alike: the first of them, whatever round-off says.
+  constexpr double kAlike = 1e-12;
   bool any = false;
   for (const Probe& p : refinement.probes())
-    if (p.answered && (!std::exchange(any, true) || p.normalised < circle.least.normalised))
+    if (p.answered &&
+        (!std::exchange(any, true) || p.normalised < circle.least.normalised - kAlike))
       circle.least = p;
   if (options.keep_probes) circle.probes = std::move(refinement.probes());
   return circle;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loads that are put on and taken off at once, under the eyes of the supervision.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "tests/lab/rig/rig_text.hpp"
 
@@ -22,8 +24,9 @@ struct Stepped {
   std::vector<Reading> readings;
   std::string warnings;
 
-  Stepped(const std::string& stages, const std::string& rig = kMassesAtRest) {
-    VirtualRig virtual_rig(test::rig_programme(stages, rig, 1, "sanisand/S28-general"));
+  Stepped(const std::string& stages, const std::string& rig = kMassesAtRest,
+          const std::string& material = "sanisand/S28-general") {
+    VirtualRig virtual_rig(test::rig_programme(stages, rig, 1, material));
     readings = test::all_readings(virtual_rig);
     for (const Warning& warning : virtual_rig.header().warnings) warnings += warning.text + "\n";
   }
@@ -70,4 +73,42 @@ TEST_CASE("a mass that the load cell does not show is a load astray") {
                          "[[faults]]\ndevice = \"axial_force\"\nkind = \"drift\"\nfrom_s = "
                          "61.0\ndrift_N_per_min = 40.0\n");
   CHECK_THAT(drifting.warnings, Contains("instead of the 20.0 N prescribed"));
+}
+
+TEST_CASE("INL2 under masses put on in steps carries its monotonic peak, its strain growing") {
+  const std::string frame = "[rig.frame]\ntravel_mm = 24.0\n";
+  for (const std::string law : {"inl2/S28-general", "octolinear/S28-general"}) {
+    const Stepped plain(test::shear_stage("closed", "displacement", "axial_rate_mm_per_min = 0.2\n",
+                                          "\"axial_strain_pct\", above = 1.0"),
+                        frame, law);
+    double peak = 0;
+    for (const Reading& r : plain.readings) peak = std::max(peak, r[Quantity::axial_force]);
+
+    // N; each rings by as much again. What rings by a third of the load takes something away.
+    for (const auto& [step, within] : {std::pair(5.0, 0.03), std::pair(20.0, 0.06)}) {
+      std::string stages;
+      int count = 0;
+      for (double load = 0; load < 1.1 * peak; ++count) {
+        const double next = load < 120 ? step : 2;
+        load += next;
+        stages +=
+            test::shear_stage("closed", "dead_load", "load_step_N = " + std::to_string(next) + "\n",
+                              "\"time_min\", above = 0.1");
+      }
+      const Stepped stepped(stages, frame, law);
+      double carried = 0, before = -1;
+      for (int stage = 1; stage <= count; ++stage) {
+        const auto some = test::of_stage(stepped.readings, stage);
+        if (some.empty()) break;
+        const double strained = some.back()[Quantity::axial_displacement];
+        INFO(law << ", steps of " << step << " N, step " << stage);
+        CHECK(strained > before - 5e-6);  // m
+        before = strained;
+        carried = std::max(carried, stepped.force(stage));
+      }
+      INFO(law << ", steps of " << step << " N");
+      CHECK(carried < 1.03 * peak);
+      CHECK(carried + 2 > (1 - within) * peak);  // the next step was 2 N
+    }
+  }
 }

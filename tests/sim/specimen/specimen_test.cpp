@@ -164,8 +164,8 @@ namespace {
 
 void check_same(const SpecimenState& state, const PointStep<Axisymmetric>& point) {
   const double p = point.state.p();
-  CHECK(std::abs(state.material.p() - p) < 1e-9 * p);
-  CHECK(std::abs(state.material.q() - point.state.q()) < 1e-9 * p);
+  CHECK(std::abs(state.material.p() - p) < 2e-9 * p);
+  CHECK(std::abs(state.material.q() - point.state.q()) < 2e-9 * p);
   CHECK(std::abs(state.material.void_ratio - point.state.void_ratio) < 1e-9);
   CHECK(std::abs(std::log(0.14 / state.height_m) - point.strain_increment(0)) < 1e-9);
 }
@@ -205,12 +205,7 @@ TEST_CASE("without imperfections the specimen is the bare material point") {
     CHECK(s.material.q() == Approx(0).margin(1e-4));
     const auto point =
         follow(specimen, start.material, MixedControl<Axisymmetric>::stress_path(100e3, 0));
-    // INL2's moduli for compression and extension differ at q = 0: its own path depends on the sign
-    // that round-off gives q, by up to 3e-7 of void ratio from one tolerance to the next.
-    if (dynamic_cast<const Interpolated<Axisymmetric>*>(law.get()) == nullptr)
-      check_same(s, point);
-    else
-      CHECK(s.material.void_ratio == Approx(point.state.void_ratio).margin(4e-7));
+    check_same(s, point);
     CHECK(s.material.p() == Approx(200e3).epsilon(1e-9));
   }
   SECTION("consolidation at a constant ratio of stresses") {

@@ -2,6 +2,7 @@
 #include "sim/stability/probe.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "sim/materials/elastic.hpp"
 #include "tests/sim/stability/stability_states.hpp"
@@ -94,6 +95,15 @@ TEST_CASE("finite probes tend to the rate with the norm, in proportion to it") {
       REQUIRE(probe.answered);
       CHECK(probe.stress.norm() == Approx(norm));
       difference[i] = (probe.strain / norm - rate(angle).strain).norm() / rate(angle).strain.norm();
+    }
+    // Where it falls, |η| has gone a part of 0.2 m, over which the law becomes elastic.
+    const Vector<Axisymmetric> direction(std::sin(angle), std::cos(angle));
+    const double rise =
+        deviator_stress<Axisymmetric>(direction) - 0.6 * mean_stress<Axisymmetric>(direction);
+    if (rise < 0) {
+      CHECK(difference[1] < 0.6 * difference[0]);
+      CHECK(difference[2] < 0.01);
+      continue;
     }
     CHECK(difference[0] < 0.2);
     CHECK(difference[1] / difference[0] == Approx(0.1).epsilon(0.25));
