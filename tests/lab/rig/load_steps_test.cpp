@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "lab/rig/session.hpp"
 #include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax::lab;
@@ -70,4 +71,26 @@ TEST_CASE("a mass that the load cell does not show is a load astray") {
                          "[[faults]]\ndevice = \"axial_force\"\nkind = \"drift\"\nfrom_s = "
                          "61.0\ndrift_N_per_min = 40.0\n");
   CHECK_THAT(drifting.warnings, Contains("instead of the 20.0 N prescribed"));
+}
+
+TEST_CASE("steps of dead load, undrained: each settles until one does not, and that is the onset") {
+  const auto [count, step_n] = GENERATE(
+      table<int, double>({std::tuple(60, 5.0), std::tuple(16, 20.0), std::tuple(8, 50.0)}));
+  std::string stages;
+  for (int i = 0; i < count; ++i)
+    stages += test::shear_stage("closed", "dead_load", "load_step_N = " + std::to_string(step_n),
+                                kOneMinute);
+  INFO("steps of " << step_n << " N");
+  // Where masses swing the law stiffens: a wobble is a reversal to it.
+  const std::string damped = "[rig.frame]\nmoving_mass_kg = 5.0\ndamping_N_s_per_m = 5000.0\n";
+  VirtualRig rig(test::rig_programme(stages, damped, 1, "sanisand/S28-general"));
+  const TestSummary seen = run_session(rig, {});
+  const Truth& truth = *seen.truth;
+  REQUIRE(truth.lost_sustainability);
+  CHECK(truth.run_aways.back().end == RunAwayEnd::end_of_travel);
+  CHECK(*truth.time_s == Approx(truth.run_aways.back().start_s).margin(1));
+  REQUIRE(seen.collapse.kind == CollapseKind::flow);
+  CHECK(*seen.collapse.onset->time_s == Approx(*truth.time_s).margin(1));
+  // The step that was too large goes past the state at which second-order work vanishes.
+  CHECK(*seen.collapse.onset->axial_strain <= *truth.axial_strain + 0.005);
 }
