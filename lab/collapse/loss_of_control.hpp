@@ -44,6 +44,8 @@ class LossOfControl : public CollapseCriterion {
   const std::optional<Finding>& found() const { return finding_; }
   /// The finding, where control was lost for all that is known.
   std::optional<Finding> lost() const;
+  /// |q| at the last reading of its stage that was seen, Pa; NaN before there is any.
+  double q_after() const { return after_.last; }
   /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a
   /// specimen that had carried its stage until then.
   bool sudden() const { return fall_.has_value(); }
@@ -90,7 +92,8 @@ class LossOfControl : public CollapseCriterion {
     bool under_load = false;  ///< the burst came so
     bool over = false;        ///< its stage is
     int readings = 0;
-    double least = 0, last = 0;  ///< |q|
+    double least = 0;
+    double last = kMissing;  ///< |q|
     double first_load = 0, load = 0, least_load = 0;
   } after_;  ///< the burst
   std::optional<Fall> fall_;

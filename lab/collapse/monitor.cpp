@@ -235,6 +235,7 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
                   .loss_of_control = lost,
+                  .q_after_loss = control.q_after(),
                   .fall = falls ? fall : std::nullopt,
                   .fall_work = falls ? fall_work : std::nullopt,
                   .control_peak = control_peak.finding(),
