@@ -127,7 +127,8 @@ void check_onset(const Subject& s, const Fault& f, const Outcome& out) {
   if (*onset.time_s <= f.from_s + 1) return;
   REQUIRE(leaves_the_axis(s, f));
   REQUIRE_FALSE(falls.empty());
-  CHECK(*onset.time_s == Approx(falls.back().start_s).margin(2));
+  // Where it drains it falls as slowly as the water goes.
+  CHECK(*onset.time_s > falls.back().start_s - 2);
   if (f.device == "pore_pressure") CHECK_FALSE(onset.eta());
 }
 
