@@ -17,7 +17,7 @@ std::unique_ptr<CollapseCriterion> make() {
 
 constexpr auto kCriteria = std::to_array<CriterionRow>({
     {"second_order_work", "nowhere negative with statistical significance", make<SecondOrderWork>},
-    {"loss_of_control", "no loss of control detected", make<LossOfControl>},
+    {LossOfControl::kName, "no loss of control detected", make<LossOfControl>},
     {"control_peak", "no peak of the control variable", make<ControlPeak>},
 });
 

@@ -46,6 +46,16 @@ void LossOfControl::start_stage(const StageInfo* stage) {
 }
 
 void LossOfControl::add_state(const State& state, bool has_time) {
+  ++whole_;
+  add(state, has_time);
+}
+
+void LossOfControl::add_axis(const State& state, bool has_time) {
+  whole_ = 0;
+  add(state, has_time);
+}
+
+void LossOfControl::add(const State& state, bool has_time) {
   const State before = std::exchange(before_, state);
   if (finding_) follow(state);
   if (control_ == AxialControl::displacement || finding_) return;
@@ -59,7 +69,7 @@ void LossOfControl::add_state(const State& state, bool has_time) {
 }
 
 void LossOfControl::follow(const State& state) {
-  if (after_.over) return;
+  if (after_.over || std::isnan(state.q)) return;
   const double q = std::fabs(state.q), before = std::fabs(finding_->instant.q_pa.value_or(0));
   if (after_.readings++ == 0) {
     after_.under_load = control_ == AxialControl::load;
@@ -76,6 +86,7 @@ void LossOfControl::follow(const State& state) {
   after_ = {};
   // The rates of this stage are others now: they are learned anew.
   count_ = steps_ = 0;
+  held_count_ = 0;
   largest_rate_ = mean_rate_ = mean_pore_rate_ = 0;
 }
 
@@ -113,9 +124,10 @@ std::optional<Finding> LossOfControl::lost() const {
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
   const double q = std::fabs(state.q);  // in extension as in compression
-  if (count_ <= kReference) {
+  if (std::isnan(q)) return;
+  if (held_count_ < kReference) {
     const double change = q - q_mean_;
-    q_mean_ += change / static_cast<double>(count_);
+    q_mean_ += change / ++held_count_;
     q_square_ += change * (q - q_mean_);
     return;
   }
@@ -155,7 +167,8 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
   recent_.back() = state;
   if (steps_ < kReference) return;
   if (!finding_) check_strain_burst(has_time);
-  if (!finding_ && control_ != AxialControl::unknown) check_pore_burst(has_time);
+  const bool knows_pore = control_ != AxialControl::unknown && whole_ >= kRecent;
+  if (!finding_ && knows_pore) check_pore_burst(has_time);
 }
 
 /// A displacement that was set to zero between two stages leaps too, but q does not.

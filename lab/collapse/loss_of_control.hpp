@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "lab/collapse/criterion.hpp"
 
@@ -30,14 +31,21 @@ namespace triax::lab {
 /// fastest step so far, while q falls by more than 5 %: no frame does that.
 class LossOfControl : public CollapseCriterion {
  public:
+  static constexpr std::string_view kName = "loss_of_control";
+
   void start_stage(const StageInfo* stage) override;
   void add_state(const State& state, bool has_time) override;
+  /// A state of which only what the axis did can be believed: q may be unknown (NaN), and the pore
+  /// pressure is not looked at.
+  void add_axis(const State& state, bool has_time);
   /// Not detected where a load was carried on.
   std::optional<Finding> finding() const override;
   std::string blind() const override;
   const std::optional<Finding>& found() const { return finding_; }
   /// The finding, where control was lost for all that is known.
   std::optional<Finding> lost() const;
+  /// |q| at the last reading of its stage that was seen, Pa; NaN before there is any.
+  double q_after() const { return after_.last; }
   /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a
   /// specimen that had carried its stage until then.
   bool sudden() const { return fall_.has_value(); }
@@ -48,6 +56,7 @@ class LossOfControl : public CollapseCriterion {
   const std::optional<Fall>& fall() const { return fall_; }
 
  private:
+  void add(const State& state, bool has_time);
   void follow(const State& state);
   bool carried_on() const;
   static double carried_load(const State& state);
@@ -67,10 +76,12 @@ class LossOfControl : public CollapseCriterion {
   Drainage drainage_ = Drainage::unknown;
   AxialControl control_ = AxialControl::displacement;
   std::int64_t count_ = 0;
+  int held_count_ = 0;  ///< readings of q_mean_
   double q_mean_ = 0, q_square_ = 0;
   int below_ = 0;  ///< successive readings at which the held q is missing
   State first_below_;
   std::array<State, kRecent> recent_{};
+  int whole_ = 0;            ///< readings since the last of the axis only
   double largest_rate_ = 0;  ///< of the axial strain from one reading to the next
   double mean_rate_ = 0;  ///< of the axial strain before the recent readings, per s or per reading
   double mean_pore_rate_ = 0;  ///< of the pore pressure beyond what is asked, likewise
@@ -81,7 +92,8 @@ class LossOfControl : public CollapseCriterion {
     bool under_load = false;  ///< the burst came so
     bool over = false;        ///< its stage is
     int readings = 0;
-    double least = 0, last = 0;  ///< |q|
+    double least = 0;
+    double last = kMissing;  ///< |q|
     double first_load = 0, load = 0, least_load = 0;
   } after_;  ///< the burst
   std::optional<Fall> fall_;

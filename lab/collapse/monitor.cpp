@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lab/base/listeners.hpp"
@@ -91,6 +92,12 @@ CollapseMonitor::~CollapseMonitor() = default;
 
 void CollapseMonitor::watch(const State& state) {
   if (complete(state)) impl_->watch(state);
+}
+
+void CollapseMonitor::watch_axis(const State& state) {
+  if (!impl_->stage || *impl_->stage != state.stage) impl_->start_stage(state);
+  if (is_watched(impl_->header.stage(state.stage)))
+    impl_->control.add_axis(state, impl_->header.has_time);
 }
 
 void CollapseMonitor::Impl::start_stage(const State& state) {
@@ -228,6 +235,7 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
                   .loss_of_control = lost,
+                  .q_after_loss = control.q_after(),
                   .fall = falls ? fall : std::nullopt,
                   .fall_work = falls ? fall_work : std::nullopt,
                   .control_peak = control_peak.finding(),
@@ -245,6 +253,18 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
 }
 
 Collapse CollapseMonitor::so_far() const { return impl_->verdict_so_far(); }
+
+Collapse CollapseMonitor::of_the_axis() const {
+  std::vector<Criterion> criteria = no_criteria("not judged");
+  for (const Criterion& one : impl_->criteria.criteria())
+    if (one.name == LossOfControl::kName)
+      *std::ranges::find(criteria, one.name, &Criterion::name) = one;
+  return verdict({.loss_of_control = impl_->control.lost(),
+                  .first_state = impl_->first_state,
+                  .limit = impl_->limit,
+                  .has_time = impl_->header.has_time},
+                 std::move(criteria));
+}
 
 Collapse CollapseMonitor::finish() {
   impl_->end_stage();

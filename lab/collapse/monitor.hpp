@@ -30,12 +30,17 @@ class CollapseMonitor {
   CollapseMonitor& operator=(const CollapseMonitor&) = delete;
 
   void watch(const State& state);
+  /// Of this state what the axis did is known, and nothing else need be: LossOfControl.
+  void watch_axis(const State& state);
   /// States are missing here: no window reaches across, and no onset is placed in between.
   void interrupt();
   /// No more states will come; gives the verdict on all that was seen.
   Collapse finish();
   /// The verdict as it stands now, without closing the windows that are open.
   Collapse so_far() const;
+  /// The verdict if nothing but a loss of control is believed: a specimen that ran away did so
+  /// whatever became of its pore pressure, its volume and the valve.
+  Collapse of_the_axis() const;
   /// The largest q seen in shear.
   std::optional<Instant> peak() const;
   /// Cycles of load, where there were any.

@@ -97,6 +97,15 @@ bool is_cyclic(const Evidence& e) {
   return loading && loading->cycles >= kCycles;
 }
 
+/// What began as a descent ended in a fall.
+void take_fall_after(const Evidence& e, Collapse& c) {
+  if (c.kind != CollapseKind::partial || !e.loss_of_control || is_cyclic(e)) return;
+  const double lost = 1 - e.q_after_loss / std::fabs(*c.onset->q_pa);
+  if (!(lost >= kFlowLoss)) return;
+  c.kind = CollapseKind::flow;
+  c.strength_lost = lost;
+}
+
 /// Strength was lost that no window of readings saw go.
 void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
   const std::string lost =
@@ -183,6 +192,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
     c.kind = CollapseKind::flow;
     c.onset = e.loss_of_control->instant;
   }
+  take_fall_after(e, c);
   const bool by_backbone = !c.onset && few;
   if (by_backbone) take_backbone(e, *e.backbone, c);
   if (few && c.onset && is_late(*c.onset, *e.backbone))

@@ -8,25 +8,18 @@
 
 namespace triax::lab {
 
-void ClosedDrainage::open(const Reading& believed) {
-  ClosedDrainage anew(volume_m3_);
-  anew.back_ = back_;
-  const double volume = believed[Quantity::back_volume];
-  const bool moved = !std::isnan(gauge_) && !std::isnan(volume) && volume != gauge_;
-  anew.gauge_ = std::isnan(volume) ? gauge_ : volume;
-  anew.gauge_rested_ = moved ? 0 : gauge_rested_ + 1;
-  *this = std::move(anew);
-}
-
-void ClosedDrainage::conclude(std::int64_t last, std::string reason) {
-  if (doubt_ && doubt_->last <= last) return;
-  doubt_ = Doubt{last, std::move(reason)};
+void ClosedDrainage::open() {
+  const double back = back_;
+  *this = ClosedDrainage(volume_m3_);
+  back_ = back;
 }
 
 void ClosedDrainage::add(const Reading& believed, const State& state) {
   mark_ = false;
   look_for_water(believed);
   look_at_pore_pressure(believed, state);
+  // What was found before the first of the suspicions is what may have to be kept.
+  if (suspicion()) mark_ = false;
   before_ = believed.number;
 }
 
@@ -36,18 +29,18 @@ void ClosedDrainage::look_for_water(const Reading& believed) {
   if (stage_ != believed.stage) start_volume_ = volume;
   stage_ = believed.stage;
   const double flowed = volume - start_volume_;
-  most_flowed_ = std::max(most_flowed_, std::fabs(flowed));
   if (std::fabs(flowed) <= kWater * volume_m3_) {
     wet_ = 0;
     return;
   }
   if (++wet_ == 1) dry_until_ = before_;
-  if (wet_ < 2) return;
+  if (wet_ < 2 || doubt_) return;
   // A gauge that comes late shows the water after the pore pressure did.
-  conclude(returning_ ? std::min(turned_, dry_until_) : dry_until_,
-           fmt::format("water flows although the valve is closed ({:.0f} mm3): it does not close, "
-                       "something leaks, or the volume gauge drifts",
-                       flowed * 1e9));
+  doubt_ =
+      Doubt{returning_ ? std::min(turned_, dry_until_) : dry_until_,
+            fmt::format("water flows although the valve is closed ({:.0f} mm3): it does not close, "
+                        "something leaks, or the volume gauge drifts",
+                        flowed * 1e9)};
 }
 
 void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State& state) {
@@ -76,6 +69,7 @@ void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State&
 
 void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t number) {
   if (size >= largest_) {
+    if (size > largest_ && largest_ >= kWorth * start_p_eff_) returned_.reset();
     largest_ = size;
     returning_ = false;
     back_from_.reset();
@@ -83,6 +77,7 @@ void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t n
     return;
   }
   if (largest_ < kWorth * start_p_eff_) return;
+  if (size > kNear * largest_) returned_.reset();
   if (size < kTurned * largest_ && !std::exchange(returning_, true)) {
     mark_ = true;
     turned_ = before_;
@@ -94,11 +89,11 @@ void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t n
     back_from_ = number;
   const bool rests =
       back_from_ && number - *back_from_ >= std::max(kLeastRest, *back_from_ - turned_);
-  if (!is_silent_near(size, total_p) && !rests) return;
-  conclude(turned_,
-           fmt::format("the pore pressure returned to the back pressure, from {:.1f} kPa away, and "
-                       "stays there: the valve is open",
-                       largest_ / 1e3));
+  if ((!is_silent_near(size, total_p) && !rests) || returned_) return;
+  returned_ = Doubt{
+      turned_, fmt::format("the pore pressure returned to the back pressure, from {:.1f} kPa away, "
+                           "and stays there: the valve is open",
+                           largest_ / 1e3)};
 }
 
 bool ClosedDrainage::is_silent_near(double size, double total_p) {
@@ -114,16 +109,18 @@ bool ClosedDrainage::is_silent_near(double size, double total_p) {
 
 void ClosedDrainage::look_for_silence(double total_p) {
   const double loading = std::fabs(total_p - start_p_);
-  const bool dry =
-      gauge_rested_ < kLive && !std::isnan(start_volume_) && most_flowed_ <= kDry * volume_m3_;
-  if (answered_ || dry || !(loading >= kLoading * start_p_eff_)) return;
+  if (answered_ || !(loading >= kLoading * start_p_eff_)) return;
   answered_ =
       std::max(largest_, largest_alone_) >= std::min(kAnswer * loading, kWorth * start_p_eff_);
-  if (answered_) return;
-  conclude(start_,
-           fmt::format("the pore pressure stayed at the back pressure while the mean total stress "
-                       "changed by {:.1f} kPa: the valve is open, or the specimen not saturated",
-                       loading / 1e3));
+  if (answered_) {
+    silent_.reset();
+  } else if (!silent_) {
+    silent_ = Doubt{
+        start_,
+        fmt::format("the pore pressure stayed at the back pressure while the mean total stress "
+                    "changed by {:.1f} kPa: the valve is open, or the specimen not saturated",
+                    loading / 1e3)};
+  }
 }
 
 }  // namespace triax::lab

@@ -15,30 +15,29 @@ namespace triax::lab {
 ///   the volume V_b of the back-pressure controller stands still,  |V_b − V_b,start| ≤ kWater V
 ///   the pore pressure leaves the back pressure,                   d = (u − u_b) − (u − u_b)_start
 /// A valve is open, or something leaks, where
-///   water   V_b moves by more than that;
+///   water   V_b moves by more than that: a doubt at once, and for good;
 ///   return  |d| was kWorth p′_0 or more, came back to a tenth of its largest and rests there, for
 ///           as long as it took to come back, and kLeastRest readings: through an open valve u
 ///           comes to u_b and stays, while a specimen that dilates passes it by;
 ///   silence the mean total stress p = σ_c + q/3 changed by kLoading p′_0 and |d| not by kAnswer of
 ///           that, nor did it reach kWorth p′_0: a saturated specimen answers with B, of nearly 1.
 ///           A controller that holds its volume, which then stands still, instead of its pressure
-///           goes along with u: there the change of u itself is the answer. Nothing follows from
-///           silence where V_b moved until the valve was shut, within kLive readings, and stood
-///           still from then on, within kDry of the volume: that gauge lives, and it is dry. A
-///           loose specimen with air in its pores contracts by as much as a falling cell pressure
-///           lets the air expand, and u rests.
-/// The last two are known late. The verdict then ends where |d| began to shrink, or where the valve
-/// was shut. Where the back pressure is not read its last value stands, the value of u at the start
-/// if there was none; p and p′_0 are those of the first reading at which they are known. Slow
-/// leaks, which let u build up, only the volume shows.
+///           goes along with u: there the change of u itself is the answer.
+/// The last two are suspicions, known late: if they last until the valve is opened or the record
+/// ends, the verdict ends where |d| began to shrink, or where the valve was shut. They are lifted
+/// where u leaves the back pressure after all, by kNear of its largest |d| or by kWorth p′_0, as
+/// through an open valve it does not: a loose specimen with air in its pores contracts by as much
+/// as a falling cell pressure lets the air expand, and u rests until it collapses. Where the back
+/// pressure is not read its last value stands, the value of u at the start if there was none; p and
+/// p′_0 are those of the first reading at which they are known. Slow leaks, which let u build up,
+/// only the volume shows.
 class ClosedDrainage {
  public:
-  static constexpr double kWater = 5e-4, kDry = 2e-5;
+  static constexpr double kWater = 5e-4;
   static constexpr double kWorth = 0.05, kTurned = 0.9, kNotTurned = 0.95, kNear = 1.0 / 3,
                           kBack = 0.1;
   static constexpr std::int64_t kLeastRest = 10;
   static constexpr double kLoading = 0.15, kAnswer = 0.2;
-  static constexpr std::int64_t kLive = 10;
 
   struct Doubt {
     std::int64_t last = -1;  ///< last reading at which the specimen was undrained: the one before a
@@ -50,17 +49,19 @@ class ClosedDrainage {
   explicit ClosedDrainage(double volume_m3) : volume_m3_(volume_m3) {}
 
   /// The programme has the valve open; `believed` as below.
-  void open(const Reading& believed);
+  void open();
   /// The programme has it shut; `believed` lacks what cannot be believed, and so does `state`: q
   /// and p′ are NaN where a channel behind them is wrong. Pre-condition: numbers ascend.
   void add(const Reading& believed, const State& state);
 
   /// V_b was off when it was last read: water, or a stray reading.
   bool wet() const { return wet_ > 0; }
-  /// A doubt that comes later may reach back to just before the last reading.
+  /// A suspicion that comes later may reach back to just before the last reading.
   bool is_mark() const { return mark_; }
-  /// Why the specimen is not undrained; remains until the valve is open.
+  /// Water shows that the specimen is not undrained; remains until the valve is open.
   const std::optional<Doubt>& doubt() const { return doubt_; }
+  /// The pore pressure has it that it is not; may be lifted by readings to come.
+  const std::optional<Doubt>& suspicion() const { return returned_ ? returned_ : silent_; }
 
  private:
   void look_for_water(const Reading& believed);
@@ -68,21 +69,16 @@ class ClosedDrainage {
   void look_for_silence(double total_p);
   void look_for_return(double size, double total_p, std::int64_t number);
   bool is_silent_near(double size, double total_p);
-  void conclude(std::int64_t last, std::string reason);
 
   double volume_m3_;
   bool shut_ = false, mark_ = false;
   std::int64_t before_ = -1;  ///< reading before the last
-  std::optional<Doubt> doubt_;
+  std::optional<Doubt> doubt_, returned_, silent_;
 
   std::optional<int> stage_;
   double start_volume_ = NAN;
   int wet_ = 0;
   std::int64_t dry_until_ = -1;  ///< reading before the first wet one
-
-  double most_flowed_ = 0;             ///< since the valve was shut, |V_b − V_b,0|
-  double gauge_ = NAN;                 ///< V_b when last read with the valve open
-  std::int64_t gauge_rested_ = kLive;  ///< readings with the valve open since it moved
 
   double back_ = NAN;  ///< the last that was read
   double start_difference_ = NAN, start_p_ = NAN, start_p_eff_ = NAN;

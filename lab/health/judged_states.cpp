@@ -29,11 +29,13 @@ bool serves_the_state(Quantity q, const RecordHeader& header) {
   return info(q).raw.in_state;
 }
 
+/// What the axis is moved by, and by how much. They also make q.
+constexpr ChannelSet kLoad = channel_bit(Quantity::axial_force) |
+                             channel_bit(Quantity::axial_displacement) |
+                             channel_bit(Quantity::cell_pressure);
+
 /// The state without the stresses that stand on a channel that cannot be believed.
 State believed_state(const JudgedStates::Judged& judged) {
-  constexpr ChannelSet kLoad = channel_bit(Quantity::axial_force) |
-                               channel_bit(Quantity::axial_displacement) |
-                               channel_bit(Quantity::cell_pressure);
   State state = judged.state;
   if (judged.wrong & kLoad) state.q = state.p_eff = kMissing;
   return state;
@@ -57,6 +59,15 @@ Reading believed(const JudgedStates::Judged& judged) {
   for (std::size_t i = 0; i < kQuantityCount; ++i)
     if (judged.wrong & channel_bit(static_cast<Quantity>(i))) reading.si[i] = kMissing;
   return reading;
+}
+
+State axis_of(const JudgedStates::Judged& judged) {
+  State state = judged.state;
+  if (judged.wrong & channel_bit(Quantity::back_volume))
+    state.q = state.p_eff = state.volumetric_strain = kMissing;
+  if (judged.wrong & channel_bit(Quantity::pore_pressure))
+    state.p_eff = state.pore_pressure = kMissing;
+  return state;
 }
 
 /// Some do not log a volume that stands still: the column then ends with the drainage being shut.
@@ -96,18 +107,21 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
   }
   // A few readings that went in before they were known for a spike are no dead sensor.
   if (wrong.finding.fault == SensorFault::spike) return;
-  if (wrong.from <= judged_last_ && withheld_.empty() && last_live_ &&
-      spoils(wrong.finding, last_live_->stage))
+  if (wrong.from > judged_last_ || !last_live_ || !spoils(wrong.finding, last_live_->stage)) return;
+  axis_was_dead_ = axis_was_dead_ || (channel_bit(wrong.finding.channel) & kLoad) != 0;
+  if (withheld_.empty())
     withheld_ = fmt::format("{} since reading {}", reason(wrong.finding), wrong.from);
 }
 
 const JudgedStates::Judged* JudgedStates::next() {
   if (std::exchange(taken_, false)) held_.pop_front();
+  if (finished_ && held_.empty()) end_undrained(drainage_.suspicion());
   if (held_.empty()) return nullptr;
   const bool full = static_cast<std::int64_t>(held_.size()) > kHeld;
   if (!finished_ && !full && held_.front().reading.number >= health_.doubtful_from())
     return nullptr;
   judge(held_.front());
+  held_.front().axis_live = shows_axis(held_.front());
   taken_ = true;
   return &held_.front();
 }
@@ -122,21 +136,30 @@ bool JudgedStates::may_go_on(const State& state) const {
 /// False where the verdict has to end before this state.
 bool JudgedStates::watch_drainage(Judged& entry, const StageInfo* stage) {
   if (!header_.is_raw() || !stage) return true;
-  if (stage->drainage == Drainage::open) drainage_.open(believed(entry));
+  if (stage->drainage == Drainage::open) {
+    end_undrained(drainage_.suspicion());
+    drainage_.open();
+  }
   if (stage->drainage != Drainage::closed || !is_watched(stage)) return true;
+  drainage_was_said_ = stage->drainage_was_said;
   drainage_.add(believed(entry), believed_state(entry));
   entry.mark = drainage_.is_mark();
-  const auto& doubt = drainage_.doubt();
-  if (stage->drainage_was_said) {
-    if (doubt) doubt_of_what_was_said_ = doubt->reason;
-    return true;
+  end_undrained(drainage_.doubt());
+  return drainage_was_said_ || !(drainage_.doubt() || drainage_.wet());
+}
+
+/// The specimen was drained after all: of two ends the earlier stands.
+void JudgedStates::end_undrained(const std::optional<ClosedDrainage::Doubt>& doubt) {
+  if (!doubt) return;
+  if (drainage_was_said_) {
+    doubt_of_what_was_said_ = doubt->reason;
+    return;
   }
   const auto known = end();
-  if (!doubt || (known && known->last <= doubt->last)) return !drainage_.wet();
+  if (known && known->last <= doubt->last) return;
   const bool any = judged_first_ >= 0 && judged_first_ <= doubt->last;
   end_ = End{any ? std::min(doubt->last, judged_last_) : -1, doubt->reason};
   ends_at_mark_ = doubt->last < judged_last_;
-  return false;
 }
 
 /// False where the verdict has to end before this state.
@@ -178,6 +201,16 @@ void JudgedStates::judge(Judged& entry) {
   last_live_ = entry.state;
   judged_last_ = entry.reading.number;
   if (judged_first_ < 0) judged_first_ = judged_last_;
+}
+
+bool JudgedStates::shows_axis(const Judged& entry) const {
+  return !entry.live && !(entry.wrong & kLoad) && is_watched(header_.stage(entry.reading.stage)) &&
+         std::isfinite(entry.state.strain.axial);
+}
+
+bool JudgedStates::trusts_axis() const {
+  return !axis_was_dead_ && !plausibility_.slip() && plausibility_.impossible().empty() &&
+         plausibility_.idle().empty() && plausibility_.backwards().empty();
 }
 
 std::optional<JudgedStates::End> JudgedStates::end() const {

@@ -35,6 +35,9 @@ class JudgedStates {
     bool dead = false;       ///< not live because a sensor is stuck or saturated
     bool after_gap = false;  ///< first of its kind after a longer stretch that could not
     bool no_origin = false;  ///< a sensor whose readings count from the start of shear is wrong
+    /// Not live, but in shear, and displacement, load and cell pressure can be believed: what the
+    /// axis did is known (axis_of).
+    bool axis_live = false;
     /// What was found before this state is to be kept: the verdict may come to end there.
     bool mark = false;
     std::string reason{};  ///< why it is not live
@@ -53,6 +56,9 @@ class JudgedStates {
   /// Channels that could not be believed at the first reading of shear, and at any of a B check.
   ChannelSet wrong_at_shear() const { return wrong_at_shear_; }
   ChannelSet wrong_in_b_check() const { return wrong_in_b_check_; }
+  /// Whether what the axis showed stands where the verdict does not: no sensor behind it turned out
+  /// to have been dead, and nothing was implausible.
+  bool trusts_axis() const;
   /// The verdict is what was found before the last mark.
   bool ends_at_mark() const { return ends_at_mark_; }
   /// Writes into the verdict how far it reaches, and takes it back where a sensor turned out to
@@ -71,7 +77,9 @@ class JudgedStates {
   void note_volume_gauge(const Reading& reading);
   bool is_plausible(Judged& entry);
   bool watch_drainage(Judged& entry, const StageInfo* stage);
+  void end_undrained(const std::optional<ClosedDrainage::Doubt>& doubt);
   void judge(Judged& entry);
+  bool shows_axis(const Judged& entry) const;
   std::string withheld() const;
   bool may_go_on(const State& state) const;
   std::optional<End> end() const;
@@ -96,11 +104,17 @@ class JudgedStates {
   ChannelSet wrong_at_shear_ = 0, wrong_in_b_check_ = 0;
   bool sheared_ = false;
   std::optional<End> end_;
+  bool drainage_was_said_ = false;      ///< of the last stage with the valve shut
   std::string doubt_of_what_was_said_;  ///< that the drainage is closed; empty: none
   std::string withheld_;                ///< why the verdict cannot stand; empty: it can
+  bool axis_was_dead_ = false;          ///< among states that had been judged
 };
 
 /// The reading without the channels that cannot be believed.
 Reading believed(const JudgedStates::Judged& judged);
+
+/// The state without what stands on channels that cannot be believed: the axial strain remains.
+/// Pre-condition: axis_live.
+State axis_of(const JudgedStates::Judged& judged);
 
 }  // namespace triax::lab

@@ -139,6 +139,7 @@ class SessionRun {
   void pass_on();
   void tell_progress();
   void abort(const Reading& reading);
+  void keep_run_away(Collapse& collapse);
   void summarise();
 
   BackEnd& back_end_;
@@ -185,6 +186,7 @@ void SessionRun::pass_on() {
   while (const auto* judged = states_.next()) {
     cross_checks_.add(believed(*judged), judged->state);
     if (judged->mark) until_mark_ = monitor_.so_far();
+    if (judged->axis_live) monitor_.watch_axis(axis_of(*judged));
     if (!judged->live) continue;
     if (judged->after_gap) {
       monitor_.interrupt();
@@ -210,11 +212,23 @@ void SessionRun::abort(const Reading& reading) {
   if (!back_end_.abort(reason)) aborted_.push_back({0, reason});
 }
 
+/// A specimen that ran away did so whatever may be wrong with its pore pressure, its volume or the
+/// valve.
+void SessionRun::keep_run_away(Collapse& collapse) {
+  if (collapse.judged || !states_.trusts_axis()) return;
+  Collapse axis = monitor_.of_the_axis();
+  if (!axis.detected()) return;
+  axis.end_at(collapse.judged_until, collapse.judged_until_reason);
+  collapse = std::move(axis);
+}
+
 void SessionRun::summarise() {
   const std::vector<Warning>& of_record = back_end_.header().warnings;
   Collapse& collapse = summary_.collapse;
-  collapse = states_.ends_at_mark() ? until_mark_ : monitor_.finish();
+  collapse = monitor_.finish();
+  if (states_.ends_at_mark()) collapse = until_mark_;
   states_.bound(collapse);
+  keep_run_away(collapse);
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
   if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
     collapse.end_at(last_reading_, why);

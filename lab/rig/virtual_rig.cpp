@@ -302,13 +302,13 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   const double travel = programme.frame.travel_m;
   const double displaced = programme.specimen.height_m - step.state.height_m;
   if (std::fabs(displaced) < travel * kRoundOff) return true;
-  const bool fell = step.at_stop && mode == Mode::running;
+  const bool dropped = step.at_stop && mode == Mode::running && fell(step.state);
   const std::string why =
       fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached{}", stage().name,
                   time_s, travel * 1e3, displaced < 0 ? " in extension" : "");
-  fell ? cut(why) : warn(why);
-  if (fell) mode = Mode::fallen;
-  return fell;
+  dropped ? cut(why) : warn(why);
+  if (dropped) mode = Mode::fallen;
+  return dropped;
 }
 
 bool VirtualRig::Impl::advance_to_next_scan() {

@@ -39,7 +39,7 @@ struct Run {
   Collapse verdict;
   std::vector<Warning> warnings;
   std::size_t most_held = 0;
-  bool ends_at_mark = false;
+  bool ends_at_mark = false, trusts_axis = false;
 };
 
 template <class Break>
@@ -60,6 +60,7 @@ Run run(std::int64_t n, Break broken, double q_after = 100e3,
   states.finish();
   take();
   states.bound(out.verdict);
+  out.trusts_axis = states.trusts_axis();
   out.warnings = states.warnings();
   return out;
 }
@@ -95,10 +96,25 @@ TEST_CASE("a stuck sensor is known late, but none of its states was judged") {
     if (r.number > 300) r[Quantity::pore_pressure] = held;
   });
   for (const auto& judged : out.passed) CHECK(judged.live == (judged.reading.number <= 300));
+  CHECK(out.passed.back().axis_live);
+  CHECK(std::isnan(axis_of(out.passed.back()).p_eff));
+  CHECK(std::isnan(axis_of(out.passed.back()).pore_pressure));
+  CHECK(axis_of(out.passed.back()).q == 100e3);
+  CHECK(out.trusts_axis);
   CHECK(out.verdict.judged_until == 300);
   CHECK(out.verdict.judged_until_reason == "the pore-pressure transducer (pore_pressure) is stuck");
   CHECK(out.warnings.back().text ==
         "no verdict after reading 300: the pore-pressure transducer (pore_pressure) is stuck");
+}
+
+TEST_CASE("a dead load cell or displacement leaves nothing known of the axis") {
+  for (const Quantity dead : {Quantity::axial_force, Quantity::axial_displacement}) {
+    const Run out = run(600, [dead](Reading& r) {
+      if (r.number > 300) r[dead] = kMissing;
+    });
+    CHECK_FALSE(out.passed.back().live);
+    CHECK_FALSE(out.passed.back().axis_live);
+  }
 }
 
 TEST_CASE("a sensor that is said to be sound is told and believed; without it the remedy is told") {
@@ -241,10 +257,11 @@ TEST_CASE("an undrained stage with sound sensors is judged to its end") {
   CHECK(out.warnings.empty());
 }
 
-TEST_CASE("water through a shut valve: no state after it is judged") {
+TEST_CASE("water through a shut valve: of no state after it more is judged than the axis") {
   const Run out = undrained(400, [](Reading& r) {
     if (r.number > 200) r[Quantity::back_volume] += 1e-7 * double(r.number - 200);
   });
+  for (const auto& judged : out.passed) CHECK(judged.axis_live == !judged.live);
   // 5 · 10⁻⁴ of the volume are 269 mm³.
   for (const auto& judged : out.passed) CHECK(judged.live == (judged.reading.number <= 202));
   CHECK_FALSE(out.ends_at_mark);
@@ -262,7 +279,25 @@ TEST_CASE("a valve that turns out to have opened: the verdict is that of the mar
   CHECK(out.verdict.judged_until == last_mark(out) - 1);
   CHECK(std::abs(*out.verdict.judged_until - 200) <= 1);
   CHECK(out.verdict.judged_until_reason.find("the valve is open") != std::string::npos);
-  CHECK_FALSE(out.passed.back().live);
+}
+
+TEST_CASE("air in the pores, not an open valve: what u does at last lifts the suspicion") {
+  // u rests from reading 100 on, and p falls by 50 kPa meanwhile.
+  const auto resting_until = [](std::int64_t collapse) {
+    return [collapse](Reading& r) {
+      if (r.number < 100) return;
+      r[Quantity::pore_pressure] -= 1e3 * double(r.number - 100) / 3;
+      if (r.number > collapse) r[Quantity::pore_pressure] += 1e3 * double(r.number - collapse);
+    };
+  };
+  const Run open = undrained(250, resting_until(400));
+  CHECK(open.ends_at_mark);
+  CHECK(open.verdict.judged_until == 99);
+  const Run closed = undrained(250, resting_until(220));
+  CHECK_FALSE(closed.ends_at_mark);
+  CHECK_FALSE(closed.verdict.judged_until);
+  CHECK(std::ranges::all_of(closed.passed, [](const auto& judged) { return judged.live; }));
+  CHECK(last_mark(closed) == 100);
 }
 
 TEST_CASE("undrained and the volume gauge dies: nobody knows any more whether the valve is shut") {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/rig/session.hpp"
 #include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax::lab;
@@ -111,4 +112,26 @@ TEST_CASE("INL2 under masses put on in steps carries its monotonic peak, its str
       CHECK(carried + 2 > (1 - within) * peak);  // the next step was 2 N
     }
   }
+}
+
+TEST_CASE("steps of dead load, undrained: each settles until one does not, and that is the onset") {
+  const auto [count, step_n] = GENERATE(
+      table<int, double>({std::tuple(60, 5.0), std::tuple(16, 20.0), std::tuple(8, 50.0)}));
+  std::string stages;
+  for (int i = 0; i < count; ++i)
+    stages += test::shear_stage("closed", "dead_load", "load_step_N = " + std::to_string(step_n),
+                                kOneMinute);
+  INFO("steps of " << step_n << " N");
+  // Where masses swing the law stiffens: a wobble is a reversal to it.
+  const std::string damped = "[rig.frame]\nmoving_mass_kg = 5.0\ndamping_N_s_per_m = 5000.0\n";
+  VirtualRig rig(test::rig_programme(stages, damped, 1, "sanisand/S28-general"));
+  const TestSummary seen = run_session(rig, {});
+  const Truth& truth = *seen.truth;
+  REQUIRE(truth.lost_sustainability);
+  CHECK(truth.run_aways.back().end == RunAwayEnd::end_of_travel);
+  CHECK(*truth.time_s == Approx(truth.run_aways.back().start_s).margin(1));
+  REQUIRE(seen.collapse.kind == CollapseKind::flow);
+  CHECK(*seen.collapse.onset->time_s == Approx(*truth.time_s).margin(1));
+  // The step that was too large goes past the state at which second-order work vanishes.
+  CHECK(*seen.collapse.onset->axial_strain <= *truth.axial_strain + 0.005);
 }

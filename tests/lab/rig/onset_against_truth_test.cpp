@@ -24,7 +24,7 @@ TEST_CASE(
     "ICU, CSD and CSU: the stress ratio at onset is the specimen's own within 0.02, any noise",
     "[slow]") {
   for (const char* programme : {"icu_6", "icu_42", "csd_51", "csd_58", "csd_60", "csu_26", "csu_27",
-                                "csu_31", "csu_41", "icu_7"}) {
+                                "csu_31", "csu_41", "icu_7", "csd_61"}) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       const TestSummary s = run(programme, seed);
       INFO(programme << ", seed " << seed);
@@ -52,6 +52,9 @@ TEST_CASE(
   CHECK(*lost->time_s > fall.start_s - 0.5);
   const double truth = *s.truth->q_pa / *s.truth->p_eff_pa;
   CHECK(std::fabs(*s.collapse.onset->eta() - truth) < 0.02);
+  // An eighth of q was lost by displacement, and the rest in the fall.
+  CHECK(s.collapse.kind == CollapseKind::flow);
+  CHECK(*s.collapse.strength_lost > 0.9);
 }
 
 TEST_CASE("dense sand is a control: it must not collapse, whatever the noise") {

@@ -138,6 +138,19 @@ TEST_CASE(
   CHECK(std::sqrt(squares / std::size(kTable2)) <= 0.045);
 }
 
+TEST_CASE("test 61, by raising the pore pressure under masses, collapses where test 51 does") {
+  const Row as_51{"csd_61", 61, 100, 1.192, 0};
+  const TestSummary raised = run(load_programme(file_of(as_51))).summary;
+  const TestSummary lowered = run(load_programme(file_of(kTable2[3]))).summary;
+  const double eta = eta_found(as_51, raised);
+  CHECK(eta == Approx(*raised.truth->q_pa / *raised.truth->p_eff_pa).margin(0.005));
+  CHECK(eta == Approx(*lowered.collapse.onset->eta()).margin(0.01));
+  // The same effective stresses, the one by more water pressure, the other by less of the cell's.
+  CHECK(*raised.collapse.onset->pore_pressure_pa >
+        *lowered.collapse.onset->pore_pressure_pa + 40e3);
+  CHECK(raised.truth->run_aways.back().end == RunAwayEnd::end_of_travel);
+}
+
 TEST_CASE("Table 2 by a set of parameters a test: each stress ratio within 0.02", "[slow]") {
   for (const Row& row : kTable2) {
     const double eta = eta_found(row, run(with_own_parameters(row)).summary);

@@ -108,6 +108,21 @@ TEST_CASE("a cap that fell is no specimen that stayed sustainable; its record re
 }
 
 TEST_CASE(
+    "a crosshead that comes to the end of its travel is no fall, through a frame that gives too") {
+  const std::string rate = GENERATE("3.0", "-3.0");
+  const std::string frame = GENERATE("", "stiffness_kN_per_mm = 50.0\n");
+  INFO(rate << ' ' << frame);
+  VirtualRig rig(test::rig_programme(
+      test::shear_stage("open", "displacement", "axial_rate_mm_per_min = " + rate, kHour),
+      kFrame + frame, 1, "sanisand/S28-general"));
+  const TestSummary seen = run_session(rig, {});
+  CHECK(rig.header().cut_short.empty());
+  CHECK_FALSE(seen.truth->lost_sustainability);
+  CHECK(seen.collapse.judged);
+  CHECK(seen.collapse.kind == CollapseKind::none);
+}
+
+TEST_CASE(
     "a fall in extension on the limit surface is a failure, and not a test that stayed whole") {
   VirtualRig rig(read_programme(R"(
 test = {name = "b", type = "CSD", scan_interval_s = 2.5}

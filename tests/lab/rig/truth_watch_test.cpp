@@ -17,6 +17,7 @@ struct Path {
   lab::TruthWatch watch;
   sim::SpecimenState state;
   double time_s = 0;
+  sim::RunAway run_away;
 
   Path() {
     state.height_m = 0.14;
@@ -25,6 +26,7 @@ struct Path {
   void step(double dq_pa, double strain, bool shear = true) {
     sim::SpecimenStep step;
     step.state = state;
+    step.state.run_away = run_away;
     step.state.height_m *= 1 - strain;
     set(step.state, state.material.p() + dq_pa / 3, state.material.q() + dq_pa);
     step.stress_increment.axial = dq_pa;
@@ -66,4 +68,29 @@ TEST_CASE("elastic unloading and what happens outside shear do not count") {
   CHECK_FALSE(path.watch.truth().lost_sustainability);
   for (int i = 0; i < 100; ++i) path.step(-10, 1e-5, false);
   CHECK_FALSE(path.watch.truth().lost_sustainability);
+}
+
+TEST_CASE("the swings of a slip show nothing; a run-away that went far does, arrested or not") {
+  const auto run_away_of = [](double strain) {
+    Path path;
+    for (int i = 0; i < 10; ++i) path.step(10, 1e-5);
+    path.run_away = {.under_way = true, .count = 1, .start_height_m = path.state.height_m};
+    for (int i = 0; i < 20; ++i) path.step(-10, strain / 20);
+    path.run_away.under_way = false;
+    path.run_away.end = sim::RunAway::End::arrested;
+    path.step(10, 1e-5);
+    for (int i = 0; i < 10; ++i) path.step(10, 1e-5);
+    return path;
+  };
+  const Path slip = run_away_of(0.008);
+  CHECK_FALSE(slip.watch.truth().lost_sustainability);
+  const lab::Truth fall = run_away_of(0.03).watch.truth();
+  REQUIRE(fall.lost_sustainability);
+  CHECK(*fall.time_s == Approx(10).margin(0.6));
+  // The watch goes on after a slip.
+  Path after = slip;
+  const double from_s = after.time_s;
+  for (int i = 0; i < 20; ++i) after.step(-10, 1e-5);
+  REQUIRE(after.watch.truth().lost_sustainability);
+  CHECK(*after.watch.truth().time_s == Approx(from_s).margin(1));
 }
