@@ -29,6 +29,9 @@ class CollapseMonitor {
   CollapseMonitor(const CollapseMonitor&) = delete;
   CollapseMonitor& operator=(const CollapseMonitor&) = delete;
 
+  /// What is found by this state is known at the reading `now`, the last one taken so far; empty:
+  /// only when the record had ended. Without it: at the state's own.
+  void watch(const State& state, const std::optional<Moment>& now);
   void watch(const State& state);
   /// States are missing here: no window reaches across, and no onset is placed in between.
   void interrupt();
