@@ -40,7 +40,9 @@ struct ThreeTerms {
 
 /// A quantity at the last reading, and its change from one reading to the next there.
 struct AtLast {
-  double value = 0, rate = 0, value_error = 0, rate_error = 0;
+  double value = 0, rate = 0, bend = 0, value_error = 0, rate_error = 0;
+  /// Back along the readings.
+  double before(double readings) const { return value + readings * (rate + readings * bend); }
 };
 
 template <class Value>
@@ -55,7 +57,7 @@ AtLast at_last(std::span<const PathSample> samples, const Value& value) {
     y.push_back(value(s) - origin);
   }
   const ThreeTerms fit(terms, y);
-  return {origin + fit.c[0], fit.c[1], std::sqrt(fit.covariance(0, 0)),
+  return {origin + fit.c[0], fit.c[1], fit.c[2], std::sqrt(fit.covariance(0, 0)),
           std::sqrt(fit.covariance(1, 1))};
 }
 
@@ -136,7 +138,7 @@ class Ending {
   /// q where the ratio is η: on the way to the peak, or back along the readings.
   double q_at(double eta) const {
     const double ahead = (eta - ratio_.value) / ratio_.rate;
-    return q_.value + q_.rate * (ahead > 0 ? ahead / 2 : ahead);
+    return ahead > 0 ? q_.value + q_.rate * ahead / 2 : q_.before(ahead);
   }
   PathPoint point_at(double eta) const;
   StressError error() const { return {q_.value_error, p_.value_error, ratio_.value_error}; }
@@ -151,7 +153,7 @@ PathPoint Ending::point_at(double eta) const {
   const double ahead = ratio_.rate != 0 ? (eta - ratio_.value) / ratio_.rate : 0;
   const auto along = [&](Signal signal, double readings) {
     const AtLast at = at_last(samples_, signal);
-    return at.value + at.rate * readings;
+    return readings > 0 ? at.value + at.rate * readings : at.before(readings);
   };
   const double time_left = ahead > 0 ? ahead / 2 : ahead;
   PathPoint p;

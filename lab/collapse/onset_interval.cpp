@@ -82,10 +82,14 @@ std::optional<StressInterval> interval_over(const PathHistory& history, const Pa
     return over_readings(samples, onset, low, high);
   }
   StressSpan span(onset.q, onset.p_eff);
+  const double length = history.last_reading() - history.first_reading();
   const auto fit_at = [&](double reading) -> std::optional<StressFit> {
-    const auto blocks = history.between(reading - kAroundState, reading + kAroundState);
-    if (blocks.size() < kLeastForCubic) return std::nullopt;
-    return stress_at(blocks, reading);
+    // Long ago the path is known in blocks of many readings.
+    for (double reach = kAroundState; reach < 2 * kAroundState + length; reach *= 2) {
+      const auto blocks = history.between(reading - reach, reading + reach);
+      if (blocks.size() >= kLeastForCubic) return stress_at(blocks, reading);
+    }
+    return std::nullopt;
   };
   const auto here = fit_at(std::clamp(onset.reading, low, high));
   if (!here) return std::nullopt;

@@ -13,7 +13,8 @@ namespace triax::lab {
 PathPoint peak_of_readings(PathPoint onset, const PathHistory& history);
 
 /// The interval of an onset that lies between two readings, with 95 %; numbers need not be whole.
-/// The path there is what cubics through twelve readings on either side give; the readings
+/// The path there is what cubics through twelve readings on either side give, more where the
+/// history knows it in blocks only; the readings
 /// themselves where `single` says that noise is small beside what the path does from one to the
 /// next. Empty where the history does not know that part of the path.
 std::optional<StressInterval> interval_over(const PathHistory& history, const PathPoint& onset,
