@@ -18,7 +18,7 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT * FROM collapses ORDER BY test_id"},
       {"criteria", "what each criterion found, with its evidence",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS criterion, c.detected, "
-       "c.reading, c.time_s, c.eta, c.evidence "
+       "c.reading, c.time_s, c.eta, c.noticed_reading, c.noticed_time_s, c.evidence "
        "FROM criteria c JOIN tests t ON t.id = c.test_id ORDER BY c.id"},
       {"peaks", "the peak of q of every test", "SELECT * FROM peaks ORDER BY test_id"},
       {"instability_line",

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <sstream>
 
 #include "db/columns.hpp"
@@ -153,13 +154,30 @@ std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_
   return result;
 }
 
+std::optional<lab::Moment> read_moment(Columns& c) {
+  const auto reading = c.integer();
+  const auto time_s = c.number();
+  return reading ? std::optional(lab::Moment{*reading, time_s}) : std::nullopt;
+}
+
+std::optional<lab::StressInterval> read_interval(Columns& c) {
+  std::array<std::optional<double>, 6> ends = {c.number(), c.number()};
+  for (std::size_t i = 2; i < ends.size(); ++i) ends[i] = c.si("kPa");
+  for (const auto& end : ends)
+    if (!end) return std::nullopt;
+  return lab::StressInterval{
+      .q_pa = {*ends[2], *ends[3]}, .p_eff_pa = {*ends[4], *ends[5]}, .eta = {*ends[0], *ends[1]}};
+}
+
 void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
+  std::optional<lab::StressInterval> interval;
   for_rows(
       database, id,
       "SELECT kind, inside_limit_surface, second_order_work_normalised, second_order_work_error, "
       "limit_stress_ratio, limit_source, judged_until_reading, judged_until_reason, "
-      "judged_from_reading, strength_lost, nearest_reading, nearest_normalised, nearest_error "
-      "FROM verdicts WHERE test_id = ?",
+      "judged_from_reading, strength_lost, eta_low, eta_high, q_low_kPa, q_high_kPa, "
+      "p_eff_low_kPa, p_eff_high_kPa, noticed_reading, noticed_time_s, "
+      "nearest_reading, nearest_normalised, nearest_error FROM verdicts WHERE test_id = ?",
       [&](Columns& c) {
         const auto kind = lab::collapse_kind_from(c.text());
         collapse.judged = kind.has_value();
@@ -173,13 +191,16 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
         collapse.judged_until_reason = c.text();
         collapse.judged_from = c.integer();
         collapse.strength_lost = c.number();
+        interval = read_interval(c);
+        collapse.noticed = read_moment(c);
         if (const auto reading = c.integer())
           collapse.nearest = lab::Nearest{*reading, c.number().value_or(0), c.number().value_or(0)};
       });
   collapse.onset = read_instant(database, id, "onset");
+  if (collapse.onset) collapse.onset->interval = interval;
   for_rows(database, id,
-           "SELECT name, detected, reading, time_s, eta, evidence FROM criteria WHERE test_id = ? "
-           "ORDER BY id",
+           "SELECT name, detected, reading, time_s, eta, evidence, noticed_reading, "
+           "noticed_time_s FROM criteria WHERE test_id = ? ORDER BY id",
            [&](Columns& c) {
              lab::Criterion& criterion = collapse.criteria.emplace_back();
              criterion.name = c.text();
@@ -188,6 +209,7 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
              criterion.time_s = c.number();
              criterion.eta = c.number();
              criterion.evidence = c.text();
+             criterion.noticed = read_moment(c);
            });
 }
 
@@ -289,13 +311,15 @@ void read_tags(SQLite::Database& database, std::int64_t id, std::vector<std::str
 
 void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::Event>& events) {
   for_rows(database, id,
-           "SELECT reading, time_s, kind, detail FROM events WHERE test_id = ? ORDER BY id",
+           "SELECT reading, time_s, kind, detail, noticed_reading, noticed_time_s FROM events "
+           "WHERE test_id = ? ORDER BY id",
            [&](Columns& c) {
              lab::Event& event = events.emplace_back();
              event.reading = c.integer().value_or(0);
              event.time_s = c.number();
              event.kind = known(c.text(), lab::event_kind_from);
              event.detail = c.text();
+             event.noticed = read_moment(c);
            });
 }
 

@@ -142,10 +142,24 @@ void insert_cyclic(SQLite::Database& database, std::int64_t id,
       .run();
 }
 
+void bind_moment(Binder& row, const std::optional<lab::Moment>& moment) {
+  row.integer(moment ? std::optional(moment->reading) : std::nullopt)
+      .number(moment ? moment->time_s : std::nullopt);
+}
+
+void bind_interval(Binder& row, const std::optional<lab::StressInterval>& of) {
+  const lab::StressInterval known = of.value_or(lab::StressInterval{});
+  const auto if_known = [&](double value) { return of ? std::optional(value) : std::nullopt; };
+  row.number(if_known(known.eta.low)).number(if_known(known.eta.high));
+  for (const lab::Interval& interval : {known.q_pa, known.p_eff_pa})
+    row.si(if_known(interval.low), "kPa").si(if_known(interval.high), "kPa");
+}
+
 void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
-  Statement insert(database, "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  Binder(insert)
-      .integer(id)
+  Statement insert(database,
+                   "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  Binder row(insert);
+  row.integer(id)
       .text_or_null(c.judged ? to_string(c.kind) : std::string_view())
       .integer(c.inside_limit_surface)
       .number(c.second_order_work_normalised)
@@ -158,22 +172,26 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
       .number(c.strength_lost)
       .integer(c.nearest ? std::optional(c.nearest->reading) : std::nullopt)
       .number(c.nearest ? std::optional(c.nearest->normalised) : std::nullopt)
-      .number(c.nearest ? std::optional(c.nearest->error) : std::nullopt)
-      .run();
+      .number(c.nearest ? std::optional(c.nearest->error) : std::nullopt);
+  bind_interval(row, c.onset ? c.onset->interval : std::nullopt);
+  bind_moment(row, c.noticed);
+  row.run();
   insert_instant(database, id, "onset", c.onset);
   Statement criterion(database,
                       "INSERT INTO criteria (test_id, name, detected, reading, time_s, eta, "
-                      "evidence) VALUES (?,?,?,?,?,?,?)");
-  for (const lab::Criterion& found : c.criteria)
-    Binder(criterion)
-        .integer(id)
+                      "evidence, noticed_reading, noticed_time_s) VALUES (?,?,?,?,?,?,?,?,?)");
+  for (const lab::Criterion& found : c.criteria) {
+    Binder of_criterion(criterion);
+    of_criterion.integer(id)
         .text(found.name)
         .integer(found.detected)
         .integer(found.reading)
         .number(found.time_s)
         .number(found.eta)
-        .text_or_null(found.evidence)
-        .run();
+        .text_or_null(found.evidence);
+    bind_moment(of_criterion, found.noticed);
+    of_criterion.run();
+  }
 }
 
 void insert_run_aways(SQLite::Database& database, std::int64_t id,
@@ -285,15 +303,17 @@ void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepM
 }
 
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event) {
-  Statement insert(
-      database, "INSERT INTO events (test_id, reading, time_s, kind, detail) VALUES (?,?,?,?,?)");
-  Binder(insert)
-      .integer(test_id)
+  Statement insert(database,
+                   "INSERT INTO events (test_id, reading, time_s, kind, detail, noticed_reading, "
+                   "noticed_time_s) VALUES (?,?,?,?,?,?,?)");
+  Binder row(insert);
+  row.integer(test_id)
       .integer(event.reading)
       .number(event.time_s)
       .text(to_string(event.kind))
-      .text(event.detail)
-      .run();
+      .text(event.detail);
+  bind_moment(row, event.noticed);
+  row.run();
 }
 
 void insert_summary(SQLite::Database& database, std::int64_t test_id,

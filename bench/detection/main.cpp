@@ -8,6 +8,8 @@
 //                  absolute value is counted
 //   noticed after  reading at which the monitor first said so while the test ran − the same first
 //                  reading; tests of which it said nothing are counted apart ("never")
+// With --kinds: the tests of kinds.hpp instead, where instruments are cheap, readings few, the test
+// fast; nothing is bounded.
 //   |error of eta| measured eta at the onset reported − true eta at the true instant
 // Ends with status 1 if a bound is broken.
 #include <fmt/format.h>
@@ -21,6 +23,7 @@
 #include <mutex>
 #include <thread>
 
+#include "bench/detection/kinds.hpp"
 #include "bench/detection/subjects.hpp"
 #include "bench/detection/table.hpp"
 #include "bench/detection/tails.hpp"
@@ -34,6 +37,7 @@ struct Options {
   int seeds = 72;  ///< more than 2,000 tests that can be judged
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::uint64_t first_seed = 1;
+  bool kinds = false;
   std::string only, csv, list = "bench/detection/programmes.txt", folder = "samples/programmes";
 };
 
@@ -59,10 +63,12 @@ class Progress {
   Clock::time_point start_ = Clock::now();
 };
 
-std::vector<bench::TrialResult> run_all(const std::vector<bench::Subject>& subjects,
-                                        const Options& options) {
+/// Each of `subjects` tests with every seed.
+template <class Run>
+std::vector<bench::TrialResult> run_all(std::size_t subjects, const Options& options,
+                                        const Run& run) {
   const auto seeds = static_cast<std::size_t>(options.seeds);
-  std::vector<bench::TrialResult> results(subjects.size() * seeds);
+  std::vector<bench::TrialResult> results(subjects * seeds);
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   std::exception_ptr failure;
@@ -73,8 +79,7 @@ std::vector<bench::TrialResult> run_all(const std::vector<bench::Subject>& subje
       std::exception_ptr error;
       try {
         // Every seed runs through all subjects before the next: what is left is foreseen well.
-        results[i] = bench::run_trial(subjects[i % subjects.size()],
-                                      options.first_seed + i / subjects.size());
+        results[i] = run(i % subjects, options.first_seed + i / subjects);
       } catch (...) {
         error = std::current_exception();
         next = results.size();
@@ -92,6 +97,27 @@ std::vector<bench::TrialResult> run_all(const std::vector<bench::Subject>& subje
   return results;
 }
 
+void write_csv(const std::vector<bench::TrialResult>& results, const Options& options) {
+  if (options.csv.empty()) return;
+  std::ofstream file(options.csv);
+  file << bench::csv(results);
+  if (!file.flush()) throw lab::WorkFailed(options.csv + ": cannot be written");
+}
+
+int run_kinds(const Options& options) {
+  std::vector<bench::Kind> kinds;
+  for (const bench::Kind& kind : bench::kinds())
+    if (fmt::format("{}, {}", kind.name, kind.programme).find(options.only) != std::string::npos)
+      kinds.push_back(kind);
+  if (kinds.empty()) throw lab::BadInput("--only " + options.only + ": no kind of that name");
+  const auto results = run_all(kinds.size(), options, [&](std::size_t i, std::uint64_t seed) {
+    return bench::run_kind(kinds[i], seed);
+  });
+  fmt::print("{}", bench::table_of_kinds(results));
+  write_csv(results, options);
+  return 0;
+}
+
 int run(const Options& options) {
   auto subjects = bench::read_subjects(options.list, options.folder);
   if (!options.only.empty())
@@ -100,13 +126,11 @@ int run(const Options& options) {
     });
   if (subjects.empty())
     throw lab::BadInput("--only " + options.only + ": no programme of that type");
-  const auto results = run_all(subjects, options);
+  const auto results = run_all(subjects.size(), options, [&](std::size_t i, std::uint64_t seed) {
+    return bench::run_trial(subjects[i], seed);
+  });
   fmt::print("{}{}", bench::table(results), bench::tails(results, {}));
-  if (!options.csv.empty()) {
-    std::ofstream file(options.csv);
-    file << bench::csv(results);
-    if (!file.flush()) throw lab::WorkFailed(options.csv + ": cannot be written");
-  }
+  write_csv(results, options);
   const auto faults = bench::broken(results, {}, options.only.empty());
   for (const std::string& fault : faults) fmt::print("not held: {}\n", fault);
   if (faults.empty() && options.only.empty()) fmt::print("all bounds hold\n");
@@ -121,13 +145,16 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", options.seeds, "tests of each subject")->check(CLI::PositiveNumber);
   app.add_option("--first-seed", options.first_seed, "number of the first seed");
   app.add_option("--jobs", options.jobs, "threads")->check(CLI::PositiveNumber);
-  app.add_option("--only", options.only, "ICU, CSD, CSU, SP or controls");
+  app.add_option("--only", options.only,
+                 "ICU, CSD, CSU, SP or controls; with --kinds the beginning of a kind's name, or "
+                 "part of a programme's");
+  app.add_flag("--kinds", options.kinds, "onsets that are hard to place, with their intervals");
   app.add_option("--csv", options.csv, "file for one line a test and method");
   app.add_option("--list", options.list, "list of subjects");
   app.add_option("--programmes", options.folder, "folder of the programmes");
   CLI11_PARSE(app, argc, argv);
   try {
-    return run(options);
+    return options.kinds ? run_kinds(options) : run(options);
   } catch (const lab::BadInput& error) {
     fmt::print(stderr, "bench_detection: {}\n", error.what());
     return 2;

@@ -96,8 +96,8 @@ std::vector<std::string> broken(const std::vector<TrialResult>& results, const B
 
 std::string csv(const std::vector<TrialResult>& results) {
   std::string text =
-      "programme,type,material,seed,readings,expected,truth_lost,truth_reading,truth_eta,kind,"
-      "method,detected,eta_error,delay_readings,noticed_after_readings\n";
+      "trait,programme,type,material,seed,readings,expected,truth_lost,truth_reading,truth_eta,"
+      "kind,method,detected,eta_error,delay_readings,noticed_after_readings,eta_low,eta_high\n";
   const auto number = [](const auto& value) {
     return value ? fmt::format("{}", *value) : std::string();
   };
@@ -106,10 +106,15 @@ std::string csv(const std::vector<TrialResult>& results) {
       const Outcome& o = r.outcomes[i];
       const std::string truth =
           r.truth_lost ? fmt::format("{},{:.6f}", r.truth_reading, r.truth_eta) : std::string(",");
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.programme, r.type,
-                          r.material, r.seed, r.readings, r.collapses ? "collapse" : "stable",
-                          r.truth_lost, truth, i == 0 ? r.kind : "", kMethods[i], o.detected,
-                          number(o.eta_error), number(o.delay), number(o.notice_delay));
+      const bool has_interval = i == 0 && r.interval;
+      const std::string interval =
+          has_interval ? fmt::format("{:.6f},{:.6f}", r.interval->eta.low, r.interval->eta.high)
+                       : std::string(",");
+      text +=
+          fmt::format("\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.trait, r.programme,
+                      r.type, r.material, r.seed, r.readings, r.collapses ? "collapse" : "stable",
+                      r.truth_lost, truth, i == 0 ? r.kind : "", kMethods[i], o.detected,
+                      number(o.eta_error), number(o.delay), number(o.notice_delay), interval);
     }
   return text;
 }

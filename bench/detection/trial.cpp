@@ -112,18 +112,17 @@ lab::Programme varied(const Subject& subject, std::uint64_t seed) {
 TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
   const lab::Programme programme = varied(subject, seed);
   lab::VirtualRig rig(programme, seed);
+  return judge_trial(programme, subject.collapses, seed, rig);
+}
+
+TrialResult judge_trial(const lab::Programme& programme, bool collapses, std::uint64_t seed,
+                        lab::BackEnd& rig) {
   Naive naive(rig.header());
   lab::SessionListener listener;
-  std::int64_t now = 0;
   std::vector<double> times;
-  std::optional<std::int64_t> noticed;
   listener.scanned = [&](const lab::Reading& reading, const lab::State& state) {
-    now = reading.number;
     times.push_back(reading.time_s);
     naive.add(state);
-  };
-  listener.happened = [&](const lab::Event& event) {
-    if (event.kind == lab::EventKind::loss_of_sustainability && !noticed) noticed = now;
   };
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
 
@@ -133,19 +132,23 @@ TrialResult run_trial(const Subject& subject, std::uint64_t seed) {
   r.material = programme.material.name;
   r.seed = seed;
   r.readings = summary.readings;
-  r.collapses = subject.collapses;
+  r.collapses = collapses;
   if (summary.truth && summary.truth->lost_sustainability) {
     r.truth_lost = true;
     r.truth_time_s = *summary.truth->time_s;
-    r.truth_eta = *summary.truth->q_pa / *summary.truth->p_eff_pa;
+    r.truth_q_pa = *summary.truth->q_pa;
+    r.truth_p_pa = *summary.truth->p_eff_pa;
+    r.truth_eta = r.truth_q_pa / r.truth_p_pa;
     r.truth_reading = first_reading_at(times, r.truth_time_s);
   }
   const lab::Collapse& c = summary.collapse;
-  r.kind = std::string(lab::to_string(c.kind));
+  r.kind = c.judged ? std::string(lab::to_string(c.kind)) : "not judged";
   std::optional<Onset> ours;
   if (c.detected() && c.onset) ours = Onset{c.onset->reading, c.onset->eta().value_or(0)};
+  if (ours) r.interval = c.onset->interval;
   r.outcomes[0] = outcome_of(r, ours);
-  if (ours && r.truth_lost && noticed) r.outcomes[0].notice_delay = *noticed - r.truth_reading;
+  if (ours && r.truth_lost && c.noticed)
+    r.outcomes[0].notice_delay = c.noticed->reading - r.truth_reading;
   const auto others = naive.onsets();
   for (std::size_t i = 0; i < others.size(); ++i) r.outcomes[i + 1] = outcome_of(r, others[i]);
   return r;

@@ -9,6 +9,7 @@
 
 #include "bench/detection/statistics.hpp"
 #include "lab/programmes/programme.hpp"
+#include "lab/rig/back_end.hpp"
 
 namespace triax::bench {
 
@@ -23,11 +24,13 @@ inline constexpr std::array<std::string_view, 4> kMethods = {
 
 struct TrialResult {
   std::string programme, type, material;
+  std::string trait;  ///< name of its Kind; empty for a subject of the list
   std::uint64_t seed = 0;
   std::int64_t readings = 0;
   bool collapses = false;   ///< expected
   bool truth_lost = false;  ///< what the specimen did
-  double truth_time_s = 0, truth_eta = 0;
+  double truth_time_s = 0, truth_eta = 0, truth_q_pa = 0, truth_p_pa = 0;
+  std::optional<lab::StressInterval> interval;    ///< of the onset reported
   std::int64_t truth_reading = 0;                 ///< first reading at or after the true instant
   std::array<Outcome, kMethods.size()> outcomes;  ///< in the order of kMethods
   std::string kind;                               ///< the monitor's verdict
@@ -46,5 +49,8 @@ double choice(std::uint64_t seed, std::uint64_t number);
 
 /// Runs it. Throws what rig and reduction throw.
 TrialResult run_trial(const Subject& subject, std::uint64_t seed);
+/// The same of a programme as it is, whose readings `rig` gives.
+TrialResult judge_trial(const lab::Programme& programme, bool collapses, std::uint64_t seed,
+                        lab::BackEnd& rig);
 
 }  // namespace triax::bench

@@ -17,8 +17,12 @@ void ControlPeak::start_stage(const StageInfo* stage) {
   const auto turn = pore_turn_;
   const auto sharper = sharper_turn_;
   const bool looked = looked_;
+  const auto now = now_;
+  const bool turned = turned_;
   *this = ControlPeak();
   looked_ = looked;
+  now_ = now;
+  turned_ = turned;
   pore_turn_ = turn;
   sharper_turn_ = sharper;
   finding_ = found;
@@ -40,7 +44,9 @@ void ControlPeak::add_point(const PathPoint& point, bool has_time) {
 
 std::optional<Finding> ControlPeak::finding() const {
   if (!finding_ || !sharper_turn_) return finding_;
-  return Finding{.instant = *sharper_turn_, .evidence = finding_->evidence};
+  Finding sharper = *finding_;
+  sharper.instant = *sharper_turn_;
+  return sharper;
 }
 
 std::string ControlPeak::blind() const {
@@ -69,14 +75,18 @@ void ControlPeak::check_peak(const PathPoint& smoothed, bool has_time) {
   const double loss = fall / top_->strength();
   if (loss < Descent::kWorthALoss || loss <= largest_loss_) return;
   largest_loss_ = loss;
+  turned_ = false;
   const std::string name =
       strain_path_R_ == 1 ? "q" : fmt::format("σ₁' − σ₃'/R (R = {:g})", strain_path_R_);
   const auto kPa = [&](const PathPoint& at) {
     return std::copysign(1.0, at.q) * control_variable(at) / 1e3;
   };
-  finding_ = Finding{
-      instant_of(*top_, has_time),
-      fmt::format("{} peaked at {:.2f} kPa and fell to {:.2f} kPa", name, kPa(*top_), kPa(point))};
+  const Instant at = instant_of(*top_, has_time);
+  const bool same = finding_ && finding_->instant.reading == at.reading;
+  finding_ = Finding{.instant = at,
+                     .evidence = fmt::format("{} peaked at {:.2f} kPa and fell to {:.2f} kPa", name,
+                                             kPa(*top_), kPa(point)),
+                     .noticed = same ? finding_->noticed : now_};
 }
 
 void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
@@ -105,8 +115,10 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
                      "the pore pressure (measure of the volume change while the valve is closed) "
                      "started to rise while p' fell (u {:.2f} kPa, ",
                      before_->pore_pressure / 1e3);
-  finding_ = Finding{instant_of(*before_, has_time),
-                     what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3)};
+  finding_ = Finding{.instant = instant_of(*before_, has_time),
+                     .evidence = what + fmt::format("p' {:.2f} kPa)", before_->p_eff / 1e3),
+                     .noticed = now_};
+  turned_ = true;
   if (!drained_) pore_turn_ = before_->reading;
 }
 

@@ -18,6 +18,8 @@ class ControlPeak : public CollapseCriterion {
   void add_point(const PathPoint& point, bool has_time) override;
   std::optional<Finding> finding() const override;
   std::string blind() const override;
+  /// Whether the finding is that the volume, or its gauge, turned at held q.
+  bool turned() const { return finding_ && turned_; }
   /// Where the pore pressure turned, if that is the finding.
   const std::optional<double>& turn_of_pore_pressure() const { return pore_turn_; }
   /// The same from a fit around it, where one was possible.
@@ -36,6 +38,7 @@ class ControlPeak : public CollapseCriterion {
   std::optional<PathPoint> top_;  ///< where the control variable was largest
   double largest_loss_ =
       0;  ///< its fall after a peak over q there: the peak that cost most is kept
+  bool turned_ = false;
   ChangePoint contraction_;
   std::optional<PathPoint> before_;
   std::optional<double> pore_turn_;  ///< reading

@@ -35,6 +35,7 @@ Criterion criterion_of(const CriterionRow& row, const std::optional<Finding>& fi
   c.reading = finding->instant.reading;
   c.time_s = finding->instant.time_s;
   c.eta = finding->instant.eta();
+  c.noticed = finding->noticed;
   c.evidence = finding->evidence;
   return c;
 }
@@ -49,6 +50,10 @@ std::vector<Criterion> no_criteria(const std::string& reason) {
 
 Criteria::Criteria() {
   for (const CriterionRow& row : kCriteria) all_.push_back(row.make());
+}
+
+void Criteria::set_now(const std::optional<Moment>& now) {
+  for (const auto& one : all_) one->set_now(now);
 }
 
 void Criteria::start_stage(const StageInfo* stage) {

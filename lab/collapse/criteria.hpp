@@ -31,6 +31,8 @@ class Criteria {
  public:
   Criteria();
 
+  /// What is found from here on is known at that reading; empty: the record is over.
+  void set_now(const std::optional<Moment>& now);
   void start_stage(const StageInfo* stage);
   void add_state(const State& state, bool has_time);
   void add_point(const PathPoint& point, bool has_time);

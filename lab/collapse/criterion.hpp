@@ -15,6 +15,8 @@ class CollapseCriterion {
  public:
   virtual ~CollapseCriterion() = default;
 
+  /// Findings that are made from here on are known at that reading; empty: the record is over.
+  void set_now(const std::optional<Moment>& now) { now_ = now; }
   /// A stage begins; null where the header does not know it.
   virtual void start_stage(const StageInfo* stage) = 0;
   /// Every complete state in shear.
@@ -27,6 +29,7 @@ class CollapseCriterion {
   virtual std::string blind() const { return {}; }
 
  protected:
+  std::optional<Moment> now_;
   CollapseCriterion() = default;
   CollapseCriterion(const CollapseCriterion&) = default;
   CollapseCriterion& operator=(const CollapseCriterion&) = default;

@@ -123,7 +123,13 @@ void DescentTracker::open(const PathPoint& point) {
   if (continues) {
     latest_->ended = latest_->came_back = false;
   } else {
+    const PathPoint& first = before_ ? *before_ : *after_;
+    const auto reach = [](const PathPoint& p) {
+      return p.shortest_window() ? 1.0 : static_cast<double>(p.window_readings) / 4;
+    };
     latest_ = Descent{.onset = onset,
+                      .onset_low = first.reading - reach(first),
+                      .onset_high = after_->reading + reach(*after_),
                       .evidence = evidence_.value_or(point),
                       .q_lost = 0,
                       .q_least = onset.strength(),
@@ -143,8 +149,16 @@ void DescentTracker::follow(const PathPoint& point) {
   keep_worst();
 }
 
-void DescentTracker::sharpen(const PathPoint& onset) {
+void DescentTracker::sharpen(const PathPoint& onset,
+                             const std::optional<StressInterval>& interval) {
   latest_->sharper_onset = onset;
+  latest_->interval = interval;
+  keep_worst();
+}
+
+void DescentTracker::notice(const std::optional<Moment>& now) {
+  if (!latest_ || latest_->noticed) return;
+  latest_->noticed = now;
   keep_worst();
 }
 

@@ -5,6 +5,7 @@
 
 #include "lab/collapse/change_point.hpp"
 #include "lab/measured/path_rates.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 
@@ -15,8 +16,15 @@ struct Descent {
   static constexpr double kWorthALoss = 0.10;
 
   PathPoint onset;  ///< where second-order work vanishes
+  /// Readings between which it does: from the last window before the change into the first after
+  /// it.
+  double onset_low = 0, onset_high = 0;
   std::optional<PathPoint>
-      sharper_onset;      ///< the same from a fit around it, where one was possible
+      sharper_onset;  ///< the same from a fit around it, where one was possible
+  std::optional<StressInterval> interval;  ///< of the stresses at the better of the two
+  /// When what it cost was first worth a loss, or it had lasted at held q; empty: never before the
+  /// record ended.
+  std::optional<Moment> noticed;
   PathPoint evidence;     ///< the first significantly negative point; if none, the nearest to it
   double q_lost = 0;      ///< fall of |q| while second-order work was negative, Pa: not unloading
   double q_least = 0;     ///< smallest |q| since the onset, Pa
@@ -44,7 +52,9 @@ class DescentTracker {
   /// The descent under way or just ended.
   const std::optional<Descent>& latest() const { return latest_; }
   /// Gives the latest descent a sharper onset.
-  void sharpen(const PathPoint& onset);
+  void sharpen(const PathPoint& onset, const std::optional<StressInterval>& interval);
+  /// The latest is a loss: that is known now.
+  void notice(const std::optional<Moment>& now);
   /// A new stage begins: no onset may be placed before it. `drained`: see Descent.
   void start_stage(bool drained);
 

@@ -11,6 +11,8 @@ struct Finding {
   Instant instant;
   std::string evidence;
   bool detected = true;  ///< false: it was looked at, and is no collapse
+  /// When that was known; empty: only when the record had ended.
+  std::optional<Moment> noticed{};
 };
 
 }  // namespace triax::lab

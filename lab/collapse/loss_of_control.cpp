@@ -35,8 +35,10 @@ void LossOfControl::start_stage(const StageInfo* stage) {
   after.over = found.has_value();
   const State before = before_;
   const bool looked = looked_;
+  const auto now = now_;
   *this = LossOfControl();
   looked_ = looked;
+  now_ = now;
   finding_ = found;
   fall_ = fall;
   after_ = after;
@@ -138,9 +140,11 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
   }
   if (below_++ == 0) first_below_ = state;
   if (below_ < 3) return;
-  finding_ = Finding{instant_of(first_below_, has_time),
-                     fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa",
-                                 q_mean_ / 1e3, deviation / 1e3, q / 1e3)};
+  finding_ =
+      Finding{.instant = instant_of(first_below_, has_time),
+              .evidence = fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa",
+                                      q_mean_ / 1e3, deviation / 1e3, q / 1e3),
+              .noticed = now_};
 }
 
 /// Rise of the pore pressure beyond what the programme asks; unknown (NaN) without pore pressure.
@@ -179,12 +183,14 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
   const bool pulled = state.q < 0 && state.strain.axial < before.strain.axial;
   const double left = pulled ? carried_load(state) / carried_load(before) : state.q / before.q;
   if (!next || !(leap >= kFall) || !(std::fabs(left) < 1 - kLostQ)) return;
-  finding_ = Finding{
-      instant_of(before, has_time),
-      fmt::format("axial strain jumped from {:.3f} % to {:.3f} % between two readings "
+  finding_ =
+      Finding{.instant = instant_of(before, has_time),
+              .evidence = fmt::format(
+                  "axial strain jumped from {:.3f} % to {:.3f} % between two readings "
                   "and {} from {:.2f} kPa to {:.2f} kPa",
                   before.strain.axial * 100, state.strain.axial * 100,
-                  pulled ? "the load fell, with q" : "q fell", before.q / 1e3, state.q / 1e3)};
+                  pulled ? "the load fell, with q" : "q fell", before.q / 1e3, state.q / 1e3),
+              .noticed = now_};
 }
 
 /// The latest step against the fastest before it, and the q that was lost with it.
@@ -216,13 +222,15 @@ void LossOfControl::check_strain_burst(bool has_time) {
   while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < least) ++start;
   if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
     fall_ = Fall{recent_[start], last};
-  finding_ = Finding{instant_of(recent_[start], has_time),
-                     fmt::format("axial strain rose from {:.3f} % to {:.3f} % within {}{}",
-                                 recent_[start].strain.axial * 100, last.strain.axial * 100,
-                                 in_readings(kRecent - 1 - start),
-                                 mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before",
-                                                              burst / mean_rate_)
-                                                : ", with no movement before")};
+  finding_ = Finding{
+      .instant = instant_of(recent_[start], has_time),
+      .evidence = fmt::format(
+          "axial strain rose from {:.3f} % to {:.3f} % within {}{}",
+          recent_[start].strain.axial * 100, last.strain.axial * 100,
+          in_readings(kRecent - 1 - start),
+          mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before", burst / mean_rate_)
+                         : ", with no movement before"),
+      .noticed = now_};
 }
 
 void LossOfControl::check_pore_burst(bool has_time) {
@@ -236,13 +244,14 @@ void LossOfControl::check_pore_burst(bool has_time) {
          pore_excess(recent_[start], recent_[start + 1]) <
              kBurst / 2 * mean_pore_rate_ * lapse(recent_[start], recent_[start + 1], has_time))
     ++start;
-  finding_ =
-      Finding{instant_of(recent_[start], has_time),
-              fmt::format("pore pressure rose from {:.2f} kPa to {:.2f} kPa within {} readings, "
-                          "{:.2f} kPa more than prescribed",
-                          recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
-                          static_cast<std::int64_t>(kRecent - 1 - start),
-                          pore_excess(recent_[start], last) / 1e3)};
+  finding_ = Finding{
+      .instant = instant_of(recent_[start], has_time),
+      .evidence = fmt::format(
+          "pore pressure rose from {:.2f} kPa to {:.2f} kPa within {} readings, "
+          "{:.2f} kPa more than prescribed",
+          recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
+          static_cast<std::int64_t>(kRecent - 1 - start), pore_excess(recent_[start], last) / 1e3),
+      .noticed = now_};
 }
 
 }  // namespace triax::lab

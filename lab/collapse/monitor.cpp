@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lab/base/listeners.hpp"
 #include "lab/collapse/control_peak.hpp"
@@ -12,6 +13,7 @@
 #include "lab/collapse/fall_fit.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
+#include "lab/collapse/onset_interval.hpp"
 #include "lab/collapse/onset_refiner.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/verdict.hpp"
@@ -31,6 +33,14 @@ bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
   return fit->stress_scatter < 8 * noise;
 }
 
+/// The interval of the one widened to hold the other.
+void reach(Instant& onset, const Instant& other) {
+  const auto of = [](const Instant& at) {
+    return at.interval ? *at.interval : as_interval(*at.q_pa, *at.p_eff_pa);
+  };
+  onset.interval = hull(of(onset), of(other));
+}
+
 }  // namespace
 
 struct CollapseMonitor::Impl {
@@ -44,13 +54,21 @@ struct CollapseMonitor::Impl {
   }
 
   void start_stage(const State& state);
-  void watch(const State& state);
+  void watch(const State& state, const std::optional<Moment>& now);
   void take(const PathPoint& point);
   void judge(const PathPoint& point);
   void look_nearer(const PathPoint& point);
   void tell_of_descent();
   void sharpen();
   void place_fall(const Finding& burst);
+  void reach_turn_of_volume(double last);
+  /// Readings after which the trend of the volume is stronger than any search of a servo.
+  static constexpr double kSearch = 32;
+  void place_turn(const OnsetFit& turn);
+  void bound_turn(double reading);
+  void place_descent(const Descent& descent);
+  std::optional<StressInterval> interval_of(const OnsetFit& fit, const PathPoint& onset) const;
+  std::optional<StressInterval> interval_of_burst(const Finding& burst) const;
   void end_stage();
   Collapse verdict_so_far() const;
 
@@ -64,13 +82,16 @@ struct CollapseMonitor::Impl {
   PathHistory history;  ///< of the stage under way
   OnsetRefiner descent_onset, pore_turn;
   std::optional<double> sharpened_descent, sharpened_turn;  ///< readings that they began with
+  int descent_revision = 0, turn_revision = 0;              ///< of what was taken from them
   Criteria criteria;
   // Those of which the verdict knows more than their findings.
   SecondOrderWork& work = criteria.of<SecondOrderWork>();
   LossOfControl& control = criteria.of<LossOfControl>();
   ControlPeak& control_peak = criteria.of<ControlPeak>();
-  std::optional<Instant> fall;          ///< where a sudden loss of control began
-  std::optional<std::int64_t> fall_of;  ///< reading of the finding that it belongs to
+  std::optional<Instant> fall;           ///< where a sudden loss of control began
+  std::optional<std::int64_t> fall_of;   ///< reading of the finding that it belongs to
+  std::optional<std::int64_t> burst_of;  ///< of the finding of which the interval is known
+  std::optional<StressInterval> burst_interval;
   std::optional<FallWork> fall_work;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   LimitSurface limit;
@@ -90,8 +111,12 @@ CollapseMonitor::CollapseMonitor(const RecordHeader& header, CollapseListeners l
 
 CollapseMonitor::~CollapseMonitor() = default;
 
+void CollapseMonitor::watch(const State& state, const std::optional<Moment>& now) {
+  if (complete(state)) impl_->watch(state, now);
+}
+
 void CollapseMonitor::watch(const State& state) {
-  if (complete(state)) impl_->watch(state);
+  watch(state, moment_of(state, impl_->header.has_time));
 }
 
 void CollapseMonitor::watch_axis(const State& state) {
@@ -114,14 +139,15 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
 
-void CollapseMonitor::Impl::watch(const State& s) {
+void CollapseMonitor::Impl::watch(const State& s, const std::optional<Moment>& now) {
+  criteria.set_now(now);
   if (!stage || *stage != s.stage) start_stage(s);
   if (!is_watched(header.stage(s.stage))) return;
   if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
   ++watched_states;
   if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
-  backbone.add(s);
+  backbone.add(s, now);
   if (!drained) cycles.add(s);
 
   const auto sample = sampler.sample(s);
@@ -138,26 +164,75 @@ void CollapseMonitor::Impl::sharpen() {
     sharpened_descent = descent->onset.reading;
     descent_onset.begin(*sharpened_descent, held_q ? Witness::volume : Witness::second_order_work,
                         history);
-    work.sharpen(within_measured(descent->onset, history));
+    place_descent(*descent);
   } else {
     descent_onset.follow(history);
   }
   const auto& burst = control.found();
+  if (burst && burst_of != burst->instant.reading) {
+    burst_of = burst->instant.reading;
+    burst_interval = interval_of_burst(*burst);
+  }
   if (burst && control.sudden() && fall_of != burst->instant.reading) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
-  if (descent && is_sharper(descent_onset.onset(), descent->onset))
-    work.sharpen(within_measured(descent_onset.onset()->point, history));
+  const bool sought =
+      std::exchange(descent_revision, descent_onset.revision()) != descent_onset.revision();
+  if (sought && descent && is_sharper(descent_onset.onset(), descent->onset)) {
+    const PathPoint onset = within_measured(descent_onset.onset()->point, history);
+    work.sharpen(onset, interval_of(*descent_onset.onset(), onset));
+  }
 
   const auto& turn = control_peak.turn_of_pore_pressure();
   if (turn && sharpened_turn != turn) {
     sharpened_turn = turn;
     pore_turn.begin(*turn, Witness::pore_pressure, history);
+    if (!pore_turn.onset()) bound_turn(*turn);
   } else {
     pore_turn.follow(history);
   }
   if (burst) pore_turn.finish(history, static_cast<double>(burst->instant.reading));
-  if (pore_turn.onset())
-    control_peak.sharpen_turn(instant_of(pore_turn.onset()->point, header.has_time));
+  const bool turned = std::exchange(turn_revision, pore_turn.revision()) != pore_turn.revision();
+  if (turned && pore_turn.onset()) place_turn(*pore_turn.onset());
+}
+
+/// A turn that no fit shows, by what the windows saw.
+void CollapseMonitor::Impl::bound_turn(double reading) {
+  Instant at = control_peak.finding()->instant;
+  PathPoint point;
+  point.reading = reading;
+  point.q = at.q_pa.value_or(kMissing);
+  point.p_eff = at.p_eff_pa.value_or(kMissing);
+  at.interval = interval_over(history, point, reading - kSearch, history.last_reading(), false);
+  control_peak.sharpen_turn(at);
+}
+
+/// At held q the volume turns before equilibrium is lost; whose increments the specimen follows in
+/// between, those of the slow trend or of a servo that searches, nobody can read.
+void CollapseMonitor::Impl::place_turn(const OnsetFit& turn) {
+  Instant at = instant_of(turn.point, header.has_time);
+  const auto& burst = control.found();
+  const double last = burst ? static_cast<double>(burst->instant.reading) : history.last_reading();
+  const double reach = StressSpan::kOf95 * turn.error;
+  at.interval = interval_over(history, turn.point, turn.point.reading - reach,
+                              std::min(turn.point.reading + std::max(reach, kSearch), last), false);
+  control_peak.sharpen_turn(at);
+}
+
+/// Where the windows see it, before any fit.
+void CollapseMonitor::Impl::place_descent(const Descent& descent) {
+  const PathPoint onset = peak_of_readings(within_measured(descent.onset, history), history);
+  work.sharpen(onset, interval_over(history, onset, descent.onset_low, descent.onset_high,
+                                    onset.shortest_window()));
+}
+
+/// Of a fit, up to the burst that ended what it could see.
+std::optional<StressInterval> CollapseMonitor::Impl::interval_of(const OnsetFit& fit,
+                                                                 const PathPoint& onset) const {
+  const double reach = StressSpan::kOf95 * fit.error;
+  const auto& burst = control.found();
+  const double last = burst ? static_cast<double>(burst->instant.reading) : history.last_reading();
+  return interval_over(history, onset, fit.point.reading - reach,
+                       std::min(fit.point.reading + reach, last), false);
 }
 
 void CollapseMonitor::Impl::place_fall(const Finding& burst) {
@@ -166,9 +241,34 @@ void CollapseMonitor::Impl::place_fall(const Finding& burst) {
   fall_work.reset();
   const auto last = static_cast<double>(burst.instant.reading);
   const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
-  fall = fit ? instant_of(*fit, header.has_time) : burst.instant;
+  fall = burst.instant;
+  fall->interval = burst_interval;
+  if (fit) {
+    fall = instant_of(fit->point, header.has_time);
+    fall->interval = fit->interval;
+  }
+  if (held_q && drained) reach_turn_of_volume(last);
   if (before_fall)
     fall_work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
+}
+
+/// Few readings before the fall its turn is too weak to be sure of, but it may be the onset.
+void CollapseMonitor::Impl::reach_turn_of_volume(double last) {
+  constexpr double kYields = 64;  // readings
+  const auto turn = fit_onset(history.between(last - kYields, last), Witness::volume, last);
+  if (!turn) return;
+  Instant at = instant_of(turn->point, header.has_time);
+  at.interval = interval_of(*turn, turn->point);
+  reach(*fall, at);
+}
+
+/// From the reading before it to the one after it.
+std::optional<StressInterval> CollapseMonitor::Impl::interval_of_burst(const Finding& burst) const {
+  PathPoint at = before_fall.value_or(PathPoint{});
+  at.q = burst.instant.q_pa.value_or(kMissing);
+  at.p_eff = burst.instant.p_eff_pa.value_or(kMissing);
+  const auto reading = static_cast<double>(burst.instant.reading);
+  return interval_over(history, at, reading - 1, reading + 1, true);
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -230,15 +330,20 @@ void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 
 Collapse CollapseMonitor::Impl::verdict_so_far() const {
   // A burst that a growing load withdrew takes its fall with it.
-  const auto lost = control.lost();
+  auto lost = control.lost();
+  if (lost && burst_of == lost->instant.reading) lost->instant.interval = burst_interval;
   const bool falls = lost && fall_of == lost->instant.reading;
+  auto at_fall = falls ? fall : std::nullopt;
+  const auto peak_of_control = control_peak.finding();
+  if (at_fall && control_peak.turned() && peak_of_control->instant.reading < at_fall->reading)
+    reach(*at_fall, peak_of_control->instant);
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
                   .loss_of_control = lost,
                   .q_after_loss = control.q_after(),
-                  .fall = falls ? fall : std::nullopt,
+                  .fall = at_fall,
                   .fall_work = falls ? fall_work : std::nullopt,
-                  .control_peak = control_peak.finding(),
+                  .control_peak = peak_of_control,
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
                   .points = points,
@@ -267,6 +372,7 @@ Collapse CollapseMonitor::of_the_axis() const {
 }
 
 Collapse CollapseMonitor::finish() {
+  impl_->criteria.set_now(std::nullopt);
   impl_->end_stage();
   return impl_->verdict_so_far();
 }

@@ -29,6 +29,9 @@ class CollapseMonitor {
   CollapseMonitor(const CollapseMonitor&) = delete;
   CollapseMonitor& operator=(const CollapseMonitor&) = delete;
 
+  /// What is found by this state is known at the reading `now`, the last one taken so far; empty:
+  /// only when the record had ended. Without it: at the state's own.
+  void watch(const State& state, const std::optional<Moment>& now);
   void watch(const State& state);
   /// Of this state what the axis did is known, and nothing else need be: LossOfControl.
   void watch_axis(const State& state);

@@ -180,6 +180,21 @@ std::optional<OnsetFit> fit_onset(std::span<const PathSample> blocks, Witness wi
                   3 * fit[Signal::p_eff].variance + fit[Signal::q].variance * 2 / 3};
 }
 
+/// δη = (δq − η δp′)/p′ is a signal of its own: the cubics are linear in the signals.
+StressFit stress_at(std::span<const PathSample> blocks, double reading) {
+  const Fit first(blocks);
+  const double x = first.x_of(reading);
+  StressFit at{.q = first[Signal::q].value(x), .p_eff = first[Signal::p_eff].value(x), .error = {}};
+  const double eta = at.q / at.p_eff;
+  std::vector<PathSample> combined(blocks.begin(), blocks.end());
+  for (PathSample& block : combined)
+    block.signal[Signal::progress] = block.signal[Signal::q] - eta * block.signal[Signal::p_eff];
+  at.error.q = std::sqrt(first.value_variance(Signal::q, x));
+  at.error.p_eff = std::sqrt(first.value_variance(Signal::p_eff, x));
+  at.error.eta = std::sqrt(Fit(combined).value_variance(Signal::progress, x)) / at.p_eff;
+  return at;
+}
+
 PathPoint values_at(std::span<const PathSample> blocks, double reading) {
   const Fit fit(blocks);
   return point_at(fit, fit.x_of(reading));

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "lab/collapse/stress_span.hpp"
 #include "lab/measured/path_rates.hpp"
 
 namespace triax::lab {
@@ -30,6 +31,14 @@ struct OnsetFit {
 /// middle nine tenths). The root nearest to `near_reading` counts.
 std::optional<OnsetFit> fit_onset(std::span<const PathSample> blocks, Witness witness,
                                   double near_reading);
+
+/// Stresses at a reading from cubics, Pa, and their standard errors from the scatter about them.
+struct StressFit {
+  double q = 0, p_eff = 0;
+  StressError error;
+};
+/// Pre-condition: at least eight blocks, the reading among them.
+StressFit stress_at(std::span<const PathSample> blocks, double reading);
 
 /// Values of the path at a reading from cubics through the blocks around it. Pre-condition: at
 /// least five blocks, the reading among them.

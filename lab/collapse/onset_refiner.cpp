@@ -13,26 +13,37 @@ constexpr double kShortest = 1.0 / 9;            ///< right end, over the readin
 constexpr double kFarthestLeft = 4.1;            ///< left end, over the right one
 constexpr double kLongest = 3;                   ///< last sweep, over the first
 constexpr double kLeastRight = 8;                ///< readings
+constexpr double kOneAbove = 0.84;               ///< share below one standard deviation above
 constexpr double kAround = 12;                   ///< readings on each side that give values
 
 /// The median of the estimates, each with the weight 1/δt; no weight is finer than half a reading.
+/// Its error is its own, or that by which windows of other lengths differ from it: what a cubic
+/// cannot follow.
 OnsetFit consensus(std::vector<OnsetFit> fits) {
   std::ranges::sort(fits, {}, [](const OnsetFit& f) { return f.point.reading; });
   const auto weight = [](const OnsetFit& f) { return 1 / (f.error + 0.5); };
   double whole = 0;
   for (const OnsetFit& f : fits) whole += weight(f);
-  double sum = 0;
-  for (const OnsetFit& f : fits) {
-    sum += weight(f);
-    if (sum >= whole / 2) return f;
-  }
-  return fits.back();
+  const auto at = [&](double share) -> const OnsetFit& {
+    double sum = 0;
+    for (const OnsetFit& f : fits) {
+      sum += weight(f);
+      if (sum >= share * whole) return f;
+    }
+    return fits.back();
+  };
+  OnsetFit best = at(0.5);
+  const double spread = (at(kOneAbove).point.reading - at(1 - kOneAbove).point.reading) / 2;
+  best.error = std::max(best.error, spread);
+  return best;
 }
 
 }  // namespace
 
 void OnsetRefiner::begin(double reading, Witness witness, const PathHistory& history) {
+  const int revision = revision_;
   *this = OnsetRefiner();
+  revision_ = revision;
   active_ = true;
   witness_ = witness;
   centre_ = reading;
@@ -55,6 +66,7 @@ void OnsetRefiner::finish(const PathHistory& history, double last_reading) {
 }
 
 void OnsetRefiner::sweep(const PathHistory& history, double last_reading) {
+  ++revision_;
   // Twice: the second family of windows lies around the median of the first.
   for (int pass = 0; pass < 2; ++pass) {
     std::vector<OnsetFit> fits;

@@ -23,6 +23,8 @@ class OnsetRefiner {
   void finish(const PathHistory& history, double last_reading);
   /// The best so far; empty until a window shows the turn.
   const std::optional<OnsetFit>& onset() const { return best_; }
+  /// How often it was sought: onset() changes with this number only.
+  int revision() const { return revision_; }
   /// Whether more readings may still improve it.
   bool active() const { return active_; }
 
@@ -30,6 +32,7 @@ class OnsetRefiner {
   void sweep(const PathHistory& history, double last_reading);
 
   bool active_ = false;
+  int revision_ = 0;
   Witness witness_ = Witness::second_order_work;
   double centre_ = 0;
   double first_ = 0, swept_ = 0;  ///< readings since the onset, at the first and latest sweep

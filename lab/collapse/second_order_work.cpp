@@ -26,6 +26,12 @@ std::string describe(const Descent& d) {
 
 }  // namespace
 
+Instant onset_of(const Descent& descent, bool has_time) {
+  Instant at = instant_of(descent.best_onset(), has_time);
+  at.interval = descent.interval;
+  return at;
+}
+
 bool lasts_at_held_q(const Descent& descent) {
   return !descent.came_back &&
          descent.axial_strain_last - descent.onset.axial_strain >= kHeldStrain;
@@ -40,6 +46,7 @@ void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {
   has_time_ = has_time;
   descents_.add(point);
   if (!latest()) return;
+  if (latest_counts()) descents_.notice(now_);
   const bool yields = held_q_ && lasts_at_held_q(*latest());
   if (is_same(held_, latest()) || (yields && !held_)) held_ = latest();
 }
@@ -57,9 +64,10 @@ std::optional<Finding> SecondOrderWork::finding() const {
   const auto& held = at_held_q();
   const auto& descent = held ? held : worst();
   if (!descent) return std::nullopt;
-  return Finding{.instant = instant_of(descent->best_onset(), has_time_),
+  return Finding{.instant = onset_of(*descent, has_time_),
                  .evidence = describe(*descent),
-                 .detected = held || descent->strength_loss() >= Descent::kWorthALoss};
+                 .detected = held || descent->strength_loss() >= Descent::kWorthALoss,
+                 .noticed = descent->noticed};
 }
 
 }  // namespace triax::lab

@@ -9,6 +9,9 @@
 
 namespace triax::lab {
 
+/// Where it began, with the interval of its stresses.
+Instant onset_of(const Descent& descent, bool has_time);
+
 /// A descent under a held q shows in the strain, not in q: it counts once the axial strain has
 /// grown by 1 % since the onset without second-order work turning positive again.
 bool lasts_at_held_q(const Descent& descent);
@@ -28,7 +31,9 @@ class SecondOrderWork : public CollapseCriterion {
   /// Whether the latest, as it stands now, is a loss of sustainability.
   bool latest_counts() const;
   /// Gives the latest descent a sharper onset.
-  void sharpen(const PathPoint& onset) { descents_.sharpen(onset); }
+  void sharpen(const PathPoint& onset, const std::optional<StressInterval>& interval) {
+    descents_.sharpen(onset, interval);
+  }
 
  private:
   DescentTracker descents_;

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "lab/collapse/criteria.hpp"
+#include "lab/collapse/second_order_work.hpp"
+#include "lab/collapse/stress_span.hpp"
 #include "lab/measured/instant.hpp"
 
 namespace triax::lab {
@@ -16,6 +18,8 @@ static_assert(Backbone::kWorth == Descent::kWorthALoss, "a loss is worth the sam
 constexpr double kFlowLoss = 0.5;
 /// Share of the strength from which a drained peak is told as a failure.
 constexpr double kFailureLoss = 0.02;
+/// Share of a loss that noise may seem to bring back while q still falls.
+constexpr double kNotTurned = 0.1;
 
 CollapseKind kind_of(double loss, double regained) {
   if (loss < Descent::kWorthALoss) return CollapseKind::none;
@@ -63,7 +67,7 @@ void take_descent(const Evidence& e, const Descent& descent, Collapse& c) {
   const bool failed = descent.drained && descent.strength_loss() >= kFailureLoss &&
                       descent.evidence.significantly_negative();
   if (c.kind == CollapseKind::none && !failed) return;
-  c.onset = instant_of(descent.best_onset(), e.has_time);
+  c.onset = onset_of(descent, e.has_time);
   c.second_order_work_normalised = descent.evidence.work.normalised;
   c.second_order_work_error = descent.evidence.normalised_error;
   c.strength_lost = descent.strength_loss();
@@ -106,6 +110,31 @@ void take_fall_after(const Evidence& e, Collapse& c) {
   c.strength_lost = lost;
 }
 
+/// The onset lies between the reading before its peak and the first without that strength.
+Instant onset_of(const BackboneFall& fall, bool has_time) {
+  Instant at = instant_of(fall.last_high, has_time);
+  const double deviation = fall.noise / BendNoise::kOfDeviation;
+  StressSpan span(*at.q_pa, *at.p_eff_pa);
+  for (const State* state : {&fall.before_peak, &fall.peak, &fall.first_low})
+    span.reach(state->q, state->p_eff);
+  at.interval = span.interval(error_of_readings(deviation * deviation, *at.q_pa, *at.p_eff_pa));
+  return at;
+}
+
+std::optional<Moment> earlier(const std::optional<Moment>& a, const std::optional<Moment>& b) {
+  if (!a || !b) return a ? a : b;
+  return a->reading <= b->reading ? a : b;
+}
+
+/// When the first of what the verdict rests on was known.
+void note_when_known(const Evidence& e, const std::optional<Descent>& descent, bool by_backbone,
+                     Collapse& c) {
+  if (!c.detected()) return;
+  if (descent) c.noticed = descent->noticed;
+  if (e.loss_of_control) c.noticed = earlier(c.noticed, e.loss_of_control->noticed);
+  if (by_backbone) c.noticed = earlier(c.noticed, e.backbone->noticed);
+}
+
 /// Strength was lost that no window of readings saw go.
 void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
   const std::string lost =
@@ -117,7 +146,7 @@ void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
     return;
   }
   c.kind = kind_of(fall.loss(), fall.share_regained());
-  c.onset = instant_of(fall.last_high, e.has_time);
+  c.onset = onset_of(fall, e.has_time);
   c.strength_lost = std::min(fall.loss(), 1.0);
   c.second_order_work_normalised = fall.normalised_work();
   Criterion& criterion = c.criteria.front();
@@ -151,6 +180,7 @@ void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
        loading->liquefied->instant.reading <= loading->double_amplitude->instant.reading);
   if (c.kind == CollapseKind::none) {
     c.onset = (liquefied_first ? loading->liquefied : loading->double_amplitude)->instant;
+    c.noticed = Moment{c.onset->reading, c.onset->time_s};
     c.inside_limit_surface.reset();
     c.strength_lost.reset();
     c.second_order_work_normalised.reset();
@@ -168,7 +198,22 @@ void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
       fall.share * 100, fall.reading);
   c.kind = CollapseKind::none;
   c.onset.reset();
+  c.noticed.reset();
   c.end_at(fall.reading, reason);
+}
+
+/// q was still falling when the record ended: whether it is a loss nobody knows.
+void end_in_the_fall(const Evidence& e, Collapse& c) {
+  if (c.detected() || c.onset || !e.worst) return;
+  const Descent& fall = *e.worst;
+  const bool falls = !fall.ended && !fall.drained && fall.evidence.significantly_negative() &&
+                     fall.strength_loss() >= kFailureLoss && fall.strength_regained() < kNotTurned;
+  const PathPoint& onset = fall.best_onset();
+  if (!falls || e.limit.inside(onset.eta(), onset.reading) == false) return;
+  c.end_at(std::llround(onset.reading),
+           fmt::format("the record ends while q falls: {:.0f} % of it was lost, second-order work "
+                       "is negative",
+                       fall.strength_loss() * 100));
 }
 
 }  // namespace
@@ -195,14 +240,15 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   take_fall_after(e, c);
   const bool by_backbone = !c.onset && few;
   if (by_backbone) take_backbone(e, *e.backbone, c);
-  if (few && c.onset && is_late(*c.onset, *e.backbone))
-    c.onset = instant_of(e.backbone->last_high, e.has_time);
+  if (few && c.onset && is_late(*c.onset, *e.backbone)) c.onset = onset_of(*e.backbone, e.has_time);
   if (c.onset && e.fall) c.onset = e.fall;
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   const bool drained = by_backbone ? e.backbone->drained : descent && descent->drained;
   tell_failures_apart(e, drained && !e.at_held_q, c);
+  note_when_known(e, descent, by_backbone, c);
   if (e.cycles) tell_cyclic_mobility(*e.cycles, c);
+  end_in_the_fall(e, c);
   // A runaway that was seen is never withdrawn.
   if (e.fall_at_rest && !e.loss_of_control) end_at_doubtful_rest(*e.fall_at_rest, c);
   return c;

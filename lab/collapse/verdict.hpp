@@ -48,7 +48,8 @@ struct Evidence {
 /// collapse). So is a peak of q with the drainage open under prescribed displacement, unless the
 /// friction angle is known to be larger; that is told from a fiftieth of the strength on. Strength
 /// that was lost within fewer readings than windows need is a collapse by the work of its finite
-/// increment; where a single one shows the loss, nothing is known after it. Where cycles of load
+/// increment; where a single one shows the loss, nothing is known after it;
+/// nor where the record ends while q falls and less than that is lost. Where cycles of load
 /// liquefied the specimen and were carried on it is cyclic mobility. `criteria` are those of
 /// Criteria::criteria(): they stand in the verdict, the first of them, second-order work, as a fall
 /// proves it or the limit surface refutes it.

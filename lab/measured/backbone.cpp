@@ -41,7 +41,9 @@ void Backbone::Side::forget(const State& state) {
   while (!recent.empty() && recent.front().reading < state.reading - kFew) recent.pop_front();
   if (fall.readings > 0 || recent.empty() || fall.peak.reading >= recent.front().reading) return;
   const auto by_strength = [this](const State& s) { return strength(s); };
-  fall.peak = *std::ranges::max_element(recent, {}, by_strength);
+  const auto peak = std::ranges::max_element(recent, {}, by_strength);
+  fall.peak = *peak;
+  fall.before_peak = peak == recent.begin() ? *peak : *(peak - 1);
   for (const State& s : recent)
     if (strength(s) >= kHigh * strength(fall.peak)) fall.last_high = fall.least = s;
   fall.regained = strength(fall.least);
@@ -50,7 +52,8 @@ void Backbone::Side::forget(const State& state) {
 
 void Backbone::Side::begin(const State& state) {
   if (fall.confirmed) worst = larger();
-  fall = BackboneFall{.peak = state,
+  fall = BackboneFall{.before_peak = recent.empty() ? state : recent.back(),
+                      .peak = state,
                       .last_high = state,
                       .least = state,
                       .regained = strength(state),
@@ -83,6 +86,7 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
     return;
   }
   fall.readings = state.reading - fall.last_high.reading;
+  fall.first_low = state;
   fall.drained = drained;
   fall.confirmed = now < kGone * peak && step > std::max(kLeap, kLeapOfSteps * largest_step);
 }
@@ -131,15 +135,17 @@ void Backbone::start_stage(bool drained) {
   new_stage_ = true;
 }
 
-void Backbone::add(const State& state) {
+void Backbone::add(const State& state, const std::optional<Moment>& now) {
   if (!first_) first_ = state;
   // The next specimen of a multistage test is stronger from its first reading on.
   if (new_stage_ && last_ && state.p_eff > kRegain * last_->p_eff)
     for (Side& side : sides_) side.turned = true;
   new_stage_ = false;
   last_ = state;
-  for (Side& side : sides_)
+  for (Side& side : sides_) {
     side.add(state, side.sign * (state.strain.axial - first_->strain.axial), drained_);
+    if (side.fall.confirmed && !side.fall.noticed) side.fall.noticed = now;
+  }
 }
 
 std::optional<BackboneFall> Backbone::worst() const {

@@ -8,19 +8,23 @@
 
 #include "lab/measured/bend_noise.hpp"
 #include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
 
 /// A loss of strength along the backbone. Stresses in Pa.
 struct BackboneFall {
+  State before_peak;          ///< the one before that: the peak may lie between the two
   State peak;                 ///< largest |q| before the fall
   State last_high;            ///< last state that had nearly all of it
+  State first_low;            ///< first that had lost it
   State least;                ///< smallest |q| since
   double regained = 0;        ///< largest |q| since that
   std::int64_t readings = 0;  ///< from last_high to the first that had lost it
   bool confirmed = false;     ///< by a second state in a row without it, or by a leap of the strain
   double noise = 0;           ///< of |q| before it, see BendNoise
-  bool drained = false;       ///< lost with the drainage open and the axis moved by displacement
+  std::optional<Moment> noticed;  ///< when it was confirmed; empty: it was not before the end
+  bool drained = false;  ///< lost with the drainage open and the axis moved by displacement
 
   double loss() const;            ///< share of the peak; above 1 where q changed its sign
   double share_regained() const;  ///< of what was lost
@@ -46,7 +50,8 @@ class Backbone {
   static constexpr std::int64_t kFew = 32;      ///< readings
 
   void start_stage(bool drained);
-  void add(const State& state);
+  /// What is confirmed by this state is known at the reading `now`.
+  void add(const State& state, const std::optional<Moment>& now = {});
   /// The fall that cost most.
   std::optional<BackboneFall> worst() const;
 

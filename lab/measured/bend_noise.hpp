@@ -12,6 +12,8 @@ namespace triax::lab {
 /// sign, 0 where they agree: (√6 − 1)/√(2π) = 0.578 standard deviations of white noise.
 class BendNoise {
  public:
+  static constexpr double kOfDeviation = 0.578;  ///< value() over a standard deviation
+
   void add(double value) {
     const double bend = last_[1] - (last_[0] + value) / 2;
     if (++seen_ > 3) {

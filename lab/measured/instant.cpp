@@ -30,4 +30,8 @@ Instant instant_of(const PathPoint& p, bool has_time) {
           .pore_pressure_pa = known(p.pore_pressure)};
 }
 
+Moment moment_of(const State& s, bool has_time) {
+  return {s.reading, has_time ? known(s.time_s) : std::nullopt};
+}
+
 }  // namespace triax::lab

@@ -11,4 +11,7 @@ Instant instant_of(const State& state, bool has_time);
 /// The instant of a smoothed point of the path, at the nearest reading.
 Instant instant_of(const PathPoint& point, bool has_time);
 
+/// The moment of one state, likewise.
+Moment moment_of(const State& state, bool has_time);
+
 }  // namespace triax::lab

@@ -63,6 +63,7 @@ void Collapse::withhold(const std::string& reason) {
   judged = false;
   kind = CollapseKind::none;
   onset.reset();
+  noticed.reset();
   inside_limit_surface.reset();
   second_order_work_normalised.reset();
   second_order_work_error.reset();
@@ -76,7 +77,10 @@ void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reaso
   const bool ended = !judged_until_reason.empty();
   if (ended && last && (!judged_until || *judged_until <= *last)) return;
   judged = judged && last && detected();
-  if (!judged) onset.reset();
+  if (!judged) {
+    onset.reset();
+    noticed.reset();
+  }
   judged_until = last;
   judged_until_reason = reason;
   for (Criterion& c : criteria)

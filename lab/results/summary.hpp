@@ -35,12 +35,32 @@ enum class EventKind {
 std::string_view to_string(EventKind kind);
 std::optional<EventKind> event_kind_from(std::string_view text);
 
+/// A reading at which something was known: the last one that had been taken by then.
+struct Moment {
+  std::int64_t reading = 0;
+  std::optional<double> time_s;
+};
+
 /// Something that happened at an instant, with its evidence.
 struct Event {
   std::int64_t reading = 0;
   std::optional<double> time_s;
   EventKind kind = EventKind::stage_started;
   std::string detail;  ///< one sentence with numbers and units
+  /// When it was known; empty: not told, or only when the record had ended.
+  std::optional<Moment> noticed{};
+};
+
+/// Where a value lies with 95 % confidence.
+struct Interval {
+  double low = 0, high = 0;
+  bool holds(double value) const { return low <= value && value <= high; }
+};
+
+/// Where the stresses at an instant lie (lab/collapse/onset_error.hpp). η has its own: the errors
+/// of q and p′ are not independent.
+struct StressInterval {
+  Interval q_pa, p_eff_pa, eta;
 };
 
 /// One instant of the test.
@@ -51,6 +71,8 @@ struct Instant {
   std::optional<double> q_pa;
   std::optional<double> p_eff_pa;
   std::optional<double> pore_pressure_pa;
+  /// Of an onset: the error of the measured state and of its place. Empty: not known.
+  std::optional<StressInterval> interval{};
   std::optional<double> eta() const {
     if (!q_pa || !p_eff_pa || *p_eff_pa == 0) return std::nullopt;
     return *q_pa / *p_eff_pa;
@@ -68,6 +90,8 @@ struct Criterion {
   std::optional<double> time_s;
   std::optional<double> eta;
   std::string evidence;  ///< one sentence with numbers and units
+  /// When that was known; empty: nothing was found, or only when the record had ended.
+  std::optional<Moment> noticed{};
 };
 
 struct Consolidation {
@@ -126,6 +150,8 @@ struct Collapse {
   /// Of the collapse; where kind is none, of a failure: strength lost on the limit surface, or with
   /// the drainage open.
   std::optional<Instant> onset;
+  /// When the collapse (a failure is none) was first known; empty: only when the record had ended.
+  std::optional<Moment> noticed;
   std::optional<double> second_order_work_normalised;  ///< at the first significant window (or the
                                                        ///< nearest to it), or over a fall
   std::optional<double> second_order_work_error;

@@ -122,6 +122,7 @@ class SessionRun {
       }
     }
     tell_of_the_rig();
+    ended_ = true;
     states_.finish();
     pass_on();
     summarise();
@@ -132,7 +133,10 @@ class SessionRun {
  private:
   CollapseListener monitor_listener();
   void take(const Reading& reading);
-  void tell_of(const Event& event) { tell(listeners_, &SessionListener::happened, event); }
+  void tell_of(Event event) {
+    if (!ended_) event.noticed = last_reading_;
+    tell(listeners_, &SessionListener::happened, event);
+  }
   void tell_of_the_rig() {
     for (const Event& event : back_end_.events()) tell_of(event);
   }
@@ -154,7 +158,8 @@ class SessionRun {
   TestSummary summary_;
   Pace pace_;
   std::optional<int> stage_;
-  std::optional<std::int64_t> last_reading_;
+  std::optional<Moment> last_reading_;
+  bool ended_ = false;  ///< what is found from now on was not known while the test ran
   std::vector<Warning> aborted_;
   Clock::time_point next_progress_ = Clock::now();
 };
@@ -171,7 +176,8 @@ CollapseListener SessionRun::monitor_listener() {
 void SessionRun::take(const Reading& reading) {
   if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
   stage_ = reading.stage;
-  last_reading_ = reading.number;
+  last_reading_ = Moment{reading.number, {}};
+  if (back_end_.header().has_time) last_reading_->time_s = reading.time_s;
   tell_of_the_rig();
   const State state = reduction_.reduce(reading);
   tell(listeners_, &SessionListener::scanned, reading, state);
@@ -192,7 +198,7 @@ void SessionRun::pass_on() {
       monitor_.interrupt();
       gaps_.end(judged->reading.number);
     }
-    monitor_.watch(judged->state);
+    monitor_.watch(judged->state, ended_ ? std::nullopt : last_reading_);
   }
 }
 
@@ -231,7 +237,7 @@ void SessionRun::summarise() {
   keep_run_away(collapse);
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
   if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
-    collapse.end_at(last_reading_, why);
+    collapse.end_at(last_reading_ ? std::optional(last_reading_->reading) : std::nullopt, why);
   if (options_.otherwise && collapse.judged)
     if (const auto doubt = contradiction(collapse, options_.otherwise())) collapse.withhold(*doubt);
   const auto caveat = gaps_.caveat(collapse);

@@ -225,9 +225,33 @@ std::string membrane_line(const db::StoredTest& test) {
                      in_mm(specimen.membrane_thickness_m), in_kPa(specimen.membrane_modulus_pa, 0));
 }
 
+std::string ratio_range(const lab::Interval& eta) {
+  return fmt::format("{}–{}", number(eta.low, 2), number(eta.high, 2));
+}
+
+std::string interval_line(const lab::StressInterval& at) {
+  const auto kPa = [](const lab::Interval& of) {
+    return fmt::format("{} to {} kPa", in_kPa(of.low), in_kPa(of.high));
+  };
+  return fmt::format("with 95 %: η {} to {}, q {}, p′ {}", number(at.eta.low, 3),
+                     number(at.eta.high, 3), kPa(at.q_pa), kPa(at.p_eff_pa));
+}
+
+std::string noticed_line(const db::StoredTest& test) {
+  const lab::Collapse& collapse = test.summary.collapse;
+  if (!collapse.noticed) return "not before the record ended";
+  std::string line = fmt::format("at reading {}", collapse.noticed->reading);
+  if (collapse.noticed->time_s) line += ", " + duration(collapse.noticed->time_s);
+  if (!collapse.onset) return line;
+  const std::int64_t after = collapse.noticed->reading - collapse.onset->reading;
+  return line + (after == 1 ? std::string("; one reading after the onset")
+                            : fmt::format("; {} readings after the onset", after));
+}
+
 /// The onset lies between readings, its values are fitted: the reading's own stand below.
 std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Instant& onset) {
   std::vector<std::string> lines = {instant(onset)};
+  if (onset.interval) lines.push_back(interval_line(*onset.interval));
   if (test.state_at_onset)
     lines.push_back("that reading itself: " +
                     stress_and_strain(lab::instant_of(*test.state_at_onset, false)));
@@ -240,6 +264,7 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   if (!study::has_verdict(test)) return;
   if (const auto onset = study::collapse_onset(test))
     facts.push_back({"Onset", onset_lines(test, *onset)});
+  if (collapse.detected()) facts.push_back({"Noticed", {noticed_line(test)}});
   if (const auto failure = study::failure_onset(test))
     facts.push_back({"Failure", onset_lines(test, *failure)});
   facts.push_back(
@@ -264,13 +289,16 @@ Table criteria_table(const db::StoredTest& test) {
                {"Reading", Align::right},
                {"Time", Align::right},
                {"η", Align::right},
+               {"Noticed at", Align::right},
                {"Evidence"}},
               {}};
   for (const auto& criterion : test.summary.collapse.criteria)
-    table.rows.push_back({spaced(criterion.name), detected_word(criterion),
-                          criterion.reading ? fmt::format("{}", *criterion.reading) : kUnknown,
-                          duration(criterion.time_s), number(criterion.eta, 2),
-                          criterion.evidence});
+    table.rows.push_back(
+        {spaced(criterion.name), detected_word(criterion),
+         criterion.reading ? fmt::format("{}", *criterion.reading) : kUnknown,
+         duration(criterion.time_s), number(criterion.eta, 2),
+         criterion.noticed ? fmt::format("{}", criterion.noticed->reading) : kUnknown,
+         criterion.evidence});
   return table;
 }
 
@@ -308,18 +336,20 @@ Table summary_table(const std::vector<study::TestResult>& tests) {
                {"e₀", Align::right},
                {"φ_mob (°)", Align::right},
                {"η_coll", Align::right},
+               {"95 %", Align::right},
                {"Collapse"},
                {"Limit surface"},
                {"Criteria"}},
               {}};
   for (const auto& [test, curves] : tests) {
     const auto onset = study::collapse_onset(test);
-    table.rows.push_back({or_unknown(test.header.programme), test.header.name, origin_word(test),
-                          in_kPa(test.summary.consolidation.p_eff_pa, 0),
-                          number(study::void_ratio(test), 3),
-                          in_degrees(onset ? onset->phi_mob_rad() : std::nullopt),
-                          number(onset ? onset->eta() : std::nullopt, 2), kind_word(test),
-                          inside_limit_surface(test.summary.collapse), agreement(test)});
+    table.rows.push_back(
+        {or_unknown(test.header.programme), test.header.name, origin_word(test),
+         in_kPa(test.summary.consolidation.p_eff_pa, 0), number(study::void_ratio(test), 3),
+         in_degrees(onset ? onset->phi_mob_rad() : std::nullopt),
+         number(onset ? onset->eta() : std::nullopt, 2),
+         onset && onset->interval ? ratio_range(onset->interval->eta) : kUnknown, kind_word(test),
+         inside_limit_surface(test.summary.collapse), agreement(test)});
   }
   return table;
 }
@@ -342,7 +372,8 @@ std::string summary_banner(const std::vector<study::TestResult>& tests) {
 std::vector<std::string> summary_notes() {
   return {
       "p′₀, e₀: mean effective stress and void ratio at the start of shear",
-      "η_coll = q/p′ at the onset of collapse; φ_mob from sin φ_mob = 3η/(6 + η)",
+      "η_coll = q/p′ at the onset of collapse, with its 95 % interval; φ_mob from sin φ_mob = "
+      "3η/(6 + η)",
       "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it",
       "Criteria: how many of the criteria applied agree that the specimen collapsed",
   };

@@ -125,15 +125,39 @@ Json truth_json(const std::optional<lab::Truth>& truth) {
           {"run_aways", run_aways_json(truth->run_aways)}};
 }
 
+void put_interval(Json& object, const std::optional<lab::Instant>& at) {
+  const bool known = at && at->interval;
+  const lab::StressInterval interval = known ? *at->interval : lab::StressInterval{};
+  const auto if_known = [known](double value) {
+    return known ? std::optional(value) : std::nullopt;
+  };
+  object["eta_low"] = study::json_number(if_known(interval.eta.low));
+  object["eta_high"] = study::json_number(if_known(interval.eta.high));
+  object["q_low_kPa"] = study::json_kPa(if_known(interval.q_pa.low));
+  object["q_high_kPa"] = study::json_kPa(if_known(interval.q_pa.high));
+  object["p_eff_low_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.low));
+  object["p_eff_high_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.high));
+}
+
+Json moment_json(const std::optional<lab::Moment>& moment) {
+  if (!moment) return nullptr;
+  return {{"reading", moment->reading}, {"time_s", study::json_number(moment->time_s)}};
+}
+
 Json criteria_json(const std::vector<lab::Criterion>& criteria) {
   Json list = Json::array();
-  for (const auto& criterion : criteria)
-    list.push_back({{"name", criterion.name},
-                    {"detected", maybe(criterion.detected)},
-                    {"reading", maybe(criterion.reading)},
-                    {"time_s", study::json_number(criterion.time_s)},
-                    {"eta", study::json_number(criterion.eta)},
-                    {"evidence", study::json_text(criterion.evidence)}});
+  for (const auto& criterion : criteria) {
+    const auto& noticed = criterion.noticed;
+    list.push_back(
+        {{"name", criterion.name},
+         {"detected", maybe(criterion.detected)},
+         {"reading", maybe(criterion.reading)},
+         {"time_s", study::json_number(criterion.time_s)},
+         {"eta", study::json_number(criterion.eta)},
+         {"noticed_reading", noticed ? Json(noticed->reading) : Json(nullptr)},
+         {"noticed_time_s", study::json_number(noticed ? noticed->time_s : std::nullopt)},
+         {"evidence", study::json_text(criterion.evidence)}});
+  }
   return list;
 }
 
@@ -169,6 +193,8 @@ Json collapse_json(const db::StoredTest& test) {
   object["judged"] = judged_json(test);
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
+  put_interval(object, collapse.onset);
+  object["noticed"] = moment_json(collapse.noticed);
   object["reading_itself"] = reading_itself_json(test);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);

@@ -33,6 +33,19 @@ TEST_CASE("of several peaks of q the one that cost most is kept") {
   CHECK(peak.finding()->instant.reading == 3);
 }
 
+TEST_CASE("a peak is known when a tenth of it is lost, however far q falls later") {
+  ControlPeak peak;
+  peak.start_stage(nullptr);
+  int reading = 0;
+  for (const double q : {50e3, 100e3, 95e3, 80e3, 40e3, 10e3}) {
+    peak.set_now(Moment{reading + 5, {}});
+    peak.add_point(point(reading++, q), true);
+  }
+  REQUIRE(peak.finding());
+  REQUIRE(peak.finding()->noticed);
+  CHECK(peak.finding()->noticed->reading == 8);  // the fourth point, five readings later
+}
+
 TEST_CASE("less than a tenth is no peak") {
   ControlPeak peak;
   peak.start_stage(nullptr);

@@ -93,8 +93,23 @@ TEST_CASE("a sharper onset goes with the descent; without one its own counts") {
   CHECK(feed.tracker.worst()->best_onset().reading == coarse);
   PathPoint sharp = feed.tracker.latest()->onset;
   sharp.reading = 68.5;
-  feed.tracker.sharpen(sharp);
+  feed.tracker.sharpen(sharp, StressInterval{{1, 2}, {3, 4}, {5, 6}});
   feed(-0.3, 50e3);
   CHECK(feed.tracker.worst()->best_onset().reading == 68.5);
   CHECK(feed.tracker.worst()->onset.reading == coarse);  // by which it is known
+}
+
+TEST_CASE("a descent is known once, and says between which windows it began") {
+  Feed feed;
+  for (int i = 0; i < 10; ++i) feed(0.3, 90e3 + 1e3 * i);  // the last at reading 63
+  for (int i = 0; i < 6; ++i) feed(-0.3, 99e3 - 5e3 * i);
+  REQUIRE(feed.tracker.latest());
+  CHECK(feed.tracker.latest()->onset_low == 62);
+  CHECK(feed.tracker.latest()->onset_high == 71);
+  CHECK_FALSE(feed.tracker.worst()->noticed);
+  feed.tracker.notice(Moment{100, 200.0});
+  feed.tracker.notice(Moment{300, 600.0});
+  feed(-0.3, 50e3);
+  REQUIRE(feed.tracker.worst()->noticed);
+  CHECK(feed.tracker.worst()->noticed->reading == 100);
 }

@@ -53,6 +53,34 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   CHECK(control.sudden());
 }
 
+TEST_CASE("a loss is known at the reading taken by then, and in a later stage no later") {
+  StageInfo load = kHeld;
+  load.control = AxialControl::load;
+  LossOfControl control;
+  control.start_stage(&load);
+  for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
+  control.set_now(Moment{304, 304.0});  // four readings were held back
+  control.start_stage(&load);
+  for (int i = 300; i < 330; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
+  control.set_now(Moment{331, 331.0});
+  control.add_state(at(330, 5e3, 0.15), true);
+  control.set_now(Moment{400, 400.0});
+  control.start_stage(&kHeld);
+  REQUIRE(control.finding());
+  CHECK(control.finding()->instant.reading == 329);
+  REQUIRE(control.finding()->noticed);
+  CHECK(control.finding()->noticed->reading == 331);
+  CHECK(control.finding()->noticed->time_s == 331.0);
+
+  LossOfControl late;
+  late.start_stage(&load);
+  for (int i = 0; i < 300; ++i) late.add_state(at(i, 50e3, i * 1e-5), true);
+  late.set_now(std::nullopt);  // the record is over
+  late.add_state(at(300, 5e3, 0.15), true);
+  REQUIRE(late.finding());
+  CHECK_FALSE(late.finding()->noticed);
+}
+
 TEST_CASE("a burst after which a load is carried on, and grows, took no control away") {
   StageInfo load = kHeld;
   load.control = AxialControl::load;

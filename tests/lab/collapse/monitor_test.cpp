@@ -43,6 +43,65 @@ TEST_CASE("a peak that is over before the first window is full is the onset, not
   CHECK(c.criteria[0].reading.value() >= 3);
 }
 
+TEST_CASE("the onset of a noisy test has an interval that holds the peak, and a narrow one") {
+  int q = 0, eta = 0;
+  constexpr int kTimes = 20;
+  for (int seed = 1; seed <= kTimes; ++seed) {
+    SyntheticPath path;
+    path.q_noise = path.u_noise = 400;
+    path.rng.seed(static_cast<std::uint64_t>(seed));
+    const Collapse c = judge(path, 5000);
+    REQUIRE(c.onset);
+    REQUIRE(c.onset->interval);
+    const StressInterval& at = *c.onset->interval;
+    q += at.q_pa.holds(path.q_peak);
+    eta += at.eta.holds(path.q_peak / path.p(path.peak_strain));
+    CHECK(at.eta.holds(*c.onset->eta()));
+    CHECK(at.eta.high - at.eta.low < 0.15);
+  }
+  CHECK(q >= 17);
+  CHECK(eta >= 17);
+}
+
+TEST_CASE("between few readings the interval is the gap that hides the peak") {
+  SyntheticPath path;
+  path.strain_step = 0.0011;  // the peak lies between the readings 5 and 6
+  const Collapse c = judge(path, 60);
+  REQUIRE(c.kind == CollapseKind::flow);
+  REQUIRE(c.onset->interval);
+  CHECK(c.onset->interval->eta.holds(path.q_peak / path.p(path.peak_strain)));
+  CHECK(c.onset->interval->eta.high - c.onset->interval->eta.low > 0.01);
+}
+
+TEST_CASE("a collapse is known when a tenth of q is lost, at the reading taken by then") {
+  SyntheticPath path;
+  CollapseMonitor monitor(undrained_header());
+  std::int64_t first = -1;
+  for (int i = 0; i < 5000; ++i) {
+    monitor.watch(path.state(i), Moment{i + 20, i + 20.0});
+    if (first < 0 && i % 8 == 0 && monitor.so_far().detected()) first = i + 20;
+  }
+  const Collapse c = monitor.finish();
+  REQUIRE(c.noticed);
+  CHECK(std::abs(c.noticed->reading - first) <= 8);
+  CHECK(c.noticed->time_s == static_cast<double>(c.noticed->reading));
+  REQUIRE(c.criteria[0].noticed);
+  CHECK(c.criteria[0].noticed->reading == c.noticed->reading);
+  CHECK_FALSE(c.criteria[1].noticed);
+  REQUIRE(c.criteria[2].noticed);
+}
+
+TEST_CASE("what only the end of the record shows was never noticed") {
+  // Found by the windows that finish() closes, or by states that come when all is over.
+  SyntheticPath path;
+  CollapseMonitor monitor(undrained_header());
+  for (int i = 0; i < 5000; ++i) monitor.watch(path.state(i), std::nullopt);
+  const Collapse c = monitor.finish();
+  CHECK(c.detected());
+  CHECK_FALSE(c.noticed);
+  CHECK_FALSE(c.criteria[0].noticed);
+}
+
 TEST_CASE("what was found so far can be asked for at any time, and changes nothing") {
   SyntheticPath path;
   CollapseMonitor monitor(undrained_header()), other(undrained_header());

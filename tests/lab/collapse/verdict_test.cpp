@@ -5,6 +5,7 @@
 
 #include "lab/collapse/criteria.hpp"
 #include "lab/collapse/second_order_work.hpp"
+#include "lab/collapse/stress_span.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 using namespace triax::lab;
@@ -224,4 +225,48 @@ TEST_CASE("a limit of the test's own excuses no undrained loss of most of the st
   CHECK(verdict({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::flow);
   fall.drained = true;
   CHECK(verdict({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::none);
+}
+
+TEST_CASE("a record that ends while q falls is not judged to its end; a dip that came back is") {
+  const LimitSurface limit = sand();
+  Descent fall = descent(100e3, 150e3, 6e3, 94e3);
+  fall.evidence.normalised_error = 0.02;
+  const Collapse cut = verdict({.worst = fall, .points = 50, .limit = limit});
+  CHECK_FALSE(cut.judged);
+  CHECK(cut.judged_until == 10);
+  CHECK_THAT(cut.judged_until_reason, Catch::Contains("ends while q falls: 6 %"));
+
+  Descent turned = fall;
+  turned.q_regained = 95e3;  // it has turned
+  CHECK(verdict({.worst = turned, .points = 50, .limit = limit}).judged);
+  Descent over = fall;
+  over.ended = true;
+  CHECK(verdict({.worst = over, .points = 50, .limit = limit}).judged);
+  Descent drained = fall;
+  drained.drained = true;
+  CHECK(verdict({.worst = drained, .points = 50, .limit = limit}).judged);
+  CHECK(verdict({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).judged);
+}
+
+TEST_CASE("a verdict is known when the first of what it rests on was") {
+  const LimitSurface limit = sand();
+  Descent lost = descent(100e3, 150e3, 95e3, 6e3);
+  lost.noticed = Moment{70, 7.0};
+  lost.interval = as_interval(100e3, 150e3);
+  Finding control{.instant = {.reading = 12, .q_pa = 90e3, .p_eff_pa = 140e3},
+                  .evidence = "burst",
+                  .noticed = Moment{40, 4.0}};
+  const Collapse both =
+      verdict({.worst = lost, .loss_of_control = control, .points = 50, .limit = limit});
+  REQUIRE(both.noticed);
+  CHECK(both.noticed->reading == 40);
+  CHECK(both.criteria[1].noticed->reading == 40);
+  REQUIRE(both.onset->interval);
+  CHECK(both.onset->interval->q_pa.holds(100e3));
+  const Collapse one = verdict({.worst = lost, .points = 50, .limit = limit});
+  CHECK(one.noticed->reading == 70);
+  lost.noticed.reset();
+  CHECK_FALSE(verdict({.worst = lost, .points = 50, .limit = limit}).noticed);
+  CHECK_FALSE(
+      verdict({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).noticed);
 }

@@ -187,3 +187,26 @@ TEST_CASE("a test that was cut short earns no verdict of none; a collapse before
   CHECK(fell.judged);
   CHECK(fell.detected());
 }
+
+TEST_CASE("what happened and what was found are known at the last reading taken by then") {
+  FakeRig rig(3000);
+  std::int64_t last = -1, losses = 0;
+  SessionListener listener;
+  listener.scanned = [&](const Reading& r, const State&) { last = r.number; };
+  listener.happened = [&](const Event& event) {
+    if (event.kind != EventKind::loss_of_sustainability) return;
+    ++losses;
+    REQUIRE(event.noticed);
+    CHECK(event.noticed->reading == last);
+    CHECK(event.noticed->reading > event.reading);
+  };
+  const TestSummary summary = run_session(rig, {}, {listener});
+  CHECK(losses == 1);
+  const Collapse& c = summary.collapse;
+  REQUIRE(c.detected());
+  REQUIRE(c.noticed);
+  CHECK(c.noticed->reading > c.onset->reading);
+  CHECK(c.noticed->reading < 2999);
+  REQUIRE(c.onset->interval);
+  CHECK(c.onset->interval->eta.holds(*c.onset->eta()));
+}

@@ -103,3 +103,32 @@ TEST_CASE("beside the fitted onset stands its reading; cycles of load where ther
   CHECK(d["cyclic"]["double_amplitude_5_pct"]["reading"] == 290);
   CHECK(d["cyclic"]["liquefied"].is_null());
 }
+
+TEST_CASE("the interval of the onset and when it was known are told, and null where unknown") {
+  auto test = test::flow_test();
+  auto& collapse = test.stored.summary.collapse;
+  const json none = json::parse(json_report({test}))["collapse"];
+  for (const char* key : {"eta_low", "eta_high", "q_low_kPa", "q_high_kPa", "p_eff_low_kPa",
+                          "p_eff_high_kPa", "noticed"}) {
+    INFO(key);
+    REQUIRE(none.contains(key));
+    CHECK(none[key].is_null());
+  }
+  CHECK(none["criteria"][0]["noticed_reading"].is_null());
+  CHECK(none["criteria"][0]["noticed_time_s"].is_null());
+
+  collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
+  collapse.noticed = lab::Moment{330, 33.0};
+  collapse.criteria[0].noticed = lab::Moment{340, std::nullopt};
+  const json c = json::parse(json_report({test}))["collapse"];
+  CHECK(c["eta_low"] == 0.57);
+  CHECK(c["eta_high"] == 0.62);
+  CHECK(c["q_low_kPa"].get<double>() == Approx(58));
+  CHECK(c["q_high_kPa"].get<double>() == Approx(61));
+  CHECK(c["p_eff_low_kPa"].get<double>() == Approx(96));
+  CHECK(c["p_eff_high_kPa"].get<double>() == Approx(104));
+  CHECK(c["noticed"]["reading"] == 330);
+  CHECK(c["noticed"]["time_s"] == 33.0);
+  CHECK(c["criteria"][0]["noticed_reading"] == 340);
+  CHECK(c["criteria"][0]["noticed_time_s"].is_null());
+}
