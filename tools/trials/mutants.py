@@ -12,7 +12,7 @@ from .works import FROM_STATE, GRAINS, ROOT, once, pieces, run
 
 SEEDS = ROOT / "tests/fuzz/seeds"
 SAMPLES = ROOT / "samples"
-LONG_S, STOP_S, READ_S = 6, 20, 30
+LONG_S, STOP_S, READ_S = 6, 60, 60
 
 
 def few_lines(path: pathlib.Path) -> bytes:
