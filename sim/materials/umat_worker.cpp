@@ -211,8 +211,7 @@ void UmatWorker::shorten_output() const {
 std::string UmatWorker::call(UmatCall& c) {
   const std::lock_guard lock(mutex_);
   if (late_ == kMostLate)
-    return plugin_.library + ": " + how_late("each of three calls in a row") +
-           "; it is called no more";
+    return plugin_.library + ": " + how_late("each of three calls") + "; it is called no more";
   if (process_ == 0)
     if (std::string failure = start(); !failure.empty()) return failure;
   UmatCall& there = exchange_->call;
@@ -227,7 +226,6 @@ std::string UmatWorker::call(UmatCall& c) {
   sem_post(&exchange_->asked);
   const Answer answer = wait();
   if (answer != Answer::came) return ended(answer);
-  late_ = 0;
   if (exchange_->stage == UmatStage::objected) {
     exchange_->stage = UmatStage::ready;
     return plugin_.library + ": " + one_line(exchange_->said());

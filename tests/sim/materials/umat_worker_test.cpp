@@ -195,20 +195,17 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a plug-in that is late three times in a row is called no more, one that answers between is") {
+TEST_CASE("a plug-in that is late three times is called no more, even if it answers between") {
   if (!umat_fixture_is_there()) return;
   UmatPlugin plugin = cone(Misbehaviour::endless);
   plugin.time_limit_s = 0.1;
   UmatWorker worker(plugin);
   UmatCall call = a_strain(), sound;
-  for (const int times : {2, 3}) {
-    for (int i = 0; i < times; ++i)
-      CHECK_THAT(worker.call(call), Catch::Contains("the call did not"));
-    if (times < 3) CHECK(worker.call(sound) == "");
+  for (int i = 0; i < 3; ++i) {
+    CHECK(worker.call(sound) == "");
+    CHECK_THAT(worker.call(call), Catch::Contains("the call did not end within 0.1 s"));
   }
-  const std::string refused =
-      "each of three calls in a row did not end within 0.1 s; it is called no more";
+  const std::string refused = "each of three calls did not end within 0.1 s; it is called no more";
   CHECK_THAT(worker.call(call), Catch::EndsWith(refused));
   CHECK_THAT(worker.call(sound), Catch::EndsWith(refused));
 }
