@@ -12,7 +12,7 @@ from .works import check_complete, database_in_use, undisturbed, work
 PARTS = ("simulate", "replay", "sweep", "long", "grains", "merge")
 SAYS, SAYS_END = "waits until the database takes it", "nothing is lost"
 # A work has something to store sooner, and is silent for two seconds (db::Patience::quiet) after that.
-CERTAINLY_S = 6
+CERTAINLY_S = 8
 
 
 def lock(trial: Trial, alone: bool) -> sqlite3.Connection:

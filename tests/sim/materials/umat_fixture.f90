@@ -181,9 +181,9 @@ contains
         ignored = rest(1000000_c_int)
       end do
     case (28)
-      ignored = rest(300000_c_int)
+      ignored = rest(900000_c_int)
     case (29)
-      if (.not. was_slow) ignored = rest(300000_c_int)
+      if (.not. was_slow) ignored = rest(900000_c_int)
       was_slow = .true.
     case (30)
       ignored = raise_signal(19_c_int) ! SIGSTOP

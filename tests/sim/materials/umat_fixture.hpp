@@ -48,7 +48,7 @@ enum class Misbehaviour {
   allocates = 25,      ///< STATEV(2) is 1 if 256 megabytes were to be had
   ignores_signals = 26,
   sleeps = 27,
-  slow = 28,       ///< 0.3 s, then the right answer
+  slow = 28,       ///< 0.9 s, then the right answer
   slow_once = 29,  ///< in each process
   stops_itself = 30,
   closes_all_files = 31,  ///< and ignores signals
