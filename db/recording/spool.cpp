@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "db/connection.hpp"
+#include "db/files/created_file.hpp"
 
 namespace triax::db {
 namespace {
@@ -52,6 +53,23 @@ std::vector<std::string> spools_beside(const std::string& database) {
 
 namespace {
 
+/// Of the test that waits there; 0 where the first batch is not in it: its writer was killed before
+/// that, even before there were tables, or sets about it.
+std::int64_t test_in(const std::string& spool) {
+  try {
+    SQLite::Database there(spool, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX);
+    if (!there.tableExists("tests")) return 0;
+    return there.execAndGet("SELECT coalesce(min(id), 0) FROM tests").getInt64();
+  } catch (const SQLite::Exception& error) {
+    throw_for(error, spool);
+  }
+}
+
+void remove_if_unused(const std::string& spool) {
+  std::optional<SQLite::Database> there(open_for_writing(spool, kOwnFile));
+  CreatedFile(spool, *there).remove_if_unused(there);
+}
+
 /// It signs in its test while it empties the spool, in the spool while that is locked.
 bool writer_lives(const std::string& database, const std::string& writer) {
   SQLite::Database there = open_for_reading(database);
@@ -63,23 +81,21 @@ bool writer_lives(const std::string& database, const std::string& writer) {
 }  // namespace
 
 std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database) {
-  std::int64_t id = 0;
-  if (fs::file_size(spool) > 0) {  // else its writer was killed before the first batch
-    const Store waiting(spool);
-    const auto ids = waiting.find({});
-    if (!ids.empty()) {
-      const StoredTest test = waiting.load(ids.front());
-      const std::string writer = spool.substr(spool.rfind('-') + 1);
-      if (test.status == TestStatus::running || writer_lives(database, writer)) return std::nullopt;
-      TestEntry entry(database, kPatience, writer);
-      const TestStart start{test.header, test.stored_at, test.sweep};
-      entry.take_in(start, waiting, ids.front());
-      entry.interrupt(start, {});
-      id = entry.id();
-    }
+  const std::int64_t id = test_in(spool);
+  if (id == 0) {
+    remove_if_unused(spool);
+    return std::nullopt;
   }
+  const Store waiting(spool);
+  const StoredTest test = waiting.load(id);
+  const std::string writer = spool.substr(spool.rfind('-') + 1);
+  if (test.status == TestStatus::running || writer_lives(database, writer)) return std::nullopt;
+  TestEntry entry(database, kPatience, writer);
+  const TestStart start{test.header, test.stored_at, test.sweep};
+  entry.take_in(start, waiting, id);
+  entry.interrupt(start, {});
   remove_database(spool);
-  return id == 0 ? std::nullopt : std::optional(id);
+  return entry.id();
 }
 
 }  // namespace triax::db

@@ -70,7 +70,10 @@ WholeFile::~WholeFile() {
 }
 
 void WholeFile::fail() const {
-  throw WorkFailed(path_ + ": cannot write: " + std::strerror(errno));
+  const int error = errno;
+  const std::string what = path_ + ": cannot write: " + std::strerror(error);
+  if (error == ENOSPC || error == EDQUOT) throw NoRoom(what);
+  throw WorkFailed(what);
 }
 
 bool WholeFile::open_nameless() {
@@ -93,8 +96,9 @@ void WholeFile::open_named() {
 }
 
 void WholeFile::name_the_nameless() {
-  // A link cannot replace a file; a name for an instant and a rename can.
   const auto handle = handle_of(descriptor_);
+  if (::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0) return;
+  // A link cannot replace a file; a name for an instant and a rename can.
   for (unsigned attempt = 0;; ++attempt) {
     const auto name =
         target_ + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
@@ -114,7 +118,7 @@ void WholeFile::finish() {
   if (::fsync(descriptor_) != 0) fail();
   if (part_.empty()) name_the_nameless();
   if (::close(std::exchange(descriptor_, -1)) != 0) fail();
-  if (std::rename(part_.c_str(), target_.c_str()) != 0) fail();
+  if (!part_.empty() && std::rename(part_.c_str(), target_.c_str()) != 0) fail();
   part_.clear();
 }
 

@@ -3,7 +3,15 @@
 #include <string>
 #include <string_view>
 
+#include "lab/base/bad_input.hpp"
+
 namespace triax::lab {
+
+/// The disk is full: it may be freed, and the same file be written then.
+class NoRoom : public WorkFailed {
+ public:
+  using WorkFailed::WorkFailed;
+};
 
 /// A file that appears under its name whole or not at all.
 ///
@@ -21,7 +29,7 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Throws WorkFailed (disk full).
+  /// Throws NoRoom or WorkFailed.
   void write(std::string_view bytes);
   /// Brings all to the disk and gives the file its name, replacing an older one. Throws
   /// WorkFailed; then nothing stands under that name that was not there before.

@@ -161,6 +161,7 @@ Translation as_plugin(const InpMaterial& inp, const IncrementalDriverSettings& s
   t.parameters.texts = {{"umat", settings.umat}, {"name", inp.name}};
   t.parameters.lists = {{"properties", inp.properties}, {"initial_state", inp.state}};
   t.parameters.numbers["state_variables"] = static_cast<double>(inp.state.size());
+  if (settings.time_limit_s) t.parameters.numbers["time_limit_s"] = *settings.time_limit_s;
   return t;
 }
 

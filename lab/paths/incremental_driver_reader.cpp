@@ -38,6 +38,8 @@ std::string text_of_file(const std::string& path) {
     got += more;
   }
   text.resize(got);
+  if (constexpr std::string_view kMark = "\xEF\xBB\xBF"; text.starts_with(kMark))
+    text.erase(0, kMark.size());  // of editors that write one
   return text;
 }
 
@@ -128,6 +130,9 @@ PathDescription describe_incremental_driver(
     if (own.void_ratio_index != number_of("void_ratio_index", *text, 1, sim::kMostMemory))
       throw BadInput("void_ratio_index must be a whole number");
   }
+  if (!own.umat.empty())
+    if (const auto text = taken(settings, "time_limit_s"))
+      own.time_limit_s = number_of("time_limit_s", *text, 1e-3, 3600);
   IncrementalDriverTest test = load_incremental_driver(path, own);
   PathDescription description;
   description.name = test.heading.empty() ? test.name : test.heading;

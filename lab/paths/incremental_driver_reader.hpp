@@ -27,6 +27,7 @@ struct IncrementalDriverSettings {
   std::string umat;                  ///< library that is the material; empty: a law of triax
   std::optional<double> void_ratio;  ///< at the start
   int void_ratio_index = 0;  ///< 1-based number of the state variable that is it; 0: unknown
+  std::optional<double> time_limit_s;  ///< for a call of `umat`
 };
 
 struct IncrementalDriverTest {
@@ -51,8 +52,8 @@ IncrementalDriverTest read_incremental_driver(const InpFile& file, const std::st
 IncrementalDriverTest load_incremental_driver(const std::string& path,
                                               const IncrementalDriverSettings& settings);
 
-/// The same as any other path. Of the settings umat, void_ratio and void_ratio_index are taken out
-/// and used; change_setting() is for the rest. Throws BadInput.
+/// The same as any other path. Of the settings umat, void_ratio, void_ratio_index and, beside umat,
+/// time_limit_s are taken out and used; change_setting() is for the rest. Throws BadInput.
 PathDescription describe_incremental_driver(
     const std::string& path, std::vector<std::pair<std::string, std::string>>& settings);
 

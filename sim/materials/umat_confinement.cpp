@@ -65,6 +65,7 @@ constexpr std::uint32_t kRefused[] = {
     SYS_fork,
     SYS_vfork,
 #endif
+    SYS_close_range,
     SYS_execve,
     SYS_execveat,
     SYS_setsid,
@@ -75,10 +76,20 @@ constexpr std::uint32_t kRefused[] = {
     SYS_pidfd_open,
     SYS_pidfd_send_signal};
 
+/// That could let go of the lifeline, a descriptor, their first argument; close_range is not
+/// needed.
+constexpr std::uint32_t kOfDescriptors[] = {SYS_close, SYS_fcntl, SYS_ioctl};
+/// That would put another file in its place, their second argument.
+constexpr std::uint32_t kOntoDescriptors[] = {
+#if defined(__x86_64__)
+    SYS_dup2,
+#endif
+    SYS_dup3};
+
 constexpr std::uint32_t kAllow = SECCOMP_RET_ALLOW, kNotPermitted = SECCOMP_RET_ERRNO | EPERM;
 
 /// The filter: a program that the kernel runs at every system call.
-std::vector<sock_filter> allowed_calls() {
+std::vector<sock_filter> allowed_calls(int lifeline) {
   std::vector<sock_filter> f;
   const auto load = [&](std::size_t at) {
     f.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(at)));
@@ -89,7 +100,15 @@ std::vector<sock_filter> allowed_calls() {
     f.push_back(BPF_JUMP(static_cast<std::uint16_t>(BPF_JMP | BPF_K | test), value, 0, lines));
   };
   constexpr std::size_t kNumber = offsetof(seccomp_data, nr), kArch = offsetof(seccomp_data, arch);
-  constexpr std::size_t kFirst = offsetof(seccomp_data, args);  // its lower half
+  constexpr std::size_t kFirst = offsetof(seccomp_data, args),  // its lower half
+      kSecond = kFirst + sizeof(std::uint64_t);
+  const auto refuse_for = [&](std::uint32_t call, std::size_t argument, int value) {
+    only_if(BPF_JEQ, call, 4);
+    load(argument);
+    only_if(BPF_JEQ, static_cast<std::uint32_t>(value), 1);
+    answer(kNotPermitted);
+    answer(kAllow);
+  };
   load(kArch);
   f.push_back(BPF_JUMP(BPF_JMP | BPF_K | BPF_JEQ, kArchitecture, 1, 0));
   answer(kNotPermitted);
@@ -116,6 +135,8 @@ std::vector<sock_filter> allowed_calls() {
     answer(kAllow);
     answer(kNotPermitted);
   }
+  for (const std::uint32_t call : kOfDescriptors) refuse_for(call, kFirst, lifeline);
+  for (const std::uint32_t call : kOntoDescriptors) refuse_for(call, kSecond, lifeline);
   answer(kAllow);
   return f;
 }
@@ -130,7 +151,7 @@ void confine_umat(int lifeline, std::size_t memory_bytes) {
   limit(RLIMIT_AS, address_space_bytes() + memory_bytes);
   prctl(PR_SET_DUMPABLE, 0);
   if (kArchitecture == 0) return;
-  auto filter = allowed_calls();
+  auto filter = allowed_calls(lifeline);
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0)
     syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program);

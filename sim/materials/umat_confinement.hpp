@@ -13,8 +13,8 @@ namespace triax::sim {
 /// - it may have `memory_bytes` of address space beyond what it has, write 256 MB to a file, and
 ///   leaves no core file;
 /// - where the kernel has seccomp filters (x86-64 and arm64): signals to other processes, new
-///   processes, other programs, other sessions and the memory of other processes are refused
-///   (EPERM). Threads are not.
+///   processes, other programs, other sessions, the memory of other processes and letting go of
+///   `lifeline` are refused (EPERM). Threads are not.
 ///
 /// Ends the process where the other end of `lifeline` is closed already.
 void confine_umat(int lifeline, std::size_t memory_bytes);

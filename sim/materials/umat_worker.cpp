@@ -28,6 +28,7 @@ constexpr long kLookAfter_ns = 5'000'000;
 constexpr off_t kMostKept = 1 << 20;
 constexpr unsigned kLookAtOutput = 1024;
 constexpr std::size_t kLastWords = 300;
+constexpr int kMostLate = 3;
 
 std::string system_error(const char* what) {
   return std::string("the process for the plug-in cannot be made (") + what + ": " +
@@ -124,13 +125,17 @@ UmatWorker::Answer UmatWorker::wait() {
   }
 }
 
+std::string UmatWorker::how_late(const char* what) const {
+  return std::string(what) + " did not end within " + number(plugin_.time_limit_s) + " s";
+}
+
 std::string UmatWorker::ended(Answer answer) {
   std::string text = plugin_.library + ": ";
   if (answer == Answer::late) {
-    const bool loading = exchange_->stage == UmatStage::loading;
+    text += how_late(exchange_->stage == UmatStage::loading ? "loading" : "the call") +
+            " and was stopped; if it is only slow, raise time_limit_s";
     kill_group();
-    text += std::string(loading ? "loading" : "the call") + " did not end within " +
-            number(plugin_.time_limit_s) + " s and was stopped";
+    ++late_;
   } else {
     text += why_it_ended();
   }
@@ -205,6 +210,8 @@ void UmatWorker::shorten_output() const {
 
 std::string UmatWorker::call(UmatCall& c) {
   const std::lock_guard lock(mutex_);
+  if (late_ == kMostLate)
+    return plugin_.library + ": " + how_late("each of three calls") + "; it is called no more";
   if (process_ == 0)
     if (std::string failure = start(); !failure.empty()) return failure;
   UmatCall& there = exchange_->call;

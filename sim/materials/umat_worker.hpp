@@ -25,8 +25,9 @@ class UmatWorker {
   const UmatPlugin& plugin() const { return plugin_; }
 
   /// Calls the UMAT; empty where it came back in order, otherwise what happened, and `call` is
-  /// untouched. After a crash the next call starts the process anew. May be called from several
-  /// threads; they wait for each other.
+  /// untouched. After a crash the next call starts the process anew; after three calls that
+  /// did not end in time there is none (a probe asks in hundreds of directions). May be called from
+  /// several threads; they wait for each other.
   std::string call(UmatCall& call);
 
  private:
@@ -35,6 +36,7 @@ class UmatWorker {
   std::string start();
   Answer wait();
   std::string ended(Answer answer);
+  std::string how_late(const char* what) const;
   std::string why_it_ended() const;
   std::string last_words() const;
   void shorten_output() const;
@@ -51,6 +53,7 @@ class UmatWorker {
   int output_ = -1;    ///< what the plug-in prints
   int lifeline_ = -1;  ///< closed at the end of triax, which ends the process
   unsigned calls_ = 0;
+  int late_ = 0;  ///< calls that did not end in time
 };
 
 }  // namespace triax::sim

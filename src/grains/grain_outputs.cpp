@@ -11,6 +11,7 @@
 #include "lab/grains/lammps_export.hpp"
 #include "lab/grains/vtk_snapshot.hpp"
 #include "src/output/output.hpp"
+#include "src/output/patient_write.hpp"
 #include "src/output/written_files.hpp"
 
 namespace triax::src {
@@ -37,8 +38,9 @@ std::string without_folder(const std::string& path) {
 
 }  // namespace
 
-GrainOutputs::GrainOutputs(const lab::GrainProgramme& programme, std::string prefix)
-    : programme_(programme), prefix_(std::move(prefix)) {
+GrainOutputs::GrainOutputs(const lab::GrainProgramme& programme, std::string prefix,
+                           std::function<bool()> stop)
+    : programme_(programme), prefix_(std::move(prefix)), stop_(std::move(stop)) {
   for (const lab::GrainStage& stage : programme.stages)
     if (prefix_.empty() && (stage.save || for_lammps(stage) || pictures_of(stage) > 0))
       throw lab::BadInput(
@@ -48,6 +50,10 @@ GrainOutputs::GrainOutputs(const lab::GrainProgramme& programme, std::string pre
 
 std::string GrainOutputs::named(const lab::GrainStage& stage, const std::string& ending) const {
   return prefix_ + "_" + lab::in_file_name(stage.name) + ending;
+}
+
+void GrainOutputs::write(const std::string& path, const std::string& text) const {
+  write_when_there_is_room([&] { write_file(path, text); }, stop_);
 }
 
 std::vector<std::string> GrainOutputs::files() const {
@@ -73,8 +79,8 @@ void GrainOutputs::begins(const lab::GrainStage& stage, const sim::GrainState& s
   options.table_file = without_folder(named(stage, kLammpsTable));
   const lab::LammpsExport made =
       lab::lammps_export(state, std::get<lab::GrainPathStage>(stage.work).path, options);
-  write_file(named(stage, kLammpsData), made.data);
-  write_file(named(stage, kLammpsScript), made.script);
+  write(named(stage, kLammpsData), made.data);
+  write(named(stage, kLammpsScript), made.script);
 }
 
 void GrainOutputs::point(const lab::GrainStage& stage, const sim::GrainState& state,
@@ -89,23 +95,23 @@ void GrainOutputs::picture(const lab::GrainStage& stage, const sim::GrainState& 
                            double time_s) {
   const std::string title =
       fmt::format("{}, stage {}, {:.6g} s", programme_.name, stage.name, time_s);
-  const auto write = [&](const char* what, const std::string& text) {
+  const auto drawn = [&](const char* what, const std::string& text) {
     const std::string file = named(stage, fmt::format("_{}_{:04d}.vtp", what, series_.size() / 3));
-    write_file(file, text);
+    write(file, text);
     return lab::VtkInstant{time_s, without_folder(file)};
   };
-  const lab::VtkInstant grains = write("grains", lab::vtk_grains(state, title)),
-                        contacts = write("contacts", lab::vtk_contacts(state, title)),
-                        box = write("box", lab::vtk_box(state, title));
+  const lab::VtkInstant grains = drawn("grains", lab::vtk_grains(state, title)),
+                        contacts = drawn("contacts", lab::vtk_contacts(state, title)),
+                        box = drawn("box", lab::vtk_box(state, title));
   series_.insert(series_.end(), {grains, contacts, box});
   last_picture_s_ = state.time_s;
-  write_file(named(stage, kSeries), lab::vtk_collection(series_, "simulated: " + programme_.name));
+  write(named(stage, kSeries), lab::vtk_collection(series_, "simulated: " + programme_.name));
 }
 
 void GrainOutputs::ends(const lab::GrainStage& stage, const sim::GrainState& state) {
   if (stage.save) {
     const WrittenFile noted(named(stage, kState));
-    lab::save_state(named(stage, kState), state);
+    write_when_there_is_room([&] { lab::save_state(named(stage, kState), state); }, stop_);
     noted.is_there();
   }
   if (pictures_of(stage) > 0 && state.time_s != last_picture_s_)

@@ -88,9 +88,10 @@ sim::GrainProgress shown_in(TaskProgress& progress, const Interruption& interrup
   };
 }
 
-std::optional<db::StoredGrainRun> run_stages(const Options& o, const lab::GrainProgramme& programme,
-                                             GrainOutputs& outputs) {
+std::optional<db::StoredGrainRun> run_stages(const Options& o,
+                                             const lab::GrainProgramme& programme) {
   const Interruption interruption;
+  GrainOutputs outputs(programme, o.prefix(), [&] { return interruption.requested(); });
   TaskProgress progress(static_cast<int>(programme.stages.size()) + 1);
   progress.next("specimen");
   lab::GrainListener listener;
@@ -134,10 +135,10 @@ void run(const Options& o) {
   const lab::GrainProgramme programme = programme_of(o);
   if (!o.piece.empty()) return run_piece(o, programme);
   if (!o.merge.empty()) return run_merge(o, programme);
-  GrainOutputs outputs(programme, o.prefix());
-  check_output(o, programme, outputs.files());
-  if (!outputs.files().empty()) make_folder("--output", o.output);
-  const auto stored = run_stages(o, programme, outputs);
+  const std::vector<std::string> files = GrainOutputs(programme, o.prefix()).files();
+  check_output(o, programme, files);
+  if (!files.empty()) make_folder("--output", o.output);
+  const auto stored = run_stages(o, programme);
   if (!stored) throw lab::WorkFailed(kStoppedEarly);
   write_and_print(o, *stored);
   if (stored->status != db::TestStatus::complete) throw lab::WorkFailed(kStopped);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/programmes/programme_reader.hpp"
@@ -54,6 +55,14 @@ lab::Programme changed_programme(const SimulateOptions& o) {
   return programme;
 }
 
+/// From what was stored: a disk that takes no record ends no test.
+void write_record(lab::RecordWriter& writer, const lab::VirtualRig& rig, const std::string& db,
+                  std::int64_t id) {
+  db::Store(db).for_each_scan(
+      id, 1, [&writer](const lab::Reading& reading, const lab::State&) { writer.write(reading); });
+  writer.finish(rig.header(), rig.truth());
+}
+
 void run_test_of(const SimulateOptions& o) {
   const lab::Programme programme = changed_programme(o);
   refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
@@ -65,19 +74,18 @@ void run_test_of(const SimulateOptions& o) {
   if (!o.record.empty()) writer.emplace(o.record, rig.header());
   const Interruption interruption;
   ProgressBar bar(rig.header().name);
-  lab::SessionListeners also = {shown_on(bar)};
-  if (writer)
-    also.push_back({.scanned = [&writer](const lab::Reading& reading, const lab::State&) {
-      writer->write(reading);
-    }});
   const auto id = study::run_test(
       rig, {.reduction = {}, .speed = o.speed, .stop = [&] { return interruption.requested(); }},
-      o.db, also, {.say = notify});
-  if (writer) {
-    writer->finish(rig.header(), rig.truth());
-    record.is_there();
-  }
+      o.db, {shown_on(bar)}, {.say = notify});
+  std::string unwritten;
+  if (writer) try {
+      write_record(*writer, rig, o.db, id);
+      record.is_there();
+    } catch (const lab::WorkFailed& failure) {
+      unwritten = fmt::format("{}; the test itself is stored", failure.what());
+    }
   print_tests(o.db, {id}, o.json);
+  if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   if (interruption.requested())
     throw lab::WorkFailed("the test was aborted by the operator; it is stored up to there");
 }

@@ -209,6 +209,19 @@ TEST_CASE("a simulation that is ended from outside leaves its record whole or no
   }
 }
 
+TEST_CASE("a record that cannot be written costs neither the test nor its report") {
+  const Workplace here;
+  std::filesystem::create_directory(here / "gone");
+  const Running test(here, "simulate " + source("samples/programmes/icu_6.toml") +
+                               " --speed 4000 --record gone/x.csv --db a.db --json");
+  REQUIRE(test.reaches("a.db", "scans", 100));
+  std::filesystem::remove(here / "gone");
+  CHECK(test.end_by(0) == 1);
+  CHECK(test.err().find("gone/x.csv: cannot write: ") != std::string::npos);
+  CHECK(test.err().find("; the test itself is stored") != std::string::npos);
+  CHECK(nlohmann::json::parse(test.out())["test"]["status"] == "complete");
+}
+
 TEST_CASE("names cannot command the terminal") {
   const Workplace here;
   write(here / "esc.csv", "# [test]\n# name = \"a\\u001B[31mb\\nc\\u009Bd\\u007Fe\"\n" + kRecord);

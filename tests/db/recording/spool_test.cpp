@@ -10,10 +10,13 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <fstream>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "db/connection.hpp"
 #include "db/recording/recorder.hpp"
 #include "db/recording/repair.hpp"
 #include "lab/base/bad_input.hpp"
@@ -190,6 +193,31 @@ TEST_CASE("what waits when the run is killed is taken in by a repair, once", "[t
   CHECK(db::Store(path).load(2).events.size() == 1);
   CHECK(db::spools_beside(path).empty());
   CHECK(db::repair(path).tests.empty());
+}
+
+TEST_CASE(
+    "a run killed while it made the file for what waits leaves nothing that a repair stumbles "
+    "over") {
+  TemporaryFolder folder;
+  const std::string path = begun(folder);
+  const std::string spool = path + ".waiting-0123456789abcdef";
+  using Made = std::function<void()>;
+  for (const Made& made : {Made([&] { std::ofstream{spool}; }),
+                           Made([&] {  // before the tables were committed
+                             SQLite::Database(spool, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+                                 .exec("PRAGMA page_size = 32768; PRAGMA journal_mode = WAL");
+                           }),
+                           Made([&] { db::open_for_writing(spool); })}) {
+    made();
+    REQUIRE(db::spools_beside(path).size() == 1);
+    CHECK(db::repair(path).tests.empty());
+    CHECK(db::spools_beside(path).empty());
+    CHECK_FALSE(std::filesystem::exists(spool + "-wal"));
+  }
+  // A writer that lives and sets about its first batch keeps its file.
+  const SQLite::Database open = db::open_for_writing(spool);
+  CHECK(db::repair(path).tests.empty());
+  CHECK(db::spools_beside(path).size() == 1);
 }
 
 TEST_CASE(

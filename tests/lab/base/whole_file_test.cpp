@@ -2,9 +2,11 @@
 #include "lab/base/whole_file.hpp"
 
 #include <fcntl.h>
+#include <sys/inotify.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -46,6 +48,20 @@ TEST_CASE("a file appears with finish() and replaces an older one, whose permiss
   CHECK(folder.files() == 1);
   { WholeFile(folder / "b").write("lost"); }
   CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a new file never has another name, which a kill would leave behind") {
+  const Folder folder;
+  const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  REQUIRE(::inotify_add_watch(watch, folder.path.c_str(), IN_CREATE | IN_MOVED_TO) >= 0);
+  put(folder / "a", "x");
+  alignas(inotify_event) std::array<char, 4096> events{};
+  const auto told = ::read(watch, events.data(), events.size());
+  ::close(watch);
+  const auto* const first = reinterpret_cast<const inotify_event*>(events.data());
+  REQUIRE(told > 0);
+  CHECK(first->name == std::string("a"));
+  CHECK(told == static_cast<std::ptrdiff_t>(sizeof *first + first->len));
 }
 
 TEST_CASE("a new file has the permissions that the user's mask leaves") {

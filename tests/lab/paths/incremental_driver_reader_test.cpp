@@ -336,6 +336,25 @@ TEST_CASE("a library takes name, properties and state variables as they stand") 
   CHECK(strain(last, 0) == Approx(-50 / young).epsilon(1e-9));
   CHECK(last.void_ratio < 0.8);
 }
+
+TEST_CASE("a slow library is given time by a setting, beside umat only") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "triax_incremental_driver_time_test";
+  fs::create_directories(folder);
+  Files files("*TriaxialS1\n10 5 1\n-50\n");
+  files.texts["parameters.inp"] = "CONE\n6\n20e3\n12e3\n1.2\n0.3\n5\n0\n";
+  files.texts["initialconditions.inp"] = "6\n-100\n-100\n-100\n0\n0\n0\n12\n0.8\n";
+  for (const auto& [name, text] : files.texts) std::ofstream(folder / name) << text;
+  std::vector<std::pair<std::string, std::string>> settings = {
+      {"umat", TRIAX_UMAT_FIXTURE}, {"void_ratio_index", "1"}, {"time_limit_s", "120"}};
+  const auto described = describe_incremental_driver(folder.string(), settings);
+  CHECK(described.material.parameters.numbers.at("time_limit_s") == 120);
+  CHECK(settings.empty());
+  settings = {{"umat", TRIAX_UMAT_FIXTURE}, {"time_limit_s", "0"}};
+  CHECK_THROWS_WITH(describe_incremental_driver(folder.string(), settings),
+                    Contains("time_limit_s='0'"));
+  fs::remove_all(folder);
+}
 #endif
 
 TEST_CASE("a folder on disk is recognised and read") {
@@ -355,6 +374,10 @@ TEST_CASE("a folder on disk is recognised and read") {
   for (const char* other : {"parameters.inp", "InitialConditions.inp"})
     CHECK_THROWS_WITH(load_incremental_driver((folder / other).string(), settings),
                       Contains("give its folder, or the test.inp"));
+  // As some editors save it.
+  std::ofstream(folder / "initialconditions.inp")
+      << "\xEF\xBB\xBF" << files.texts.at("initialconditions.inp");
+  CHECK(load_incremental_driver(folder.string(), settings).path.segments.size() == 1);
   fs::remove(folder / "parameters.inp");
   CHECK_THROWS_WITH(load_incremental_driver(folder.string(), settings), Contains("parameters.inp"));
   fs::remove_all(folder);

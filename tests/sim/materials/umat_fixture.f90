@@ -23,7 +23,24 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     normal(6), trace, turn(3, 3), principal(3), directions(3, 3), turned(6)
   double precision, parameter :: delta(6) = [1d0, 1d0, 1d0, 0d0, 0d0, 0d0]
   integer :: i, misbehaviour
+  logical, save :: was_slow = .false.
   interface
+    integer(c_int) function rest(microseconds) bind(c, name='usleep')
+      import :: c_int
+      integer(c_int), value :: microseconds
+    end function rest
+    integer(c_int) function raise_signal(number) bind(c, name='raise')
+      import :: c_int
+      integer(c_int), value :: number
+    end function raise_signal
+    integer(c_int) function close_file(number) bind(c, name='close')
+      import :: c_int
+      integer(c_int), value :: number
+    end function close_file
+    integer(c_int) function copy_file(from, onto) bind(c, name='dup2')
+      import :: c_int
+      integer(c_int), value :: from, onto
+    end function copy_file
     integer(c_int) function parent() bind(c, name='getppid')
       import :: c_int
     end function parent
@@ -37,6 +54,13 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
     integer(c_int) function new_session() bind(c, name='setsid')
       import :: c_int
     end function new_session
+    subroutine give_up() bind(c, name='abort')
+    end subroutine give_up
+    subroutine jump(to, with) bind(c, name='longjmp')
+      import :: c_int, c_intptr_t
+      integer(c_intptr_t) :: to(64)
+      integer(c_int), value :: with
+    end subroutine jump
     type(c_ptr) function ignore(number, handler) bind(c, name='signal')
       import :: c_int, c_intptr_t, c_ptr
       integer(c_int), value :: number
@@ -105,6 +129,14 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   if (misbehaviour == 16) ddsdde(1, misbehaviour - 9) = 1
   if (misbehaviour == 17) statev(2) = props(nprops + 1)
   if (misbehaviour == 18) statev(nstatv + 300) = 1
+  if (misbehaviour == 33) props(nprops + 1) = 1
+  if (misbehaviour == 34) props(misbehaviour - 34) = 1
+  if (misbehaviour == 35) ddsdde(misbehaviour - 35, 1) = 1
+  if (misbehaviour == 36) stress(ntens + 1) = 1
+  if (misbehaviour == 37) then ! what are inputs
+    props = 0; dstran = 7; stran = 7; time = 7; dtime = 7; ndi = 7; nshr = 7; ntens = 7; nstatv = 7
+    nprops = 7; cmname = 'x'; drot = 7; dfgrd0 = 7; kinc = 7
+  end if
   if (misbehaviour == 21) statev(misbehaviour - 21) = 1
   if (misbehaviour == 22) statev(2) = tell(parent(), 0)
   if (misbehaviour == 23) statev(2) = new_process()
@@ -118,6 +150,9 @@ contains
     integer, pointer :: nowhere
     double precision, volatile :: turns
     integer :: integers(1)
+    integer(c_int) :: ignored
+    integer(c_intptr_t) :: nowhere_to(64)
+    integer :: unit_number, status
     double precision :: reals(1)
     character(len=8) :: texts(1)
     double precision :: since, now
@@ -141,9 +176,36 @@ contains
       if (maxval(abs(dstran)) > 2d-4) pnewdt = 0.25d0
     case (13)
       write (*, *) 'a word on every call'
-    case (26)
+    case (27)
+      do
+        ignored = rest(1000000_c_int)
+      end do
+    case (28)
+      ignored = rest(900000_c_int)
+    case (29)
+      if (.not. was_slow) ignored = rest(900000_c_int)
+      was_slow = .true.
+    case (30)
+      ignored = raise_signal(19_c_int) ! SIGSTOP
+    case (38)
+      nowhere_to = 0
+      call jump(nowhere_to, 1_c_int)
+    case (39)
+      call give_up()
+    case (40)
+      call take_all(1)
+    case (41)
+      do i = 100, 3000
+        open (newunit=unit_number, file='/dev/null', iostat=status)
+        if (status /= 0) exit
+      end do
+    case (26, 31, 32)
       do i = 1, 64
         nobody = ignore(i, 1_c_intptr_t)
+      end do
+      do i = 0, 1023
+        if (kind == 31) ignored = close_file(int(i, c_int))
+        if (kind == 32) ignored = copy_file(0_c_int, int(i, c_int))
       end do
       call cpu_time(since)
       now = since
@@ -152,6 +214,15 @@ contains
       end do
     end select
   end subroutine misbehave
+
+  !> Takes 16 megabytes at a time, writes to them, and never gives them back.
+  recursive subroutine take_all(times)
+    integer, intent(in) :: times
+    double precision, pointer :: more(:)
+    allocate (more(2097152))
+    more = times
+    call take_all(times + 1)
+  end subroutine take_all
 
   !> 1 if so many megabytes can be had, else 0.
   integer function room_for(megabytes)

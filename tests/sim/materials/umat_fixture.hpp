@@ -46,7 +46,22 @@ enum class Misbehaviour {
   forks = 23,          ///< that of fork() is
   own_session = 24,    ///< that of setsid() is
   allocates = 25,      ///< STATEV(2) is 1 if 256 megabytes were to be had
-  ignores_signals = 26
+  ignores_signals = 26,
+  sleeps = 27,
+  slow = 28,       ///< 0.9 s, then the right answer
+  slow_once = 29,  ///< in each process
+  stops_itself = 30,
+  closes_all_files = 31,  ///< and ignores signals
+  replaces_all_files = 32,
+  writes_past_properties = 33,
+  before_properties = 34,
+  before_tangent = 35,
+  past_stress = 36,
+  changes_inputs = 37,  ///< after the stress is right
+  jumps = 38,           ///< longjmp to nowhere
+  aborts = 39,
+  takes_all_memory = 40,
+  opens_files = 41  ///< until there are no more
 };
 
 // kPa

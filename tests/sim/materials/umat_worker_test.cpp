@@ -114,6 +114,10 @@ TEST_CASE("an index out of range is an error that names the argument, at either 
   CHECK_THAT(verdict(Misbehaviour::past_tangent), Contains(past + "DDSDDE, which has 36 values"));
   CHECK_THAT(verdict(Misbehaviour::past_properties),
              Contains(past + "PROPS, which has 6 values: are properties complete?"));
+  CHECK_THAT(verdict(Misbehaviour::writes_past_properties), Contains(past + "PROPS"));
+  CHECK_THAT(verdict(Misbehaviour::before_properties), Contains(before + "PROPS"));
+  CHECK_THAT(verdict(Misbehaviour::before_tangent), Contains(before + "DDSDDE"));
+  CHECK_THAT(verdict(Misbehaviour::past_stress), Contains(past + "STRESS"));
   // Declared with fewer state variables than it uses: 5, 1 and none.
   for (const int declared : {5, 1, 0})
     CHECK_THAT(verdict(Misbehaviour::none, declared), Contains(past + "STATEV"));
@@ -143,11 +147,13 @@ TEST_CASE("a plug-in has the memory that it is given") {
 }
 #endif
 
-TEST_CASE("the process of a plug-in ends with triax, killed or not, whatever signals it ignores") {
+TEST_CASE("the process of a plug-in ends with triax, killed or not, whatever it does against it") {
   if (!umat_fixture_is_there()) return;
+  const auto misbehaviour = GENERATE(Misbehaviour::ignores_signals, Misbehaviour::closes_all_files,
+                                     Misbehaviour::replaces_all_files);
   REQUIRE(prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);  // orphans come to this process
   const pid_t host = fork();
-  if (host == 0) call_and_stay(Misbehaviour::ignores_signals);
+  if (host == 0) call_and_stay(misbehaviour);
   REQUIRE(host > 0);
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   REQUIRE(waitpid(host, nullptr, WNOHANG) == 0);  // waits for the plug-in
@@ -161,7 +167,59 @@ TEST_CASE("the process of a plug-in ends with triax, killed or not, whatever sig
   }
   CHECK(ended > 0);
   CHECK((WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL));
+  while (ended == 0) ended = waitpid(-1, &status, 0);  // it ends by itself after 8 s
   prctl(PR_SET_CHILD_SUBREAPER, 0);
+}
+
+TEST_CASE(
+    "a call that does not end in time is stopped, named with its limit, and its process gone") {
+  if (!umat_fixture_is_there()) return;
+  for (const auto misbehaviour :
+       {Misbehaviour::endless, Misbehaviour::sleeps, Misbehaviour::slow, Misbehaviour::slow_once,
+        Misbehaviour::stops_itself, Misbehaviour::ignores_signals}) {
+    UmatPlugin plugin = cone(misbehaviour);
+    plugin.time_limit_s = 0.6;  // loading takes its time on a busy machine
+    UmatWorker worker(plugin);
+    for (int again = 0; again < 2; ++again) {
+      UmatCall call = a_strain();
+      const auto begin = std::chrono::steady_clock::now();
+      const std::string words = worker.call(call);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+      INFO(static_cast<int>(misbehaviour) << ": " << words);
+      CHECK_THAT(words, Catch::EndsWith("the call did not end within 0.6 s and was stopped; if it "
+                                        "is only slow, raise time_limit_s"));
+      CHECK(took.count() < 5);
+      CHECK(call.stress[0] == 0);
+      CHECK(waitpid(-1, nullptr, WNOHANG) == -1);  // no child is left
+    }
+  }
+}
+
+TEST_CASE("a plug-in that is late three times is called no more, even if it answers between") {
+  if (!umat_fixture_is_there()) return;
+  UmatPlugin plugin = cone(Misbehaviour::endless);
+  plugin.time_limit_s = 0.6;  // loading takes its time on a busy machine
+  UmatWorker worker(plugin);
+  UmatCall call = a_strain(), sound;
+  for (int i = 0; i < 3; ++i) {
+    CHECK(worker.call(sound) == "");
+    CHECK_THAT(worker.call(call), Catch::Contains("the call did not end within 0.6 s"));
+  }
+  const std::string refused = "each of three calls did not end within 0.6 s; it is called no more";
+  CHECK_THAT(worker.call(call), Catch::EndsWith(refused));
+  CHECK_THAT(worker.call(sound), Catch::EndsWith(refused));
+}
+
+TEST_CASE("a slow call within its limit is right, and so is one that is slow only once") {
+  if (!umat_fixture_is_there()) return;
+  for (const auto misbehaviour : {Misbehaviour::slow, Misbehaviour::slow_once}) {
+    UmatWorker worker(cone(misbehaviour));
+    for (int again = 0; again < 2; ++again) {
+      UmatCall call = a_strain();
+      CHECK(worker.call(call) == "");
+      CHECK(call.stress[0] == Approx(-1e-6 * (kBulk + 4 * kShear / 3)));
+    }
+  }
 }
 
 TEST_CASE("a plug-in started in a thread works on when that thread has ended") {
