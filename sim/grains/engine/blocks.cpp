@@ -150,17 +150,17 @@ double Blocks::friction_j() const {
   return sum;
 }
 
-MotionSums Blocks::motion_sums() const {
-  MotionSums all;
-  for (const Block& b : blocks_) {
-    all.kinetic += b.sums.kinetic;
-    all.damping_before += b.sums.damping_before;
-    all.damping_after += b.sums.damping_after;
-    for (int a = 0; a < 3; ++a) {
-      all.momentum[a] += b.sums.momentum[a];
-      all.braked[a] += b.sums.braked[a];
+MotionTotals Blocks::motion_totals() const {
+  MotionTotals all;
+  for (const Block& b : blocks_)
+    for (const int c : {0, 1, 2, 4, 5, 6}) {
+      all.kinetic += b.sums.kinetic[c];
+      all.damping_before += b.sums.damping_before[c];
+      all.damping_after += b.sums.damping_after[c];
+      if (c > 2) continue;
+      all.momentum[c] += b.sums.momentum[c];
+      all.braked[c] -= b.sums.braked[c];
     }
-  }
   return all;
 }
 
