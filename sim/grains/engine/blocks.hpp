@@ -57,7 +57,9 @@ class Blocks {
     FastestTwo fastest{};
     double friction_j = 0;
     MotionSums sums;
-    AlignedVector<GrainLoad> loads;  ///< of grains first to loaded_end; 0 between steps
+    /// Of grains first to loaded_end; own ones are 0 between steps. The halo is cleared by whoever
+    /// loads the block, not by its readers: what only one thread writes stays in its cache.
+    AlignedVector<GrainLoad> loads;
   };
   static void place(Block& block, const GrainState& state);
   static void load_walls(const GrainState& state, Block& block);
