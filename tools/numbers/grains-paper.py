@@ -140,7 +140,7 @@ def gaps(triax) -> str:
 def gaps_by_direction(triax) -> str:
     rows = []
     for words, rose in roses(triax):
-        for alpha in (0, 90, 130, 180, 210, 270):
+        for alpha in (0, 90, 120, 180, 210, 270):
             p = at(rose, alpha)
             g = p["gap"]
             if not p["at_rest"]:
