@@ -124,8 +124,8 @@ std::vector<std::string> gap_notes() {
 std::vector<std::string> energy_notes() {
   return {
       "walls = elastic + kinetic + friction + damping + stopped + error, from the first step on",
-      "error: in parts of the largest of what came in, went out and was there; momentum: the "
-      "largest component that is missing, kg m/s"};
+      "error: over the largest of what came in, went out and was there",
+      "momentum: the largest component that is missing, kg m/s"};
 }
 
 RoseTables rose_tables(const lab::ReportedGrainRose& rose) {

@@ -43,7 +43,7 @@ def reversible(alpha: float) -> bool:
 def specimens(triax) -> str:
     rows = []
     for name, run in kept_results(triax).items():
-        if name == "loose_study":
+        if name in ("loose_study", "loose_probes"):
             continue
         made, state = run["specimen"], run["specimen"]["state"]
         how = f"friction {made['compaction_friction_deg']:.3g}°"
@@ -117,10 +117,10 @@ def probes(triax) -> str:
 def roses(triax) -> list[tuple[str, dict]]:
     runs = kept_results(triax)
     found = []
-    for name in ("dense", "loose"):
+    for name in ("dense", "loose_probes"):
         for one, words in (("probes", "{norm_kPa:g} kPa"), ("probes by strain", "strain {norm_strain:g}")):
             rose = stage(runs[name], one)
-            found.append((f"`{name}`, {words.format(**rose)}", rose))
+            found.append((f"`{name.removesuffix('_probes')}`, {words.format(**rose)}", rose))
     return found
 
 
