@@ -17,3 +17,8 @@ def detection(triax) -> str:
 def point(triax) -> str:
     """The first of the two tables; the second is the diagram below it."""
     return triax.output_of("bash", "-c", "bench/point/run.sh | grep -v '^#'")
+
+
+def grains(triax) -> str:
+    """On a packing that it makes itself; beside busy processes of its own, too."""
+    return triax.output_of("bench/grains/run.sh")

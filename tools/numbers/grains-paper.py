@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/grains-paper.md (tools/pages): from docs/data/grains.json, which tools/grains-figures makes."""
+"""The numbers of docs/grains-paper.md (tools/pages): of 10,000 grains from docs/data/grains.json, which tools/grains-figures makes; of 500
+grains from the program itself, in seconds."""
+import json
 import pathlib
 import runpy
 
-kept_results = runpy.run_path(str(pathlib.Path(__file__).resolve().parent.parent / "grains-results"))["kept_results"]
+results = runpy.run_path(str(pathlib.Path(__file__).resolve().parent.parent / "grains-results"))
+kept_results = results["kept_results"]
 
 
 def stage(run: dict, name: str) -> dict:
@@ -114,19 +117,37 @@ def probes(triax) -> str:
 
 # ---- what micro and macro differ by
 
-def roses(triax) -> list[tuple[str, dict]]:
-    runs = kept_results(triax)
+def roses_of(name: str, stages: list[dict]) -> list[tuple[str, dict]]:
     found = []
-    for name in ("dense", "loose_probes"):
-        for one, words in (("probes", "{norm_kPa:g} kPa"), ("probes by strain", "strain {norm_strain:g}")):
-            rose = stage(runs[name], one)
-            found.append((f"`{name.removesuffix('_probes')}`, {words.format(**rose)}", rose))
+    for one, words in (("probes", "{norm_kPa:g} kPa"), ("probes by strain", "strain {norm_strain:g}")):
+        rose = stage({"stages": stages}, one)
+        found.append((f"{name}, {words.format(**rose)}", rose))
     return found
+
+
+def small_roses(triax) -> list[tuple[str, dict]]:
+    """Of 500 grains, dense, at rest and hardly at rest, and loose, computed now."""
+    found = []
+    for friction, unbalanced in ((5, "1e-5"), (5, "1e-4"), (20, "1e-4")):
+        document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--set", f"specimen.compaction_friction_deg={friction}",
+                                        "--set", f"stages.3.unbalanced={unbalanced}", "--json"))
+        stages = [s | results["rose_of"](s) for s in document["stages"] if "probes" in s]
+        found += roses_of(f"500 grains, n = {stages[0]['before']['porosity']:.3f}, at rest to {unbalanced}", stages)
+    return found
+
+
+def large_roses(triax) -> list[tuple[str, dict]]:
+    """Of 10,000 grains, as far as their runs are kept."""
+    if not results["KEPT"].exists():
+        return []
+    runs = kept_results(triax)
+    return [one for name in ("dense", "loose_probes") if name in runs
+            for one in roses_of(f"`{name.removesuffix('_probes')}`", runs[name]["stages"])]
 
 
 def gaps(triax) -> str:
     rows = []
-    for words, rose in roses(triax):
+    for words, rose in large_roses(triax) + small_roses(triax):
         rested = [p for p in rose["probes"] if p["at_rest"]]
         total = sum(abs(p["gap"]["micro_less_macro"]) for p in rested)
         share = {k: 100 * sum(p["gap"][k] for p in rested) / total for k in ("grains_turning", "contacts_turning", "out_of_balance")}
@@ -139,7 +160,8 @@ def gaps(triax) -> str:
 
 def gaps_by_direction(triax) -> str:
     rows = []
-    for words, rose in roses(triax):
+    large = large_roses(triax)
+    for words, rose in large or small_roses(triax):
         for alpha in (0, 90, 120, 180, 210, 270):
             p = at(rose, alpha)
             g = p["gap"]
@@ -148,20 +170,23 @@ def gaps_by_direction(triax) -> str:
                 continue
             rows.append(f"| {words} | {alpha}° | {p['w2']['lagrangian']:.5f} | {p['w2']['microscopic']:.5f} | {g['grains_turning']:.2e} | "
                         f"{g['contacts_turning']:.1e} | {g['out_of_balance']:.1e} | {g['left']:.0e} | {p['boundary_part_J_per_m3']:.1g} |")
-    return table("| probes | α | macro | micro | grains turning | contacts turning | out of balance | left | boundary term |", rows)
+    pictures = [f"![Probes, {what}](images/grains/{name}_work.svg)" for name, what in
+                (("dense_probes_by_strain", "dense, by strain"), ("loose_probes", "loose"), ("loose_probes_by_strain", "loose, by strain"))]
+    return (table("| probes | α | macro | micro | grains turning | contacts turning | out of balance | left | boundary term |", rows) +
+            ("\n\n" + "\n".join(pictures) if len(large) == 4 else ""))
 
 
 def energy(triax) -> str:
     rows = []
-    for words, rose in roses(triax):
+    for words, rose in large_roses(triax) + small_roses(triax):
         ledgers = [p["ledger"] for p in rose["probes"]]
-        friction = [100 * l["friction_J"] / abs(l["walls_J"]) for l in ledgers]
-        damping = [100 * l["damping_J"] / abs(l["walls_J"]) for l in ledgers]
-        rows.append(f"| {words} | {max(friction):.0f} % | {max(damping):.2g} % | {max(l['error_share'] for l in ledgers):.0e} |")
-    stages = [s for run in kept_results(triax).values() for s in run["stages"] if s["ledger_error_share"] is not None]
-    worst = max(stages, key=lambda s: s["ledger_error_share"])
-    return (table("| probes | friction, of the walls' work, at most | damping, at most | the ledger misses at most |", rows) +
-            f"\n\nOver the {len(stages)} other stages of all programmes the ledgers miss at most {worst['ledger_error_share']:.0e} (`{worst['name']}`).")
+        damping = [100 * l["damping_J"] / l["friction_J"] for l in ledgers]
+        rows.append(f"| {words} | {min(damping):.2g} to {max(damping):.2g} % | {max(l['error_share'] for l in ledgers):.0e} |")
+    document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--json"))
+    worst = max((s for s in document["stages"] if s["ledger"]), key=lambda s: s["ledger"]["error_share"])
+    return (table("| probes | what damping took, of what friction took | the ledger misses at most |", rows) +
+            f"\n\nOver the other stages of the sample `quick` the ledgers miss at most {worst['ledger']['error_share']:.0e} (`{worst['name']}`, "
+            f"which is strained at 0.5 /s).")
 
 
 # ---- strain paths
