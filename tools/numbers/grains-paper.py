@@ -7,6 +7,7 @@ import runpy
 
 results = runpy.run_path(str(pathlib.Path(__file__).resolve().parent.parent / "grains-results"))
 kept_results = results["kept_results"]
+IMAGES = results["ROOT"] / "docs/images/grains"
 
 
 def stage(run: dict, name: str) -> dict:
@@ -146,8 +147,9 @@ def large_roses(triax) -> list[tuple[str, dict]]:
 
 
 def gaps(triax) -> str:
+    large, small = large_roses(triax), small_roses(triax)
     rows = []
-    for words, rose in large_roses(triax) + small_roses(triax):
+    for words, rose in large + small:
         rested = [p for p in rose["probes"] if p["at_rest"]]
         total = sum(abs(p["gap"]["micro_less_macro"]) for p in rested)
         share = {k: 100 * sum(p["gap"][k] for p in rested) / total for k in ("grains_turning", "contacts_turning", "out_of_balance")}
@@ -155,13 +157,13 @@ def gaps(triax) -> str:
         rows.append(f"| {words} | {len(rested)} of {len(rose['probes'])} | {span([1 + apart(p) for p in rested], '.3f')} | {share['grains_turning']:.1f} % | "
                     f"{share['contacts_turning']:.1f} % | {share['out_of_balance']:.1f} % | {left:.2g} % | "
                     f"{max(abs(p['boundary_part_J_per_m3']) for p in rested):.1g} |")
-    return table("| probes | at rest | micro over macro | grains turning | contacts turning | out of balance | left | largest boundary term, J/m³ |", rows)
+    return (table("| probes | at rest | micro over macro | grains turning | contacts turning | out of balance | left | largest boundary term, J/m³ |", rows) +
+            "\n\nSome directions, J/m³:\n\n" + by_direction(large + small[-2:]))
 
 
-def gaps_by_direction(triax) -> str:
+def by_direction(some: list[tuple[str, dict]]) -> str:
     rows = []
-    large = large_roses(triax)
-    for words, rose in large or small_roses(triax):
+    for words, rose in some:
         for alpha in (0, 90, 120, 180, 210, 270):
             p = at(rose, alpha)
             g = p["gap"]
@@ -171,21 +173,23 @@ def gaps_by_direction(triax) -> str:
             rows.append(f"| {words} | {alpha}° | {p['w2']['lagrangian']:.5f} | {p['w2']['microscopic']:.5f} | {g['grains_turning']:.2e} | "
                         f"{g['contacts_turning']:.1e} | {g['out_of_balance']:.1e} | {g['left']:.0e} | {p['boundary_part_J_per_m3']:.1g} |")
     pictures = [f"![Probes, {what}](images/grains/{name}_work.svg)" for name, what in
-                (("dense_probes_by_strain", "dense, by strain"), ("loose_probes", "loose"), ("loose_probes_by_strain", "loose, by strain"))]
+                (("dense_probes_by_strain", "dense, by strain"), ("loose_probes", "loose"), ("loose_probes_by_strain", "loose, by strain"))
+                if (IMAGES / f"{name}_work.svg").exists()]
     return (table("| probes | α | macro | micro | grains turning | contacts turning | out of balance | left | boundary term |", rows) +
-            ("\n\n" + "\n".join(pictures) if len(large) == 4 else ""))
+            "\n\n" + "\n".join(pictures))
 
 
 def energy(triax) -> str:
+    document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--json"))
+    quick = [s | results["rose_of"](s) for s in document["stages"] if "probes" in s]
     rows = []
-    for words, rose in large_roses(triax) + small_roses(triax):
+    for words, rose in large_roses(triax) + roses_of("`quick`", quick):
         ledgers = [p["ledger"] for p in rose["probes"]]
         damping = [100 * l["damping_J"] / l["friction_J"] for l in ledgers]
         rows.append(f"| {words} | {min(damping):.2g} to {max(damping):.2g} % | {max(l['error_share'] for l in ledgers):.0e} |")
-    document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--json"))
     worst = max((s for s in document["stages"] if s["ledger"]), key=lambda s: s["ledger"]["error_share"])
     return (table("| probes | what damping took, of what friction took | the ledger misses at most |", rows) +
-            f"\n\nOver the other stages of the sample `quick` the ledgers miss at most {worst['ledger']['error_share']:.0e} (`{worst['name']}`, "
+            f"\n\nOver the other stages of `quick` the ledgers miss at most {worst['ledger']['error_share']:.0e} (`{worst['name']}`, "
             f"which is strained at 0.5 /s).")
 
 
