@@ -2,6 +2,7 @@
 #pragma once
 // The columns of the tables of a run of grains, each list for writing and reading (exact_row.hpp).
 // The order of numbers in a list is the order of their last bits: new ones go to its end.
+#include <array>
 #include <string>
 
 #include "lab/grains/grain_report.hpp"
@@ -154,17 +155,27 @@ void visit_rest(Row& row, Rest& r) {
   row("path_stress_kPa", r.rest.path_stress_pa, "kPa");
 }
 
+/// What was probed, and with what; the norm of the other kind is empty.
+struct RoseRow {
+  std::string kind;
+  std::optional<double> norm_pa, norm_strain;
+  sim::AxisymmetricStress stress;
+};
+
 template <class Row, class Rose>
 void visit_rose(Row& row, Rose& r) {
   row("norm_kPa", r.norm_pa, "kPa");
-  row("axial_stress_kPa", r.made.stress.axial, "kPa");
-  row("radial_stress_kPa", r.made.stress.radial, "kPa");
+  row("axial_stress_kPa", r.stress.axial, "kPa");
+  row("radial_stress_kPa", r.stress.radial, "kPa");
+  row("norm_strain", r.norm_strain);
+  row("probed", r.kind);
 }
 
 /// A probe and what follows from it.
 struct ProbeRow {
   sim::GrainProbe probe;
-  std::optional<double> angle;  ///< empty of the null probe
+  std::optional<double> angle;    ///< empty of the null probe
+  std::optional<double> norm_pa;  ///< empty of strain probes
   double eulerian = 0, microscopic = 0, non_permanent_share = 0;
 };
 
@@ -173,7 +184,7 @@ void visit_probe(Row& row, Probe& r) {
   auto& p = r.probe;
   auto& w = p.work;
   row("alpha_deg", r.angle, "deg");
-  row("norm_kPa", p.norm_pa, "kPa");
+  row("norm_kPa", r.norm_pa, "kPa");
   row("at_rest", p.at_rest);
   row("axial_strain", p.strain.axial);
   row("radial_strain", p.strain.radial);
@@ -202,6 +213,61 @@ void visit_probe(Row& row, Probe& r) {
   row("unbalanced", p.unbalanced);
   row("stress_error_Pa", p.stress_error_pa);
 }
+
+/// What the macroscopic and the microscopic work of a probe differ by.
+struct GapRow {
+  std::int64_t number = 0;  ///< of the probe
+  double contacts_turning = 0, grains_turning = 0, out_of_balance = 0, left = 0;
+};
+
+template <class Row, class Gap>
+void visit_gap(Row& row, Gap& g) {
+  row("number", g.number);
+  row("contacts_turning_J_per_m3", g.contacts_turning);
+  row("grains_turning_J_per_m3", g.grains_turning);
+  row("out_of_balance_J_per_m3", g.out_of_balance);
+  row.follows("left_J_per_m3", g.left);
+}
+
+/// Of a stage or a probe.
+struct EnergyRow {
+  std::int64_t number = 0;  ///< of the probe, or 0
+  sim::GrainLedger ledger;
+  double error_j = 0;
+};
+
+template <class Row, class Energy>
+void visit_energy(Row& row, Energy& e) {
+  auto& l = e.ledger;
+  row("number", e.number);
+  row("walls_J", l.walls_j);
+  row("elastic_start_J", l.elastic_start_j);
+  row("elastic_end_J", l.elastic_end_j);
+  row("kinetic_start_J", l.kinetic_start_j);
+  row("kinetic_end_J", l.kinetic_end_j);
+  row("friction_J", l.friction_j);
+  row("damping_J", l.damping_j);
+  row("stopped_J", l.stopped_j);
+  row.follows("error_J", e.error_j);
+}
+
+struct MomentumRow {
+  std::int64_t number = 0;
+  std::string axis;
+  double walls = 0, damping = 0, stopped = 0, start = 0, end = 0;
+};
+
+template <class Row, class Momentum>
+void visit_momentum(Row& row, Momentum& m) {
+  row("number", m.number);
+  row("axis", m.axis);
+  row("walls_kg_m_per_s", m.walls);
+  row("damping_kg_m_per_s", m.damping);
+  row("stopped_kg_m_per_s", m.stopped);
+  row("start_kg_m_per_s", m.start);
+  row("end_kg_m_per_s", m.end);
+}
+inline const std::array<std::string, 3> kMomentumAxes{"x", "y", "z"};
 
 template <class Row, class Perturbation>
 void visit_perturbation(Row& row, Perturbation& p) {

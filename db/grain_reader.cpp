@@ -4,8 +4,10 @@
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <type_traits>
 
 #include "db/exact_row.hpp"
@@ -50,6 +52,27 @@ class StageReader {
     return false;
   }
 
+  /// By the number of the probe, 0 of a stage; empty where none is stored.
+  std::map<std::int64_t, sim::GrainLedger> ledgers() const {
+    std::map<std::int64_t, sim::GrainLedger> all;
+    for (const EnergyRow& row :
+         rows<EnergyRow>("grain_energies", "", [](auto&row, auto&e) { visit_energy(row, e); }))
+      all[row.number] = row.ledger;
+    for (const MomentumRow& row :
+         rows<MomentumRow>("grain_momenta", "", [](auto&row, auto&m) { visit_momentum(row, m); })) {
+      sim::GrainLedger& l = all[row.number];
+      const auto a = static_cast<std::size_t>(
+          std::find(kMomentumAxes.begin(), kMomentumAxes.end() - 1, row.axis) -
+          kMomentumAxes.begin());
+      l.walls_impulse[a] = row.walls;
+      l.damping_impulse[a] = row.damping;
+      l.stopped_impulse[a] = row.stopped;
+      l.momentum_start[a] = row.start;
+      l.momentum_end[a] = row.end;
+    }
+    return all;
+  }
+
   void read(StageRow& stage) const {
     const auto perturbations = rows<lab::ReportedPerturbation>(
         "grain_perturbations", "", [](auto& row, auto& p) { visit_perturbation(row, p); });
@@ -67,6 +90,8 @@ class StageReader {
       stage.told.came = path(stage, paths, std::move(points));
     else
       stage.told.came = rest(stage);
+    if (!probes.empty()) return;
+    if (const auto kept = ledgers(); !kept.empty()) stage.told.ledger = kept.begin()->second;
   }
 
  private:
@@ -126,9 +151,22 @@ class StageReader {
     lab::ReportedGrainRose came;
     const auto& walls = stage.told.after.wall_stress_pa;
     came.made.stress = {walls[sim::kAxial], walls[sim::kRadial[0]]};
-    for (const ProbeRow& row : probes) {
+    const auto found =
+        rows<RoseRow>("grain_roses", "", [](auto& row, auto& r) { visit_rose(row, r); });
+    if (!found.empty()) came.kind = of_word<sim::ProbeKind>(found.front().kind);
+    const auto kept = ledgers();
+    const auto gaps =
+        rows<GapRow>("grain_gaps", "number", [](auto& row, auto& g) { visit_gap(row, g); });
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+      const ProbeRow& row = probes[k];
       sim::GrainProbe probe = row.probe;
       probe.angle = row.angle.value_or(0);
+      probe.norm_pa = row.norm_pa.value_or(0);
+      if (came.kind == sim::ProbeKind::strain && row.angle)
+        probe.norm_strain = found.front().norm_strain.value_or(0);
+      const auto ledger = kept.find(static_cast<std::int64_t>(k));
+      probe.ledger = ledger != kept.end() ? ledger->second : lab::ledger_not_stored();
+      put_gap(probe.work, k < gaps.size() ? std::optional(gaps[k]) : std::nullopt);
       if (std::isnan(probe.work.normal_part)) {
         came.parts_stored = false;
         sum_of_parts(probe.work, row);
@@ -141,13 +179,19 @@ class StageReader {
       came.made.angles.push_back(probe.angle);
       came.made.rose.probes.push_back(probe);
     }
-    if (const auto found = rows<lab::ReportedGrainRose>(
-            "grain_roses", "", [](auto& row, auto& r) { visit_rose(row, r); });
-        !found.empty()) {
-      came.norm_pa = found.front().norm_pa;
-      came.made.stress = found.front().made.stress;
+    if (!found.empty()) {
+      came.norm_pa = found.front().norm_pa.value_or(0);
+      came.norm_strain = found.front().norm_strain.value_or(0);
+      came.made.stress = found.front().stress;
     }
     return came;
+  }
+
+  static void put_gap(sim::GrainWork& work, const std::optional<GapRow>& gap) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    work.contacts_turning = gap ? gap->contacts_turning : kNaN;
+    work.grains_turning = gap ? gap->grains_turning : kNaN;
+    work.out_of_balance = gap ? gap->out_of_balance : kNaN;
   }
 
   /// What an older version stored of contacts: their work as one sum, a share for their numbers.

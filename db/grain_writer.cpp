@@ -32,17 +32,34 @@ class StageRows {
     insert("grain_rests", {}, [&](auto& row) { visit_rest(row, rest); });
   }
   void operator()(const lab::ReportedGrainRose& came) {
-    insert("grain_roses", {}, [&](auto& row) { visit_rose(row, came); });
+    const bool by_stress = came.kind == sim::ProbeKind::stress;
+    const RoseRow row{lab::word(came.kind), by_stress ? std::optional(came.norm_pa) : std::nullopt,
+                      by_stress ? std::nullopt : std::optional(came.norm_strain), came.made.stress};
+    insert("grain_roses", {}, [&](auto& to) { visit_rose(to, row); });
     const sim::ProbeRose& rose = came.made.rose;
-    probe(0, rose.null_probe, std::nullopt);
+    probe(0, rose.null_probe, std::nullopt, by_stress);
     for (std::size_t k = 0; k < rose.probes.size(); ++k)
-      probe(k + 1, rose.probes[k], rose.probes[k].angle);
+      probe(k + 1, rose.probes[k], rose.probes[k].angle, by_stress);
   }
   void operator()(const lab::ReportedPerturbation& came) {
     insert("grain_perturbations", {}, [&](auto& row) { visit_perturbation(row, came); });
     for (std::size_t k = 0; k < came.points.size(); ++k)
       insert("grain_perturbation_points", k,
              [&](auto& row) { visit_perturbation_point(row, came.points[k]); });
+  }
+  void ledger(std::int64_t number, const sim::GrainLedger& l) {
+    const EnergyRow energy{number, l, l.energy_error_j()};
+    insert("grain_energies", {}, [&](auto& row) { visit_energy(row, energy); });
+    for (std::size_t a = 0; a < kMomentumAxes.size(); ++a) {
+      const MomentumRow momentum{number,
+                                 kMomentumAxes[a],
+                                 l.walls_impulse[a],
+                                 l.damping_impulse[a],
+                                 l.stopped_impulse[a],
+                                 l.momentum_start[a],
+                                 l.momentum_end[a]};
+      insert("grain_momenta", {}, [&](auto& row) { visit_momentum(row, momentum); });
+    }
   }
   void measures(const char* moment, const sim::GrainMeasures& measures) {
     insert("grain_measures", {}, [&](auto& row) {
@@ -58,10 +75,20 @@ class StageRows {
     if (number) keys.push_back({"number", static_cast<std::int64_t>(*number)});
     insert_row(database_, table, keys, visit);
   }
-  void probe(std::size_t number, const sim::GrainProbe& p, std::optional<double> angle) {
-    const ProbeRow all{p, angle, p.work.eulerian(), p.work.microscopic(),
-                       p.work.non_permanent_share()};
+  void probe(std::size_t number, const sim::GrainProbe& p, std::optional<double> angle,
+             bool by_stress) {
+    const sim::GrainWork& w = p.work;
+    const ProbeRow all{p,
+                       angle,
+                       by_stress ? std::optional(p.norm_pa) : std::nullopt,
+                       w.eulerian(),
+                       w.microscopic(),
+                       w.non_permanent_share()};
     insert("grain_probes", number, [&](auto& row) { visit_probe(row, all); });
+    const auto place = static_cast<std::int64_t>(number);
+    const GapRow gap{place, w.contacts_turning, w.grains_turning, w.out_of_balance, w.gap_left()};
+    insert("grain_gaps", {}, [&](auto& row) { visit_gap(row, gap); });
+    ledger(place, p.ledger);
   }
   static sim::GrainPathPoint never_passed() {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -119,6 +146,7 @@ void insert_grain_stage(SQLite::Database& database, std::int64_t run, std::int64
   StageRows rows(database, run, number);
   rows.measures("before", result.before);
   rows.measures("after", result.after);
+  if (stage.told.ledger) rows.ledger(0, *stage.told.ledger);
   std::visit(rows, stage.told.came);
 }
 

@@ -58,8 +58,7 @@ const std::vector<NamedQuery>& named_queries() {
        "ORDER BY r.id, s.number"},
       {"grain_peaks", "peak of s1 - s3/R of every path of grains, and what came after it",
        "SELECT * FROM grain_peaks ORDER BY run_id, stage"},
-      {"grain_probes",
-       "second-order work of every stress probe of grains; number 0 is the null probe",
+      {"grain_probes", "second-order work of every probe of grains; number 0 is the null probe",
        "SELECT r.name AS run, r.origin, s.name AS stage_name, p.* FROM grain_probes p "
        "JOIN grain_runs r ON r.id = p.run_id "
        "JOIN grain_stages s ON s.run_id = p.run_id AND s.number = p.stage "

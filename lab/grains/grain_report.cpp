@@ -37,7 +37,9 @@ ReportedGrainRest reported(const GrainRestStage& stage, const GrainRest& result)
   return {stage.strain_held, result};
 }
 ReportedGrainRose reported(const GrainProbeStage& stage, const GrainRose& result) {
-  return {stage.probing.norm_pa, result};
+  const sim::GrainProbing& how = stage.probing;
+  const bool by_stress = how.kind == sim::ProbeKind::stress;
+  return {how.kind, by_stress ? how.norm_pa : 0, by_stress ? 0 : how.norm_strain, result};
 }
 ReportedPerturbation reported(const GrainPerturbationStage& stage,
                               const sim::PerturbationResult& result) {
@@ -95,11 +97,22 @@ ReportedGrains reported(const GrainSource& asked, const GrainsMade& made) {
 
 ReportedGrainStage reported(const GrainStageResult& result) {
   const GrainStage& stage = *result.stage;
-  ReportedGrainStage told{stage.name,     stage.action, stage.from,
-                          result.before,  result.after, result.strain_before,
-                          result.seconds, result.steps, {}};
+  ReportedGrainStage told{
+      stage.name,           stage.action,   stage.from,   result.before, result.after,
+      result.strain_before, result.seconds, result.steps, result.ledger, {}};
   std::visit(Outcome{stage, told}, result.outcome);
   return told;
+}
+
+sim::GrainLedger ledger_not_stored() {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  sim::GrainLedger none;
+  none.walls_j = none.friction_j = none.damping_j = none.stopped_j = kNaN;
+  none.elastic_start_j = none.elastic_end_j = none.kinetic_start_j = none.kinetic_end_j = kNaN;
+  for (auto* impulse : {&none.walls_impulse, &none.damping_impulse, &none.stopped_impulse,
+                        &none.momentum_start, &none.momentum_end})
+    impulse->fill(kNaN);
+  return none;
 }
 
 sim::GrainMeasures measures_not_stored() {

@@ -53,9 +53,13 @@ struct ReportedGrainRest {
 };
 
 struct ReportedGrainRose {
-  double norm_pa = 0;  ///< of the probes
+  sim::ProbeKind kind = sim::ProbeKind::stress;
+  double norm_pa = 0;      ///< of stress probes, else 0
+  double norm_strain = 0;  ///< of strain probes, else 0
   GrainRose made;
   bool parts_stored = true;  ///< false: the microscopic work is one sum, all of it as normal part
+
+  double norm() const { return kind == sim::ProbeKind::stress ? norm_pa : norm_strain; }
 };
 
 /// Of `how` what was done: ratio, load step, energy, share and seed.
@@ -74,6 +78,7 @@ struct ReportedGrainStage {
   sim::AxisymmetricStrain strain_before;  ///< of the start since the specimen was made
   double seconds = 0;                     ///< 0: not known
   std::int64_t steps = 0;
+  std::optional<sim::GrainLedger> ledger;  ///< empty of a rose, and where it is not stored
   std::variant<ReportedGrainPath, ReportedGrainRest, ReportedGrainRose, ReportedPerturbation> came;
 };
 
@@ -92,6 +97,8 @@ ReportedGrains reported(const GrainSource& asked, const GrainsMade& made);
 /// is of.
 ReportedGrainStage reported(const GrainStageResult& result);
 
+/// A ledger of which nothing is stored.
+sim::GrainLedger ledger_not_stored();
 /// Measures of which nothing is stored.
 sim::GrainMeasures measures_not_stored();
 

@@ -143,7 +143,7 @@ class Stages {
   }
 
   sim::GrainPathResult carry_out(const GrainStage& stage, const GrainPathStage& work,
-                                 const sim::GrainState& start, GrainStageResult&) {
+                                 const sim::GrainState& start, GrainStageResult& stage_result) {
     sim::GrainPathWatch watch;
     if (is_heard(listeners_, &GrainListener::point_kept))
       watch = [&](const sim::GrainState& state, const sim::GrainPathPoint& point) {
@@ -152,17 +152,19 @@ class Stages {
     sim::GrainPathResult result = follow(start, work.path, threads_, progress_, watch);
     stopped_ = result.end == sim::GrainPathEnd::stopped;
     end_ = result.state;
+    stage_result.ledger = result.ledger;
     return result;
   }
 
   GrainRest carry_out(const GrainStage&, const GrainRestStage& work, const sim::GrainState& start,
-                      GrainStageResult&) {
+                      GrainStageResult& stage_result) {
     GrainRest result;
     if (work.strain_held) {
       sim::Equilibrium found =
           equilibrium_at(start, work.ratio, work.settling, threads_, progress_);
       result.settling = found.rest;
       end_ = std::move(found.state);
+      stage_result.ledger = found.ledger;
     } else {
       sim::AxisymmetricStress held;
       held.axial = work.axial_stress_pa.value_or(held_stress(start, sim::kAxial));
@@ -171,8 +173,10 @@ class Stages {
       if (!(held.axial > 0) || !(held.radial > 0))
         throw std::invalid_argument("the stresses to be held are not above 0: it has collapsed");
       sim::Grains grains(start, threads_);
+      grains.keep_ledger();
       result.settling = sim::rest(grains, held, work.settling, progress_);
       end_ = grains.state();
+      stage_result.ledger = grains.ledger();
     }
     stopped_ = result.settling.stopped;
     result.at_rest = result.settling.at_rest;
@@ -193,10 +197,11 @@ class Stages {
   }
 
   sim::PerturbationResult carry_out(const GrainStage&, const GrainPerturbationStage& work,
-                                    const sim::GrainState& start, GrainStageResult&) {
+                                    const sim::GrainState& start, GrainStageResult& stage_result) {
     sim::PerturbationResult result = perturb(start, work.perturbation, threads_, progress_);
     stopped_ = result.end == sim::PerturbationEnd::stopped;
     end_ = result.state;
+    stage_result.ledger = result.ledger;
     return result;
   }
 

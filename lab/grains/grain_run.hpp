@@ -3,6 +3,7 @@
 // Carries a programme of grains out: stages one after the other, each from the state that it names.
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,6 +39,8 @@ struct GrainStageResult {
   sim::AxisymmetricStrain strain_before;  ///< natural, of the start since the specimen was made
   double seconds = 0;                     ///< on the clock of the wall
   std::int64_t steps = 0;                 ///< of the engine; of all probes together
+  /// Of energy and momentum over the stage; empty of a rose, whose probes have one each.
+  std::optional<sim::GrainLedger> ledger;
   std::variant<sim::GrainPathResult, GrainRest, GrainRose, sim::PerturbationResult> outcome;
 };
 

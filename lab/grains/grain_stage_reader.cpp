@@ -133,8 +133,17 @@ GrainProbeStage read_probes(const TomlTable& table) {
   GrainProbeStage stage;
   sim::GrainProbing& how = stage.probing;
   stage.directions = static_cast<int>(table.integer("directions", 1, 3600).value_or(36));
-  take(table, "norm_kPa", {.above = 0, .at_most = 1e4}, 1e3, how.norm_pa);
-  take(table, "ramp_steps", 1, kMostSteps, how.ramp_steps);
+  const auto stress = table.number("norm_kPa", {.above = 0, .at_most = 1e4});
+  const auto strain = table.number("norm_strain", {.above = 0, .at_most = 0.01});
+  if (stress && strain)
+    table.fail("norm_strain",
+               "probes are of stress (norm_kPa) or of strain (norm_strain); give one of the two");
+  if (stress) how.norm_pa = 1e3 * *stress;
+  if (strain) {
+    how.kind = sim::ProbeKind::strain;
+    how.norm_strain = *strain;
+  }
+  take(table, "ramp_steps", 2, kMostSteps, how.ramp_steps);
   take(table, "unbalanced", kPositive, 1, how.unbalanced);
   take(table, "stress_error_Pa", {.above = 0, .at_most = 1e7}, 1, how.stress_error_pa);
   take(table, "most_steps", 1, kMostSteps, how.most_steps);

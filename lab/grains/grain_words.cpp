@@ -17,6 +17,10 @@ std::string word(sim::StiffnessReading reading) {
   return reading == sim::StiffnessReading::literal ? "literal" : "in_series";
 }
 
+std::string word(sim::ProbeKind kind) {
+  return kind == sim::ProbeKind::strain ? "strain" : "stress";
+}
+
 std::string word(sim::GrainPathEnd end) {
   switch (end) {
     case sim::GrainPathEnd::axial_strain:

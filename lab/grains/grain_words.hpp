@@ -10,6 +10,8 @@ namespace triax::lab {
 
 /// "in_series", "literal"
 std::string word(sim::StiffnessReading reading);
+/// "stress", "strain"
+std::string word(sim::ProbeKind kind);
 /// "isotropic", "drained", "strain_path"
 std::string word(sim::GrainPathKind kind);
 /// "axial_strain", "stress_ratio", "at rest", "collapse", "most_steps", "stopped"

@@ -88,6 +88,9 @@ void add_rose(GrainContent& content, const lab::ReportedGrainStage& stage,
   add_section(content, title("responses and contacts"), std::move(tables.responses));
   add_section(content, title("density of second-order work (J/m³)"), std::move(tables.work), {},
               std::move(facts));
+  add_section(content, title("what microscopic and macroscopic work differ by (J/m³)"),
+              std::move(tables.gap), gap_notes());
+  add_section(content, title("energy"), std::move(tables.energy), energy_notes());
 }
 
 }  // namespace
@@ -114,6 +117,7 @@ GrainContent grain_content(const db::StoredGrainRun& run) {
     if (const auto* rose = std::get_if<lab::ReportedGrainRose>(&stage.came))
       add_rose(content, stage, *rose);
   add_section(content, "Perturbations", perturbations_table(report), perturbations_notes());
+  add_section(content, "Energy", energies_table(report), energy_notes());
   return content;
 }
 

@@ -65,6 +65,7 @@ void add_points(FigureData& data, double stage, const lab::ReportedGrainPath& pa
 
 const std::vector<DataColumn> kProbeColumns = {{"alpha_deg", "°"},
                                                {"norm_kPa", "kPa"},
+                                               {"norm_strain", ""},
                                                {"axial_stress_increment_kPa", "kPa"},
                                                {"radial_stress_increment_kPa", "kPa"},
                                                {"axial_strain_increment", ""},
@@ -80,6 +81,10 @@ const std::vector<DataColumn> kProbeColumns = {{"alpha_deg", "°"},
                                                {"w2_non_permanent_part_J_per_m3", "J/m³"},
                                                {"w2_fixed_frame_J_per_m3", "J/m³"},
                                                {"boundary_part_J_per_m3", "J/m³"},
+                                               {"gap_grains_turning_J_per_m3", "J/m³"},
+                                               {"gap_contacts_turning_J_per_m3", "J/m³"},
+                                               {"gap_out_of_balance_J_per_m3", "J/m³"},
+                                               {"gap_left_J_per_m3", "J/m³"},
                                                {"micro_over_macro", ""},
                                                {"w2_normalised", ""},
                                                {"sliding_share", ""},
@@ -88,16 +93,27 @@ const std::vector<DataColumn> kProbeColumns = {{"alpha_deg", "°"},
                                                {"at_rest", ""},
                                                {"steps", ""},
                                                {"unbalanced", ""},
-                                               {"stress_error_Pa", "Pa"}};
+                                               {"stress_error_Pa", "Pa"},
+                                               {"walls_J", "J"},
+                                               {"elastic_change_J", "J"},
+                                               {"kinetic_change_J", "J"},
+                                               {"friction_J", "J"},
+                                               {"damping_J", "J"},
+                                               {"ledger_error_J", "J"},
+                                               {"momentum_error_kg_m_per_s", "kg m/s"}};
 
-Row probe_row(const sim::GrainProbe& p, std::optional<double> angle, bool parts_stored) {
-  const bool null_probe = !angle;
+Row probe_row(const sim::GrainProbe& p, std::optional<double> angle,
+              const lab::ReportedGrainRose& rose) {
+  const bool null_probe = !angle, parts_stored = rose.parts_stored;
+  const bool by_stress = rose.kind == sim::ProbeKind::stress;
   const auto part = [&](double value) {
     return parts_stored ? std::optional(value) : std::nullopt;
   };
-  Row row = {angle, p.norm_pa / 1e3};
+  Row row = {angle, by_stress ? std::optional(p.norm_pa / 1e3) : std::nullopt,
+             by_stress ? std::nullopt : std::optional(p.norm_strain)};
   if (!p.stopped) {
     const auto& w = p.work;
+    const auto& l = p.ledger;
     row.insert(row.end(), {p.stress.axial / 1e3,
                            p.stress.radial / 1e3,
                            p.strain.axial,
@@ -113,6 +129,10 @@ Row probe_row(const sim::GrainProbe& p, std::optional<double> angle, bool parts_
                            part(w.non_permanent_part),
                            w.fixed_frame,
                            w.boundary_part,
+                           w.grains_turning,
+                           w.contacts_turning,
+                           w.out_of_balance,
+                           w.gap_left(),
                            null_probe ? std::nullopt : study::micro_over_macro(p),
                            null_probe ? std::nullopt : std::optional(w.normalised),
                            p.sliding_share,
@@ -121,7 +141,14 @@ Row probe_row(const sim::GrainProbe& p, std::optional<double> angle, bool parts_
                            p.at_rest ? 1.0 : 0.0,
                            static_cast<double>(p.steps),
                            p.unbalanced,
-                           p.stress_error_pa});
+                           p.stress_error_pa,
+                           l.walls_j,
+                           l.elastic_end_j - l.elastic_start_j,
+                           l.kinetic_end_j - l.kinetic_start_j,
+                           l.friction_j,
+                           l.damping_j,
+                           l.energy_error_j(),
+                           l.momentum_error()});
   }
   row.resize(kProbeColumns.size());
   return row;
@@ -169,9 +196,8 @@ FigureData rose_data(const lab::GrainReport& report, const lab::ReportedGrainSta
                                      made.stress.axial / 1e3, made.stress.radial / 1e3));
   data.remarks.emplace_back("the row without an angle is the null probe");
   for (std::size_t i = 0; i < made.rose.probes.size(); ++i)
-    data.rows.push_back(
-        probe_row(made.rose.probes[i], sim::degrees(made.angles[i]), rose.parts_stored));
-  data.rows.push_back(probe_row(made.rose.null_probe, {}, rose.parts_stored));
+    data.rows.push_back(probe_row(made.rose.probes[i], sim::degrees(made.angles[i]), rose));
+  data.rows.push_back(probe_row(made.rose.null_probe, {}, rose));
   return data;
 }
 

@@ -18,11 +18,12 @@ namespace {
 
 using Stages = std::vector<const lab::ReportedGrainStage*>;
 
-Subject subject_of(const lab::GrainReport& report, const std::string& state = {}) {
+Subject subject_of(const lab::GrainReport& report, const std::string& state = {},
+                   sim::ProbeKind kind = sim::ProbeKind::stress) {
   return {.material = report.about(),
           .state = state,
           .plane = sim::ProbePlane::axisymmetric,
-          .kind = sim::ProbeKind::stress};
+          .kind = kind};
 }
 
 template <class Kind, class Such>
@@ -86,10 +87,10 @@ class Figures {
     for (const auto* stage :
          stages_of<lab::ReportedGrainRose>(report_, [](const auto&) { return true; })) {
       const auto& rose = std::get<lab::ReportedGrainRose>(stage->came);
-      const Subject subject = subject_of(report_, rose_state(*stage));
+      const Subject subject = subject_of(report_, rose_state(*stage), rose.kind);
       const FigureData data = rose_data(report_, *stage);
       const std::string name = lab::in_file_name(stage->name);
-      add(name + "_envelope", grain_envelope_figure(rose.made.rose, rose.norm_pa, subject), data);
+      add(name + "_envelope", grain_envelope_figure(rose.made.rose, rose.norm(), subject), data);
       add(name + "_work", grain_work_figure(rose.made.rose, subject), data);
       add(name + "_contacts", grain_contacts_figure(rose.made.rose, subject), data);
     }

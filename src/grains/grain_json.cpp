@@ -133,13 +133,41 @@ study::Json came_json(const lab::ReportedGrainRest& came) {
           {"path_stress_kPa", study::json_kPa(came.rest.path_stress_pa)}};
 }
 
+study::Json ledger_json(const sim::GrainLedger& l) {
+  const auto axes = [](const std::array<double, 3>& of) {
+    return study::Json::array(
+        {study::json_number(of[0]), study::json_number(of[1]), study::json_number(of[2])});
+  };
+  return {{"walls_J", study::json_number(l.walls_j)},
+          {"elastic_start_J", study::json_number(l.elastic_start_j)},
+          {"elastic_end_J", study::json_number(l.elastic_end_j)},
+          {"kinetic_start_J", study::json_number(l.kinetic_start_j)},
+          {"kinetic_end_J", study::json_number(l.kinetic_end_j)},
+          {"friction_J", study::json_number(l.friction_j)},
+          {"damping_J", study::json_number(l.damping_j)},
+          {"stopped_J", study::json_number(l.stopped_j)},
+          {"error_J", study::json_number(l.energy_error_j())},
+          {"error_share", study::json_number(l.energy_error_share())},
+          {"momentum_kg_m_per_s",
+           {{"walls", axes(l.walls_impulse)},
+            {"damping", axes(l.damping_impulse)},
+            {"stopped", axes(l.stopped_impulse)},
+            {"start", axes(l.momentum_start)},
+            {"end", axes(l.momentum_end)},
+            {"error", study::json_number(l.momentum_error())}}}};
+}
+
 /// Null for what a stopped probe does not tell.
-study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle, bool parts_stored) {
+study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle,
+                       const lab::ReportedGrainRose& rose) {
+  const bool parts_stored = rose.parts_stored, by_stress = rose.kind == sim::ProbeKind::stress;
   const auto part = [&](double value) {
     return parts_stored ? study::json_number(value) : study::Json(nullptr);
   };
-  study::Json one = {{"alpha_deg", study::json_deg(angle)},
-                     {"norm_kPa", study::json_kPa(p.norm_pa)}};
+  study::Json one = {
+      {"alpha_deg", study::json_deg(angle)},
+      {"norm_kPa", by_stress ? study::json_kPa(p.norm_pa) : study::Json(nullptr)},
+      {"norm_strain", by_stress ? study::Json(nullptr) : study::json_number(p.norm_strain)}};
   one["stopped"] = p.stopped;
   if (p.stopped) return one;
   const auto& w = p.work;
@@ -158,6 +186,12 @@ study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle, bo
                 {"non_permanent_part", part(w.non_permanent_part)},
                 {"fixed_frame", study::json_number(w.fixed_frame)}}},
               {"boundary_part_J_per_m3", study::json_number(w.boundary_part)},
+              {"gap_J_per_m3",
+               {{"micro_less_macro", study::json_number(w.gap())},
+                {"grains_turning", study::json_number(w.grains_turning)},
+                {"contacts_turning", study::json_number(w.contacts_turning)},
+                {"out_of_balance", study::json_number(w.out_of_balance)},
+                {"left", study::json_number(w.gap_left())}}},
               {"w2_normalised", angle ? study::json_number(w.normalised) : study::Json(nullptr)},
               {"micro_over_macro",
                angle ? study::json_number(study::micro_over_macro(p)) : study::Json(nullptr)},
@@ -166,7 +200,8 @@ study::Json probe_json(const sim::GrainProbe& p, std::optional<double> angle, bo
               {"kinetic_energy_most_J", study::json_number(p.most_kinetic_j)},
               {"steps", p.steps},
               {"unbalanced", study::json_number(p.unbalanced)},
-              {"stress_error_Pa", study::json_number(p.stress_error_pa)}});
+              {"stress_error_Pa", study::json_number(p.stress_error_pa)},
+              {"ledger", ledger_json(p.ledger)}});
   return one;
 }
 
@@ -185,9 +220,13 @@ study::Json came_json(const lab::ReportedGrainRose& came) {
   const bool any = found.made > 0;
   study::Json probes = study::Json::array();
   for (std::size_t i = 0; i < rose.probes.size(); ++i)
-    probes.push_back(probe_json(rose.probes[i], angles[i], came.parts_stored));
+    probes.push_back(probe_json(rose.probes[i], angles[i], came));
   return {
-      {"norm_kPa", study::json_kPa(came.norm_pa)},
+      {"kind", lab::word(came.kind)},
+      {"norm_kPa",
+       came.kind == sim::ProbeKind::stress ? study::json_kPa(came.norm_pa) : study::Json(nullptr)},
+      {"norm_strain", came.kind == sim::ProbeKind::strain ? study::json_number(came.norm_strain)
+                                                          : study::Json(nullptr)},
       {"stress", stress_json(stress)},
       {"made", found.made},
       {"at_rest", found.at_rest},
@@ -203,9 +242,14 @@ study::Json came_json(const lab::ReportedGrainRose& came) {
       {"not_at_rest", ranges_json(found.not_at_rest)},
       {"kinetic_energy_most_J",
        any ? study::json_number(found.most_kinetic_j) : study::Json(nullptr)},
+      {"gap",
+       {{"left_share", study::json_number(found.gap_left)},
+        {"grains_turning_share", study::json_number(found.gap_of_grains)},
+        {"boundary_part_most_J_per_m3", study::json_number(found.most_boundary)}}},
+      {"ledger_error_share_most", study::json_number(found.most_ledger_error)},
       {"smallest_strain", study::json_number(found.smallest_strain)},
       {"null_probe_over_smallest", study::json_number(found.drift)},
-      {"null_probe", probe_json(rose.null_probe, {}, came.parts_stored)},
+      {"null_probe", probe_json(rose.null_probe, {}, came)},
       {"probes", std::move(probes)}};
 }
 
@@ -237,12 +281,14 @@ study::Json came_json(const lab::ReportedPerturbation& came) {
 study::Json document_of(const lab::GrainReport& report) {
   study::Json stages = study::Json::array();
   for (const auto& stage : report.stages) {
-    study::Json one = {{"name", stage.name},
-                       {"action", stage.action},
-                       {"from", study::json_text(stage.from)},
-                       {"steps", stage.steps},
-                       {"before", measures_json(stage.before)},
-                       {"after", measures_json(stage.after)}};
+    study::Json one = {
+        {"name", stage.name},
+        {"action", stage.action},
+        {"from", study::json_text(stage.from)},
+        {"steps", stage.steps},
+        {"before", measures_json(stage.before)},
+        {"after", measures_json(stage.after)},
+        {"ledger", stage.ledger ? ledger_json(*stage.ledger) : study::Json(nullptr)}};
     one.update(std::visit([](const auto& came) { return came_json(came); }, stage.came));
     stages.push_back(std::move(one));
   }

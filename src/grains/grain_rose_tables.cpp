@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/grains/grain_energy_cells.hpp"
 #include "src/grains/grain_tables.hpp"
 #include "src/output/words.hpp"
 #include "src/study/grains/grain_rose_findings.hpp"
@@ -34,8 +35,38 @@ Table right_columns(const std::vector<std::string>& headings) {
   return table;
 }
 
+/// J/m³ of three digits in the largest of the parts of a gap.
+int gap_decimals(const sim::ProbeRose& rose) {
+  double most = 0;
+  for (const auto& probe : rose.probes)
+    if (!probe.stopped && std::isfinite(probe.work.gap_left()))
+      most = std::max(most, std::abs(probe.work.gap()));
+  return most > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(most))), 3, 10) : 3;
+}
+
+void put_gap(RoseTables& tables, const sim::GrainProbe& probe, const std::string& name,
+             int decimals) {
+  const auto density = [decimals](double value) { return number(value, decimals); };
+  auto& gap = tables.gap.rows.emplace_back();
+  auto& energy = tables.energy.rows.emplace_back();
+  gap = energy = {name};
+  if (!probe.stopped) {
+    const auto& w = probe.work;
+    gap = {name,
+           density(w.gap()),
+           density(w.grains_turning),
+           density(w.contacts_turning),
+           density(w.out_of_balance),
+           density(w.gap_left()),
+           number(w.boundary_part, 4)};
+    for (auto& cell : energy_cells(probe.ledger)) energy.push_back(std::move(cell));
+  }
+  gap.resize(tables.gap.columns.size(), kUnknown);
+  energy.resize(tables.energy.columns.size(), kUnknown);
+}
+
 void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::string& name,
-               int decimals) {
+               int decimals, bool by_stress) {
   const auto density = [decimals](double value) { return number(value, decimals); };
   auto& response = tables.responses.rows.emplace_back();
   response = {name};
@@ -44,9 +75,9 @@ void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::stri
   if (!probe.stopped) {
     const auto& w = probe.work;
     response = {name,
-                micro(probe.strain.axial),
-                micro(probe.strain.radial),
-                probe.norm_pa > 0 ? number(w.normalised, 3) : kUnknown,
+                by_stress ? micro(probe.strain.axial) : number(probe.stress.axial, 2),
+                by_stress ? micro(probe.strain.radial) : number(probe.stress.radial, 2),
+                probe.null() ? kUnknown : number(w.normalised, 3),
                 in_percent(probe.sliding_share),
                 in_percent(w.non_permanent_share()),
                 in_joule(probe.most_kinetic_j),
@@ -58,8 +89,8 @@ void put_probe(RoseTables& tables, const sim::GrainProbe& probe, const std::stri
             density(w.volume_part),
             density(w.transport_part),
             density(w.microscopic()),
-            number(probe.norm_pa > 0 ? study::micro_over_macro(probe) : std::nullopt, 3),
-            number(probe.norm_pa > 0 ? study::fixed_over_macro(probe) : std::nullopt, 4)};
+            number(probe.null() ? std::nullopt : study::micro_over_macro(probe), 3),
+            number(probe.null() ? std::nullopt : study::fixed_over_macro(probe), 4)};
   }
   response.resize(tables.responses.columns.size(), kUnknown);
   response.back() = at_rest_word(probe);
@@ -83,15 +114,40 @@ std::string null_words(const study::GrainRoseFindings& found, const sim::GrainPr
 
 }  // namespace
 
+std::vector<std::string> gap_notes() {
+  return {
+      "micro − macro: Σ over contacts (11) less (7), the sum of the next three and of what is left",
+      "grains, contacts: their turning under the force that they carry; balance: lack of it",
+      "boundary: the term of Eq. (22), 0 where walls move steadily; it is no part of the sum"};
+}
+
+std::vector<std::string> energy_notes() {
+  return {
+      "walls = elastic + kinetic + friction + damping + stopped + error, from the first step on",
+      "error: over the largest of what came in, went out and was there",
+      "momentum: the largest component that is missing, kg m/s"};
+}
+
 RoseTables rose_tables(const lab::ReportedGrainRose& rose) {
-  RoseTables tables{right_columns({"α (°)", "dε₁ (10⁻⁶)", "dε₃ (10⁻⁶)", "W₂ norm.", "sliding (%)",
+  const bool by_stress = rose.kind == sim::ProbeKind::stress;
+  RoseTables tables{right_columns({"α (°)", by_stress ? "dε₁ (10⁻⁶)" : "dσ₁ (Pa)",
+                                   by_stress ? "dε₃ (10⁻⁶)" : "dσ₃ (Pa)", "W₂ norm.", "sliding (%)",
                                    "non-perm. (%)", "largest K (J)", "steps", "at rest"}),
                     right_columns({"α (°)", "Lagrangian", "Eulerian", "Δσ:LΔt", "div(Δu)σ:LΔt",
-                                   "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed"})};
-  const int decimals = work_decimals(rose.made.rose);
-  for (std::size_t i = 0; i < rose.made.rose.probes.size(); ++i)
-    put_probe(tables, rose.made.rose.probes[i], in_degrees(rose.made.angles[i], 0), decimals);
-  put_probe(tables, rose.made.rose.null_probe, "null", decimals);
+                                   "−σLᵗΔt:LΔt", "micro", "micro/macro", "fixed"}),
+                    right_columns({"α (°)", "micro − macro", "grains", "contacts", "balance",
+                                   "left", "boundary"}),
+                    energy_columns("α (°)", Align::right)};
+  const sim::ProbeRose& made = rose.made.rose;
+  const bool ledgers = std::isfinite(made.null_probe.ledger.walls_j);  // of older versions: none
+  const int decimals = work_decimals(made), finer = gap_decimals(made);
+  for (std::size_t i = 0; i < made.probes.size(); ++i) {
+    const std::string name = in_degrees(rose.made.angles[i], 0);
+    put_probe(tables, made.probes[i], name, decimals, by_stress);
+    if (ledgers) put_gap(tables, made.probes[i], name, finer);
+  }
+  put_probe(tables, made.null_probe, "null", decimals, by_stress);
+  if (ledgers) put_gap(tables, made.null_probe, "null", finer);
   return tables;
 }
 
@@ -102,10 +158,11 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedG
   std::vector<std::pair<std::string, std::string>> facts = {
       {"state",
        fmt::format(
-           "σ₁ {} kPa, σ₃ {} kPa, η {}; probes of {:g} kPa", in_kPa(stress.axial, 2),
+           "σ₁ {} kPa, σ₃ {} kPa, η {}; probes of {}", in_kPa(stress.axial, 2),
            in_kPa(stress.radial, 2),
            number(p > 0 ? std::optional(sim::deviator_stress(stress) / p) : std::nullopt, 4),
-           rose.norm_pa / 1e3)},
+           rose.kind == sim::ProbeKind::stress ? fmt::format("{:g} kPa", rose.norm_pa / 1e3)
+                                               : fmt::format("{:g} of strain", rose.norm_strain))},
       {"made", fmt::format("{} of {} probes, {} at rest", found.made, rose.made.rose.probes.size(),
                            found.at_rest)},
       {"null probe", null_words(found, rose.made.rose.null_probe)}};
@@ -121,6 +178,15 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedG
                     number(found.least_normalised, 4), in_degrees(found.least_angle, 0)));
   add("micro=macro",
       fmt::format("within {:g} %: {}", 100 * study::kAgreement, ranges_words(found.agreeing)));
+  if (found.gap_left)
+    add("micro−macro",
+        fmt::format("turning of grains makes up {} % of it, all that was computed leaves {:.1e}",
+                    number(100 * *found.gap_of_grains, 1), *found.gap_left));
+  if (found.most_boundary)
+    add("boundary",
+        fmt::format("the term of Eq. (22) is at most {} J/m³", number(*found.most_boundary, 4)));
+  if (found.most_ledger_error)
+    add("energy", fmt::format("the ledgers close to {:.1e}", *found.most_ledger_error));
   add("contacts", fmt::format("sliding or non-permanent, {:g} % more than in the null probe: {}",
                               100 * study::kIrreversible, ranges_words(found.irreversible)));
   add("motion", fmt::format("kinetic energy above {:g} times the least: {}", study::kDynamic,

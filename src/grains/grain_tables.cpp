@@ -5,6 +5,7 @@
 
 #include "lab/grains/grain_words.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
+#include "src/grains/grain_energy_cells.hpp"
 #include "src/output/words.hpp"
 #include "src/study/grains/grain_path_findings.hpp"
 
@@ -181,6 +182,17 @@ Table perturbations_table(const lab::GrainReport& report) {
          in_percent(last ? std::optional(last->axial_strain) : std::nullopt, 4),
          in_joule(came.most_kinetic_j)});
   });
+  return table;
+}
+
+Table energies_table(const lab::GrainReport& report) {
+  Table table = energy_columns("stage", Align::left);
+  for (const auto& stage : report.stages) {
+    if (!stage.ledger) continue;
+    auto& row = table.rows.emplace_back();
+    row = {stage.name};
+    for (auto& cell : energy_cells(*stage.ledger)) row.push_back(std::move(cell));
+  }
   return table;
 }
 

@@ -18,6 +18,8 @@ Table strain_paths_table(const lab::GrainReport& report);
 Table marks_table(const lab::GrainReport& report);
 Table rests_table(const lab::GrainReport& report);
 Table perturbations_table(const lab::GrainReport& report);
+/// Where the energy of each stage went, but of roses.
+Table energies_table(const lab::GrainReport& report);
 /// What their columns mean, a sentence each.
 std::vector<std::string> paths_notes();
 std::vector<std::string> strain_paths_notes();
@@ -27,7 +29,12 @@ std::vector<std::string> perturbations_notes();
 struct RoseTables {
   Table responses;  ///< strains, sliding and non-permanent contacts, kinetic energy
   Table work;       ///< second-order work in all its forms
+  Table gap;        ///< what the macroscopic and the microscopic one differ by
+  Table energy;     ///< where the energy of each probe went
 };
+/// What the columns of `gap` and of `energy` mean.
+std::vector<std::string> gap_notes();
+std::vector<std::string> energy_notes();
 RoseTables rose_tables(const lab::ReportedGrainRose& rose);
 /// Label and words: what the probes show together.
 std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedGrainRose& rose);

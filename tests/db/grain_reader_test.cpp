@@ -69,8 +69,17 @@ class Bits {
                  << p.kinetic_energy_j << p.unbalanced << p.porosity << p.coordination
                  << p.sliding_share;
   }
+  Bits& operator<<(const sim::GrainLedger& l) {
+    for (const auto* of : {&l.walls_impulse, &l.damping_impulse, &l.stopped_impulse,
+                           &l.momentum_start, &l.momentum_end})
+      for (const double component : *of) *this << component;
+    return *this << l.walls_j << l.friction_j << l.damping_j << l.stopped_j << l.elastic_start_j
+                 << l.elastic_end_j << l.kinetic_start_j << l.kinetic_end_j;
+  }
   Bits& operator<<(const sim::GrainProbe& p) {
     const sim::GrainWork& w = p.work;
+    *this << p.ledger << p.norm_strain << w.contacts_turning << w.grains_turning << w.out_of_balance
+          << w.gap_left();
     return *this << p.angle << p.norm_pa << std::int64_t{p.at_rest} << std::int64_t{p.stopped}
                  << p.stress.axial << p.stress.radial << p.strain.axial << p.strain.radial
                  << w.lagrangian << w.stress_part << w.volume_part << w.transport_part
@@ -104,6 +113,7 @@ class Bits {
                  << came.rest.path_stress_pa;
   }
   Bits& operator<<(const lab::ReportedGrainRose& came) {
+    *this << std::int64_t{came.kind == sim::ProbeKind::strain} << came.norm_strain;
     *this << came.norm_pa << came.made.stress.axial << came.made.stress.radial
           << std::int64_t{came.parts_stored} << came.made.rose.null_probe;
     for (const double angle : came.made.angles) *this << angle;
@@ -119,7 +129,9 @@ class Bits {
   }
   Bits& operator<<(const lab::ReportedGrainStage& stage) {
     *this << stage.before << stage.after << stage.strain_before.axial << stage.strain_before.radial
-          << stage.seconds << stage.steps << static_cast<std::int64_t>(stage.came.index());
+          << stage.seconds << stage.steps << stage.ledger.value_or(sim::GrainLedger{})
+          << std::int64_t{stage.ledger.has_value()}
+          << static_cast<std::int64_t>(stage.came.index());
     std::visit([&](const auto& came) { *this << came; }, stage.came);
     return *this;
   }
@@ -169,6 +181,54 @@ TEST_CASE("a run of grains comes back from the database to the bit") {
     CHECK(read.from == truth.from);
     CHECK(bits(read) == bits(truth));
   }
+}
+
+TEST_CASE("probes by strain come back to the bit, without a norm of stress") {
+  testing::TemporaryFolder folder;
+  lab::GrainStageResult result = ran().results.at(3);
+  lab::GrainStage stage = *result.stage;
+  auto& how = std::get<lab::GrainProbeStage>(stage.work).probing;
+  how.kind = sim::ProbeKind::strain;
+  how.norm_strain = 3e-6;
+  for (auto& probe : std::get<lab::GrainRose>(result.outcome).rose.probes) {
+    probe.norm_strain = 3e-6;
+    probe.norm_pa = 0;
+  }
+  result.stage = &stage;
+  {
+    db::GrainRecorder recorder(folder.file("t.db"), programme());
+    recorder.made(ran().made);
+    recorder.ended(result);
+    recorder.finish();
+  }
+  const auto run = db::GrainStore(folder.file("t.db")).load(1);
+  CHECK(bits(run.report.stages.at(0)) == bits(lab::reported(result)));
+  auto d = db::open_for_reading(folder.file("t.db"));
+  CHECK(d.execAndGet("SELECT count(*) FROM grain_probes WHERE norm_kPa IS NULL").getInt() == 5);
+  CHECK(d.execAndGet("SELECT norm_strain FROM grain_roses").getDouble() == 3e-6);
+}
+
+TEST_CASE("the energy of stages and probes is stored, and its rows add up") {
+  testing::TemporaryFolder folder;
+  record(folder.file("t.db"), 7);
+  auto d = db::open_for_reading(folder.file("t.db"));
+  // Six stages have one, the rose has one for each of its five probes.
+  CHECK(d.execAndGet("SELECT count(*) FROM grain_energies").getInt() == 11);
+  CHECK(d.execAndGet("SELECT count(*) FROM grain_momenta").getInt() == 33);
+  CHECK(d.execAndGet("SELECT count(*) FROM grain_energies WHERE abs(walls_J - (elastic_end_J - "
+                     "elastic_start_J) - (kinetic_end_J - kinetic_start_J) - friction_J - "
+                     "damping_J - stopped_J - error_J) < 1e-12 AND abs(error_J) < 1e-3 * "
+                     "(abs(walls_J) + elastic_end_J + kinetic_end_J)")
+            .getInt() == 11);
+  CHECK(d.execAndGet("SELECT count(*) FROM grain_momenta WHERE abs(start_kg_m_per_s + "
+                     "walls_kg_m_per_s + damping_kg_m_per_s - stopped_kg_m_per_s - "
+                     "end_kg_m_per_s) < 1e-12")
+            .getInt() == 33);
+  CHECK(d.execAndGet("SELECT count(*) FROM grain_gaps g JOIN grain_probes p USING (run_id, stage, "
+                     "number) WHERE abs(p.work_microscopic_J_per_m3 - p.work_lagrangian_J_per_m3 "
+                     "- g.contacts_turning_J_per_m3 - g.grains_turning_J_per_m3 - "
+                     "g.out_of_balance_J_per_m3 - g.left_J_per_m3) < 1e-12")
+            .getInt() == 5);
 }
 
 TEST_CASE("ends, kinds and marks of a run of grains come back") {
@@ -272,6 +332,12 @@ TEST_CASE("of a run of grains of an older schema what it did not store is not kn
   CHECK(rose.made.rose.probes[0].work.microscopic() == Approx(0.012));
   CHECK(rose.made.rose.probes[0].work.non_permanent_share() == Approx(0.002));
   CHECK(std::isnan(rose.made.rose.probes[0].stress.axial));
+  CHECK(rose.kind == sim::ProbeKind::stress);
+  CHECK(std::isnan(rose.made.rose.probes[0].work.boundary_part));
+  CHECK(std::isnan(rose.made.rose.probes[0].work.grains_turning));
+  CHECK(std::isnan(rose.made.rose.probes[0].ledger.energy_error_share()));
+  CHECK(std::isnan(rose.made.rose.probes[0].ledger.momentum_error()));
+  CHECK_FALSE(run.report.stages[0].ledger);
   const auto& rest = std::get<lab::ReportedGrainRest>(run.report.stages[2].came);
   CHECK(rest.strain_held);
   CHECK(rest.rest.at_rest);

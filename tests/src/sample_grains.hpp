@@ -61,6 +61,15 @@ inline sim::GrainProbe probe_at(double degrees, double work, double ratio = 1) {
   probe.work.normalised = work / 0.01;
   probe.work.normal_part = 0.75 * ratio * work;
   probe.work.tangential_part = 0.25 * ratio * work;
+  probe.work.grains_turning = 0.9 * (ratio - 1) * work;
+  probe.work.contacts_turning = 0.06 * (ratio - 1) * work;
+  probe.work.out_of_balance = 0.03 * (ratio - 1) * work;
+  probe.work.boundary_part = -3 * work;
+  probe.ledger.walls_j = 2e-6;
+  probe.ledger.elastic_start_j = 1e-6;
+  probe.ledger.elastic_end_j = 2e-6;
+  probe.ledger.friction_j = 9e-7;
+  probe.ledger.damping_j = 9e-8;
   probe.work.contacts_before = 1000;
   probe.work.opened = 1;
   probe.sliding_share = 0.003;
@@ -144,6 +153,7 @@ inline lab::GrainReport sample_run() {
     lab::GrainStageResult result;
     result.stage = &what;
     result.outcome = std::move(outcome);
+    if (result.outcome.index() != 2) result.ledger = probe_at(0, 0).ledger;
     report.stages.push_back(lab::reported(result));
   };
   const auto follow = [&](const char* name, const char* action, const sim::GrainPath& path,

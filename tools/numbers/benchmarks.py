@@ -29,3 +29,8 @@ def stability(triax) -> str:
 
 def apparatus(triax) -> str:
     return timed(triax, "bench/apparatus/run.sh")
+
+
+def grains(triax) -> str:
+    """On a packing that it makes itself; beside busy processes of its own, too."""
+    return triax.output_of("bench/grains/run.sh")

@@ -45,7 +45,7 @@ void Blocks::place(Block& block, const GrainState& state) {
   block.loaded_end = block.end;
   for (std::int64_t k = block.pairs_begin; k < block.pairs_end; ++k)
     block.loaded_end = std::max(block.loaded_end, n.near.j[k] + 1);
-  block.loads.resize(block.loaded_end - block.first);
+  block.loads.assign(block.loaded_end - block.first, GrainLoad{});
   for (int w = 0; w < 6; ++w) {
     const auto& at_wall = n.near_wall[w];
     const auto rank = [&](std::int32_t grain) {
@@ -98,6 +98,7 @@ void Blocks::load(GrainState& state, const Kernels& kernels, int block) {
   range.friction_coefficient = friction_coefficient(state.law);
   range.tangential_step = state.law.tangential_ratio * state.time_step_s;
   range.half_step = 0.5 * state.time_step_s;
+  std::fill(b.loads.begin() + (b.end - b.first), b.loads.end(), GrainLoad{});
   b.friction_j = 0;
   if (booked_) range.friction_j = &b.friction_j;
   kernels.pairs(range);
@@ -110,12 +111,12 @@ void Blocks::add_halos(int block) {
     Block& before = blocks_[other];
     const std::int32_t end = std::min(before.loaded_end, own.end);
     for (std::int32_t i = own.first; i < end; ++i) {
-      GrainLoad &sum = own.loads[i - own.first], &halo = before.loads[i - before.first];
+      GrainLoad& sum = own.loads[i - own.first];
+      const GrainLoad& halo = before.loads[i - before.first];
       for (int a = 0; a < 3; ++a) {
         sum.force[a] += halo.force[a];
         sum.moment[a] += halo.moment[a];
       }
-      halo = GrainLoad{};
     }
   }
 }
@@ -150,17 +151,17 @@ double Blocks::friction_j() const {
   return sum;
 }
 
-MotionSums Blocks::motion_sums() const {
-  MotionSums all;
-  for (const Block& b : blocks_) {
-    all.kinetic += b.sums.kinetic;
-    all.damping_before += b.sums.damping_before;
-    all.damping_after += b.sums.damping_after;
-    for (int a = 0; a < 3; ++a) {
-      all.momentum[a] += b.sums.momentum[a];
-      all.braked[a] += b.sums.braked[a];
+MotionTotals Blocks::motion_totals() const {
+  MotionTotals all;
+  for (const Block& b : blocks_)
+    for (const int c : {0, 1, 2, 4, 5, 6}) {
+      all.kinetic += b.sums.kinetic[c];
+      all.damping_before += b.sums.damping_before[c];
+      all.damping_after += b.sums.damping_after[c];
+      if (c > 2) continue;
+      all.momentum[c] += b.sums.momentum[c];
+      all.braked[c] -= b.sums.braked[c];
     }
-  }
   return all;
 }
 

@@ -16,6 +16,12 @@
 
 namespace triax::sim {
 
+/// MotionSums over all components and grains.
+struct MotionTotals {
+  double kinetic = 0, damping_before = 0, damping_after = 0;
+  std::array<double, 3> momentum{}, braked{};  ///< of the velocities
+};
+
 class Blocks {
  public:
   explicit Blocks(const GrainState& state) { renew(state); }
@@ -25,7 +31,7 @@ class Blocks {
 
   int count() const { return static_cast<int>(blocks_.size()); }
 
-  /// From now on what a ledger needs is summed, too; by the portable kernels alone.
+  /// From now on what a ledger needs is summed, too.
   void book() { booked_ = true; }
 
   /// Forces of the block's pairs and of the walls on its grains.
@@ -37,7 +43,7 @@ class Blocks {
   void sum_walls(WallState& walls) const;
   /// Sums over the blocks, in their order, of the last load() and of the last move(); booked.
   double friction_j() const;
-  MotionSums motion_sums() const;
+  MotionTotals motion_totals() const;
   /// The two fastest of all grains at the last move().
   FastestTwo fastest() const;
 
@@ -51,7 +57,9 @@ class Blocks {
     FastestTwo fastest{};
     double friction_j = 0;
     MotionSums sums;
-    AlignedVector<GrainLoad> loads;  ///< of grains first to loaded_end; 0 between steps
+    /// Of grains first to loaded_end; own ones are 0 between steps. The halo is cleared by whoever
+    /// loads the block, not by its readers: what only one thread writes stays in its cache.
+    AlignedVector<GrainLoad> loads;
   };
   static void place(Block& block, const GrainState& state);
   static void load_walls(const GrainState& state, Block& block);

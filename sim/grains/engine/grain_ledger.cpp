@@ -39,14 +39,17 @@ double GrainLedger::energy_error_share() const {
     in += both(part)[1];
   }
   const double most = std::max({in, out, elastic_end_j, kinetic_end_j});
-  return most > 0 ? std::abs(energy_error_j()) / most : 0;
+  const double error = std::abs(energy_error_j());
+  return most > 0 ? error / most : error;
 }
 
 double GrainLedger::momentum_error() const {
   double most = 0;
-  for (int a = 0; a < 3; ++a)
-    most = std::max(most, std::abs(walls_impulse[a] + damping_impulse[a] - stopped_impulse[a] -
-                                   (momentum_end[a] - momentum_start[a])));
+  for (int a = 0; a < 3; ++a) {
+    const double error = std::abs(walls_impulse[a] + damping_impulse[a] - stopped_impulse[a] -
+                                  (momentum_end[a] - momentum_start[a]));
+    if (!(error <= most)) most = error;
+  }
   return most;
 }
 
@@ -79,7 +82,7 @@ void LedgerBook::after_walls(const GrainState& state) {
   walls_later_ = half_work(state, box_, state.box);
 }
 
-void LedgerBook::end_step(const GrainState& state, const MotionSums& sums) {
+void LedgerBook::end_step(const GrainState& state, const MotionTotals& sums) {
   for (int a = 0; a < 3; ++a) {
     if (open_) ledger_.damping_impulse[a] += sums.braked[a];
     ledger_.momentum_end[a] = sums.momentum[a];

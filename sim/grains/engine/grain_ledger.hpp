@@ -19,7 +19,7 @@
 #include <array>
 #include <optional>
 
-#include "sim/grains/engine/kernels.hpp"
+#include "sim/grains/engine/blocks.hpp"
 #include "sim/grains/state/grain_state.hpp"
 
 namespace triax::sim {
@@ -35,7 +35,7 @@ struct GrainLedger {
   /// What is missing on the right hand side: 0 if nothing was lost.
   double energy_error_j() const;
   /// |error| over the largest of what went in, what came out and the energies at the end; 0 where
-  /// there is none.
+  /// there is none. What is not a number makes this and the next ones not a number.
   double energy_error_share() const;
   /// The largest component of what is missing, kg m/s.
   double momentum_error() const;
@@ -51,7 +51,7 @@ class LedgerBook {
   void before_walls(const GrainState& state, double friction_j);
   void after_walls(const GrainState& state);
   /// Of the same step: grains moved, neighbours still as they were. The first step opens the book.
-  void end_step(const GrainState& state, const MotionSums& sums);
+  void end_step(const GrainState& state, const MotionTotals& sums);
   /// Velocities of `state` are about to be changed (before) or were (after) from outside.
   void before_change(const GrainState& state);
   void after_change(const GrainState& state);

@@ -91,7 +91,7 @@ void Grains::finish_step() {
   ++made_;
   stop_ = !(first * state_.time_step_s < smallest_radius_);
   try {
-    if (book_) book_->end_step(state_, blocks_.motion_sums());
+    if (book_) book_->end_step(state_, blocks_.motion_totals());
     if (stop_ || state_.neighbours.travelled_m < state_.margin.near_m) return;
     renew_neighbours(state_);
     blocks_.renew(state_);
@@ -102,7 +102,6 @@ void Grains::finish_step() {
 }
 
 void Grains::keep_ledger() {
-  kernels_ = kernels(InstructionSet::portable);
   blocks_.book();
   book_.emplace();
 }

@@ -38,8 +38,7 @@ class Grains {
   /// one after that step. After std::bad_alloc only restore() is of use.
   std::int64_t step(std::int64_t n);
 
-  /// Keeps a ledger of energy and momentum (grain_ledger.hpp) from the next step on. The same bits;
-  /// steps take some four times as long, as they are made by the portable kernels.
+  /// Keeps a ledger of energy and momentum (grain_ledger.hpp) from the next step on. The same bits.
   void keep_ledger();
   /// Until now; empty where none is kept or no step was made since. restore() begins a new one.
   std::optional<GrainLedger> ledger() const;

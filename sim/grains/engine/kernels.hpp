@@ -22,16 +22,19 @@ struct PairRange {
   double friction_coefficient;  ///< tan φ
   double tangential_step;       ///< k_t/k_n Δt, s
   double half_step;             ///< Δt/2, s
-  /// Where the portable version adds what sliding took, J (grain_ledger.hpp); null: not counted.
+  /// Where what sliding took is added, J (grain_ledger.hpp), pair by pair; null: not counted.
   double* friction_j = nullptr;
 };
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): plain data, as grain.hpp
-/// What the portable version adds of the motion of grains, J and kg m/s (grain_ledger.hpp).
+/// What the motion of grains adds, grain by grain, J and kg m/s (grain_ledger.hpp), for each
+/// component of its own: x, y, z of the velocity and, from 4 on, of the spin; 3 and 7 say nothing.
 struct MotionSums {
-  double kinetic = 0;  ///< ½ m v₋ · v₊ and spins alike: at the time of the forces
-  double damping_before = 0, damping_after = 0;  ///< half of it with v₋, half with v₊
-  double momentum[3]{}, braked[3]{};             ///< Σ m v₊; Σ of the damping forces × Δt
+  double kinetic[8]{};         ///< ½ m v₋ v₊: at the time of the forces
+  double damping_before[8]{};  ///< half of what damping took, with v₋ …
+  double damping_after[8]{};   ///< … and with v₊
+  double momentum[8]{};        ///< Σ m v₊
+  double braked[8]{};          ///< − Σ of the damping forces × Δt
 };
 // NOLINTEND(modernize-avoid-c-arrays)
 

@@ -22,6 +22,9 @@ struct Avx2 {
   static Mask both(Mask m, Mask n) { return _mm256_and_pd(m, n); }
   static V keep(Mask m, V v) { return _mm256_and_pd(v, m); }
   static V pick(Mask m, V a, V b) { return _mm256_blendv_pd(b, a, m); }
+  static bool any(V v) {
+    return _mm256_movemask_pd(_mm256_cmp_pd(v, _mm256_setzero_pd(), _CMP_NEQ_UQ)) != 0;
+  }
 
   static V halves(const double* low, const double* high) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low)), _mm_load_pd(high), 1);
@@ -72,7 +75,31 @@ struct Avx2 {
   }
 };
 
-FastestTwo avx2_motion(const GrainRange& range) {
+/// Sums of one row, velocity or spin.
+struct RowSums {
+  __m256d kinetic = _mm256_setzero_pd(), before = kinetic, after = kinetic, momentum = kinetic,
+          braked = kinetic;
+
+  void add(__m256d v, __m256d tried, __m256d next, const double& inverse) {
+    const __m256d inertia = _mm256_set1_pd(1) / _mm256_broadcast_sd(&inverse);
+    const __m256d taken = inertia * (tried - next), half = _mm256_set1_pd(0.5);
+    kinetic = kinetic + half * inertia * v * next;
+    before = before + half * taken * v;
+    after = after + half * taken * next;
+    momentum = momentum + inertia * next;
+    braked = braked + taken;
+  }
+  void put(MotionSums& sums, int from) const {
+    _mm256_storeu_pd(sums.kinetic + from, kinetic);
+    _mm256_storeu_pd(sums.damping_before + from, before);
+    _mm256_storeu_pd(sums.damping_after + from, after);
+    _mm256_storeu_pd(sums.momentum + from, momentum);
+    _mm256_storeu_pd(sums.braked + from, braked);
+  }
+};
+
+template <bool kBooked>
+FastestTwo motion_as(const GrainRange& range) {
   using V = __m256d;
   const auto row = [](double x) { return _mm256_setr_pd(x, x, x, 0); };  // 1/m and 1/I stay
   const V step = row(range.time_step), half = row(0.5 * range.time_step);
@@ -82,16 +109,21 @@ FastestTwo avx2_motion(const GrainRange& range) {
     return v + step * (a - _mm256_or_pd(brake, _mm256_and_pd(v + half * a, sign)));
   };
   __m128d first = _mm_setzero_pd(), second = first;
+  RowSums of_velocity, of_spin;
   Grain* grains = range.grains;
   GrainLoad* loads = range.loads;
   const std::int64_t count = range.count;
   for (std::int64_t i = 0; i < count; ++i) {
     Grain& g = grains[i];
     GrainLoad& load = loads[i];
-    const V v = next(_mm256_load_pd(g.velocity),
-                     _mm256_load_pd(load.force) * _mm256_broadcast_sd(&g.inverse_mass));
-    const V w = next(_mm256_load_pd(g.spin),
-                     _mm256_load_pd(load.moment) * _mm256_broadcast_sd(&g.inverse_inertia));
+    const V pull = _mm256_load_pd(load.force) * _mm256_broadcast_sd(&g.inverse_mass),
+            twist = _mm256_load_pd(load.moment) * _mm256_broadcast_sd(&g.inverse_inertia);
+    const V v_before = _mm256_load_pd(g.velocity), w_before = _mm256_load_pd(g.spin);
+    const V v = next(v_before, pull), w = next(w_before, twist);
+    if constexpr (kBooked) {
+      of_velocity.add(v_before, v_before + step * pull, v, g.inverse_mass);
+      of_spin.add(w_before, w_before + step * twist, w, g.inverse_inertia);
+    }
     _mm256_store_pd(g.velocity, v);
     _mm256_store_pd(g.spin, w);
     _mm256_store_pd(g.position, _mm256_load_pd(g.position) + step * v);
@@ -104,7 +136,15 @@ FastestTwo avx2_motion(const GrainRange& range) {
     second = _mm_max_sd(second, _mm_min_sd(first, speed));
     first = _mm_max_sd(first, speed);
   }
+  if constexpr (kBooked) {
+    of_velocity.put(*range.sums, 0);
+    of_spin.put(*range.sums, 4);
+  }
   return {_mm_cvtsd_f64(first), _mm_cvtsd_f64(second)};
+}
+
+FastestTwo avx2_motion(const GrainRange& range) {
+  return range.sums ? motion_as<true>(range) : motion_as<false>(range);
 }
 
 }  // namespace

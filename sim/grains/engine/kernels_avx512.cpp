@@ -27,6 +27,7 @@ struct Avx512 {
   static Mask both(Mask m, Mask n) { return m & n; }
   static V keep(Mask m, V v) { return _mm512_maskz_mov_pd(m, v); }
   static V pick(Mask m, V a, V b) { return _mm512_mask_mov_pd(b, m, a); }
+  static bool any(V v) { return _mm512_cmp_pd_mask(v, _mm512_setzero_pd(), _CMP_NEQ_UQ) != 0; }
 
   static TwoRows rows(const Grain* const g[kLanes], int row) {
     const auto two = [&](int q) {
@@ -87,7 +88,30 @@ struct Avx512 {
   }
 };
 
-FastestTwo avx512_motion(const GrainRange& range) {
+struct AllSums {
+  __m512d kinetic = _mm512_setzero_pd(), before = kinetic, after = kinetic, momentum = kinetic,
+          braked = kinetic;
+
+  void add(__m512d v, __m512d tried, __m512d next, __m512d inverse) {
+    const __m512d inertia = _mm512_set1_pd(1) / inverse, half = _mm512_set1_pd(0.5);
+    const __m512d taken = inertia * (tried - next);
+    kinetic = kinetic + half * inertia * v * next;
+    before = before + half * taken * v;
+    after = after + half * taken * next;
+    momentum = momentum + inertia * next;
+    braked = braked + taken;
+  }
+  void put(MotionSums& sums) const {
+    _mm512_storeu_pd(sums.kinetic, kinetic);
+    _mm512_storeu_pd(sums.damping_before, before);
+    _mm512_storeu_pd(sums.damping_after, after);
+    _mm512_storeu_pd(sums.momentum, momentum);
+    _mm512_storeu_pd(sums.braked, braked);
+  }
+};
+
+template <bool kBooked>
+FastestTwo motion_as(const GrainRange& range) {
   const auto row = [](double x) {
     return _mm512_setr_pd(x, x, x, 0, x, x, x, 0);
   };  // 1/m, 1/I stay
@@ -95,6 +119,7 @@ FastestTwo avx512_motion(const GrainRange& range) {
   const __m512d damping = row(range.damping), sign = _mm512_set1_pd(-0.0),
                 zero = _mm512_setzero_pd();
   __m128d first = _mm_setzero_pd(), second = first;
+  AllSums sums;
   Grain* grains = range.grains;
   GrainLoad* loads = range.loads;
   const std::int64_t count = range.count;
@@ -102,9 +127,11 @@ FastestTwo avx512_motion(const GrainRange& range) {
     Grain& g = grains[i];
     GrainLoad& load = loads[i];
     const __m512d v = _mm512_loadu_pd(g.velocity);  // and the spin
-    const __m512d a = _mm512_load_pd(load.force) * _mm512_permutex_pd(v, 0xFF);
+    const __m512d inverse = _mm512_permutex_pd(v, 0xFF);
+    const __m512d a = _mm512_load_pd(load.force) * inverse;
     const __m512d brake = _mm512_andnot_pd(sign, damping * a);
     const __m512d next = v + step * (a - _mm512_or_pd(brake, _mm512_and_pd(v + half * a, sign)));
+    if constexpr (kBooked) sums.add(v, v + step * a, next, inverse);
     _mm512_storeu_pd(g.velocity, next);
     _mm512_store_pd(load.force, zero);
     const __m256d velocity = _mm512_castpd512_pd256(next);
@@ -117,7 +144,12 @@ FastestTwo avx512_motion(const GrainRange& range) {
     second = _mm_max_sd(second, _mm_min_sd(first, speed));
     first = _mm_max_sd(first, speed);
   }
+  if constexpr (kBooked) sums.put(*range.sums);
   return {_mm_cvtsd_f64(first), _mm_cvtsd_f64(second)};
+}
+
+FastestTwo avx512_motion(const GrainRange& range) {
+  return range.sums ? motion_as<true>(range) : motion_as<false>(range);
 }
 
 }  // namespace

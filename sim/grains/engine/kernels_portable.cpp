@@ -93,23 +93,22 @@ double next_velocity(double v, double a, const GrainRange& r) {
   return v + r.time_step * (a - std::copysign(r.damping * std::abs(a), middle));
 }
 
-/// Of one component before it is moved; `inertia` is a mass or a moment of inertia.
-void book(double v, double a, double inertia, const GrainRange& r, MotionSums& sums) {
+/// Of component `c` before it is moved; `inertia` is a mass or a moment of inertia.
+void book(double v, double a, double inertia, const GrainRange& r, int c) {
+  MotionSums& sums = *r.sums;
   const double next = next_velocity(v, a, r);
   const double taken = inertia * ((v + r.time_step * a) - next);  // of momentum, by damping
-  sums.kinetic += 0.5 * inertia * v * next;
-  sums.damping_before += 0.5 * taken * v;
-  sums.damping_after += 0.5 * taken * next;
+  sums.kinetic[c] += 0.5 * inertia * v * next;
+  sums.damping_before[c] += 0.5 * taken * v;
+  sums.damping_after[c] += 0.5 * taken * next;
+  sums.momentum[c] += inertia * next;
+  sums.braked[c] += taken;
 }
 
-void book(const Grain& g, const GrainLoad& load, const GrainRange& r, MotionSums& sums) {
+void book(const Grain& g, const GrainLoad& load, const GrainRange& r) {
   for (int a = 0; a < 3; ++a) {
-    const double mass = 1 / g.inverse_mass, v = g.velocity[a];
-    const double pull = load.force[a] * g.inverse_mass, next = next_velocity(v, pull, r);
-    book(v, pull, mass, r, sums);
-    book(g.spin[a], load.moment[a] * g.inverse_inertia, 1 / g.inverse_inertia, r, sums);
-    sums.momentum[a] += mass * next;
-    sums.braked[a] -= mass * ((v + r.time_step * pull) - next);
+    book(g.velocity[a], load.force[a] * g.inverse_mass, 1 / g.inverse_mass, r, a);
+    book(g.spin[a], load.moment[a] * g.inverse_inertia, 1 / g.inverse_inertia, r, 4 + a);
   }
 }
 
@@ -124,7 +123,7 @@ FastestTwo portable_motion(const GrainRange& range) {
   for (std::int64_t i = 0; i < range.count; ++i) {
     Grain& g = range.grains[i];
     GrainLoad& load = range.loads[i];
-    if (range.sums) book(g, load, range, *range.sums);
+    if (range.sums) book(g, load, range);
     for (int a = 0; a < 3; ++a) {
       g.velocity[a] = next_velocity(g.velocity[a], load.force[a] * g.inverse_mass, range);
       g.spin[a] = next_velocity(g.spin[a], load.moment[a] * g.inverse_inertia, range);

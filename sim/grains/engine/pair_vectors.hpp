@@ -6,6 +6,7 @@
 //   load(p), store(p, v), every(x), root(v)
 //   less(a, b), both(m, n)       masks
 //   keep(m, v), pick(m, a, b)    v or 0; a or b
+//   any(v)                       whether a lane is not 0
 //   columns(grains, row), columns_between(from, to, row)
 //                                x, y and z of a row (0 position, 1 velocity, 2 spin) of kLanes
 //                                grains
@@ -50,19 +51,7 @@ template <class Set>
 class PairVectors {
  public:
   static void run(const PairRange& range) {
-    const PairRange r = range;  // of which the compiler knows that no store changes it
-    Pairs some[kTogether];
-    std::int64_t k = r.begin;
-    while (k + kLanes <= r.end) {
-      const std::int64_t left = (r.end - k) / kLanes, count = left < kTogether ? left : kTogether;
-      for (std::int64_t s = 0; s < count; ++s) look_at(r, k + s * kLanes, some[s]);
-      for (std::int64_t s = 0; s < count; ++s) grow(r, k + s * kLanes, some[s]);
-      for (std::int64_t s = 0; s < count; ++s) load(r, k + s * kLanes, some[s]);
-      k += count * kLanes;
-    }
-    PairRange rest = r;
-    rest.begin = k;
-    portable_pairs(rest);
+    range.friction_j ? run_as<true>(range) : run_as<false>(range);
   }
 
  private:
@@ -75,6 +64,23 @@ class PairVectors {
     V distance, twist, normal_force;
     typename Set::Mask touch;
   };
+
+  template <bool kBooked>
+  static void run_as(const PairRange& range) {
+    const PairRange r = range;  // of which the compiler knows that no store changes it
+    Pairs some[kTogether];
+    std::int64_t k = r.begin;
+    while (k + kLanes <= r.end) {
+      const std::int64_t left = (r.end - k) / kLanes, count = left < kTogether ? left : kTogether;
+      for (std::int64_t s = 0; s < count; ++s) look_at(r, k + s * kLanes, some[s]);
+      for (std::int64_t s = 0; s < count; ++s) grow<kBooked>(r, k + s * kLanes, some[s]);
+      for (std::int64_t s = 0; s < count; ++s) load(r, k + s * kLanes, some[s]);
+      k += count * kLanes;
+    }
+    PairRange rest = r;
+    rest.begin = k;
+    portable_pairs(rest);
+  }
 
   static V arm(const PairRange& r, std::int64_t k, V distance) {
     return Set::every(0.5) * distance + Set::load(r.half_difference + k);
@@ -100,6 +106,7 @@ class PairVectors {
     p.twist = Set::every(r.half_step) * dot(wa + wb, p.n);
   }
 
+  template <bool kBooked>
   [[gnu::always_inline]] static void grow(const PairRange& r, std::int64_t k, Pairs& p) {
     const Vectors h = tangential(r, k), n = p.n;
     const V stiffness = Set::load(r.stiffness + k), reach = Set::load(r.reach + k);
@@ -108,10 +115,34 @@ class PairVectors {
     p.normal_force = Set::keep(p.touch, stiffness * (reach - p.distance));
     const V limit = Set::every(r.friction_coefficient) * p.normal_force, size = dot(t, t);
     const auto slides = Set::both(Set::less(limit * limit, size), p.touch);
+    const Vectors tried = t;
     t = t * Set::pick(slides, limit / Set::root(size), Set::every(1));
+    if constexpr (kBooked) {
+      const auto kept = [&](V a) { return Set::keep(p.touch, a); };
+      const auto asked = [&](V a, V b) { return Set::pick(p.touch, a, b); };
+      book_sliding(r, k, h, {asked(tried.x, h.x), asked(tried.y, h.y), asked(tried.z, h.z)},
+                   {kept(t.x), kept(t.y), kept(t.z)});
+    }
     Set::store(r.tx + k, Set::keep(p.touch, t.x));
     Set::store(r.ty + k, Set::keep(p.touch, t.y));
     Set::store(r.tz + k, Set::keep(p.touch, t.z));
+  }
+
+  /// As the portable version does: a pair that opens asked for what it had, and a pair that neither
+  /// slid nor opened took nothing.
+  static void book_sliding(const PairRange& r, std::int64_t k, const Vectors& before,
+                           const Vectors& tried, const Vectors& after) {
+    const V half = Set::every(0.5);
+    const auto part = [&](V b, V t, V a) { return (half * (b + a)) * (t - a); };
+    const V sum = (part(before.x, tried.x, after.x) + part(before.y, tried.y, after.y)) +
+                  part(before.z, tried.z, after.z);
+    if (!Set::any(sum)) return;
+    alignas(64) double taken[kLanes];
+    const V stiffness =
+        Set::load(r.stiffness + k) * Set::every(r.tangential_step) / Set::every(2 * r.half_step);
+    Set::store(taken, sum / stiffness);
+    for (const double one : taken)
+      if (one != 0) *r.friction_j += one;
   }
 
   [[gnu::always_inline]] static void load(const PairRange& r, std::int64_t k, const Pairs& p) {

@@ -56,9 +56,9 @@ class Team {
   alignas(64) std::atomic<unsigned> round_{0};
   std::atomic<bool> leaving_{false};
   std::atomic<int> pieces_a_round_{1};
-  alignas(64) std::atomic<int> left_{0};  ///< pieces of the open round that are not done
-  const TeamWork* work_ = nullptr;
-  unsigned first_ = 0;  ///< what round_ was in the first round of this work
+  alignas(64) std::atomic<int> left_{0};        ///< pieces of the open round that are not done
+  alignas(64) const TeamWork* work_ = nullptr;  ///< read by all: not beside what all write
+  unsigned first_ = 0;                          ///< what round_ was in the first round of this work
   std::vector<std::thread> others_;
 };
 

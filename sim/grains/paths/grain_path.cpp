@@ -105,6 +105,7 @@ class Follower {
         interval_(sample_interval(state, path)),
         marks_(path, result_) {
     grains_.drive(drives_of(path));
+    grains_.keep_ledger();
   }
 
   GrainPathResult run(const GrainProgress& progress) {
@@ -129,6 +130,7 @@ class Follower {
     keep();
     result_.end = *end;
     result_.state = grains_.state();
+    result_.ledger = grains_.ledger().value();
     return std::move(result_);
   }
 

@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/grains/engine/grain_ledger.hpp"
 #include "sim/grains/state/grain_progress.hpp"
 #include "sim/grains/state/grain_state.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
@@ -83,6 +84,7 @@ struct GrainPathResult {
   GrainPathEnd end = GrainPathEnd::stopped;
   GrainState state;                               ///< at the end, still driven
   std::vector<std::optional<GrainState>> marked;  ///< as the marks; empty where never passed
+  GrainLedger ledger;                             ///< from the end of the first step to the last
 };
 
 /// A point without history: strains since `start`.

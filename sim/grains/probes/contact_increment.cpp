@@ -42,6 +42,33 @@ double twist_about(const Vector3d& normal, const Quaterniond& q) {
   return 2 * std::atan2(q.vec().dot(normal), q.w());
 }
 
+/// A contact in the frame at rest.
+struct AtRest {
+  Vector3d force, arm_a, arm_b;  // of b on a; from the centres
+  AtRest(const ContactInstant& c, double half_difference) {
+    const double distance = c.branch_m.norm();
+    const Vector3d normal = c.branch_m / distance;
+    force = c.tangential_n - c.normal_force_n * normal;
+    arm_a = (0.5 * distance + half_difference) * normal;
+    arm_b = (half_difference - 0.5 * distance) * normal;
+  }
+};
+
+void add_at_rest(ContactIncrement& increment, const AtRest& from, const AtRest& to,
+                 const Vector3d& branch_change, const Vector3d& turn_a, const Vector3d& turn_b,
+                 const Vector3d& frame_turn) {
+  const Vector3d force_change = to.force - from.force, force = 0.5 * (to.force + from.force);
+  const Vector3d arm_a = 0.5 * (from.arm_a + to.arm_a), arm_b = 0.5 * (from.arm_b + to.arm_b);
+  const Vector3d way = branch_change + turn_b.cross(arm_b) - turn_a.cross(arm_a);
+  increment.at_rest_work = force_change.dot(branch_change);
+  increment.frame_turning = -frame_turn.cross(force).dot(way);
+  increment.grain_turning = turn_a.dot((to.arm_a - from.arm_a).cross(force)) -
+                            turn_b.dot((to.arm_b - from.arm_b).cross(force));
+  increment.force_change_n = force_change;
+  increment.moment_change_a_nm = to.arm_a.cross(to.force) - from.arm_a.cross(from.force);
+  increment.moment_change_b_nm = from.arm_b.cross(from.force) - to.arm_b.cross(to.force);
+}
+
 }  // namespace
 
 ContactIncrement contact_increment(const ContactInstant& before, const ContactInstant& after,
@@ -66,6 +93,8 @@ ContactIncrement contact_increment(const ContactInstant& before, const ContactIn
   increment.normal_work = (after.normal_force_n - before.normal_force_n) * (distance0 - distance1);
   increment.tangential_work =
       (frame.conjugate() * after.tangential_n - before.tangential_n).dot(slip);
+  add_at_rest(increment, {before, half_difference}, {after, half_difference},
+              after.branch_m - before.branch_m, turn_a, turn_b, rotation_of(frame));
   return increment;
 }
 

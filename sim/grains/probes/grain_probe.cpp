@@ -14,6 +14,7 @@
 #include "sim/grains/engine/calming.hpp"
 #include "sim/grains/engine/grains.hpp"
 #include "sim/grains/engine/guarded_steps.hpp"
+#include "sim/grains/probes/boundary_term.hpp"
 #include "sim/grains/probes/sliding_record.hpp"
 #include "sim/grains/state/grain_measures.hpp"
 #include "sim/grains/state/grain_rotations.hpp"
@@ -23,17 +24,25 @@ namespace triax::sim {
 namespace {
 
 void check(const GrainProbing& how) {
-  if (!(how.norm_pa >= 0 && std::isfinite(how.norm_pa)))
-    throw std::invalid_argument("probe: the norm must not be below 0");
-  if (how.ramp_steps < 1 || how.check_every < 1 || how.sample_every < 1)
-    throw std::invalid_argument("probe: numbers of steps must be at least 1");
+  for (const double norm : {how.norm_pa, how.norm_strain})
+    if (!(norm >= 0 && std::isfinite(norm)))
+      throw std::invalid_argument("probe: the norm must not be below 0");
+  if (how.ramp_steps < 2 || how.check_every < 1 || how.sample_every < 1)
+    throw std::invalid_argument(
+        "probe: a ramp of at least 2 steps and a step between checks are needed");
   if (!(how.unbalanced > 0) || !(how.stress_error_pa > 0) || !(how.speed_limit_m_per_s > 0))
     throw std::invalid_argument("probe: limits must be above 0");
 }
 
+/// (x, y) of the Rendulic plane as axial and radial components.
+template <class Components>
+Components rendulic_increment(double norm, double angle) {
+  return {norm * std::sin(angle), norm * std::cos(angle) / std::numbers::sqrt2};
+}
+
 /// Drives every axis from what it carries now to that and its increment.
-std::array<AxisDrive, 3> ramped(const GrainState& s, const AxisymmetricStress& increment,
-                                const GrainProbing& how) {
+std::array<AxisDrive, 3> to_stress(const GrainState& s, const AxisymmetricStress& increment,
+                                   const GrainProbing& how) {
   const double duration = static_cast<double>(how.ramp_steps) * s.time_step_s;
   std::array<AxisDrive, 3> drives;
   for (int a = 0; a < 3; ++a) {
@@ -42,6 +51,14 @@ std::array<AxisDrive, 3> ramped(const GrainState& s, const AxisymmetricStress& i
     drives[a].stress_rate_pa_per_s = std::abs(change) / duration;
   }
   return drives;
+}
+
+/// Strains every axis steadily so that the ramp ends at its increment.
+std::array<AxisDrive, 3> to_strain(const GrainState& s, const AxisymmetricStrain& increment,
+                                   const GrainProbing& how) {
+  const double duration = static_cast<double>(how.ramp_steps) * s.time_step_s;
+  return triaxial_drives(strain_rate_drive(increment.axial / duration),
+                         strain_rate_drive(increment.radial / duration));
 }
 
 /// Steps one by one and keeps what end points cannot tell.
@@ -81,13 +98,23 @@ GrainProbe probe(const GrainState& state, double angle, const GrainProbing& how,
   check(how);
   GrainProbe result;
   result.angle = angle;
-  result.norm_pa = how.norm_pa;
+  const bool by_stress = how.kind == ProbeKind::stress;
+  (by_stress ? result.norm_pa : result.norm_strain) = by_stress ? how.norm_pa : how.norm_strain;
   Grains grains(state);
-  grains.drive(ramped(
-      state, {how.norm_pa * std::sin(angle), how.norm_pa * std::cos(angle) / std::numbers::sqrt2},
-      how));
+  grains.drive(
+      by_stress
+          ? to_stress(state, rendulic_increment<AxisymmetricStress>(how.norm_pa, angle), how)
+          : to_strain(state, rendulic_increment<AxisymmetricStrain>(how.norm_strain, angle), how));
+  grains.keep_ledger();
   Watch watch(grains, result, how.sample_every);
-  watch.step(how.ramp_steps);
+  const std::int64_t half = how.ramp_steps / 2;
+  watch.step(half);
+  const GrainBox middle = grains.state().box;
+  watch.step(how.ramp_steps - half);
+  const double boundary =
+      boundary_term(state, middle, static_cast<double>(half) / static_cast<double>(how.ramp_steps),
+                    grains.state().box);
+  if (!by_stress) grains.drive({});
   while (!result.at_rest && !result.stopped && result.steps < how.most_steps) {
     watch.step(std::min(how.check_every, how.most_steps - result.steps));
     result.unbalanced = measure(grains.state()).unbalanced;
@@ -97,7 +124,9 @@ GrainProbe probe(const GrainState& state, double angle, const GrainProbing& how,
     result.stopped = !result.at_rest && !goes_on(progress, 0, "probing");
   }
   require_inside(grains.state());
+  result.ledger = grains.ledger().value();
   result.work = grain_work(state, grains.state(), watch.rotations().turned());
+  result.work.boundary_part = boundary;
   const auto &change = result.work.stress_change_pa, &strain = result.work.strain;
   result.stress = {change[kAxial], 0.5 * (change[kRadial[0]] + change[kRadial[1]])};
   result.strain = {strain[kAxial], 0.5 * (strain[kRadial[0]] + strain[kRadial[1]])};
@@ -144,7 +173,7 @@ class Handout {
   void one(std::size_t place) {
     const int number = numbers_[place];
     GrainProbing how = how_;
-    if (number == 0) how.norm_pa = 0;
+    if (number == 0) how.norm_pa = how.norm_strain = 0;
     const double angle = number == 0 ? 0 : angles_[number - 1];
     result_.probes[place] =
         probe(state_, angle, how, [this](double, const std::string&) { return tell(0); });

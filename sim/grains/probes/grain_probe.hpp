@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Stress probes of a specimen of grains (section 5.2, Figs. 13 to 15 of the paper): from copies of
-// one calm state a small increment in a direction α of the Rendulic plane, as
-// sim/stability/probe.hpp has it,
+// Probes of a specimen of grains (section 5.2, Figs. 13 to 15 of the paper): from copies of one
+// calm state a small increment in a direction α of the Rendulic plane, as sim/stability/probe.hpp
+// has it,
 //
-//   √2 Δσ₃ = d cos α,  Δσ₁ = d sin α
+//   of stress   √2 Δσ₃ = d cos α,  Δσ₁ = d sin α      by servos whose targets are ramps
+//   of strain   √2 Δε₃ = d cos α,  Δε₁ = d sin α      natural; walls move steadily, then stop
 //
 // put on as a ramp and then left until the specimen is at rest. The null probe does the same with
 // d = 0: what it shows is the drift that no probe is free of.
 #include <cstdint>
 #include <vector>
 
+#include "sim/grains/engine/grain_ledger.hpp"
 #include "sim/grains/probes/grain_work.hpp"
 #include "sim/grains/state/grain_progress.hpp"
 #include "sim/grains/state/grain_state.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
+#include "sim/stability/probe.hpp"
 
 namespace triax::sim {
 
 struct GrainProbing {
-  double norm_pa = 1000;           ///< d, ≥ 0
-  std::int64_t ramp_steps = 4000;  ///< > 0
+  ProbeKind kind = ProbeKind::stress;
+  double norm_pa = 1000;           ///< d of stress probes, ≥ 0
+  double norm_strain = 1e-5;       ///< d of strain probes, ≥ 0
+  std::int64_t ramp_steps = 4000;  ///< > 1
   double unbalanced = 5e-5;        ///< at rest below this (> 0) …
-  double stress_error_pa = 2;      ///< … and this close to its stresses (> 0)
+  double stress_error_pa = 2;      ///< … and, of stress probes, this close to its stresses (> 0)
   std::int64_t check_every = 500;  ///< steps
   std::int64_t most_steps = 100000;
   std::int64_t sample_every = 50;     ///< steps between looks at kinetic energy and sliding
@@ -31,12 +36,14 @@ struct GrainProbing {
 
 struct GrainProbe {
   double angle = 0;           ///< α, rad
-  double norm_pa = 0;         ///< d; 0: a null probe
+  double norm_pa = 0;         ///< d of a stress probe, else 0
+  double norm_strain = 0;     ///< d of a strain probe, else 0
   bool at_rest = false;       ///< false: the bound of steps was reached, or it was stopped
   bool stopped = false;       ///< by the progress: its values say nothing
   AxisymmetricStress stress;  ///< what was reached, Pa, on the walls
   AxisymmetricStrain strain;  ///< natural
   GrainWork work;
+  GrainLedger ledger;         ///< from the end of its first step to its end
   double most_kinetic_j = 0;  ///< of the samples
   /// Contacts found to have slid (sliding_record.hpp) at a sample at least, over those of the first
   /// state: a lower bound
@@ -44,6 +51,8 @@ struct GrainProbe {
   std::int64_t steps = 0;
   double unbalanced = 0;       ///< at the end
   double stress_error_pa = 0;  ///< at the end
+
+  bool null() const { return norm_pa == 0 && norm_strain == 0; }
 };
 
 /// One probe on one thread; `state` has to be calm (calming.hpp) and is not changed. Throws

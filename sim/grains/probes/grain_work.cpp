@@ -18,15 +18,14 @@ Vector3d vector(const double* v) { return {v[0], v[1], v[2]}; }
 
 /// Grains by their number in the description.
 struct Placed {
-  Vector3d centre, velocity;
+  Vector3d centre;
   double radius = 0;
 };
 std::vector<Placed> placed(const GrainState& s) {
   std::vector<Placed> by_id(s.grains.size());
   for (std::size_t i = 0; i < s.grains.size(); ++i) {
     const Grain& g = s.grains[i];
-    const Vector3d v = vector(g.velocity);
-    by_id[s.ids[i]] = {vector(g.position) - s.time_step_s * v, v, g.radius};
+    by_id[s.ids[i]] = {vector(g.position) - s.time_step_s * vector(g.velocity), g.radius};
   }
   return by_id;
 }
@@ -63,11 +62,11 @@ class Sums {
         from_box_(box_of_forces(before)),
         to_box_(box_of_forces(after)),
         turned_(turned),
+        resultant_change_(turned.size(), Vector3d::Zero()),
+        moment_change_(turned.size(), Vector3d::Zero()),
         volume_(from_box_.volume_m3()) {}
 
-  double volume() const { return volume_; }
-
-  void add(GrainWork& w, const Known* before, const Known* after) const {
+  void add(GrainWork& w, const Known* before, const Known* after) {
     const Known& any = before ? *before : *after;
     const ContactIncrement one =
         any.b < 0 ? at_wall(any, before, after) : between(any, before, after);
@@ -78,16 +77,26 @@ class Sums {
       w.non_permanent_part += (one.normal_work + one.tangential_work) / volume_;
       ++(before ? w.opened : w.closed);
     }
-    w.fixed_frame += fixed_frame(any, before, after) / volume_;
+    w.fixed_frame += one.at_rest_work / volume_;
+    w.contacts_turning += one.frame_turning / volume_;
+    w.grains_turning += one.grain_turning / volume_;
+    resultant_change_[any.a] += one.force_change_n;
+    moment_change_[any.a] += one.moment_change_a_nm;
+    if (any.b >= 0) {
+      resultant_change_[any.b] -= one.force_change_n;
+      moment_change_[any.b] += one.moment_change_b_nm;
+    }
     w.contacts_before += before != nullptr;
     w.slides_after += after && after->slides;
   }
 
-  /// F_ext · Δv of a contact with a wall, W.
-  double boundary(const Known& c) const {
-    const int wall = -1 - c.b, axis = wall / 2;
-    const double inwards = wall % 2 == 0 ? 1 : -1;
-    return inwards * c.normal_n * (to_[c.a].velocity[axis] - from_[c.a].velocity[axis]);
+  /// −1/V Σ ΔR · Δx + ΔM · θ
+  double out_of_balance() const {
+    double sum = 0;
+    for (std::size_t p = 0; p < turned_.size(); ++p)
+      sum += resultant_change_[p].dot(to_[p].centre - from_[p].centre) +
+             moment_change_[p].dot(turned_[p]);
+    return -sum / volume_;
   }
 
  private:
@@ -105,37 +114,27 @@ class Sums {
     return wall % 2 == 0 ? grain.centre[axis] - box.low_m[axis]
                          : box.high_m[axis] - grain.centre[axis];
   }
-  /// Force of b on a, b a grain.
-  static Vector3d force(const Known* c, const Vector3d& branch) {
-    if (!c) return Vector3d::Zero();
-    return c->tangential_n - c->normal_n * branch.normalized();
-  }
-  double fixed_frame(const Known& c, const Known* before, const Known* after) const {
-    if (c.b < 0) return at_wall(c, before, after).normal_work;
-    const Vector3d from = from_[c.b].centre - from_[c.a].centre,
-                   to = to_[c.b].centre - to_[c.a].centre;
-    return (force(after, to) - force(before, from)).dot(to - from);
-  }
   ContactIncrement at_wall(const Known& c, const Known* before, const Known* after) const {
     const int wall = -1 - c.b;
     const double closer = wall_gap(from_box_, from_[c.a], wall) - wall_gap(to_box_, to_[c.a], wall);
     const double force = (after ? after->normal_n : 0) - (before ? before->normal_n : 0);
-    return {force * closer, 0};
+    ContactIncrement increment;
+    increment.normal_work = increment.at_rest_work = force * closer;
+    increment.force_change_n[wall / 2] = wall % 2 == 0 ? force : -force;
+    return increment;
   }
 
   std::vector<Placed> from_, to_;
   GrainBox from_box_, to_box_;
   const std::vector<Vector3d>& turned_;
+  std::vector<Vector3d> resultant_change_, moment_change_;
   double volume_;
 };
 
 void add_contacts(GrainWork& w, const GrainState& before, const GrainState& after,
                   const std::vector<Vector3d>& turned) {
-  const Sums sums(before, after, turned);
+  Sums sums(before, after, turned);
   const std::vector<Known> old = known_contacts(before), now = known_contacts(after);
-  const double duration = after.time_s - before.time_s;
-  for (const Known& c : old)
-    if (c.b < 0) w.boundary_part += sums.boundary(c) * duration / sums.volume();
   auto o = old.begin();
   auto n = now.begin();
   while (o != old.end() || n != now.end()) {
@@ -145,6 +144,7 @@ void add_contacts(GrainWork& w, const GrainState& before, const GrainState& afte
     o += has_old;
     n += has_new;
   }
+  w.out_of_balance = sums.out_of_balance();
 }
 
 void add_walls(GrainWork& w, const GrainState& before, const GrainState& after) {

@@ -11,9 +11,25 @@
 //
 // with σ of the first state. Increments at a contact are taken in the frame that turns with it
 // (with the line of centres, and about it with the mean turn of both grains), so that a motion of
-// the whole adds nothing. Eq. (22):
+// the whole adds nothing.
 //
-//   W₂ = W̄₂ − 1/V Σ_{p∈∂V} F_ext · δ²u
+// The gap between both. Second-order work is what the power Σ F · u̇ of contacts and walls grows by.
+// At a contact the power is the same in a frame at rest and in its own, and so is its growth:
+//
+//   Ḟ · u̇ + F · ü = F̂˙ · û˙ + F̂ · û¨
+//
+// summed up, as the grains are in equilibrium, W₂ = W̄₂ + Σ F̂ · û¨ − Σ F_ext · ü. Eq. (22) of the
+// paper is this with F̂ · û¨ = 0 (its Eq. 21), which does not hold where grains roll and slide: the
+// two sums are large and cancel each other but for the turning of contacts and of grains under the
+// force that they carry. With the increments of contact_increment.hpp, to the third order,
+//
+//   W̄₂ = W₂ + contacts_turning + grains_turning + out_of_balance
+//
+//   contacts_turning   −1/V Σ (φ × F̄) · Δu
+//   grains_turning      1/V Σ θ_a · (Δr_a × F̄) − θ_b · (Δr_b × F̄)
+//   out_of_balance     −1/V Σ over grains ΔR · Δx + ΔM · θ      R, M: resultant force and moment
+//
+// where every term is computed for itself. `gap_left()` is what they leave.
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
@@ -42,10 +58,12 @@ struct GrainWork {
   /// microscopic sum differs by from this one is the turning of contacts and grains under the force
   /// that they carry.
   double fixed_frame = 0;
-  /// Σ F_ext · δ²u over grains at walls, with δ²u = change of their velocity × duration, which is
-  /// all that two states tell. F_ext is the whole force, not its change: the rest of motion at a
-  /// end at rest makes this larger than W₂ itself. A sign of motion, no correction; the paper
-  /// neglects it.
+  /// Parts of the gap between the microscopic sum and Eq. (7), above.
+  double contacts_turning = 0, grains_turning = 0, out_of_balance = 0;
+  double gap() const { return microscopic() - lagrangian; }
+  double gap_left() const { return gap() - contacts_turning - grains_turning - out_of_balance; }
+  /// 1/V Σ F_ext · δ²u of Eq. (22) (boundary_term.hpp); it takes a state half-way: grain_work()
+  /// leaves it 0.
   double boundary_part = 0;
 
   double kinetic_before_j = 0, kinetic_after_j = 0;

@@ -55,6 +55,7 @@ class Perturbed {
     if (start_stress_ == 0)
       throw std::invalid_argument("perturbation: the state carries no stress");
     held_ = start_stress_ + how.load_step_pa;
+    grains_.keep_ledger();
     grains_.drive(strain_path_drives(stress_drive(held_, how.speed_limit_m_per_s), how.ratio));
     if (how.kinetic_energy_j > 0)
       result_.grains_hit = give_energy(grains_, how.kinetic_energy_j, how.floating_share, how.seed);
@@ -78,6 +79,7 @@ class Perturbed {
     }
     require_inside(grains_.state());
     result_.state = grains_.state();
+    result_.ledger = grains_.ledger().value();
     return std::move(result_);
   }
 
@@ -148,12 +150,14 @@ Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling
                            int threads, const GrainProgress& progress) {
   if (!(ratio > 0)) throw std::invalid_argument("equilibrium: R must be above 0");
   Grains grains(state, threads);
+  grains.keep_ledger();
   grains.drive({});
   calm(grains);
   Equilibrium result;
   result.rest = settle(grains, settling, progress);
   calm(grains);
   result.state = grains.state();
+  result.ledger = grains.ledger().value();
   result.path_stress_pa = path_stress(axisymmetric_stress(result.state), ratio);
   return result;
 }

@@ -19,6 +19,7 @@ struct Equilibrium {
   GrainState state;           ///< walls at rest
   double path_stress_pa = 0;  ///< σ₁ − σ₃/R that it carries
   Settled rest;
+  GrainLedger ledger;  ///< from the end of the first step to the last
 };
 Equilibrium equilibrium_at(const GrainState& state, double ratio, const Settling& settling = {},
                            int threads = 1, const GrainProgress& progress = {});
@@ -60,6 +61,7 @@ struct PerturbationResult {
   std::int64_t grains_hit = 0;  ///< that were given energy
   double most_kinetic_j = 0;    ///< after the start
   GrainState state;             ///< at the end
+  GrainLedger ledger;           ///< from the end of the first step to the last
 };
 
 /// Gives `energy_j` to floating grains, each the same speed in a random direction, and returns how

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lab/grains/grain_words.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 #include "src/plot/angle_axis.hpp"
 #include "src/plot/axes.hpp"
@@ -114,13 +115,14 @@ struct Panels {
   QCPAxisRect *left, *right;
 };
 
-Panels two_panels(const std::string& left_title, const std::string& right_title) {
+Panels two_panels(const Subject& subject, const std::string& left_title,
+                  const std::string& right_title) {
   Panels panels{make_plot(kGrainRoseWidth, kGrainRoseHeight), nullptr, nullptr};
   panels.left = panels.plot->axisRect();
   panels.right = &add_axes_beside(*panels.plot);
   constexpr auto kPlane = sim::ProbePlane::axisymmetric;
-  style_angle_axes(*panels.left, kPlane, sim::ProbeKind::stress, left_title, kStepDeg);
-  style_angle_axes(*panels.right, kPlane, sim::ProbeKind::stress, right_title, kStepDeg);
+  style_angle_axes(*panels.left, kPlane, subject.kind, left_title, kStepDeg);
+  style_angle_axes(*panels.right, kPlane, subject.kind, right_title, kStepDeg);
   return panels;
 }
 
@@ -139,9 +141,9 @@ std::string not_at_rest_words(const Probes& probes) {
 
 }  // namespace
 
-Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm_pa, const Subject& subject) {
+Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm, const Subject& subject) {
   const Probes probes = made(rose);
-  Drawing drawing = response_envelope(study::circle_of(rose, norm_pa), norm_pa, subject);
+  Drawing drawing = response_envelope(study::circle_of(rose, subject.kind, norm), norm, subject);
   if (drawing.plot && !not_at_rest_words(probes).empty())
     drawing.caption += not_at_rest_words(probes) + " They are left out.";
   return drawing;
@@ -170,11 +172,16 @@ Drawing grain_work_figure(const sim::ProbeRose& rose, const Subject& subject) {
       macro.front(),
       {"microscopic (11)",
        [](const auto& p) { return at_rest(p, [](auto& w) { return w.microscopic(); }); },
-       line(kInk, 1.6, Qt::DashLine), true}};
-  auto [plot, left, right] =
-      two_panels("density of second-order work (J/m³)", "density of second-order work (J/m³)");
+       line(kInk, 1.6, Qt::DashLine), true},
+      {"(7) + turning of grains and contacts",
+       [](const auto& p) {
+         return at_rest(p, [](auto& w) { return w.microscopic() - w.gap_left(); });
+       },
+       line(kOrange, 1.6, Qt::DotLine)}};
+  auto [plot, left, right] = two_panels(subject, "density of second-order work (J/m³)",
+                                        "density of second-order work (J/m³)");
   name_series(*left, macro);
-  name_series(*right, {micro.back()});
+  name_series(*right, {micro[1], micro[2]});
   if (!found.negative.empty()) name_shade(*left, kVermilion, "W₂ < 0");
   if (!found.agreeing.empty())
     name_shade(*right, kGreen, fmt::format("micro = macro within {:g} %", 100 * study::kAgreement));
@@ -189,10 +196,10 @@ Drawing grain_work_figure(const sim::ProbeRose& rose, const Subject& subject) {
   draw_series(*left, probes, macro);
   draw_series(*right, probes, micro);
   return {std::move(plot),
-          fmt::format("Density of second-order work over the direction of the stress probe: "
+          fmt::format("Density of second-order work over the direction of the {} probe: "
                       "macroscopic with the parts of the Eulerian form (left), macroscopic and "
                       "microscopic (right).{} {}",
-                      not_at_rest_words(probes), simulated_with(subject))};
+                      lab::word(subject.kind), not_at_rest_words(probes), simulated_with(subject))};
 }
 
 Drawing grain_contacts_figure(const sim::ProbeRose& rose, const Subject& subject) {
@@ -205,7 +212,7 @@ Drawing grain_contacts_figure(const sim::ProbeRose& rose, const Subject& subject
        line(kVermilion, 1.8, Qt::DashLine), true}};
   const std::vector<Series> energy = {{"kinetic energy", kinetic, line(kInk, 1.8), true}};
   auto [plot, left, right] =
-      two_panels("share of the contacts at the start (%)", "largest kinetic energy (J)");
+      two_panels(subject, "share of the contacts at the start (%)", "largest kinetic energy (J)");
   name_series(*left, contacts);
   name_series(*right, energy);
   const double null_energy = rose.null_probe.stopped ? 0 : rose.null_probe.most_kinetic_j;
@@ -230,10 +237,11 @@ Drawing grain_contacts_figure(const sim::ProbeRose& rose, const Subject& subject
   draw_series(*left, probes, contacts);
   draw_series(*right, probes, energy);
   if (null_energy > 0) draw_curve(*right, {{0, null_energy}, {kTurnDeg, null_energy}}, null_pen);
-  return {std::move(plot), fmt::format("Sliding and non-permanent contacts (left) and the largest "
-                                       "kinetic energy (right) over the direction of the stress "
-                                       "probe.{} {}",
-                                       not_at_rest_words(probes), simulated_with(subject))};
+  return {std::move(plot),
+          fmt::format("Sliding and non-permanent contacts (left) and the largest "
+                      "kinetic energy (right) over the direction of the {} "
+                      "probe.{} {}",
+                      lab::word(subject.kind), not_at_rest_words(probes), simulated_with(subject))};
 }
 
 }  // namespace triax::src

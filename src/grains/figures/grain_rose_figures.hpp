@@ -8,14 +8,15 @@
 
 namespace triax::src {
 
-/// Fig. 13: the probes of norm `norm_pa` and the envelope of the strains that answer them, both as
-/// they are. Directions with W₂ < 0 (Eq. 7) are vermilion; those that did not come to rest are left
-/// out.
-Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm_pa, const Subject& subject);
+/// Fig. 13: the probes of norm `norm` (Pa, or a strain, as the subject's kind says) and the
+/// envelope of what answers them, both as they are. Directions with W₂ < 0 (Eq. 7) are vermilion;
+/// those that did not come to rest are left out.
+Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm, const Subject& subject);
 
 /// Fig. 14: densities of second-order work over α. Left the semi-Lagrangian one (7), the Eulerian
 /// one (10) and its three parts, with directions of W₂ < 0 shaded; right the macroscopic one (7)
-/// and the microscopic one (11), with directions shaded in which they agree (kAgreement).
+/// and the microscopic one (11), with what the turning of grains and contacts explains of their
+/// difference, and directions shaded in which they agree (kAgreement).
 /// Directions that did not come to rest are shaded grey and have no values. What is shaded
 /// reaches half a step beyond the probes.
 Drawing grain_work_figure(const sim::ProbeRose& rose, const Subject& subject);

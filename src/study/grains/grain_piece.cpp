@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lab/grains/grain_words.hpp"
 #include "sim/grains/state/grain_bytes.hpp"
 #include "sim/grains/state/triaxial_axes.hpp"
 #include "src/study/domain/domain_json.hpp"
@@ -21,6 +22,7 @@ class ToJson {
   void operator()(const char* key, const T& value) {
     json[key] = value;
   }
+  void operator()(const char* key, const sim::ProbeKind& value) { json[key] = lab::word(value); }
   void operator()(const char* key, const Eigen::Matrix3d& value) {
     json[key] = std::vector<double>(value.data(), value.data() + value.size());
   }

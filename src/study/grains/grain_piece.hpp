@@ -22,7 +22,7 @@
 namespace triax::study {
 
 inline constexpr const char* kGrainPieceFormat = "triax grain probe piece";
-inline constexpr int kGrainPieceVersion = 2;
+inline constexpr int kGrainPieceVersion = 3;
 
 /// What is probed, and how; pieces of one rose agree in all of it.
 struct ProbedGrains {

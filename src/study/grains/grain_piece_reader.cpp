@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/grains/grain_words.hpp"
 #include "src/study/document_part.hpp"
 #include "src/study/grains/grain_piece_values.hpp"
 
@@ -33,6 +34,15 @@ class FromJson {
   }
   void operator()(const char* key, bool& value) { value = part_.flag(key); }
   void operator()(const char* key, std::string& value) { value = part_.text(key); }
+  void operator()(const char* key, sim::ProbeKind& value) {
+    const std::string word = part_.text(key);
+    for (const auto kind : {sim::ProbeKind::stress, sim::ProbeKind::strain})
+      if (lab::word(kind) == word) {
+        value = kind;
+        return;
+      }
+    part_.fail(fmt::format("{} must be stress or strain", key));
+  }
   void operator()(const char* key, std::array<double, 3>& value) { take(key, value.data(), 3); }
   void operator()(const char* key, Eigen::Matrix3d& value) { take(key, value.data(), 9); }
 
@@ -60,6 +70,7 @@ ProbedGrains read_specimen(const DocumentPart& root) {
     part.fail("fingerprint must be 16 hexadecimal digits");
   if (specimen.grains < 1) part.fail("grains must be at least 1");
   if (specimen.probing.norm_pa < 0) probing.fail("norm_Pa must not be below 0");
+  if (specimen.probing.norm_strain < 0) probing.fail("norm_strain must not be below 0");
   return specimen;
 }
 
@@ -69,9 +80,13 @@ sim::GrainProbe read_probe(const DocumentPart& part, const ProbedGrains& of, int
   visit_probe(from, probe);
   if (part.whole("number", 0, kMostDirections) != number)
     part.fail(fmt::format("number must be {}, as the piece says", number));
-  const double norm = number == 0 ? 0 : of.probing.norm_pa;
+  const bool by_stress = of.probing.kind == sim::ProbeKind::stress;
+  const double norm = number == 0 || !by_stress ? 0 : of.probing.norm_pa;
+  const double norm_strain = number == 0 || by_stress ? 0 : of.probing.norm_strain;
   const double angle = number == 0 ? 0 : sim::rose_angles(of.directions)[number - 1];
   if (probe.norm_pa != norm) part.fail(fmt::format("norm_Pa must be {}", norm));
+  if (probe.norm_strain != norm_strain)
+    part.fail(fmt::format("norm_strain must be {}", norm_strain));
   if (probe.angle != angle) part.fail(fmt::format("angle_rad must be {}", angle));
   return probe;
 }

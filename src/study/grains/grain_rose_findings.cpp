@@ -24,6 +24,26 @@ double closest(const Probes& probes) {
   return least;
 }
 
+/// Larger of what is known, a number or not.
+void raise(std::optional<double>& most, double value) {
+  if (std::isfinite(value)) most = std::max(most.value_or(0), std::abs(value));
+}
+
+void find_gaps(const Probes& made, GrainRoseFindings& found) {
+  double all = 0, left = 0, grains = 0;
+  for (const auto& probe : made) {
+    raise(found.most_boundary, probe.work.boundary_part);
+    raise(found.most_ledger_error, probe.ledger.energy_error_share());
+    if (!probe.at_rest) continue;
+    all += std::abs(probe.work.gap());
+    left += std::abs(probe.work.gap_left());
+    grains += probe.work.grains_turning;
+  }
+  if (!(all > 0) || !std::isfinite(left)) return;
+  found.gap_left = left / all;
+  found.gap_of_grains = grains / all;
+}
+
 }  // namespace
 
 std::vector<AngleRange> ranges_where(const Probes& probes,
@@ -100,6 +120,7 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
   const double usual = rose.null_probe.stopped ? 0 : changed_contacts(rose.null_probe);
   found.irreversible = ranges_where(
       made, [usual](const auto& p) { return changed_contacts(p) > usual + kIrreversible; });
+  find_gaps(made, found);
   found.not_at_rest = ranges_where(made, [](const auto& p) { return !p.at_rest; });
   found.dynamic = ranges_where(made, [least = quietest->most_kinetic_j](const auto& p) {
     return p.most_kinetic_j > kDynamic * least;
@@ -107,17 +128,23 @@ GrainRoseFindings rose_findings(const sim::ProbeRose& rose) {
   return found;
 }
 
-sim::Circle circle_of(const sim::ProbeRose& rose, double norm_pa) {
+sim::Circle circle_of(const sim::ProbeRose& rose, sim::ProbeKind kind, double norm) {
+  const bool by_stress = kind == sim::ProbeKind::stress;
   sim::Circle circle;
   for (const auto& probe : rose.probes) {
     if (probe.stopped) continue;
     sim::Probe one;
     one.angle = probe.angle;
     one.answered = probe.at_rest;
-    one.stress = norm_pa * sim::unit_direction(probe.angle);
-    one.strain = {std::numbers::sqrt2 * probe.strain.radial, probe.strain.axial};
+    const sim::PlaneVector given = norm * sim::unit_direction(probe.angle);
+    one.stress =
+        by_stress ? given
+                  : sim::PlaneVector(std::numbers::sqrt2 * probe.stress.radial, probe.stress.axial);
+    one.strain =
+        by_stress ? sim::PlaneVector(std::numbers::sqrt2 * probe.strain.radial, probe.strain.axial)
+                  : given;
     one.second_order_work = probe.work.lagrangian;
-    one.normalised = probe.work.lagrangian / (norm_pa * strain_norm(probe));
+    one.normalised = probe.work.lagrangian / (one.stress.norm() * one.strain.norm());
     circle.probes.push_back(one);
   }
   return circle;

@@ -47,6 +47,13 @@ struct GrainRoseFindings {
   /// Smallest normalised W₂ of the probes at rest and where (rad); empty: none came to rest.
   std::optional<double> least_normalised, least_angle;
 
+  /// Of the probes at rest, over the sum of |microscopic − semi-Lagrangian W₂|: what the turning of
+  /// grains and of contacts and the lack of balance leave unexplained of it, and what the grains'
+  /// turning alone makes up. Empty where parts of the gap are not known, or there is none.
+  std::optional<double> gap_left, gap_of_grains;
+  std::optional<double> most_boundary;      ///< largest |boundary term of Eq. (22)|, J/m³
+  std::optional<double> most_ledger_error;  ///< largest share of energy that a ledger misses
+
   /// The null probe strains so much of the smallest probe's strain that signs of W₂ are in doubt.
   bool drifts() const { return drift && *drift > kMuchDrift; }
   static constexpr double kMuchDrift = 0.1;
@@ -58,8 +65,9 @@ inline constexpr double kDynamic = 100;
 
 GrainRoseFindings rose_findings(const sim::ProbeRose& rose);
 
-/// The probes that were made, as probes of a law are told: the direction of norm `norm_pa`, the
-/// strains in the Rendulic plane and W₂ (Eq. 7); one that did not come to rest is not answered.
-sim::Circle circle_of(const sim::ProbeRose& rose, double norm_pa);
+/// The probes that were made, as probes of a law are told: the direction of norm `norm` (Pa of
+/// stress probes, a strain of strain probes), what answered in the Rendulic plane and W₂ (Eq. 7);
+/// one that did not come to rest is not answered.
+sim::Circle circle_of(const sim::ProbeRose& rose, sim::ProbeKind kind, double norm);
 
 }  // namespace triax::study

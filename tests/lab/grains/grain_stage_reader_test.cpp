@@ -26,7 +26,19 @@ TEST_CASE("every action of a stage of grains is one that can be written") {
   CHECK(probes.probing.norm_pa == 2000);
   CHECK(probes.probing.stress_error_pa == 3);
   CHECK(probes.directions == 8);
+  CHECK(probes.probing.kind == sim::ProbeKind::stress);
   CHECK(stage.from.empty());
+}
+
+TEST_CASE("probes are of stress or of strain") {
+  const std::string head = "name = 'x'\naction = 'probes'\n";
+  const auto stage = read_grain_stage(TomlTable::parse(head + "norm_strain = 2e-5\n", "s"));
+  const auto& probes = std::get<GrainProbeStage>(stage.work);
+  CHECK(probes.probing.kind == sim::ProbeKind::strain);
+  CHECK(probes.probing.norm_strain == 2e-5);
+  for (const std::string keys : {"norm_strain = 0\n", "norm_strain = 1\n",
+                                 "norm_kPa = 1\nnorm_strain = 1e-5\n", "ramp_steps = 1\n"})
+    CHECK_THROWS_AS(read_grain_stage(TomlTable::parse(head + keys, "s")), BadInput);
 }
 
 TEST_CASE("extension is a negative strain rate with a stress ratio below 0 to end at") {

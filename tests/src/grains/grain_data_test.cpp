@@ -74,3 +74,26 @@ TEST_CASE("the data of perturbations hold all points") {
   CHECK(*data.rows[21][column(data, "chi")] == Approx(0.05));
   CHECK(*data.rows[21][column(data, "path_stress_kPa")] == Approx(1.25));
 }
+
+TEST_CASE("the data of a rose hold the parts of the gap, the boundary term and the ledger") {
+  lab::GrainReport report = test::sample_run();
+  const FigureData data = rose_data(report, report.stages[5]);
+  const auto& row = data.rows[9];
+  CHECK(*row[column(data, "gap_grains_turning_J_per_m3")] == Approx(0.0018));
+  CHECK(*row[column(data, "gap_contacts_turning_J_per_m3")] == Approx(0.00012));
+  CHECK(*row[column(data, "gap_out_of_balance_J_per_m3")] == Approx(0.00006));
+  CHECK(*row[column(data, "gap_left_J_per_m3")] == Approx(0.00002));
+  CHECK(*row[column(data, "boundary_part_J_per_m3")] == Approx(-0.03));
+  CHECK(*row[column(data, "walls_J")] == 2e-6);
+  CHECK(*row[column(data, "elastic_change_J")] == Approx(1e-6));
+  CHECK(*row[column(data, "friction_J")] == 9e-7);
+  CHECK(*row[column(data, "damping_J")] == 9e-8);
+  CHECK(*row[column(data, "ledger_error_J")] == Approx(1e-8));
+  CHECK_FALSE(row[column(data, "norm_strain")]);
+  auto& rose = std::get<lab::ReportedGrainRose>(report.stages[5].came);
+  rose.kind = sim::ProbeKind::strain;
+  rose.made.rose.probes[9].norm_strain = 3e-6;
+  const FigureData by_strain = rose_data(report, report.stages[5]);
+  CHECK_FALSE(by_strain.rows[9][column(data, "norm_kPa")]);
+  CHECK(*by_strain.rows[9][column(data, "norm_strain")] == 3e-6);
+}

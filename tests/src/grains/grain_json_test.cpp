@@ -98,3 +98,35 @@ TEST_CASE("what is unknown is null: no specimen yet, a stopped probe, a value th
   CHECK(d["stages"][5]["probes"][1]["strain"]["axial"].is_null());
   CHECK(d["stages"][2]["points"][3]["eta"].is_null());
 }
+
+TEST_CASE("a rose tells what micro and macro differ by, and where energy went") {
+  const json rose = document()["stages"][5];
+  CHECK(rose["kind"] == "stress");
+  CHECK(rose["norm_strain"].is_null());
+  CHECK(rose["gap"]["left_share"].get<double>() == Approx(0.01));
+  CHECK(rose["gap"]["boundary_part_most_J_per_m3"].get<double>() == Approx(0.03));
+  CHECK(rose["ledger"].is_null());
+  const json& probe = rose["probes"][9];
+  CHECK(probe["gap_J_per_m3"]["micro_less_macro"].get<double>() == Approx(0.002));
+  CHECK(probe["gap_J_per_m3"]["grains_turning"].get<double>() == Approx(0.0018));
+  CHECK(probe["gap_J_per_m3"]["left"].get<double>() == Approx(0.00002));
+  CHECK(probe["boundary_part_J_per_m3"].get<double>() == Approx(-0.03));
+  CHECK(probe["ledger"]["friction_J"] == 9e-7);
+  CHECK(probe["ledger"]["error_share"].get<double>() == Approx(5e-3));
+  CHECK(probe["ledger"]["momentum_kg_m_per_s"]["walls"].size() == 3);
+  CHECK(document()["stages"][1]["ledger"]["walls_J"] == 2e-6);
+}
+
+TEST_CASE("probes by strain have a norm of strain and none of stress") {
+  lab::GrainReport report = src::test::sample_run();
+  auto& made = std::get<lab::ReportedGrainRose>(report.stages[5].came);
+  made.kind = sim::ProbeKind::strain;
+  made.norm_strain = 1e-5;
+  made.made.rose.probes[0].norm_strain = 1e-5;
+  const json rose = json::parse(src::grain_json(report))["stages"][5];
+  CHECK(rose["kind"] == "strain");
+  CHECK(rose["norm_kPa"].is_null());
+  CHECK(rose["norm_strain"] == 1e-5);
+  CHECK(rose["probes"][0]["norm_kPa"].is_null());
+  CHECK(rose["probes"][0]["norm_strain"] == 1e-5);
+}

@@ -125,3 +125,24 @@ TEST_CASE("Grains: with a ledger the bits are the same, and so is it on any thre
   one.restore(two.state());
   CHECK_FALSE(one.ledger());
 }
+
+TEST_CASE("Grains: a ledger has the same bits with every instruction set") {
+  const auto ledger = [](InstructionSet set) {
+    Grains grains(booked(17, 1, 1e-6).state(), 1, set);
+    grains.keep_ledger();
+    grains.step(300);
+    return grains.ledger().value();
+  };
+  const GrainLedger portable = ledger(InstructionSet::portable);
+  REQUIRE(portable.friction_j > 0);
+  REQUIRE(portable.damping_j > 0);
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!available(set)) continue;
+    const GrainLedger other = ledger(set);
+    CHECK(other.friction_j == portable.friction_j);
+    CHECK(other.damping_j == portable.damping_j);
+    CHECK(other.kinetic_end_j == portable.kinetic_end_j);
+    CHECK(other.momentum_end == portable.momentum_end);
+    CHECK(other.damping_impulse == portable.damping_impulse);
+  }
+}

@@ -58,6 +58,7 @@ struct Three {
   static V pick(Mask m, V a, V b) {
     return each([&](int q) { return m.at[q] ? a.at[q] : b.at[q]; });
   }
+  static bool any(V v) { return v.at[0] != 0 || v.at[1] != 0 || v.at[2] != 0; }
   static Columns<Three> columns(const Grain* const g[kLanes], int row) {
     const auto along = [&](int x) {
       return each([&](int q) {
@@ -96,11 +97,18 @@ TEST_CASE("Grains: vectors of pairs give the bits of pairs one by one, whatever 
     PairRange ra = range_of(a, loads_a), rb = range_of(b, loads_b);
     ra.end -= left;
     rb.end -= left;
+    double taken_a = 0, taken_b = 0;
+    if (left > 0) {
+      ra.friction_j = &taken_a;
+      rb.friction_j = &taken_b;
+    }
     for (int s = 0; s < 3; ++s) {
       portable_pairs(ra);
       PairVectors<Three>::run(rb);
     }
     CHECK(same_bytes(loads_a, loads_b));
+    CHECK(taken_a == taken_b);
+    CHECK((taken_a > 0) == (left > 0));
     for (int x = 0; x < 3; ++x)
       CHECK(same_bytes(a.neighbours.near.tangential_n[x], b.neighbours.near.tangential_n[x]));
     CHECK_FALSE(same_bytes(loads_a, AlignedVector<GrainLoad>(a.grains.size())));

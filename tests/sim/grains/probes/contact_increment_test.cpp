@@ -66,3 +66,37 @@ TEST_CASE("Contact increment: a motion of the whole adds nothing, however far it
   }
   CHECK(rest.tangential_work != 0);
 }
+
+TEST_CASE(
+    "Contact increment: what both frames differ by is the turning of contact and grains under the "
+    "mean force, to the third order") {
+  const auto left = [](double size) {
+    const ContactInstant before{kBranch, 10, {0, 1, 2}};
+    const Vector3d way(1e-6, 8e-6, -5e-6), turn_a(1e-3, 2e-3, -1e-3), turn_b(-3e-3, 1e-3, 2e-3);
+    const Vector3d branch = kBranch + size * way;
+    Vector3d tangential = Vector3d(0, 1, 2) + size * Vector3d(0, 0.5, -0.2);
+    tangential -= tangential.dot(branch) / branch.squaredNorm() * branch;
+    const ContactInstant after{branch, 10 + 2 * size, tangential};
+    const ContactIncrement w =
+        contact_increment(before, after, kRadiusA, kRadiusB, size * turn_a, size * turn_b);
+    const double moments =
+        size * (turn_a.dot(w.moment_change_a_nm) + turn_b.dot(w.moment_change_b_nm));
+    const double error = w.normal_work + w.tangential_work - w.at_rest_work + moments -
+                         w.frame_turning - w.grain_turning;
+    for (const double part : {w.frame_turning, w.grain_turning, moments})
+      CHECK(std::abs(part) > 10 * std::abs(error));
+    return error;
+  };
+  CHECK(left(0.5) / left(0.25) == Approx(16).epsilon(0.1));
+}
+
+TEST_CASE("Contact increment: a chain that tilts under a force gives way by F u²/l") {
+  // No moment, no turn of grains: b moves sideways by u past a.
+  const double force = 10, u = 1e-6;
+  const ContactIncrement w =
+      contact_increment({kBranch, force, kNone}, {kBranch + Vector3d(0, u, 0), force, kNone},
+                        kRadiusA, kRadiusB, kNone, kNone);
+  CHECK(w.at_rest_work == Approx(-force * u * u / kBranch.x()).epsilon(1e-6));
+  CHECK(w.frame_turning == Approx(force * u * u / kBranch.x()).epsilon(1e-6));
+  CHECK(w.grain_turning == 0);
+}

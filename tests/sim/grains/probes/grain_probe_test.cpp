@@ -55,6 +55,68 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Grain probe: by strain the increment is put on steadily, to the last digit") {
+  GrainProbing how = small_probe();
+  how.kind = ProbeKind::strain;
+  how.norm_strain = 2e-6;
+  const GrainProbe p = probe(test::calm_state(), degrees_of(120), how);
+  REQUIRE(p.at_rest);
+  CHECK(p.norm_strain == 2e-6);
+  CHECK(p.norm_pa == 0);
+  CHECK_FALSE(p.null());
+  CHECK(p.strain.axial == Approx(2e-6 * std::sin(degrees_of(120))).epsilon(1e-6));
+  CHECK(p.strain.radial == Approx(2e-6 * std::cos(degrees_of(120)) / std::sqrt(2.0)).epsilon(1e-6));
+  CHECK(p.work.lagrangian > 0);
+  CHECK(p.work.eulerian() == Approx(p.work.lagrangian).epsilon(1e-3));
+  CHECK(p.work.fixed_frame == Approx(p.work.lagrangian).epsilon(0.01));
+  CHECK(p.stress_error_pa == 0);
+  how.norm_strain = 0;
+  CHECK(probe(test::calm_state(), 0, how).null());
+}
+
+TEST_CASE(
+    "Grain probe: turning of grains and contacts is what micro- and macroscopic work differ by, "
+    "dense or loose, by stress or strain; the boundary term is not") {
+  const GrainState loose = test::rested(test::loose_specimen().state, 1.2e5);
+  for (const GrainState* state : {&test::calm_state(), &loose})
+    for (const ProbeKind kind : {ProbeKind::stress, ProbeKind::strain})
+      for (const double angle : {90.0, 150.0, 210.0}) {
+        GrainProbing how;
+        how.kind = kind;
+        how.unbalanced = 1e-5;
+        const GrainProbe p = probe(*state, degrees_of(angle), how);
+        INFO((state == &loose ? "loose " : "dense ") << angle << (how.kind == ProbeKind::strain));
+        REQUIRE(p.at_rest);
+        const GrainWork& w = p.work;
+        CHECK(w.gap() > 20 * std::abs(w.gap_left()));
+        CHECK(w.grains_turning > 0.5 * w.gap());
+        CHECK(w.fixed_frame - w.lagrangian == Approx(w.out_of_balance).margin(0.05 * w.gap()));
+        if (kind == ProbeKind::stress)
+          CHECK(std::abs(w.boundary_part) > 5 * w.gap());
+        else
+          CHECK(std::abs(w.boundary_part) < 0.5 * w.gap());
+      }
+}
+
+TEST_CASE("Grain probe: its ledger closes, and no term of it is too small to be missed") {
+  for (const ProbeKind kind : {ProbeKind::stress, ProbeKind::strain}) {
+    GrainProbing how;
+    how.kind = kind;
+    const GrainProbe p = probe(test::calm_state(), degrees_of(150), how);
+    const GrainLedger& l = p.ledger;
+    const double error = std::abs(l.energy_error_j());
+    CHECK(l.energy_error_share() < 1e-8);
+    CHECK(error < 1e-3 * p.work.lagrangian * test::calm_state().box.volume_m3());
+    for (const double term :
+         {l.walls_j, l.elastic_end_j - l.elastic_start_j, l.friction_j, l.damping_j})
+      CHECK(std::abs(term) > 100 * error);
+    double size = 0;
+    for (int a = 0; a < 3; ++a) size += std::abs(l.walls_impulse[a]);
+    CHECK(l.momentum_error() < 1e-9 * size);
+    CHECK(size > 0);
+  }
+}
+
 TEST_CASE("Grain probe: a rose does not depend on the number of threads", "[threads]") {
   GrainProbing how = small_probe();
   how.unbalanced = 1e-4;
@@ -123,7 +185,10 @@ TEST_CASE("Grain probe: settings out of their ranges are refused") {
   how.norm_pa = -1;
   CHECK_THROWS_AS(probe(test::calm_state(), 0, how), std::invalid_argument);
   how = {};
-  how.ramp_steps = 0;
+  how.norm_strain = -1e-6;
+  CHECK_THROWS_AS(probe(test::calm_state(), 0, how), std::invalid_argument);
+  how = {};
+  how.ramp_steps = 1;
   CHECK_THROWS_AS(probe_rose(test::calm_state(), {}, how, 1), std::invalid_argument);
   CHECK_THROWS_AS(probe_rose(test::calm_state(), {}, {}, 0), std::invalid_argument);
 }

@@ -96,3 +96,16 @@ TEST_CASE("without a probe there is no figure") {
   CHECK_FALSE(grain_work_figure(rose, subject()).plot);
   CHECK_FALSE(grain_contacts_figure({}, subject()).plot);
 }
+
+TEST_CASE(
+    "probes by strain: strains on the left, stresses answer; the explained gap lies on micro") {
+  Subject by_strain = subject();
+  by_strain.kind = sim::ProbeKind::strain;
+  const Drawing envelope = grain_envelope_figure(test::rose(), 2e-5, by_strain);
+  REQUIRE(envelope.plot);
+  CHECK(test::any_has_point(*envelope.plot, 0, 20, 1e-9));  // dε₁ = 20·10⁻⁶
+  CHECK(test::any_has_point(*envelope.plot, 0, 1, 1e-9));   // dσ₁ = 1 kPa
+  const Drawing work = grain_work_figure(test::rose(), by_strain);
+  CHECK(test::contains(work.caption, "strain probe"));
+  CHECK(test::any_has_point(*work.plot, 90, 0.01198, 1e-9));
+}

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr int kPieces = 3;
-constexpr std::size_t kValues = 34;  ///< of a probe
+constexpr std::size_t kValues = 61;  ///< of a probe
 
 /// A lattice under some stress, and short probes of it in five directions.
 const sim::GrainState& state() {
@@ -180,7 +180,7 @@ TEST_CASE("what is no whole piece of a rose is refused in one line that names th
     CHECK(message.find('\n') == std::string::npos);
     CHECK(message.find(words) != std::string::npos);
   };
-  says(refusal([](Json& d) { d["version"] = 3; }), "format version '3'");
+  says(refusal([](Json& d) { d["version"] = 2; }), "format version '2'");
   says(refusal([](Json& d) { d["piece"]["index"] = 4; }), "index must be a whole number, 1 to 3");
   says(refusal([](Json& d) { d["piece"]["index"] = 1; }), "number must be 0, as the piece says");
   says(refusal([](Json& d) { d["piece"]["count"] = 1; }), "index must be");
@@ -194,6 +194,9 @@ TEST_CASE("what is no whole piece of a rose is refused in one line that names th
   says(refusal([](Json& d) { d["probing"]["directions"] = 0; }), "directions must be");
   says(refusal([](Json& d) { d["probing"]["norm_Pa"] = 7; }), "norm_Pa must be 7");
   says(refusal([](Json& d) { d["probing"]["norm_Pa"] = -7; }), "norm_Pa must not be below 0");
+  says(refusal([](Json& d) { d["probing"]["norm_strain"] = -7; }), "norm_strain must not be");
+  says(refusal([](Json& d) { d["probing"]["kind"] = "both"; }), "kind must be stress or strain");
+  says(refusal([](Json& d) { d["probing"]["kind"] = "strain"; }), "norm_Pa must be 0");
   says(refusal([](Json& d) { d["probes"].clear(); }), "has 0 probes");
   says(refusal([](Json& d) { d["probes"][1]["number"] = 3; }), "number must be 4");
   says(refusal([](Json& d) { d["probes"][0]["angle_rad"] = 0.1; }), "angle_rad must be 0");

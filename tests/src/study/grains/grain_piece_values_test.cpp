@@ -61,4 +61,11 @@ TEST_CASE("every value of a probe is visited") {
   CHECK(probe.work.stress_change_pa[1] + probe.work.strain[1] == 2);
   CHECK(probe.most_kinetic_j + probe.sliding_share + probe.unbalanced + probe.stress_error_pa == 4);
   CHECK(probe.steps == 1);
+  CHECK(probe.norm_strain == 1);
+  CHECK(probe.work.contacts_turning + probe.work.grains_turning + probe.work.out_of_balance == 3);
+  const sim::GrainLedger& l = probe.ledger;
+  CHECK(l.walls_j + l.friction_j + l.damping_j + l.stopped_j == 4);
+  CHECK(l.elastic_start_j + l.elastic_end_j + l.kinetic_start_j + l.kinetic_end_j == 4);
+  CHECK(l.walls_impulse[1] + l.damping_impulse[1] + l.stopped_impulse[1] == 3);
+  CHECK(l.momentum_start[1] + l.momentum_end[1] == 2);
 }

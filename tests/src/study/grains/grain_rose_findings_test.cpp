@@ -87,3 +87,31 @@ TEST_CASE("micro over macro is the ratio of Eqs. (11) and (7); without work ther
   CHECK(*micro_over_macro(test::probe_at(90, 0.02, 1.1)) == Approx(1.1));
   CHECK_FALSE(micro_over_macro(test::probe_at(90, 0)));
 }
+
+TEST_CASE(
+    "of the gap between micro- and macroscopic work what is explained is told, and what not") {
+  auto rose = test::rose();
+  auto found = rose_findings(rose);
+  // 99 % of each gap is explained, 90 % by grains; two gaps are negative.
+  CHECK(*found.gap_left == Approx(0.01));
+  CHECK(*found.gap_of_grains > 0.8);
+  CHECK(*found.gap_of_grains < 0.9);
+  CHECK(*found.most_boundary == Approx(0.03));
+  CHECK(*found.most_ledger_error == Approx(0.005));
+  rose.probes[3].work.grains_turning = std::nan("");
+  found = rose_findings(rose);
+  CHECK_FALSE(found.gap_left);
+  CHECK_FALSE(found.gap_of_grains);
+}
+
+TEST_CASE("a circle of strain probes has the strains that were asked for, and stresses answer") {
+  auto rose = test::rose();
+  const sim::Circle by_strain = circle_of(rose, sim::ProbeKind::strain, 2e-5);
+  CHECK(by_strain.probes[9].strain.y() == Approx(2e-5));
+  CHECK(by_strain.probes[9].stress.y() == Approx(1000));
+  CHECK(by_strain.probes[0].stress.x() == Approx(1000));
+  CHECK(by_strain.probes[9].normalised == Approx(0.01 / (2e-5 * 1000)));
+  const sim::Circle by_stress = circle_of(rose, sim::ProbeKind::stress, 500);
+  CHECK(by_stress.probes[9].stress.y() == Approx(500));
+  CHECK(by_stress.probes[9].strain.y() == Approx(1e-5));
+}

@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The numbers of docs/grains-paper.md (tools/pages): of 10,000 grains from docs/data/grains.json, which tools/grains-figures makes; of 500
+grains from the program itself, in seconds."""
+import json
+import pathlib
+import runpy
+
+results = runpy.run_path(str(pathlib.Path(__file__).resolve().parent.parent / "grains-results"))
+kept_results = results["kept_results"]
+IMAGES = results["ROOT"] / "docs/images/grains"
+
+
+def stage(run: dict, name: str) -> dict:
+    return next(s for s in run["stages"] if s["name"] == name)
+
+
+def at(rose: dict, degrees: float) -> dict:
+    return next(p for p in rose["probes"] if abs(p["alpha_deg"] - degrees) < 1e-3)
+
+
+def table(heading: str, rows: list[str]) -> str:
+    columns = heading.count("|") - 1
+    return "\n".join([heading, "|" + "---|" * columns, *rows])
+
+
+def degrees(ranges: list[dict]) -> str:
+    return " and ".join(f"{r['from_deg']:.0f}° to {r['to_deg'] % 360:.0f}°" for r in ranges) or "no direction"
+
+
+def span(values: list[float], digits: str) -> str:
+    least, most = format(min(values), digits), format(max(values), digits)
+    return least if least == most else f"{least} to {most}"
+
+
+def apart(probe: dict) -> float:
+    """Micro less macro over macro."""
+    return probe["gap"]["micro_less_macro"] / probe["w2"]["lagrangian"]
+
+
+def reversible(alpha: float) -> bool:
+    """Where the paper finds both equal."""
+    return alpha < 70.5 or alpha > 229.5
+
+
+# ---- specimens
+
+def specimens(triax) -> str:
+    rows = []
+    for name, run in kept_results(triax).items():
+        if name in ("loose_study", "loose_probes"):
+            continue
+        made, state = run["specimen"], run["specimen"]["state"]
+        how = f"friction {made['compaction_friction_deg']:.3g}°"
+        if made["porosity_wanted"]:
+            how = f"porosity {made['porosity_wanted']:g} asked for, {how} found in {made['compactions']} trials"
+        rows.append(f"| `{name}` | {how} | {state['porosity']:.4f} | {state['coordination']:.2f} | {state['floating_grains']} |")
+    outside = sum(s["grains_outside"] for run in kept_results(triax).values() for s in run["stages"])
+    return (table("| sample | made with | n at 100 kPa | Z (floating grains count) | floating |", rows) +
+            f"\n\nGrains outside the box after any stage: {outside}.")
+
+
+# ---- probes of the dense specimen
+
+def probed_state(triax) -> str:
+    run = kept_results(triax)["dense"]
+    pressed, sheared, rose = stage(run, "isotropic 200"), stage(run, "to eta 0.77"), stage(run, "probes")
+    last = sheared["last"]
+    null = rose["null_probe_over_smallest"]
+    return (f"Isotropic to 200 kPa (n = {pressed['porosity']:.3f}), drained to η = 0.77 (reached at ε₁ = {100 * last['strain']['axial']:.3f} %, "
+            f"ε_v = {100 * last['volumetric_strain']:.3f} %), at rest; then\n{len(rose['probes'])} increments of {rose['norm_kPa']:g} kPa and a null probe, "
+            f"which strains by {100 * null:.2f} % of the smallest probe's strain.")
+
+
+def probes(triax) -> str:
+    rose = stage(kept_results(triax)["dense"], "probes")
+    by_strain = stage(kept_results(triax)["dense"], "probes by strain")
+    all_probes = rose["probes"]
+    inside = [p for p in all_probes if not reversible(p["alpha_deg"])]
+    outside = [p for p in all_probes if reversible(p["alpha_deg"])]
+    slides = [100 * p["sliding_share"] for p in all_probes]
+    quiet = [100 * p["sliding_share"] for p in all_probes if not 55 < p["alpha_deg"] < 255]
+    moving = max(all_probes, key=lambda p: p["kinetic_energy_most_J"])
+    kinetic = [p["kinetic_energy_most_J"] for p in inside]
+    rest = sorted(p["kinetic_energy_most_J"] for p in outside)[len(outside) // 2]
+    same = ", ".join(f"{100 * apart(at(rose, a)):.1f}" for a in (60, 70, 230, 240, 250))
+    euler = max(abs(p["w2"]["eulerian"] / p["w2"]["lagrangian"] - 1) for p in all_probes)
+    largest = max(all_probes, key=lambda p: p["w2"]["lagrangian"])
+    parts = largest["w2"]
+    shares = ", ".join(f"{100 * parts[k] / parts['eulerian']:.1f} %" for k in ("stress_part", "volume_part", "transport_part"))
+    boundary = [abs(p["boundary_part_J_per_m3"]) for p in all_probes]
+    steady = [abs(p["boundary_part_J_per_m3"]) for p in by_strain["probes"]]
+    rows = [
+        f"| irreversible strain range 50° < α < 260°: many contacts that reached Coulomb's criterion (at any step) or were not permanent | "
+        f"sliding and non-permanent contacts above the null probe's by {100 * rose['irreversible']['contacts_above_null_probe']:g} % for "
+        f"{degrees(rose['irreversible']['ranges'])}, up to {max(slides):.1f} % of the contacts; at most {max(quiet):.1f} % beyond 60° to 250°. Ours are looked "
+        f"for every 50 steps, and one that rests at its limit does not count | same range |",
+        f"| non-permanent contacts are many in that range | at most {100 * max(p['non_permanent_share'] for p in all_probes):.1f} % of the "
+        f"contacts | fewer |",
+        f"| kinetic energy not negligible for 70° < α < 230° | largest at {moving['alpha_deg']:.0f}°, {moving['kinetic_energy_most_J']:.1g} J; from 80° to "
+        f"220° {min(kinetic) / rest:.1f} to {max(kinetic) / rest:.0f} times the median elsewhere | same range; small |",
+        f"| macro and micro W₂ are equal for α ≤ 70° and α ≥ 230°, not between | within {100 * max(abs(apart(p)) for p in outside):.1f} % for α ≤ 70° and "
+        f"α ≥ 230°; {span([100 * apart(p) for p in inside], '.0f')} % apart from 80° to 220° | same range; the gap is smaller |",
+        f"| equal also in some irreversible directions (60°, 70°, 230°, 240°, 250°) | {same} % apart | same |",
+        f"| semi-Lagrangian (7) and Eulerian (10) are equivalent | within {euler:.0e} of each other in all directions | same |",
+        f"| of Eq. (10), dσ : LΔt contributes most, div(du) σ : LΔt is nearly nil, σLᵗ : LΔt small but not negligible where strains are "
+        f"irreversible | at α = {largest['alpha_deg']:.0f}°: {shares} | same |",
+        f"| W₂ is largest in the middle of the diagram | {parts['lagrangian']:.4f} J/m³ at {largest['alpha_deg']:.0f}°; "
+        f"{at(rose, 40)['w2']['lagrangian']:.4f} at 40°, {at(rose, 220)['w2']['lagrangian']:.4f} at 220° | same |",
+        f"| the boundary term of Eq. (22) is left out, as negligible: strain probes make it vanish and leave the gap | up to {max(boundary):.1f} J/m³ in "
+        f"stress probes, {max(boundary) / parts['lagrangian']:.0f} times the largest W₂; at most {max(steady):.0e} J/m³ in strain probes, where "
+        f"the gap is of the same kind | the term is not small, but no part of the gap: see below |",
+    ]
+    negative = degrees(rose["negative_w2"])
+    return (table("| the paper | ours | |", rows) +
+            f"\n\nW₂ is negative in {negative} of this dense specimen; normalised it is least at {rose['least_alpha_deg']:.0f}° "
+            f"({rose['least_w2_normalised']:.2f}).")
+
+
+# ---- what micro and macro differ by
+
+def roses_of(name: str, stages: list[dict]) -> list[tuple[str, dict]]:
+    found = []
+    for one, words in (("probes", "{norm_kPa:g} kPa"), ("probes by strain", "strain {norm_strain:g}")):
+        rose = stage({"stages": stages}, one)
+        found.append((f"{name}, {words.format(**rose)}", rose))
+    return found
+
+
+def small_roses(triax) -> list[tuple[str, dict]]:
+    """Of 500 grains, dense, at rest and hardly at rest, and loose, computed now."""
+    found = []
+    for friction, unbalanced in ((5, "1e-5"), (5, "1e-4"), (20, "1e-4")):
+        document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--set", f"specimen.compaction_friction_deg={friction}",
+                                        "--set", f"stages.3.unbalanced={unbalanced}", "--json"))
+        stages = [s | results["rose_of"](s) for s in document["stages"] if "probes" in s]
+        found += roses_of(f"500 grains, n = {stages[0]['before']['porosity']:.3f}, at rest to {unbalanced}", stages)
+    return found
+
+
+def large_roses(triax) -> list[tuple[str, dict]]:
+    """Of 10,000 grains, as far as their runs are kept."""
+    if not results["KEPT"].exists():
+        return []
+    runs = kept_results(triax)
+    return [one for name in ("dense", "loose_probes") if name in runs
+            for one in roses_of(f"`{name.removesuffix('_probes')}`", runs[name]["stages"])]
+
+
+def gaps(triax) -> str:
+    large, small = large_roses(triax), small_roses(triax)
+    rows = []
+    for words, rose in large + small:
+        rested = [p for p in rose["probes"] if p["at_rest"]]
+        total = sum(abs(p["gap"]["micro_less_macro"]) for p in rested)
+        share = {k: 100 * sum(p["gap"][k] for p in rested) / total for k in ("grains_turning", "contacts_turning", "out_of_balance")}
+        left = 100 * sum(abs(p["gap"]["left"]) for p in rested) / total
+        rows.append(f"| {words} | {len(rested)} of {len(rose['probes'])} | {span([1 + apart(p) for p in rested], '.3f')} | {share['grains_turning']:.1f} % | "
+                    f"{share['contacts_turning']:.1f} % | {share['out_of_balance']:.1f} % | {left:.2g} % | "
+                    f"{max(abs(p['boundary_part_J_per_m3']) for p in rested):.1g} |")
+    return (table("| probes | at rest | micro over macro | grains turning | contacts turning | out of balance | left | largest boundary term, J/m³ |", rows) +
+            "\n\nSome directions, J/m³:\n\n" + by_direction(large + small[-2:]))
+
+
+def by_direction(some: list[tuple[str, dict]]) -> str:
+    rows = []
+    for words, rose in some:
+        for alpha in (0, 90, 120, 180, 210, 270):
+            p = at(rose, alpha)
+            g = p["gap"]
+            if not p["at_rest"]:
+                rows.append(f"| {words} | {alpha}° | did not come to rest | | | | | | |")
+                continue
+            rows.append(f"| {words} | {alpha}° | {p['w2']['lagrangian']:.5f} | {p['w2']['microscopic']:.5f} | {g['grains_turning']:.2e} | "
+                        f"{g['contacts_turning']:.1e} | {g['out_of_balance']:.1e} | {g['left']:.0e} | {p['boundary_part_J_per_m3']:.1g} |")
+    pictures = [f"![Probes, {what}](images/grains/{name}_work.svg)" for name, what in
+                (("dense_probes_by_strain", "dense, by strain"), ("loose_probes", "loose"), ("loose_probes_by_strain", "loose, by strain"))
+                if (IMAGES / f"{name}_work.svg").exists()]
+    return (table("| probes | α | macro | micro | grains turning | contacts turning | out of balance | left | boundary term |", rows) +
+            "\n\n" + "\n".join(pictures))
+
+
+def energy(triax) -> str:
+    document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--json"))
+    quick = [s | results["rose_of"](s) for s in document["stages"] if "probes" in s]
+    rows = []
+    for words, rose in large_roses(triax) + roses_of("`quick`", quick):
+        ledgers = [p["ledger"] for p in rose["probes"]]
+        damping = [100 * l["damping_J"] / l["friction_J"] for l in ledgers]
+        rows.append(f"| {words} | {min(damping):.2g} to {max(damping):.2g} % | {max(l['error_share'] for l in ledgers):.0e} |")
+    worst = max((s for s in document["stages"] if s["ledger"]), key=lambda s: s["ledger"]["error_share"])
+    return (table("| probes | what damping took, of what friction took | the ledger misses at most |", rows) +
+            f"\n\nOver the other stages of `quick` the ledgers miss at most {worst['ledger']['error_share']:.0e} (`{worst['name']}`, "
+            f"which is strained at 0.5 /s).")
+
+
+# ---- strain paths
+
+RATIOS = ("0.7", "0.8", "0.825", "0.85", "0.875", "0.9", "1.0")
+
+
+def peaks(triax) -> str:
+    runs = kept_results(triax)
+    rows = []
+    for ratio in RATIOS:
+        cells = []
+        for name in ("medium", "loose"):
+            one = stage(runs[name], f"R {ratio}")
+            peak, last = one["peak_path_stress"], one["last"]
+            end = f"{last['path_stress_kPa']:.1f}"
+            if last["strain"]["axial"] < 0.0199:
+                end += f" at {100 * last['strain']['axial']:.2f} %"
+            cells.append(f"{peak['path_stress_kPa']:.1f} | {100 * peak['axial_strain']:.2f} | {end}")
+        rows.append(f"| {ratio} | " + " | ".join(cells) + " |")
+    return table("| R | `medium`: largest | at ε₁ | at the end | `loose`: largest | at ε₁ | at the end |", rows)
+
+
+def falls(one: dict) -> bool:
+    return one["last"]["path_stress_kPa"] < 0.9 * one["peak_path_stress"]["path_stress_kPa"]
+
+
+def fallen(run: dict) -> str:
+    return ", ".join(r for r in RATIOS if falls(stage(run, f"R {r}"))) or "none"
+
+
+def crossing(run: dict) -> str:
+    """How far from the maximum W₂ turns negative, % of strain."""
+    far = []
+    for ratio in RATIOS:
+        one = stage(run, f"R {ratio}")
+        if falls(one) and one["w2_first_negative"]:
+            far.append((100 * abs(one["w2_first_negative"]["axial_strain"] - one["peak_path_stress"]["axial_strain"]), ratio))
+    worst = max(far)
+    others = sorted(far)[:-1]
+    return f"within {others[-1][0]:.2f} % of strain of the maximum, at R = {worst[1]} {worst[0]:.2f} %"
+
+
+def paths(triax) -> str:
+    runs = kept_results(triax)
+    loose, medium = runs["loose"], runs["medium"]
+    energies = [(stage(run, f"R {r}")["kinetic_energy_most_J"], name, r) for name, run in (("medium", medium), ("loose", loose)) for r in RATIOS]
+    energies.sort(reverse=True)
+    rows = [
+        f"| σ₁ − σ₃/R has a maximum for R below 0.85 | a maximum and then a fall by more than a tenth: `medium` for R = {fallen(medium)}; `loose` for R = "
+        f"{fallen(loose)} | `medium` same, `loose` differs |",
+        f"| W₂ vanishes at the maximum and is negative after it | W₂ of Eq. (30) over increments of 0.1 % of strain turns negative {crossing(loose)} (`loose`), "
+        f"{crossing(medium)} (`medium`) | same |",
+        f"| the path at R = 0.825 carries about 25 kPa at ES_a and ES_b, one on each side | the maximum is "
+        f"{stage(medium, 'R 0.825')['peak_path_stress']['path_stress_kPa']:.1f} kPa (`medium`), "
+        f"{stage(loose, 'R 0.825')['peak_path_stress']['path_stress_kPa']:.1f} kPa (`loose`): ES_a and ES_b of `loose` are at "
+        f"{stage(loose, 'a at rest')['path_stress_kPa']:.1f} and {stage(loose, 'b at rest')['path_stress_kPa']:.1f} kPa | lower |",
+        f"| kinetic energy on the paths at most about 1e-3 J | {energies[0][0]:.0e} J at most (`{energies[0][1]}`, R = {energies[0][2]}), then {energies[1][0]:.0e} J | same |",
+    ]
+    return table("| the paper | ours | |", rows)
+
+
+# ---- perturbations
+
+def ended(run: dict, name: str) -> str:
+    one = stage(run, name)
+    words = {"at rest": "a new equilibrium", "collapsed": "collapses", "undecided": "not at rest after the longest time"}[one["end"]]
+    return f"{words}, χ = {one['chi']:.4g} at the end, at most {one['kinetic_energy_most_J']:.1g} J"
+
+
+def asked(run: dict, which: str) -> float:
+    return stage(run, f"{which} load")["load_step_Pa"] / 1e3 / stage(run, f"{which} at rest")["path_stress_kPa"]
+
+
+def perturbations(triax) -> str:
+    run = kept_results(triax)["loose"]
+    a, b = asked(run, "a"), asked(run, "b")
+    reached = stage(run, "b load")["chi_most"]
+    rows = [
+        f"| left alone, both states do not evolve | ES_a: {ended(run, 'a left alone')}; ES_b: {ended(run, 'b left alone')} | same |",
+        f"| ES_a under +2 %: a new equilibrium, a little higher, hardly any kinetic energy | +{stage(run, 'a load')['load_step_Pa']:g} Pa ({100 * a:.1f} %): "
+        f"{ended(run, 'a load')} | same |",
+        f"| ES_b under +1 %: does not reach what is asked for, collapses at a growing rate with kinetic energy growing exponentially | "
+        f"+{stage(run, 'b load')['load_step_Pa']:g} Pa ({100 * b:.1f} %): χ reaches {reached:.3f} of the {1 + b:.3f} asked for; {ended(run, 'b load')} | "
+        f"same at {100 * b:.1f} % |",
+        f"| ES_a with 1e-4 J given to floating grains: a new equilibrium after a burst | {stage(run, 'a energy')['kinetic_energy_given_J']:.0e} J: "
+        f"{ended(run, 'a energy')} | same |",
+        f"| ES_b with 1e-4 J: total collapse | {stage(run, 'b energy')['kinetic_energy_given_J']:.0e} J: {ended(run, 'b energy')} | same at "
+        f"{stage(run, 'b energy')['kinetic_energy_given_J']:.0e} J |",
+    ]
+    return table("| the paper | ours | |", rows)
+
+
+def study(triax) -> str:
+    run, loose = kept_results(triax)["loose_study"], kept_results(triax)["loose"]
+    at_rates = [(one["R"], one["peak_path_stress"]) for one in (stage(loose, "R 0.825"), stage(run, "slow"))]
+    states = ("0.010", "0.015", "0.020", "0.025", "0.030", "0.035")
+
+    def collapsed(push: str) -> int:
+        return sum(stage(run, f"{s}, {push}")["end"] == "collapsed" for s in states)
+
+    fast, slow = at_rates[0][1], at_rates[1][1]
+    return (f"A state taken from beyond the maximum relaxes when its walls stop: from 18.0 to {stage(run, 'relaxed')['path_stress_kPa']:.1f} kPa at 0.1 /s, from 17.0 to\n"
+            f"{stage(run, 'slow relaxed')['path_stress_kPa']:.1f} kPa when the path had been followed at 0.02 /s. ES_b is such a state after it was loaded again, slowly (0.002 /s). "
+            f"Of {len(states)} such\nstates 0.005 % of strain apart {collapsed('350 Pa')} collapse under +350 Pa, {collapsed('170 Pa')} under +170 Pa, {collapsed('0.1 mJ')} with 0.1 mJ given to floating grains.\n\n"
+            f"Near the maximum results depend on the rate: R = 0.825 has its maximum of {fast['path_stress_kPa']:.1f} kPa at {100 * fast['axial_strain']:.2f} % of strain at 0.1 /s,\n"
+            f"and of {slow['path_stress_kPa']:.1f} kPa at {100 * slow['axial_strain']:.2f} % at 0.02 /s. Perturbations run at the specimen's own pace.")
