@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/results/outlook.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {
@@ -30,6 +31,9 @@ enum class EventKind {
   aborted,
   safe_state,  ///< the supervision brought the rig to rest
   run_away,    ///< equilibrium of cap and specimen was lost, or found again
+  approaching,        ///< an onset is forecast
+  imminent,           ///< it lies within the next few scans
+  warning_withdrawn,  ///< neither any longer
 };
 /// "stage_started".
 std::string_view to_string(EventKind kind);
@@ -152,6 +156,8 @@ struct Collapse {
   std::optional<Instant> onset;
   /// When the collapse (a failure is none) was first known; empty: only when the record had ended.
   std::optional<Moment> noticed;
+  /// Where these levels were said first without having been taken back since.
+  std::optional<Outlook> approaching, imminent;
   std::optional<double> second_order_work_normalised;  ///< at the first significant window (or the
                                                        ///< nearest to it), or over a fall
   std::optional<double> second_order_work_error;

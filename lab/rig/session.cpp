@@ -12,6 +12,7 @@
 #include "lab/health/gaps.hpp"
 #include "lab/health/judged_states.hpp"
 #include "lab/reduction/cross_checks.hpp"
+#include "lab/warning/alarm.hpp"
 
 namespace triax::lab {
 namespace {
@@ -106,6 +107,7 @@ class SessionRun {
         listeners_(listeners),
         reduction_(back_end.header(), options.reduction),
         monitor_(back_end.header(), {monitor_listener()}),
+        alarm_(back_end.header(), {alarm_listener()}),
         states_(back_end.header()),
         cross_checks_(back_end.header()),
         pace_(options) {}
@@ -132,6 +134,7 @@ class SessionRun {
 
  private:
   CollapseListener monitor_listener();
+  AlarmListener alarm_listener();
   void take(const Reading& reading);
   void tell_of(Event event) {
     if (!ended_) event.noticed = last_reading_;
@@ -152,6 +155,7 @@ class SessionRun {
   Reduction reduction_;
   Gaps gaps_;
   CollapseMonitor monitor_;
+  Alarm alarm_;
   JudgedStates states_;
   CrossChecks cross_checks_;
   Collapse until_mark_;
@@ -170,6 +174,15 @@ CollapseListener SessionRun::monitor_listener() {
                 gaps_.add(p);
                 tell(listeners_, &SessionListener::second_order_work, p);
               },
+          .happened =
+              [this](const Event& e) {
+                if (e.kind == EventKind::loss_of_sustainability) alarm_.lose();
+                tell_of(e);
+              }};
+}
+
+AlarmListener SessionRun::alarm_listener() {
+  return {.foreseen = [this](const Outlook& o) { tell(listeners_, &SessionListener::foreseen, o); },
           .happened = [this](const Event& e) { tell_of(e); }};
 }
 
@@ -182,7 +195,11 @@ void SessionRun::take(const Reading& reading) {
   const State state = reduction_.reduce(reading);
   tell(listeners_, &SessionListener::scanned, reading, state);
   states_.add(reading, state);
-  for (const SensorFinding& finding : states_.health().news()) tell_of(sensor_event(finding));
+  for (const SensorFinding& finding : states_.health().news()) {
+    tell_of(sensor_event(finding));
+    alarm_.interrupt(describe(finding));
+  }
+  alarm_.watch(state);
   pass_on();
   if (++summary_.readings % 1024 == 0 || options_.speed > 0) tell_progress();
 }
@@ -235,6 +252,8 @@ void SessionRun::summarise() {
   if (states_.ends_at_mark()) collapse = until_mark_;
   states_.bound(collapse);
   keep_run_away(collapse);
+  collapse.approaching = alarm_.approaching();
+  collapse.imminent = alarm_.imminent();
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
   if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
     collapse.end_at(last_reading_ ? std::optional(last_reading_->reading) : std::nullopt, why);

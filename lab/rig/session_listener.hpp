@@ -17,6 +17,8 @@ struct SessionListener {
   std::function<void(const Reading&, const State&)> scanned;
   std::function<void(const SecondOrderWorkPoint&)> second_order_work;
   std::function<void(const Event&)> happened;
+  /// A new forecast of the onset, told at the reading after which it was made.
+  std::function<void(const Outlook&)> foreseen;
   /// Share done, in [0, 1]; about twenty times a second of clock time at most, and 1 at the end.
   std::function<void(double)> progressed;
 };

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What lies ahead of a test while it runs: the onset to come, as the readings so far have it.
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "lab/results/quantity.hpp"
+
+namespace triax::lab {
+
+/// `approaching`: the forecast says so; `imminent`: the onset lies within the next few scans at the
+/// present rate, or was passed within the error of its forecast; `lost`: it was passed.
+enum class WarningLevel { none, approaching, imminent, lost };
+/// "imminent".
+std::string_view to_string(WarningLevel level);
+std::optional<WarningLevel> warning_level_from(std::string_view text);
+
+/// What is left of the quantity that drives the test: deviator stress under load, axial strain
+/// under displacement, mean effective stress at held q. SI, never negative.
+struct LeftToOnset {
+  Quantity quantity = Quantity::axial_strain;
+  double value = 0;
+  std::optional<double> time_s;  ///< at the present rate; empty without time
+};
+
+/// A forecast, and when it was made.
+struct Outlook {
+  std::int64_t reading = 0;  ///< the last that had been taken
+  std::optional<double> time_s;
+  double eta = 0;                    ///< at the onset; negative in extension
+  double eta_low = 0, eta_high = 0;  ///< its 90 % interval
+  std::optional<LeftToOnset> left;   ///< empty where the path does not go there now
+};
+
+}  // namespace triax::lab

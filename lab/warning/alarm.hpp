@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The alarm: beside the monitor, which judges, it looks ahead. What it says it says at once.
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lab/collapse/limit_surface.hpp"
+#include "lab/measured/axis_rest.hpp"
+#include "lab/measured/path_sampler.hpp"
+#include "lab/results/record_header.hpp"
+#include "lab/results/summary.hpp"
+#include "lab/warning/warning_levels.hpp"
+
+namespace triax::lab {
+
+/// What the alarm tells as it watches. Any may be empty.
+struct AlarmListener {
+  /// A forecast that differs from the last one told: by a look of the forecast, not by every
+  /// reading.
+  std::function<void(const Outlook&)> foreseen;
+  /// A level was reached or taken back.
+  std::function<void(const Event&)> happened;
+};
+using AlarmListeners = std::vector<AlarmListener>;
+
+/// Watches every state as it is scanned, in constant memory. The monitor's states have waited until
+/// nothing more can come to light about their sensors, four readings at least; here a reading that
+/// turns out to be wrong costs a level that is taken back, and one that waits would cost the
+/// specimen.
+class Alarm {
+ public:
+  explicit Alarm(const RecordHeader& header, AlarmListeners listeners = {});
+  Alarm(const Alarm&) = delete;
+  Alarm& operator=(const Alarm&) = delete;
+
+  void watch(const State& state);
+  /// A sensor cannot be believed: what was forecast is forgotten, a level taken back.
+  void interrupt(const std::string& reason);
+  /// The specimen was lost, as the monitor found.
+  void lose() { levels_.lose(); }
+
+  WarningLevel level() const { return levels_.level(); }
+  /// Where the levels that stand, or stood when the specimen was lost, were said first.
+  const std::optional<Outlook>& approaching() const { return approaching_; }
+  const std::optional<Outlook>& imminent() const { return imminent_; }
+
+ private:
+  void start_stage(const State& state);
+  void take(const PathPoint& point);
+  void take_back(const State& state, const std::string& reason);
+  void say(const State& state);
+
+  const RecordHeader header_;
+  const AlarmListeners listeners_;
+  PathSampler sampler_;
+  PathRates rates_;
+  AxisRest rest_;
+  LimitSurface limit_;
+  WarningLevels levels_;
+  std::optional<int> stage_;
+  std::optional<State> latest_;
+  std::optional<double> told_;  ///< η of the last forecast that was told
+  std::optional<Outlook> approaching_, imminent_;
+};
+
+}  // namespace triax::lab

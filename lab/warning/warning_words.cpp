@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/warning/warning_words.hpp"
+
+#include <fmt/format.h>
+
+namespace triax::lab {
+namespace {
+
+std::string describe(const LeftToOnset& left) {
+  std::string told;
+  if (left.quantity == Quantity::axial_strain)
+    told = fmt::format("{:.3f} % of axial strain", left.value * 100);
+  if (left.quantity == Quantity::deviator_stress)
+    told = fmt::format("{:.2f} kPa of q", left.value / 1e3);
+  if (left.quantity == Quantity::mean_effective_stress)
+    told = fmt::format("{:.2f} kPa of p'", left.value / 1e3);
+  if (left.time_s) told += fmt::format(" and {:.0f} s", *left.time_s);
+  return told + " left at the present rate";
+}
+
+}  // namespace
+
+std::string describe(const Outlook& o) {
+  std::string told =
+      fmt::format("onset forecast at η {:.3f} ({:.3f} to {:.3f})", o.eta, o.eta_low, o.eta_high);
+  if (o.left) told += ", " + describe(*o.left);
+  return told;
+}
+
+Event level_event(WarningLevel level, const Outlook& outlook) {
+  return {.reading = outlook.reading,
+          .time_s = outlook.time_s,
+          .kind = level == WarningLevel::imminent ? EventKind::imminent : EventKind::approaching,
+          .detail = describe(outlook)};
+}
+
+Event withdrawal_event(const State& now, bool has_time, const std::optional<Outlook>& outlook,
+                       const std::string& reason) {
+  Event event{
+      .reading = now.reading, .time_s = {}, .kind = EventKind::warning_withdrawn, .detail = reason};
+  if (has_time) event.time_s = now.time_s;
+  if (reason.empty()) event.detail = outlook ? describe(*outlook) : "no onset is forecast";
+  event.detail = "warning taken back: " + event.detail;
+  return event;
+}
+
+}  // namespace triax::lab

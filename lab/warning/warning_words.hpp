@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
+
+namespace triax::lab {
+
+/// "onset forecast at η 0.598 (0.571 to 0.625), 3.20 kPa of q and 120 s left at the present rate".
+std::string describe(const Outlook& outlook);
+/// `level`, approaching or imminent, was reached with that forecast.
+Event level_event(WarningLevel level, const Outlook& outlook);
+/// What had been said is said no longer; `reason` may be empty: the forecast that stands is the
+/// reason.
+Event withdrawal_event(const State& now, bool has_time, const std::optional<Outlook>& outlook,
+                       const std::string& reason);
+
+}  // namespace triax::lab
