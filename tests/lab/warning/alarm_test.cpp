@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/warning/alarm.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/lab/warning/loose_path.hpp"
+
+using namespace triax::lab;
+using triax::lab::testing::LoosePath;
+using triax::lab::testing::shear_header;
+
+namespace {
+
+struct Said {
+  std::vector<Event> events;
+  std::vector<Outlook> outlooks;
+  AlarmListener listener() {
+    return {.foreseen = [this](const Outlook& o) { outlooks.push_back(o); },
+            .happened = [this](const Event& e) { events.push_back(e); }};
+  }
+  const Event* first(EventKind kind) const {
+    for (const Event& e : events)
+      if (e.kind == kind) return &e;
+    return nullptr;
+  }
+};
+
+constexpr int kReadings = 1000;
+
+/// By a load that grows to that share of the largest that the specimen carries.
+void load(Alarm& alarm, LoosePath path, double to) {
+  for (int i = 1; i <= kReadings; ++i)
+    alarm.watch(path.at(path.eta_under_load(to * i / kReadings), i));
+}
+
+}  // namespace
+
+TEST_CASE("under a load the alarm comes before the fall and says what is left of it") {
+  Said said;
+  const RecordHeader header = shear_header(AxialControl::load);
+  Alarm alarm(header, {said.listener()});
+  load(alarm, LoosePath{.noise_pa = 30, .noise_strain = 1e-6}, 0.9999);
+  const Event *near = said.first(EventKind::approaching), *soon = said.first(EventKind::imminent);
+  REQUIRE(near);
+  REQUIRE(soon);
+  CHECK(near->reading < soon->reading);
+  CHECK(soon->reading < kReadings - 60);  // a second each
+  CHECK(alarm.level() == WarningLevel::imminent);
+  REQUIRE(alarm.imminent());
+  const Outlook& o = *alarm.imminent();
+  CHECK(o.reading == soon->reading);
+  CHECK(o.eta == Approx(0.6).margin(0.02));
+  CHECK(o.eta_low < 0.6);
+  CHECK(0.6 < o.eta_high);
+  REQUIRE(o.left);
+  CHECK(o.left->quantity == Quantity::deviator_stress);
+  const double q_left = 1e5 * 0.3 * (1 - 0.9999 * static_cast<double>(o.reading) / kReadings);
+  CHECK(o.left->value == Approx(q_left).epsilon(0.35));
+  CHECK(*o.left->time_s == Approx(kReadings - static_cast<double>(o.reading)).epsilon(0.35));
+}
+
+TEST_CASE("a level that the test does not bear out is taken back aloud") {
+  Said said;
+  const RecordHeader header = shear_header(AxialControl::load);
+  Alarm alarm(header, {said.listener()});
+  LoosePath path{.noise_pa = 30, .noise_strain = 1e-6};
+  load(alarm, path, 0.95);
+  REQUIRE(said.first(EventKind::approaching));
+  CHECK_FALSE(said.first(EventKind::warning_withdrawn));
+  alarm.interrupt("pore_pressure_kPa is stuck");
+  REQUIRE(said.first(EventKind::warning_withdrawn));
+  CHECK(said.first(EventKind::warning_withdrawn)->detail ==
+        "warning taken back: pore_pressure_kPa is stuck");
+  CHECK_FALSE(alarm.approaching());
+}
+
+TEST_CASE("nothing is said of an onset on the limit surface, nor where the stiffness stays") {
+  Said said;
+  RecordHeader header = shear_header(AxialControl::load);
+  SECTION("φ of 16 degrees: M is 0.61, the onset forecast within 5 % of it") {
+    header.specimen.limit_friction_angle_rad = 16.0 / 180 * 3.14159265358979;
+    Alarm alarm(header, {said.listener()});
+    load(alarm, LoosePath{.noise_pa = 30, .noise_strain = 1e-6}, 0.9999);
+  }
+  SECTION("an onset at three times the η that is reached") {
+    Alarm alarm(header, {said.listener()});
+    LoosePath path{.eta_onset = 1.5, .noise_pa = 30, .noise_strain = 1e-6};
+    load(alarm, path, 0.6);
+  }
+  CHECK_FALSE(said.first(EventKind::approaching));
+  CHECK_FALSE(said.first(EventKind::imminent));
+}
+
+TEST_CASE("after a loss nothing is imminent any more, and the levels that were said stand") {
+  Said said;
+  const RecordHeader header = shear_header(AxialControl::load);
+  Alarm alarm(header, {said.listener()});
+  LoosePath path{.noise_pa = 30, .noise_strain = 1e-6};
+  load(alarm, path, 0.9999);
+  alarm.lose();
+  CHECK(alarm.level() == WarningLevel::lost);
+  const auto events = said.events.size();
+  for (int i = 1; i <= 200; ++i) alarm.watch(path.at(0.6 + 0.001 * i, kReadings + i));
+  CHECK(said.events.size() == events);
+  CHECK(alarm.imminent());
+}
+
+TEST_CASE("the same is said whatever comes before in a stage that is not watched") {
+  Said alone, after;
+  const RecordHeader header = shear_header(AxialControl::displacement);
+  Alarm one(header, {alone.listener()}), other(header, {after.listener()});
+  LoosePath path;
+  for (int i = 1; i <= kReadings; ++i) one.watch(path.at(0.599 * i / kReadings, i));
+  for (int i = 1; i <= kReadings; ++i) {
+    State incomplete = path.at(0.3, i);
+    incomplete.q = kMissing;
+    other.watch(incomplete);
+    other.watch(path.at(0.599 * i / kReadings, i));
+  }
+  REQUIRE(alone.events.size() == after.events.size());
+  REQUIRE(alone.first(EventKind::imminent));
+  CHECK(alone.first(EventKind::imminent)->reading == after.first(EventKind::imminent)->reading);
+}
