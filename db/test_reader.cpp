@@ -213,6 +213,34 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
            });
 }
 
+std::optional<lab::LeftToOnset> read_left(Columns& c) {
+  const std::string heading = c.text();
+  for (const lab::QuantityInfo& row : lab::quantities()) {
+    if (heading.empty() || lab::heading(row.quantity) != heading) continue;
+    lab::LeftToOnset left{.quantity = row.quantity, .value = 0, .time_s = {}};
+    left.value = lab::si_value(row.quantity, c.number().value_or(0));
+    left.time_s = c.number();
+    return left;
+  }
+  return std::nullopt;
+}
+
+void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
+  for_rows(database, id,
+           "SELECT level, reading, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
+           "left_value, left_time_s FROM outlooks WHERE test_id = ?",
+           [&](Columns& c) {
+             const bool imminent = lab::warning_level_from(c.text()) == lab::WarningLevel::imminent;
+             lab::Outlook& o = (imminent ? collapse.imminent : collapse.approaching).emplace();
+             o.reading = c.integer().value_or(0);
+             o.time_s = c.number();
+             o.eta = c.number().value_or(lab::kMissing);
+             o.eta_low = c.number().value_or(lab::kMissing);
+             o.eta_high = c.number().value_or(lab::kMissing);
+             o.left = read_left(c);
+           });
+}
+
 void read_cyclic(SQLite::Database& database, std::int64_t id,
                  std::optional<lab::CyclicLoading>& cyclic) {
   for_rows(database, id,
@@ -340,6 +368,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_consolidation_and_checks(database, id, test.summary);
   test.summary.peak = read_instant(database, id, "peak");
   read_collapse(database, id, test.summary.collapse);
+  read_outlooks(database, id, test.summary.collapse);
   read_cyclic(database, id, test.summary.cyclic);
   read_truth(database, id, test.summary.truth);
   read_events(database, id, test.events);

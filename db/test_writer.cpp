@@ -194,6 +194,25 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
   }
 }
 
+void insert_outlook(SQLite::Database& database, std::int64_t id, lab::WarningLevel level,
+                    const std::optional<lab::Outlook>& outlook) {
+  if (!outlook) return;
+  Statement insert(database, "INSERT INTO outlooks VALUES (?,?,?,?,?,?,?,?,?,?)");
+  Binder row(insert);
+  row.integer(id)
+      .text(to_string(level))
+      .integer(outlook->reading)
+      .number(outlook->time_s)
+      .number(outlook->eta)
+      .number(outlook->eta_low)
+      .number(outlook->eta_high);
+  const auto& left = outlook->left;
+  row.text_or_null(left ? heading(left->quantity) : std::string())
+      .number(left ? std::optional(field_value(*left)) : std::nullopt)
+      .number(left ? left->time_s : std::nullopt)
+      .run();
+}
+
 void insert_run_aways(SQLite::Database& database, std::int64_t id,
                       const std::vector<lab::RunAwayTruth>& run_aways) {
   Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?,?)");
@@ -321,6 +340,8 @@ void insert_summary(SQLite::Database& database, std::int64_t test_id,
   insert_consolidation(database, test_id, summary.consolidation);
   insert_instant(database, test_id, "peak", summary.peak);
   insert_verdict(database, test_id, summary.collapse);
+  insert_outlook(database, test_id, lab::WarningLevel::approaching, summary.collapse.approaching);
+  insert_outlook(database, test_id, lab::WarningLevel::imminent, summary.collapse.imminent);
   insert_cyclic(database, test_id, summary.cyclic);
   insert_truth(database, test_id, summary.truth);
   insert_checks(database, test_id, summary.checks);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lab/base/names.hpp"
+#include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
 namespace {
@@ -14,7 +15,20 @@ constexpr auto kWarningLevels = std::to_array<std::pair<WarningLevel, std::strin
      {WarningLevel::imminent, "imminent"},
      {WarningLevel::lost, "lost"}});
 
+/// A plain number is its own unit.
+sim::Unit unit_of(Quantity quantity) {
+  return sim::find_unit(info(quantity).unit).value_or(sim::Unit{});
+}
+
 }  // namespace
+
+double field_value(const LeftToOnset& left) {
+  return sim::to_field(left.value, unit_of(left.quantity));
+}
+
+double si_value(Quantity quantity, double field_value) {
+  return sim::to_si(field_value, unit_of(quantity));
+}
 
 std::string_view to_string(WarningLevel level) {
   return name_of<WarningLevel>(level, kWarningLevels);

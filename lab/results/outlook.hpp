@@ -24,6 +24,10 @@ struct LeftToOnset {
   std::optional<double> time_s;  ///< at the present rate; empty without time
 };
 
+/// `left.value` in the unit of its quantity's column ("deviator_stress_kPa"), and back.
+double field_value(const LeftToOnset& left);
+double si_value(Quantity quantity, double field_value);
+
 /// A forecast, and when it was made.
 struct Outlook {
   std::int64_t reading = 0;  ///< the last that had been taken

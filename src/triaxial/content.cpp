@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "lab/measured/instant.hpp"
+#include "lab/warning/warning_words.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/cyclic_fact.hpp"
 #include "src/triaxial/run_away_fact.hpp"
@@ -248,6 +249,20 @@ std::string noticed_line(const db::StoredTest& test) {
                             : fmt::format("; {} readings after the onset", after));
 }
 
+/// What the alarm said first and did not take back.
+std::vector<std::string> warning_lines(const lab::Collapse& collapse) {
+  std::vector<std::string> lines;
+  const auto add = [&](const char* level, const std::optional<lab::Outlook>& outlook) {
+    if (!outlook) return;
+    std::string line = fmt::format("{} at reading {}", level, outlook->reading);
+    if (outlook->time_s) line += ", " + duration(outlook->time_s);
+    lines.push_back(line + ": " + lab::describe(*outlook));
+  };
+  add("approaching", collapse.approaching);
+  add("imminent", collapse.imminent);
+  return lines;
+}
+
 /// The onset lies between readings, its values are fitted: the reading's own stand below.
 std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Instant& onset) {
   std::vector<std::string> lines = {instant(onset)};
@@ -264,6 +279,7 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   if (!study::has_verdict(test)) return;
   if (const auto onset = study::collapse_onset(test))
     facts.push_back({"Onset", onset_lines(test, *onset)});
+  if (const auto lines = warning_lines(collapse); !lines.empty()) facts.push_back({"Alarm", lines});
   if (collapse.detected()) facts.push_back({"Noticed", {noticed_line(test)}});
   if (const auto failure = study::failure_onset(test))
     facts.push_back({"Failure", onset_lines(test, *failure)});

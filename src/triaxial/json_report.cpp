@@ -184,6 +184,18 @@ Json reading_itself_json(const db::StoredTest& test) {
   return object;
 }
 
+Json outlook_json(const std::optional<lab::Outlook>& outlook) {
+  if (!outlook) return nullptr;
+  Json left = nullptr;
+  if (outlook->left)
+    left = {{"quantity", lab::heading(outlook->left->quantity)},
+            {"value", lab::field_value(*outlook->left)},
+            {"time_s", study::json_number(outlook->left->time_s)}};
+  return {{"reading", outlook->reading},   {"time_s", study::json_number(outlook->time_s)},
+          {"eta_forecast", outlook->eta},  {"eta_low", outlook->eta_low},
+          {"eta_high", outlook->eta_high}, {"left", std::move(left)}};
+}
+
 Json collapse_json(const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   const bool known = study::has_verdict(test);
@@ -195,6 +207,8 @@ Json collapse_json(const db::StoredTest& test) {
   put_instant(object, collapse.onset);
   put_interval(object, collapse.onset);
   object["noticed"] = moment_json(collapse.noticed);
+  object["warning"] = {{"approaching", outlook_json(collapse.approaching)},
+                       {"imminent", outlook_json(collapse.imminent)}};
   object["reading_itself"] = reading_itself_json(test);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);
