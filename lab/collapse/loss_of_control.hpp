@@ -44,6 +44,8 @@ class LossOfControl : public CollapseCriterion {
   const std::optional<Finding>& found() const { return finding_; }
   /// The finding, where control was lost for all that is known.
   std::optional<Finding> lost() const;
+  /// Number of the last reading that was looked at.
+  std::int64_t last_reading() const { return before_.reading; }
   /// |q| at the last reading of its stage that was seen, Pa; NaN before there is any.
   double q_after() const { return after_.last; }
   /// Whether the finding is a fall, 1 % of axial strain or more from one reading to the next, of a

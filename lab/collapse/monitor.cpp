@@ -120,7 +120,9 @@ void CollapseMonitor::watch(const State& state) {
 }
 
 void CollapseMonitor::watch_axis(const State& state) {
-  if (!impl_->stage || *impl_->stage != state.stage) impl_->start_stage(state);
+  constexpr std::int64_t kLongestGap = 6;  // readings across which a burst can be told
+  const bool after_gap = state.reading > impl_->control.last_reading() + kLongestGap;
+  if (!impl_->stage || *impl_->stage != state.stage || after_gap) impl_->start_stage(state);
   if (is_watched(impl_->header.stage(state.stage)))
     impl_->control.add_axis(state, impl_->header.has_time);
 }

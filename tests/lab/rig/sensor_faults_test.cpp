@@ -96,6 +96,15 @@ TEST_CASE("sound sensors, real or perfect: nothing is found and everything is ju
   }
 }
 
+namespace {
+
+/// What the axis did is known without it: a specimen that ran away is told, where it ran away.
+bool leaves_the_axis(Quantity q) {
+  return q == Quantity::pore_pressure || q == Quantity::back_volume;
+}
+
+}  // namespace
+
 TEST_CASE("a sensor that dies for good ends the verdict there, and a collapse before it stands") {
   for (const char* name : kTests) {
     const DrawnTest& test = drawn(name);
@@ -123,6 +132,11 @@ TEST_CASE("a sensor that dies for good ends the verdict there, and a collapse be
           const std::int64_t early = q == Quantity::back_volume ? 100 : 3;
           if (v.judged_until) CHECK(*v.judged_until <= at + 3);
           if (v.judged_until) CHECK(*v.judged_until >= at - early);
+          if (v.detected() && leaves_the_axis(q) && v.onset->reading > at) {
+            CHECK(whole.collapse.detected());
+            CHECK(v.onset->reading >= onset - 12);
+            continue;
+          }
           if (at < onset) CHECK_FALSE(v.detected());
           if (v.detected()) CHECK(std::abs(v.onset->reading - onset) <= 12);
           if (at > onset + 500) CHECK(v.kind == whole.collapse.kind);
@@ -152,7 +166,8 @@ TEST_CASE(
                     << onset << ": " << to_string(v.kind) << " at "
                     << (v.onset ? v.onset->reading : -1) << ' ' << v.judged_until_reason);
           CHECK(speaks_of(s, q));
-          if (v.onset) CHECK((v.onset->reading < at || v.onset->reading >= c.until));
+          if (v.onset && !leaves_the_axis(q))
+            CHECK((v.onset->reading < at || v.onset->reading >= c.until));
           if (!whole.collapse.detected()) CHECK_FALSE(v.detected());
           // A spike costs a few readings, no verdict.
           if (c.until - at > 3) continue;
