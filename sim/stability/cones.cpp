@@ -173,7 +173,7 @@ Circle probe_circle(const Prober& prober, const CircleOptions& options) {
   refinement.find_minima();
   refinement.find_edges();
   circle.cones = cones_of(refinement.probes());
-  // Opposite directions of a linear answer are alike: the first of them, whatever round-off says.
+  // Four directions of an isotropic elastic answer are alike: the first, whatever round-off says.
   constexpr double kAlike = 1e-12;
   bool any = false;
   for (const Probe& p : refinement.probes())
