@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bench_warning: what is said of an onset before it comes, over thousands of simulated tests, in
-// memory.
+// bench_warning: what is said of an onset before it comes, over simulated tests, in memory.
 //
-//   warned        `imminent` stood before the fall (load, dead load, spring, held q), or ten
-//   readings after the
-//                 onset (displacement)
-//   lead          time from `imminent` to the fall; its median, and the share of tests in which it
-//   is a tenth of
-//                 the stage or 60 s, whichever is shorter
-//   |error|       of η forecast with that share of the stage's time left; "0.02": share of tests
-//   within 0.02 covers        share of tests whose 90 % interval holds the true η controls tests
-//   that stay stable: `imminent` ever; `approaching` at the end; points under a level
-// Ends with status 1 if a bound is broken.
+//   warned    `imminent` stood before the fall (load, dead load, spring, held q), or within ten
+//             readings after the onset (displacement)
+//   lead      time from `imminent` to the fall: its median
+//   in time   share of tests in which it is a tenth of the stage or 60 s, whichever is shorter
+//   |error|   of η forecast with that share of the stage's time left: median, share within 0.02
+//   covers    share of tests whose 90 % interval holds the true η
+//   controls  tests that stay stable: `imminent` ever, `approaching` at the end, points of
+//             second-order work under a level
+// No bound is asked yet.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
