@@ -226,10 +226,6 @@ std::string membrane_line(const db::StoredTest& test) {
                      in_mm(specimen.membrane_thickness_m), in_kPa(specimen.membrane_modulus_pa, 0));
 }
 
-std::string ratio_range(const lab::Interval& eta) {
-  return fmt::format("{}–{}", number(eta.low, 2), number(eta.high, 2));
-}
-
 std::string interval_line(const lab::StressInterval& at) {
   const auto kPa = [](const lab::Interval& of) {
     return fmt::format("{} to {} kPa", in_kPa(of.low), in_kPa(of.high));
@@ -352,20 +348,18 @@ Table summary_table(const std::vector<study::TestResult>& tests) {
                {"e₀", Align::right},
                {"φ_mob (°)", Align::right},
                {"η_coll", Align::right},
-               {"95 %", Align::right},
                {"Collapse"},
                {"Limit surface"},
                {"Criteria"}},
               {}};
   for (const auto& [test, curves] : tests) {
     const auto onset = study::collapse_onset(test);
-    table.rows.push_back(
-        {or_unknown(test.header.programme), test.header.name, origin_word(test),
-         in_kPa(test.summary.consolidation.p_eff_pa, 0), number(study::void_ratio(test), 3),
-         in_degrees(onset ? onset->phi_mob_rad() : std::nullopt),
-         number(onset ? onset->eta() : std::nullopt, 2),
-         onset && onset->interval ? ratio_range(onset->interval->eta) : kUnknown, kind_word(test),
-         inside_limit_surface(test.summary.collapse), agreement(test)});
+    table.rows.push_back({or_unknown(test.header.programme), test.header.name, origin_word(test),
+                          in_kPa(test.summary.consolidation.p_eff_pa, 0),
+                          number(study::void_ratio(test), 3),
+                          in_degrees(onset ? onset->phi_mob_rad() : std::nullopt),
+                          number(onset ? onset->eta() : std::nullopt, 2), kind_word(test),
+                          inside_limit_surface(test.summary.collapse), agreement(test)});
   }
   return table;
 }
@@ -388,8 +382,7 @@ std::string summary_banner(const std::vector<study::TestResult>& tests) {
 std::vector<std::string> summary_notes() {
   return {
       "p′₀, e₀: mean effective stress and void ratio at the start of shear",
-      "η_coll = q/p′ at the onset of collapse, with its 95 % interval; φ_mob from sin φ_mob = "
-      "3η/(6 + η)",
+      "η_coll = q/p′ at the onset of collapse; φ_mob from sin φ_mob = 3η/(6 + η)",
       "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it",
       "Criteria: how many of the criteria applied agree that the specimen collapsed",
   };

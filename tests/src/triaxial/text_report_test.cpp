@@ -63,11 +63,10 @@ TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known
   CHECK(holds(text_report({test}), "Noticed not before the record ended"));
   auto& collapse = test.stored.summary.collapse;
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
-  collapse.noticed = lab::Moment{330, 33.0};
-  collapse.criteria[0].noticed = lab::Moment{340, std::nullopt};
+  collapse.noticed = triax::lab::Moment{330, 33.0};
+  collapse.criteria[0].noticed = triax::lab::Moment{340, std::nullopt};
   const std::string text = text_report({test});
   CHECK(holds(text, "with 95 %: η 0.570 to 0.620, q 58.0 to 61.0 kPa, p′ 96.0 to 104.0 kPa"));
   CHECK(holds(text, "Noticed at reading 330, 33.0 s; 30 readings after the onset"));
   CHECK(holds(text, "340"));
-  CHECK(holds(text, "0.57–0.62"));
 }
