@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lab/base/bad_input.hpp"
+#include "sim/materials/umat_worker.hpp"
 #include "src/cli/application.hpp"
 #include "src/cli/candidates.hpp"
 #include "src/cli/manual.hpp"
@@ -85,6 +86,11 @@ int run(int argc, char** argv) {
     return complain(src::missing_command(*application.app), kBadInput);
   }
   (*application.run)();
+  if (const sim::UmatEnds ends = sim::umat_ends(); ends.calls > 0)
+    throw lab::WorkFailed(fmt::format(
+        "{} ({} {} of a plug-in ended in disorder; what rests on {} is missing from the results)",
+        ends.first, ends.calls, ends.calls == 1 ? "call" : "calls",
+        ends.calls == 1 ? "it" : "them"));
   return kDone;
 }
 

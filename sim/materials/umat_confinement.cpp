@@ -4,9 +4,12 @@
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
+#include <linux/landlock.h>
 #include <linux/seccomp.h>
+#include <linux/sockios.h>
 #include <poll.h>
 #include <sched.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -18,6 +21,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace triax::sim {
@@ -74,11 +79,10 @@ constexpr std::uint32_t kRefused[] = {
     SYS_process_vm_readv,
     SYS_process_vm_writev,
     SYS_pidfd_open,
-    SYS_pidfd_send_signal};
+    SYS_pidfd_getfd,
+    SYS_pidfd_send_signal,
+    SYS_io_uring_setup};  // what it carries out passes no filter
 
-/// That could let go of the lifeline, a descriptor, their first argument; close_range is not
-/// needed.
-constexpr std::uint32_t kOfDescriptors[] = {SYS_close, SYS_fcntl, SYS_ioctl};
 /// That would put another file in its place, their second argument.
 constexpr std::uint32_t kOntoDescriptors[] = {
 #if defined(__x86_64__)
@@ -102,12 +106,17 @@ std::vector<sock_filter> allowed_calls(int lifeline) {
   constexpr std::size_t kNumber = offsetof(seccomp_data, nr), kArch = offsetof(seccomp_data, arch);
   constexpr std::size_t kFirst = offsetof(seccomp_data, args),  // its lower half
       kSecond = kFirst + sizeof(std::uint64_t);
-  const auto refuse_for = [&](std::uint32_t call, std::size_t argument, int value) {
-    only_if(BPF_JEQ, call, 4);
-    load(argument);
-    only_if(BPF_JEQ, static_cast<std::uint32_t>(value), 1);
-    answer(kNotPermitted);
-    answer(kAllow);
+  /// `found` where one of the arguments has its value, else `otherwise`.
+  using Argument = std::pair<std::size_t, std::uint32_t>;
+  const auto judge = [&](std::uint32_t call, std::initializer_list<Argument> arguments,
+                         std::uint32_t found, std::uint32_t otherwise) {
+    only_if(BPF_JEQ, call, static_cast<unsigned char>(3 * arguments.size() + 1));
+    for (const auto& [at, value] : arguments) {
+      load(at);
+      only_if(BPF_JEQ, value, 1);
+      answer(found);
+    }
+    answer(otherwise);
   };
   load(kArch);
   f.push_back(BPF_JUMP(BPF_JMP | BPF_K | BPF_JEQ, kArchitecture, 1, 0));
@@ -128,20 +137,59 @@ std::vector<sock_filter> allowed_calls(int lifeline) {
   only_if(BPF_JSET, CLONE_THREAD, 1);
   answer(kAllow);
   answer(kNotPermitted);
-  for (const std::uint32_t call : kSignals) {
-    only_if(BPF_JEQ, call, 4);
-    load(kFirst);
-    only_if(BPF_JEQ, static_cast<std::uint32_t>(getpid()), 1);
-    answer(kAllow);
-    answer(kNotPermitted);
-  }
-  for (const std::uint32_t call : kOfDescriptors) refuse_for(call, kFirst, lifeline);
-  for (const std::uint32_t call : kOntoDescriptors) refuse_for(call, kSecond, lifeline);
+  const auto self = static_cast<std::uint32_t>(getpid());
+  const auto held = static_cast<std::uint32_t>(lifeline);
+  for (const std::uint32_t call : kSignals) judge(call, {{kFirst, self}}, kAllow, kNotPermitted);
+  judge(SYS_prlimit64, {{kFirst, 0}, {kFirst, self}}, kAllow, kNotPermitted);
+  judge(SYS_close, {{kFirst, held}}, kNotPermitted, kAllow);
+  // Whom the kernel sends a signal when a file can be read, and which; the terminal of triax.
+  judge(SYS_fcntl,
+        {{kFirst, held}, {kSecond, F_SETOWN}, {kSecond, F_SETOWN_EX}, {kSecond, F_SETSIG}},
+        kNotPermitted, kAllow);
+  judge(SYS_ioctl,
+        {{kFirst, held},
+         {kSecond, FIOSETOWN},
+         {kSecond, SIOCSPGRP},
+         {kSecond, TIOCSPGRP},
+         {kSecond, TIOCSTI}},
+        kNotPermitted, kAllow);
+  for (const std::uint32_t call : kOntoDescriptors)
+    judge(call, {{kSecond, held}}, kNotPermitted, kAllow);
   answer(kAllow);
   return f;
 }
 
+/// What Landlock is asked for: what it would otherwise refuse, everywhere. Left is what comes with
+/// any of its domains: the files of other processes in /proc (mem, maps, fd, ...) stay closed.
+constexpr landlock_ruleset_attr kNothingRefused{LANDLOCK_ACCESS_FS_REFER};
+
+/// A descriptor; negative where the kernel has no Landlock of version 2 (Linux 5.19).
+int ruleset_of_landlock() {
+  return static_cast<int>(
+      syscall(SYS_landlock_create_ruleset, &kNothingRefused, sizeof kNothingRefused, 0));
+}
+
+void see_no_other_process() {
+  const int ruleset = ruleset_of_landlock();
+  if (ruleset < 0) return;
+  landlock_path_beneath_attr everywhere{};
+  everywhere.allowed_access = kNothingRefused.handled_access_fs;
+  everywhere.parent_fd = open("/", O_PATH | O_CLOEXEC);
+  syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &everywhere, 0);
+  syscall(SYS_landlock_restrict_self, ruleset, 0);
+  close(everywhere.parent_fd);
+  close(ruleset);
+}
+
 }  // namespace
+
+void hide_from_umats() {
+  const int ruleset = ruleset_of_landlock();
+  if (ruleset < 0)
+    prctl(PR_SET_DUMPABLE, 0);
+  else
+    close(ruleset);
+}
 
 void confine_umat(int lifeline, std::size_t memory_bytes) {
   setpgid(0, 0);
@@ -150,11 +198,12 @@ void confine_umat(int lifeline, std::size_t memory_bytes) {
   limit(RLIMIT_FSIZE, kMostOutput);
   limit(RLIMIT_AS, address_space_bytes() + memory_bytes);
   prctl(PR_SET_DUMPABLE, 0);
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return;
+  see_no_other_process();
   if (kArchitecture == 0) return;
   auto filter = allowed_calls(lifeline);
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
-  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0)
-    syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program);
+  syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program);
 }
 
 }  // namespace triax::sim

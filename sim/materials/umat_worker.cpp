@@ -15,6 +15,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "sim/materials/umat_confinement.hpp"
 #include "sim/materials/umat_process.hpp"
 
 namespace triax::sim {
@@ -29,6 +30,14 @@ constexpr off_t kMostKept = 1 << 20;
 constexpr unsigned kLookAtOutput = 1024;
 constexpr std::size_t kLastWords = 300;
 constexpr int kMostLate = 3;
+
+std::mutex ends_lock;
+UmatEnds all_ends;
+
+void note_end(const std::string& words) {
+  const std::lock_guard lock(ends_lock);
+  if (all_ends.calls++ == 0) all_ends.first = words;
+}
 
 std::string system_error(const char* what) {
   return std::string("the process for the plug-in cannot be made (") + what + ": " +
@@ -53,6 +62,11 @@ std::string one_line(std::string text) {
 }
 
 }  // namespace
+
+UmatEnds umat_ends() {
+  const std::lock_guard lock(ends_lock);
+  return all_ends;
+}
 
 UmatWorker::UmatWorker(UmatPlugin plugin) : plugin_(std::move(plugin)) {
   void* shared = mmap(nullptr, sizeof(UmatExchange), PROT_READ | PROT_WRITE,
@@ -79,6 +93,7 @@ std::string UmatWorker::start() {
   output_ = memfd_create("umat output", MFD_CLOEXEC);
   if (output_ < 0) return system_error("memfd_create");
   fcntl(output_, F_SETFL, O_APPEND);
+  hide_from_umats();
   std::array<int, 2> pipe{-1, -1};
   const pid_t made = pipe2(pipe.data(), O_CLOEXEC) == 0 ? fork() : -1;
   if (made == 0) run_umat(plugin_, *exchange_, output_, pipe[0]);
@@ -141,6 +156,7 @@ std::string UmatWorker::ended(Answer answer) {
   }
   if (const std::string words = last_words(); !words.empty()) text += "; it printed: " + words;
   close_files();
+  note_end(text);
   return text;
 }
 

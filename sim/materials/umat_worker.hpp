@@ -56,4 +56,14 @@ class UmatWorker {
   int late_ = 0;  ///< calls that did not end in time
 };
 
+/// Calls of plug-ins that did not come back in order since the program began, of all workers: a
+/// crash, STOP, XIT, an index out of range, no end in time. Who asks a law in many directions or
+/// runs a test goes on without their answers, so that somebody has to tell of them in the end.
+struct UmatEnds {
+  long calls = 0;
+  std::string first;  ///< what happened to the first of them
+};
+/// From any thread.
+UmatEnds umat_ends();
+
 }  // namespace triax::sim

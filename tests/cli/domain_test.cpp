@@ -310,6 +310,30 @@ TEST_CASE("a UMAT that misbehaves everywhere is status 1 with its words, and not
   }
 }
 
+TEST_CASE("a UMAT that crashes at some states of a domain, or in a test, is told with status 1") {
+  const Workplace here;
+  write(here / "cone.toml", cone(TRIAX_UMAT_FIXTURE, 48));
+  const Outcome domain = here.triax(
+      "domain --materials cone.toml --material umat/cone --void-ratio 0.8 --p-kPa 80:120/3 "
+      "--q-kPa 0:60/3 --directions 72 --jobs 1");
+  INFO(domain.err);
+  CHECK(domain.status == 1);
+  CHECK(domain.out.find("stable") != std::string::npos);
+  CHECK(domain.err.find("SIGSEGV") != std::string::npos);
+
+  std::string programme = content(source("samples/programmes/icu_6.toml"));
+  const std::string material = "material = \"inl2/S28-general\"";
+  programme.replace(programme.find(material), material.size(),
+                    "material = \"umat/cone\"\nmaterial_file = \"cone.toml\"");
+  write(here / "icu.toml", programme);
+  const Outcome sweep = here.triax("simulate icu.toml --sweep seed=1,2");
+  INFO(sweep.err);
+  CHECK(sweep.status == 1);
+  CHECK(sweep.out.find("2 tests") != std::string::npos);
+  CHECK(sweep.err.find("SIGSEGV") != std::string::npos);
+  CHECK(sweep.err.find("calls of a plug-in ended in disorder") != std::string::npos);
+}
+
 TEST_CASE("pieces of UMAT libraries that differ do not merge") {
   const Workplace here;
   write(here / "cone.toml", cone("own.so"));

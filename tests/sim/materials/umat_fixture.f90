@@ -24,6 +24,7 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   double precision, parameter :: delta(6) = [1d0, 1d0, 1d0, 0d0, 0d0, 0d0]
   integer :: i, misbehaviour
   logical, save :: was_slow = .false.
+  integer, save :: times = 0
   interface
     integer(c_int) function rest(microseconds) bind(c, name='usleep')
       import :: c_int
@@ -48,6 +49,21 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
       import :: c_int
       integer(c_int), value :: process, number
     end function tell
+    integer(c_int) function of_file(file, request, with) bind(c, name='fcntl')
+      import :: c_int
+      integer(c_int), value :: file, request, with
+    end function of_file
+    integer(c_int) function of_device(file, request, with) bind(c, name='ioctl')
+      import :: c_int, c_long
+      integer(c_int), value :: file
+      integer(c_long), value :: request
+      integer(c_int) :: with
+    end function of_device
+    integer(c_int) function limits_of(process, which, new, old) bind(c, name='prlimit')
+      import :: c_int, c_ptr
+      integer(c_int), value :: process, which
+      type(c_ptr), value :: new, old
+    end function limits_of
     integer(c_int) function new_process() bind(c, name='fork')
       import :: c_int
     end function new_process
@@ -141,6 +157,12 @@ subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpl
   if (misbehaviour == 22) statev(2) = tell(parent(), 0)
   if (misbehaviour == 23) statev(2) = new_process()
   if (misbehaviour == 24) statev(2) = new_session()
+  if (misbehaviour == 42) statev(2) = of_file(0, 8, parent()) ! F_SETOWN
+  if (misbehaviour == 43) statev(2) = of_file(0, 10, 9) ! F_SETSIG, SIGKILL
+  if (misbehaviour == 44) statev(2) = of_device(1, int(z'8901', c_long), parent()) ! FIOSETOWN
+  if (misbehaviour == 45) statev(2) = limits_of(parent(), 0, c_null_ptr, c_null_ptr)
+  if (misbehaviour == 46) statev(2) = looks_into('mem')
+  if (misbehaviour == 47) statev(2) = looks_into('maps')
   if (misbehaviour == 25) statev(2) = room_for(256)
 
 contains
@@ -161,6 +183,12 @@ contains
     case (1)
       call c_f_pointer(c_null_ptr, nowhere)
       nowhere = 1
+    case (48)
+      times = times + 1
+      if (times > 400) then
+        call c_f_pointer(c_null_ptr, nowhere)
+        nowhere = 1
+      end if
     case (2)
       stop 'the cone is upside down'
     case (3)
@@ -223,6 +251,20 @@ contains
     more = times
     call take_all(times + 1)
   end subroutine take_all
+
+  !> -1 if the file of triax in /proc cannot be opened and read, else 0.
+  integer function looks_into(what)
+    character(len=*), intent(in) :: what
+    character(len=40) :: path
+    character :: byte
+    integer :: number, status
+    write (path, '(a,i0,2a)') '/proc/', parent(), '/', what
+    open (newunit=number, file=path, access='stream', action='read', iostat=status)
+    looks_into = merge(0, -1, status == 0)
+    if (status /= 0 .or. what == 'mem') return
+    read (number, iostat=status) byte
+    looks_into = merge(0, -1, status == 0)
+  end function looks_into
 
   !> 1 if so many megabytes can be had, else 0.
   integer function room_for(megabytes)

@@ -61,7 +61,14 @@ enum class Misbehaviour {
   jumps = 38,           ///< longjmp to nowhere
   aborts = 39,
   takes_all_memory = 40,
-  opens_files = 41  ///< until there are no more
+  opens_files = 41,          ///< until there are no more
+  owns_file_for_triax = 42,  ///< the answers of fcntl(F_SETOWN), of fcntl(F_SETSIG), ...
+  signal_of_file = 43,
+  owns_device_for_triax = 44,
+  limits_triax = 45,
+  opens_memory_of_triax = 46,  ///< -1 where refused
+  reads_maps_of_triax = 47,
+  crashes_late = 48  ///< after 400 calls with strain, in each process
 };
 
 // kPa

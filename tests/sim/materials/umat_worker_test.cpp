@@ -2,6 +2,7 @@
 #include "sim/materials/umat_worker.hpp"
 
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,6 +83,19 @@ TEST_CASE("a call leaves in the arguments what the plug-in wrote, and nothing if
   CHECK(untouched.stress[2] == -3);
 }
 
+TEST_CASE("calls that do not come back in order are counted, with what happened to the first") {
+  if (!umat_fixture_is_there()) return;
+  UmatWorker crashes(cone(Misbehaviour::null_pointer)), gives_up(cone(Misbehaviour::xit));
+  UmatCall call = a_strain(), sound;
+  const long before = umat_ends().calls;
+  CHECK(crashes.call(sound) == "");
+  CHECK(umat_ends().calls == before);
+  CHECK(crashes.call(call) != "");
+  CHECK(gives_up.call(call) != "");
+  CHECK(umat_ends().calls == before + 2);
+  CHECK_FALSE(umat_ends().first.empty());
+}
+
 TEST_CASE("several threads may use one plug-in") {
   if (!umat_fixture_is_there()) return;
   UmatWorker worker(cone());
@@ -130,6 +144,21 @@ TEST_CASE("a plug-in can neither signal triax nor make other processes nor leave
   CHECK(second_state_variable(Misbehaviour::signals_triax) == -1);
   CHECK(second_state_variable(Misbehaviour::forks) == -1);
   CHECK(second_state_variable(Misbehaviour::own_session) == -1);
+}
+
+TEST_CASE(
+    "a plug-in can neither have the kernel signal triax, nor set its limits, nor see into it") {
+  if (!umat_fixture_is_there()) return;
+  CHECK(second_state_variable(Misbehaviour::owns_file_for_triax) == -1);
+  CHECK(second_state_variable(Misbehaviour::signal_of_file) == -1);
+  CHECK(second_state_variable(Misbehaviour::owns_device_for_triax) == -1);
+  CHECK(second_state_variable(Misbehaviour::limits_triax) == -1);
+  if (geteuid() == 0 && syscall(SYS_landlock_create_ruleset, nullptr, 0, 1) < 2) {
+    WARN("skipped: this kernel has no Landlock, and root may look into every process");
+    return;
+  }
+  CHECK(second_state_variable(Misbehaviour::opens_memory_of_triax) == -1);
+  CHECK(second_state_variable(Misbehaviour::reads_maps_of_triax) == -1);
 }
 
 // The allocator of the address sanitizer ends a process whose request is refused.
