@@ -25,13 +25,23 @@ namespace fs = std::filesystem;
 /// What SQLite keeps beside a database that belongs to its content.
 constexpr std::array<const char*, 2> kBeside = {"-wal", "-journal"};
 
+constexpr const char* kElsewhere = "; TMPDIR names another folder for temporary files";
+
 class PrivateFolder {
  public:
-  PrivateFolder() {
-    std::string pattern = (fs::temp_directory_path() / "triax-reading-XXXXXX").string();
+  /// `path` is of the database that is to be copied.
+  explicit PrivateFolder(const std::string& path) {
+    const char* const named = std::getenv("TMPDIR");
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error)
+      throw lab::WorkFailed(path + ": is read by way of a copy, for which there is no folder: " +
+                            (named != nullptr ? "TMPDIR is " + std::string(named) : "/tmp") + ": " +
+                            error.message() + kElsewhere);
+    std::string pattern = (folder / "triax-reading-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw lab::WorkFailed(pattern + ": cannot be made: " + std::strerror(errno) +
-                            "; TMPDIR names another folder for temporary files");
+      throw lab::WorkFailed(path + ": is read by way of a copy, and " + pattern +
+                            " cannot be made: " + std::strerror(errno) + kElsewhere);
     path_ = pattern;
   }
   ~PrivateFolder() {
@@ -59,13 +69,20 @@ struct Unchanged {
   std::array<char, 32> wal_header{};
 };
 
+[[noreturn]] void no_room(const std::string& path, const std::string& copy,
+                          const std::string& why) {
+  throw lab::WorkFailed(path + ": is read by way of a copy, and " + copy +
+                        " has no room for it: " + why + kElsewhere);
+}
+
+/// The copy may be written where the database may not.
 void copy(const std::string& from, const std::string& to, const std::string& path) {
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  if (!error) return;
-  if (error == std::errc::no_space_on_device)
-    throw lab::WorkFailed(path + ": is read by way of a copy, and " + to + " has no room for it: " +
-                          error.message() + "; TMPDIR names another folder for temporary files");
+  if (!error) return fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write);
+  if (error == std::errc::no_space_on_device || error == std::errc::file_too_large ||
+      error.value() == EDQUOT)
+    no_room(path, to, error.message());
   throw lab::BadInput(path, 0,
                       "cannot be read whole: " + from + ": " + error.message() +
                           "; part of the tests is in that file: make it readable, or open the "
@@ -81,12 +98,15 @@ void copy_files(const std::string& file, const std::string& to, const std::strin
 }
 
 /// The folder and its file lose their names: they are gone when the connection is.
-SQLite::Database opened_and_migrated(const PrivateFolder& folder, const std::string& path) {
+SQLite::Database opened_and_migrated(const PrivateFolder& folder, const std::string& path) try {
   SQLite::Database copy(folder.database(), SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX);
   copy.exec("PRAGMA journal_mode = MEMORY; PRAGMA temp_store = MEMORY; PRAGMA synchronous = OFF");
   check_filled(copy, path);
   migrate(copy, path);
   return copy;
+} catch (const SQLite::Exception& error) {
+  if (error.getErrorCode() != SQLITE_FULL && error.getErrorCode() != SQLITE_IOERR) throw;
+  no_room(path, folder.database(), error.what());
 }
 
 }  // namespace
@@ -102,12 +122,13 @@ bool waits_beside(const std::string& path) {
 }
 
 SQLite::Database migrated_copy(SQLite::Database& source, const std::string& path) {
-  const PrivateFolder folder;
+  const PrivateFolder folder(path);
   try {
     SQLite::Database copy(folder.database(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Backup(copy, source).executeStep();
   } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() != SQLITE_FULL) throw;
+    const int code = error.getErrorCode();
+    if (code != SQLITE_FULL && (code != SQLITE_IOERR || source.getErrorCode() == code)) throw;
     throw lab::WorkFailed(path + ": is of an older triax and read by way of a copy, for which " +
                           folder.database() +
                           " has no room; TMPDIR names another folder for temporary files, and "
@@ -117,7 +138,7 @@ SQLite::Database migrated_copy(SQLite::Database& source, const std::string& path
 }
 
 SQLite::Database migrated_copy_of_files(const std::string& path) {
-  const PrivateFolder folder;
+  const PrivateFolder folder(path);
   const std::string file = lab::behind_links(path);  // beside it SQLite keeps its others
   constexpr int kTries = 5;
   for (int i = 0; i < kTries; ++i) {

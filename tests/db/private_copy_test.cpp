@@ -3,10 +3,12 @@
 #include "db/private_copy.hpp"
 
 #include <SQLiteCpp/Database.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <functional>
 
 #include "db/connection.hpp"
@@ -99,6 +101,34 @@ TEST_CASE("what a killed program left in a -wal is read where nothing can be wri
           return fs::is_empty(own) ? 0 : 1;
         }) == 0);
   CHECK_FALSE(fs::exists(here.path() + "-shm"));
+  for (const char* ending : {"", "-wal"}) fs::permissions(here.path() + ending, fs::perms(0444));
+  CHECK(as_nobody([&] { return readings_in(here.path()); }) == 200);
+}
+
+TEST_CASE("a copy that cannot be made says where it was to be, why not, and the remedy") {
+  const ReadOnlyShare here;
+  const auto said = [&](const std::string& word, bool limited) {
+    return as_nobody([&] {
+      if (limited) {
+        const rlimit little{4096, 4096};
+        setrlimit(RLIMIT_FSIZE, &little);
+        std::signal(SIGXFSZ, SIG_IGN);
+      } else {
+        setenv("TMPDIR", "/no/such/folder", 1);
+      }
+      try {
+        return readings_in(here.path());
+      } catch (const lab::WorkFailed& error) {
+        const std::string words = error.what();
+        const bool all = words.find("is read by way of a copy") != std::string::npos &&
+                         words.find("TMPDIR") != std::string::npos &&
+                         words.find(word) != std::string::npos;
+        return all ? 1 : 2;
+      }
+    });
+  };
+  CHECK(said("/no/such/folder", false) == 1);
+  CHECK(said("File too large", true) == 1);
 }
 
 TEST_CASE(
