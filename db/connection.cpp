@@ -131,18 +131,27 @@ SQLite::Database immutable(const std::string& path) {
           SQLite::OPEN_READONLY | SQLite::OPEN_URI};
 }
 
-/// Whether a file of the database can hardly grow any more by the hard limit of this process: no
-/// disk that is freed changes that.
-bool is_at_size_limit(const std::string& path) {
+/// Whether a file of the database can hardly grow any more by such a limit on the size of files.
+bool is_at_size_limit(const std::string& path, rlim_t limit) {
   constexpr std::uintmax_t kNear = 1U << 16U;  // of the index beside a -wal, and a few pages
-  rlimit limit{};
-  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return false;
+  if (limit == RLIM_INFINITY) return false;
   for (const char* beside : {"", "-wal", "-shm"}) {
     std::error_code none;
     const auto size = fs::file_size(path + beside, none);
-    if ((none ? 0 : size) + kNear > limit.rlim_max) return true;
+    if ((none ? 0 : size) + kNear > limit) return true;
   }
   return false;
+}
+
+/// No disk that is freed lifts a hard limit; a soft one somebody may.
+[[noreturn]] void throw_for_room(const std::string& path, const std::string& words) {
+  rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  if (!is_at_size_limit(path, limit.rlim_cur)) throw MayPass(words);
+  const std::string limited = words + "; the size of a file is limited here to " +
+                              std::to_string(limit.rlim_cur / 1024) + " kB (ulimit -f)";
+  if (is_at_size_limit(path, limit.rlim_max)) throw lab::WorkFailed(limited);
+  throw MayPass(limited);
 }
 
 }  // namespace
@@ -177,7 +186,11 @@ SQLite::Database open_for_writing(const std::string& path, std::chrono::millisec
     SQLite::Database database(path,
                               SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX,
                               static_cast<int>(patience.count()));
-    prepare_for_writing(database, path, patience);
+    try {
+      prepare_for_writing(database, path, patience);
+    } catch (const SQLite::Exception& error) {
+      throw_for(error, path);  // while the files beside it are there: they tell what was in the way
+    }
     return database;
   } catch (const SQLite::Exception& error) {
     throw_for(error, path);
@@ -232,10 +245,7 @@ void throw_for(const SQLite::Exception& error, const std::string& path) {
       throw lab::BadInput(path, 0, "cannot be written; check the permissions of file and folder");
     case SQLITE_FULL:
     case SQLITE_IOERR:
-      if (is_at_size_limit(path))
-        throw lab::WorkFailed(path + ": " + error.what() +
-                              "; the size of a file is limited here (ulimit -f)");
-      [[fallthrough]];
+      throw_for_room(path, path + ": " + error.what());
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_PROTOCOL:

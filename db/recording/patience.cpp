@@ -10,7 +10,7 @@ bool Waiting::failed(const MayPass& why) {
     since_ = Clock::now();
     say(std::string(why.what()) + "; what is to be stored waits until the database takes it");
   }
-  return Clock::now() - from_ > patience_.most;
+  return Clock::now() - from_ > patience_.most || (patience_.stop && patience_.stop());
 }
 
 void Waiting::pause() const { std::this_thread::sleep_for(patience_.again); }

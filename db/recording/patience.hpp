@@ -17,6 +17,7 @@ struct Patience {
   std::chrono::seconds most{7200};                  ///< at the end of the work, which then fails
   std::int64_t most_bytes = std::int64_t{2} << 30;  ///< of a file that readings wait in
   std::function<void(const std::string&)> say;      ///< a sentence for the user; from any thread
+  std::function<bool()> stop{};  ///< whether the user wants no more of it; from any thread
 };
 
 /// One time of waiting after the other. Does not outlive its Patience.
@@ -29,7 +30,8 @@ class Waiting {
 
   /// Whether the last try failed.
   bool under_way() const { return since_ != Clock::time_point{}; }
-  /// A try failed; says so, once a time. True once Patience::most is over.
+  /// A try failed; says so, once a time. True once Patience::most is over, or where the user wants
+  /// to wait no longer.
   bool failed(const MayPass& why);
   /// Until the next try.
   void pause() const;

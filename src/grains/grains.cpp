@@ -108,7 +108,8 @@ std::optional<db::StoredGrainRun> run_stages(const Options& o,
     outputs.ends(stage, state);
   };
   return study::run_grains(programme, {chosen_jobs(o.jobs), shown_in(progress, interruption)}, o.db,
-                           listener, {.say = notify});
+                           listener,
+                           {.say = notify, .stop = [&] { return interruption.requested(); }});
 }
 
 void run_piece(const Options& o, const lab::GrainProgramme& programme) {

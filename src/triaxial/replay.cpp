@@ -123,7 +123,8 @@ void run_replay(const ReplayOptions& o) {
       };
       ids.push_back(study::run_test(
           *rig, {.reduction = reduction, .speed = o.speed, .stop = stop, .otherwise = otherwise},
-          o.db, {shown_on(bar)}, {.say = notify}));
+          o.db, {shown_on(bar)},
+          {.say = notify, .stop = [&interruption] { return interruption.requested(); }}));
     } catch (const lab::BadInput& error) {
       bad.add(error);
     } catch (const Stopped&) {

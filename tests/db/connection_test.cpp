@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/connection.hpp"
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <thread>
 
@@ -209,6 +214,33 @@ TEST_CASE("a database that another thread is making is empty or ours to a reader
       }
     }
   }
+}
+
+TEST_CASE("a limit on the size of files is told at once where nothing will lift it") {
+  const TemporaryFolder folder;
+  int file = 0;
+  for (const rlim_t kilobytes : {10, 100, 300, 1000})
+    for (const bool hard : {true, false}) {
+      const std::string path = folder.file("t" + std::to_string(file++) + ".db");
+      const pid_t child = fork();
+      if (child == 0) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{kilobytes * 1024, hard ? kilobytes * 1024 : RLIM_INFINITY};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+          db::open_for_writing(path);
+        } catch (const lab::WorkFailed& error) {
+          const std::string words = error.what();
+          const bool told = words.find(" kB (ulimit -f)") != std::string::npos;
+          _exit((told ? 0 : 10) + (dynamic_cast<const db::MayPass*>(&error) != nullptr ? 1 : 2));
+        }
+        _exit(0);
+      }
+      int status = -1;
+      waitpid(child, &status, 0);
+      INFO(kilobytes << " kB, " << (hard ? "hard" : "soft"));
+      CHECK(WEXITSTATUS(status) == (hard ? 2 : 1));
+    }
 }
 
 TEST_CASE("paths that cannot be a database say why") {

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "db/recording/recorder.hpp"
 #include "lab/base/bad_input.hpp"
@@ -79,7 +80,9 @@ class SweepRun {
     programme.changes = job_.edits;
     programme.name += fmt::format(" [{}]", job_.sweep.label(member.place));
     lab::VirtualRig rig(programme);
-    db::Recorder recorder(job_.db, job_.patience);
+    db::Patience patience = job_.patience;
+    patience.stop = stop_;
+    db::Recorder recorder(job_.db, std::move(patience));
     recorder.belongs_to({job_.name, member.place, job_.sweep.values(member.place)}, turns_);
     try {
       const lab::TestSummary summary = lab::run_session(

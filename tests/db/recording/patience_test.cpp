@@ -36,6 +36,15 @@ TEST_CASE("patience has an end") {
   CHECK(waiting.failed(db::MayPass("locked")));
 }
 
+TEST_CASE("who wants to stop waits no longer") {
+  bool stop = false;
+  const db::Patience patience{.again = 1ms, .most = 3600s, .stop = [&] { return stop; }};
+  db::Waiting waiting(patience);
+  CHECK_FALSE(waiting.failed(db::MayPass("locked")));
+  stop = true;
+  CHECK(waiting.failed(db::MayPass("locked")));
+}
+
 TEST_CASE("patience is counted from the try that matters") {
   const db::Patience patience{.again = 20ms, .most = 3600s};
   db::Waiting waiting(patience);
