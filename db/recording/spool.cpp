@@ -8,6 +8,7 @@
 
 #include "db/connection.hpp"
 #include "db/files/created_file.hpp"
+#include "lab/base/whole_file.hpp"
 
 namespace triax::db {
 namespace {
@@ -27,7 +28,7 @@ void remove_database(const std::string& path) {
 }  // namespace
 
 Spool::Spool(const TestEntry& of, std::int64_t most_bytes)
-    : entry_(of.path() + kWaiting + of.lease().writer(), kOwnFile, most_bytes) {}
+    : entry_(lab::behind_links(of.path()) + kWaiting + of.lease().writer(), kOwnFile, most_bytes) {}
 
 void Spool::empty_into(TestEntry& test, const TestStart& start) {
   test.take_in(start, Store(path()), entry_.id());
@@ -38,7 +39,8 @@ void Spool::remove() {
   remove_database(path());
 }
 
-std::vector<std::string> spools_beside(const std::string& database) {
+std::vector<std::string> spools_beside(const std::string& path) {
+  const std::string database = lab::behind_links(path);
   const fs::path folder = fs::absolute(database).parent_path();
   const std::string begins = fs::path(database).filename().string() + kWaiting;
   std::vector<std::string> spools;
@@ -70,6 +72,8 @@ void remove_if_unused(const std::string& spool) {
   CreatedFile(spool, *there).remove_if_unused(there);
 }
 
+std::string writer_of(const std::string& spool) { return spool.substr(spool.rfind('-') + 1); }
+
 /// It signs in its test while it empties the spool, in the spool while that is locked.
 bool writer_lives(const std::string& database, const std::string& writer) {
   SQLite::Database there = open_for_reading(database);
@@ -80,6 +84,21 @@ bool writer_lives(const std::string& database, const std::string& writer) {
 
 }  // namespace
 
+std::vector<LeftWaiting> left_waiting(const std::string& database) {
+  std::vector<LeftWaiting> left;
+  for (const std::string& spool : spools_beside(database)) try {
+      const std::int64_t id = test_in(spool);
+      if (id == 0) continue;
+      const Store waiting(spool);
+      const StoredTest test = waiting.load(id);
+      if (test.status == TestStatus::running || writer_lives(database, writer_of(spool))) continue;
+      left.push_back({spool, test.header.name, waiting.scan_count(id)});
+    } catch (const std::exception&) {
+      left.push_back({spool, {}, 0});
+    }
+  return left;
+}
+
 std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database) {
   const std::int64_t id = test_in(spool);
   if (id == 0) {
@@ -88,7 +107,7 @@ std::optional<std::int64_t> take_in(const std::string& spool, const std::string&
   }
   const Store waiting(spool);
   const StoredTest test = waiting.load(id);
-  const std::string writer = spool.substr(spool.rfind('-') + 1);
+  const std::string writer = writer_of(spool);
   if (test.status == TestStatus::running || writer_lives(database, writer)) return std::nullopt;
   TestEntry entry(database, kPatience, writer);
   const TestStart start{test.header, test.stored_at, test.sweep};

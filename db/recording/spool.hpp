@@ -33,10 +33,19 @@ class Spool {
   TestEntry entry_;
 };
 
-/// The spools beside a database, whoever's they are.
+/// The spools beside a database, whoever's they are; also where `database` is a symbolic link.
 std::vector<std::string> spools_beside(const std::string& database);
 /// What a writer that is gone left waiting goes into its test, or a new one, which is interrupted
 /// then; the file goes. Gives the number of the test; none where the writer lives.
 std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database);
+
+/// What a writer that is gone left beside a database.
+struct LeftWaiting {
+  std::string spool;
+  std::string test;           ///< its name; empty where the spool cannot be read
+  std::int64_t readings = 0;  ///< that wait
+};
+/// For readers, who see nothing of it in the database; take_in() of each is what repair() does.
+std::vector<LeftWaiting> left_waiting(const std::string& database);
 
 }  // namespace triax::db

@@ -7,6 +7,7 @@
 
 #include "src/cli/shared_options.hpp"
 #include "src/output/result_writer.hpp"
+#include "src/triaxial/left_waiting.hpp"
 
 namespace triax::src {
 namespace {
@@ -32,6 +33,7 @@ void run_query(const QueryOptions& o) {
       o.db, o.text, [&](const std::vector<std::string>& columns) { writer->columns(columns); },
       [&](const std::vector<db::Value>& row) { writer->row(row); });
   writer->finish();
+  tell_of_what_waits(o.db);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "src/triaxial/figure_folder.hpp"
 #include "src/triaxial/html_report.hpp"
 #include "src/triaxial/json_report.hpp"
+#include "src/triaxial/left_waiting.hpp"
 #include "src/triaxial/pdf_report.hpp"
 #include "src/triaxial/print_tests.hpp"
 #include "src/triaxial/report_choice.hpp"
@@ -84,6 +85,7 @@ void run_report(const ReportOptions& o) {
   const std::string output = !o.output.empty() ? o.output : drawn ? "triax_report." + format : "-";
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
+  tell_of_what_waits(o.db);
   const db::GrainStore grains(o.db);
   const auto [ids, run_ids] = report_choice(store, grains, o.tests);
   const auto curves = drawn || !o.figures.empty() ? study::WithCurves::yes : study::WithCurves::no;

@@ -17,6 +17,7 @@
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/json_report.hpp"
+#include "src/triaxial/left_waiting.hpp"
 #include "src/triaxial/test_list.hpp"
 #include "src/triaxial/text_report.hpp"
 
@@ -152,6 +153,7 @@ void run_tests(const TestsOptions& o) {
   if (!o.tag.empty() && o.action != "list")
     throw lab::BadInput("--tag goes with list; `triax tests tag ID TAG` gives a test a tag");
   action.run(o);
+  tell_of_what_waits(o.db);
 }
 
 }  // namespace

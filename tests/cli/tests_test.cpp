@@ -133,6 +133,27 @@ TEST_CASE("a test that is still being recorded is not removed, nor are others wi
   CHECK(here.triax("tests remove 1 2").status == 0);
 }
 
+TEST_CASE("a test that waits beside the database for a repair is told by every reader") {
+  const Workplace here;
+  write(here / "tiny.csv",
+        "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n");
+  REQUIRE(here.triax("replay tiny.csv").status == 0);
+  REQUIRE(here.triax("replay tiny.csv --db other.db").status == 0);
+  std::filesystem::rename(here / "other.db", here / "triax.db.waiting-0123456789abcdef");
+  const std::string readers[] = {"tests", "query unfinished_tests", "report", "tests --json"};
+  for (const std::string& reader : readers) {
+    INFO(reader);
+    const Outcome told = here.triax(reader);
+    CHECK(told.status == 0);
+    CHECK(told.err.find("triax.db.waiting-0123456789abcdef: 'tiny' with 2 readings") !=
+          std::string::npos);
+    CHECK(told.err.find("`triax tests repair` takes it in") != std::string::npos);
+  }
+  CHECK(here.triax("tests repair").out.find("tiny") != std::string::npos);
+  for (const std::string& reader : readers) CHECK(here.triax(reader).err.empty());
+  CHECK(json::parse(here.triax("tests --json").out).size() == 2);
+}
+
 TEST_CASE("triax tests makes no database where there is none") {
   const Workplace here;
   for (const char* command : {"tests", "tests show 1", "tests rename 1 a", "tests tag 1 a",

@@ -152,13 +152,14 @@ TEST_CASE("a test that starts under a lock enters the database when it is free",
 
 TEST_CASE("what waits when the run is killed is taken in by a repair, once", "[threads]") {
   TemporaryFolder folder;
-  const std::string path = begun(folder);
+  const std::string path = begun(folder), link = folder.file("link.db");
+  std::filesystem::create_symlink("t.db", link);
   constexpr std::int64_t kBatch = 1000, kCount = 50000;
   ForeignLock lock(path);
   const pid_t child = fork();
   if (child == 0) {
     Said said;
-    db::Recorder recorder(path, said.patience());
+    db::Recorder recorder(link, said.patience());
     const auto listener = recorder.listener();
     listener.started(testing::raw_header("killed"));
     for (std::int64_t first = 0; first < kCount; first += kBatch)
@@ -182,8 +183,16 @@ TEST_CASE("what waits when the run is killed is taken in by a repair, once", "[t
   lock.end();
   const std::string spool = db::spools_beside(path).front();
   CHECK(db::repair(path).tests.empty());  // it may still live
+  CHECK(db::left_waiting(path).empty());
   SQLite::Database(spool, SQLite::OPEN_READWRITE)
       .exec("UPDATE leases SET last_sign_of_life = datetime('now', '-1 minute')");
+  for (const std::string& name : {path, link}) {
+    const auto left = db::left_waiting(name);
+    REQUIRE(left.size() == 1);
+    CHECK(left[0].spool == spool);
+    CHECK(left[0].test == "killed");
+    CHECK(left[0].readings == kCount);
+  }
   const auto taken = db::repair(path).tests;
   REQUIRE(taken.size() == 1);
   CHECK(taken[0].name == "killed");
@@ -192,6 +201,7 @@ TEST_CASE("what waits when the run is killed is taken in by a repair, once", "[t
   CHECK(whole(path, 2, kCount, kBatch));
   CHECK(db::Store(path).load(2).events.size() == 1);
   CHECK(db::spools_beside(path).empty());
+  CHECK(db::left_waiting(path).empty());
   CHECK(db::repair(path).tests.empty());
 }
 
@@ -282,16 +292,21 @@ TEST_CASE("a spool grows to its bound, then the session waits; patience has an e
   }
   CHECK(whole(path, 2, kCount, kBatch));
 
-  patience = said.patience();
-  patience.most = 0s;
   ForeignLock again(path);
-  db::Recorder recorder(path, patience);
-  const auto listener = recorder.listener();
-  listener.started(testing::raw_header("given up"));
-  testing::send_scans(listener, 0, 100);
-  CHECK_THROWS_WITH(recorder.finish({}), Contains("the readings wait in") && Contains("repair"));
-  REQUIRE(db::spools_beside(path).size() == 1);
-  CHECK(db::Store(db::spools_beside(path).front()).scan_count(1) == 100);
+  for (const bool by_user : {false, true}) {
+    patience = said.patience();
+    if (by_user)
+      patience.stop = [] { return true; };
+    else
+      patience.most = 0s;
+    db::Recorder recorder(path, patience);
+    const auto listener = recorder.listener();
+    listener.started(testing::raw_header("given up"));
+    testing::send_scans(listener, 0, 100);
+    CHECK_THROWS_WITH(recorder.finish({}), Contains("the readings wait in") && Contains("repair"));
+    REQUIRE(db::spools_beside(path).size() == (by_user ? 2 : 1));
+    CHECK(db::Store(db::spools_beside(path).front()).scan_count(1) == 100);
+  }
 }
 
 TEST_CASE("bad input under a lock leaves nothing beside the database", "[threads]") {

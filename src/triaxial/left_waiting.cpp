@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/triaxial/left_waiting.hpp"
+
+#include <fmt/format.h>
+
+#include "db/recording/spool.hpp"
+#include "lab/base/text.hpp"
+#include "src/output/notice.hpp"
+#include "src/output/table.hpp"
+
+namespace triax::src {
+
+void tell_of_what_waits(const std::string& db) {
+  for (const db::LeftWaiting& left : db::left_waiting(db)) {
+    const std::string what =
+        left.test.empty()
+            ? "something"
+            : fmt::format("{} with {} readings", lab::excerpt(left.test), left.readings);
+    notify(on_one_line(
+        fmt::format("{}: {} that a program which has ended left here waits outside of the "
+                    "database and of what is told; `triax tests repair` takes it in",
+                    left.spool, what)));
+  }
+}
+
+}  // namespace triax::src
