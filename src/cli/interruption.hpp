@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <chrono>
 #include <csignal>
 
 namespace triax::src {
 
 /// While one is alive, the first SIGINT or SIGTERM (Ctrl-C) is a request to stop in an orderly way;
-/// the second kills as ever. A signal that was ignored before (nohup) stays ignored. One at a time.
+/// what comes within `orderly` of it changes nothing (`timeout` and terminals send one to the
+/// process and one to its group), a later one kills as ever. A signal that was ignored before
+/// (nohup) stays ignored. One at a time.
 class Interruption {
  public:
-  Interruption();
+  explicit Interruption(std::chrono::seconds orderly = std::chrono::seconds(5));
   ~Interruption();  ///< what the signals did before, they do again
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;

@@ -76,7 +76,8 @@ void run_test_of(const SimulateOptions& o) {
   ProgressBar bar(rig.header().name);
   const auto id = study::run_test(
       rig, {.reduction = {}, .speed = o.speed, .stop = [&] { return interruption.requested(); }},
-      o.db, {shown_on(bar)}, {.say = notify});
+      o.db, {shown_on(bar)},
+      {.say = notify, .stop = [&interruption] { return interruption.requested(); }});
   std::string unwritten;
   if (writer) try {
       write_record(*writer, rig, o.db, id);
@@ -139,8 +140,8 @@ Command simulate_command() {
            "order "
            "do not depend on --jobs.",
            "Ctrl-C stops a test in an orderly way: it is stored and judged as far as it went, "
-           "and its record is written. Of a sweep the completed tests are stored. A second Ctrl-C "
-           "kills the program."},
+           "and its record is written. Of a sweep the completed tests are stored. Another Ctrl-C "
+           "more than five seconds later kills the program."},
       .diagnostics = {{"FILE:LINE: ...", "the programme is not valid at this line"},
                       {"--sweep [KEY VALUE, ...]: ...",
                        "with these values the programme is not valid, or the test failed"}},

@@ -38,9 +38,13 @@ class Running {
     return false;
   }
 
-  /// Sends the signal and gives the exit status; -1 where the signal itself ended the program.
-  int end_by(int signal) const {
-    kill(child_, signal);
+  /// Sends the signal, so many times at once, and gives the exit status; -1 where the signal itself
+  /// ended the program.
+  int end_by(int signal, int times = 1) const {
+    for (int i = 0; i < times; ++i) {
+      if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      kill(child_, signal);
+    }
     int status = -1;
     waitpid(child_, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -8,7 +8,9 @@
 
 using triax::src::Interruption;
 
-TEST_CASE("the first signal is a request, the second kills, and before as after nothing changes") {
+TEST_CASE(
+    "the first signal is a request, one soon after it nothing, a later one kills; before as after "
+    "nothing changes") {
   struct sigaction before {};
   sigaction(SIGTERM, nullptr, &before);
   {
@@ -25,18 +27,23 @@ TEST_CASE("the first signal is a request, the second kills, and before as after 
   sigaction(SIGTERM, nullptr, &after);
   CHECK(after.sa_handler == before.sa_handler);
 
-  const pid_t child = fork();
-  if (child == 0) {
-    std::signal(SIGINT, SIG_DFL);
-    const Interruption interruption;
-    raise(SIGINT);
-    raise(SIGINT);
-    _exit(0);
+  for (const auto orderly : {std::chrono::seconds(0), std::chrono::seconds(60)}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      std::signal(SIGINT, SIG_DFL);
+      std::signal(SIGTERM, SIG_DFL);
+      const Interruption interruption(orderly);
+      raise(SIGTERM);
+      raise(SIGINT);
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (orderly.count() == 0)
+      CHECK((WIFSIGNALED(status) && WTERMSIG(status) == SIGINT));
+    else
+      CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  CHECK(WIFSIGNALED(status));
-  CHECK(WTERMSIG(status) == SIGINT);
 }
 
 TEST_CASE("a signal that was ignored stays ignored") {
