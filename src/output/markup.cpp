@@ -8,8 +8,16 @@
 namespace triax::src {
 namespace {
 
+/// Beside what no XML may hold: U+007F to U+009F, and what turns the order of reading round or
+/// breaks lines.
 bool allowed_in_xml(QChar character) {
   const auto code = character.unicode();
+  const auto between = [code](char16_t first, char16_t last) {
+    return code >= first && code <= last;
+  };
+  if (between(0x7F, 0x9F) || code == 0x061C || between(0x200E, 0x200F) || between(0x2028, 0x202E) ||
+      between(0x2066, 0x2069))
+    return false;
   return code == '\t' || code == '\n' || code == '\r' ||
          (code >= 0x20 && code != 0xFFFE && code != 0xFFFF);
 }

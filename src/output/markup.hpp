@@ -11,7 +11,8 @@
 namespace triax::src {
 
 /// UTF-8 text as content of an element or value of an attribute: & < > " ' are escaped, and
-/// characters that no XML may hold read U+FFFD.
+/// characters that no XML may hold, control characters above ASCII and marks that turn the order of
+/// reading round read U+FFFD.
 std::string escaped(const std::string& text);
 /// Markup that is there already, with U+FFFD for those characters.
 std::string in_xml(const std::string& markup);

@@ -93,11 +93,15 @@ class CsvWriter : public ResultWriter {
 
  private:
   /// Text that neither commands a terminal nor is a formula to a spreadsheet, which an apostrophe
-  /// in front tells. A number written as text stays one.
+  /// in front tells. A finite number written as text stays one.
   static std::string inert(const std::string& cell) {
     const std::string text = without_controls(cell);
-    const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) < 4;
-    return formula && !lab::whole_text_as<double>(text) ? "'" + text : text;
+    const std::string_view begins = lab::trimmed(text);  // spreadsheets skip blanks, too
+    const bool formula =
+        std::ranges::any_of(std::array{"=", "+", "-", "@", "＝", "＋", "－", "＠"},
+                            [begins](const char* sign) { return begins.starts_with(sign); });
+    const auto number = lab::whole_text_as<double>(text);
+    return formula && !(number && std::isfinite(*number)) ? "'" + text : text;
   }
   static std::string quoted(const std::string& cell) {
     if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "src/output/terminal.hpp"
@@ -31,30 +32,55 @@ class Utf8Locale {
   locale_t locale_;
 };
 
-/// Bytes of a character at `text[i]` that turns the order of reading round or breaks lines:
-/// U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069; 0 for any other.
-std::size_t direction_mark(const std::string& text, std::size_t i) {
+/// U+FFFD.
+constexpr std::string_view kReplacement = "\xef\xbf\xbd";
+
+/// Whether a character at `text[i]` turns the order of reading round or breaks lines: U+061C,
+/// U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069.
+bool direction_mark(const std::string& text, std::size_t i) {
   const auto at = [&](std::size_t k) {
     return static_cast<unsigned char>(i + k < text.size() ? text[i + k] : 0);
   };
-  if (at(0) == 0xd8 && at(1) == 0x9c) return 2;
-  if (at(0) != 0xe2) return 0;
+  if (at(0) == 0xd8 && at(1) == 0x9c) return true;
+  if (at(0) != 0xe2) return false;
   const unsigned char last = at(2);
-  const bool mark =
-      (at(1) == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae))) ||
-      (at(1) == 0x81 && last >= 0xa6 && last <= 0xa9);
-  return mark ? 3 : 0;
+  return (at(1) == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae))) ||
+         (at(1) == 0x81 && last >= 0xa6 && last <= 0xa9);
+}
+
+/// Bytes of the UTF-8 character that begins at `text[i]`; 0 where none does.
+std::size_t bytes_of_character(const std::string& text, std::size_t i) {
+  const auto at = [&](std::size_t k) {
+    return static_cast<unsigned char>(i + k < text.size() ? text[i + k] : 0);
+  };
+  const unsigned char first = at(0);
+  const std::size_t bytes = first < 0x80                    ? 1
+                            : first >= 0xc2 && first < 0xe0 ? 2
+                            : first >= 0xe0 && first < 0xf0 ? 3
+                            : first >= 0xf0 && first < 0xf5 ? 4
+                                                            : 0;
+  for (std::size_t k = 1; k < bytes; ++k)
+    if ((at(k) & 0xc0U) != 0x80) return 0;
+  return bytes;
 }
 
 std::string blanked(std::string text, bool keep_line_breaks) {
   for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t bytes = bytes_of_character(text, i);
+    if (bytes == 0) {
+      text.replace(i, 1, kReplacement);  // a byte alone may be a CSI, too
+      i += kReplacement.size() - 1;
+      continue;
+    }
     const auto c = static_cast<unsigned char>(text[i]);
     if (c == '\n' && keep_line_breaks) continue;
     if (c < ' ' || c == 0x7f) text[i] = ' ';
     // U+0080 to U+009F, among them a CSI that some terminals obey.
     const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : ' ');
-    if (c == 0xc2 && next >= 0x80 && next < 0xa0) text.replace(i, 2, " ");
-    if (const std::size_t bytes = direction_mark(text, i); bytes > 0) text.replace(i, bytes, " ");
+    if ((c == 0xc2 && next < 0xa0) || direction_mark(text, i))
+      text.replace(i, bytes, " ");
+    else
+      i += bytes - 1;
   }
   return text;
 }

@@ -23,7 +23,8 @@ struct Table {
 std::size_t display_width(const std::string& utf8);
 
 /// Blanks in place of control characters (a line break would break a table, ESC command a
-/// terminal), also of those above ASCII.
+/// terminal), also of those above ASCII and of marks that turn the order of reading round; U+FFFD
+/// in place of bytes that are no UTF-8.
 std::string on_one_line(std::string utf8);
 /// The same for a text of several lines, whose line breaks stay.
 std::string without_controls(std::string utf8);

@@ -18,16 +18,6 @@
 namespace triax::src {
 namespace {
 
-/// Blanks over the time of writing that Qt notes; as long as before, because a PDF finds its parts
-/// by their place in the file.
-std::string without_date(std::string pdf) {
-  const auto begin = pdf.find("/CreationDate (");
-  const auto end = pdf.find(')', begin);
-  if (begin != std::string::npos && end != std::string::npos)
-    pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
-  return pdf;
-}
-
 std::string standalone_svg(const Drawing& drawing) {
   auto svg = to_svg(*drawing.plot);
   const auto inside = svg.find('>') + 1;
@@ -47,6 +37,15 @@ std::string quoted(const std::string& cell) {
 }
 
 }  // namespace
+
+std::string without_date(std::string pdf) {
+  // As long as before, because a PDF finds its parts by their place in the file.
+  const auto begin = pdf.find("/CreationDate (");
+  const auto end = pdf.find(')', begin);
+  if (begin != std::string::npos && end != std::string::npos)
+    pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+  return pdf;
+}
 
 std::string to_pdf(const Drawing& drawing) {
   QBuffer buffer;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/figure_folder.hpp"
 
-#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -24,7 +23,10 @@ namespace {
 std::string file_name(const std::string& name) {
   std::string out;
   for (const unsigned char c : name)
-    out += std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';
+    // Not the C library's: Turkish has another lower case of I.
+    out += c >= 'A' && c <= 'Z'                               ? static_cast<char>(c + ('a' - 'A'))
+           : (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? static_cast<char>(c)
+                                                              : '_';
   return out.empty() ? "_" : out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "src/output/markup.hpp"
 #include "src/output/output.hpp"
+#include "src/plot/figure_files.hpp"
 #include "src/plot/pages.hpp"
 #include "src/triaxial/content.hpp"
 #include "src/triaxial/figures/collapse_points_figure.hpp"
@@ -73,7 +74,7 @@ void pdf_report(const std::vector<study::TestResult>& tests, const std::string& 
   for (const auto& test : tests) pages.add(test_section(test));
   for (const auto& section : more) pages.add(section);
   pages.finish();
-  write_file(path, {buffer.data().constData(), static_cast<std::size_t>(buffer.data().size())});
+  write_file(path, without_date(buffer.data().toStdString()));
 }
 
 }  // namespace triax::src

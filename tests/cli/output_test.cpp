@@ -261,6 +261,25 @@ TEST_CASE("CSV of a query holds neither commands for terminals nor formulas for 
       "|| "
       "'[31m' AS f, '-z' AS '=g', 'h' AS h\" --format csv");
   CHECK(csv.out == "a,b,c,d,e,f,'=g,h\r\n'=1+2,'+x,-5.5,-5.5,'@y,u [31m,'-z,h\r\n");
+  const std::string awkward =
+      "query \"SELECT '-nan(1)' AS a, '-inf' AS b, char(10) || '=1' AS c, '  @y' AS d, ' -5' AS e, "
+      "x'9b33316d' AS f\" ";
+  CHECK(here.triax(awkward + "--format csv").out ==
+        "a,b,c,d,e,f\r\n'-nan(1),'-inf,\"'\n=1\",'  @y,' -5,�31m\r\n");
+  CHECK(here.triax(awkward).out.find('\x9b' + std::string("31m")) == std::string::npos);
+}
+
+TEST_CASE("names of figures are the same in a Turkish locale, where the small I has no dot") {
+  const Replayed here;
+  REQUIRE(here.triax("tests rename 1 ICU").status == 0);
+  if (here.shell("mkdir locales && localedef -i tr_TR -f UTF-8 locales/tr_TR.UTF-8 2>.err") != 0) {
+    WARN("skipped: there is no definition of the Turkish locale");
+    return;
+  }
+  REQUIRE(here.shell("LOCPATH=$PWD/locales LC_ALL=tr_TR.UTF-8 $triax report --figures turkish "
+                     ">.out 2>.err && $triax report --figures plain >.out 2>.err") == 0);
+  CHECK(here.shell("diff <(ls turkish) <(ls plain) >.out") == 0);
+  CHECK(here.shell("ls plain | grep -q ^icu_") == 0);
 }
 
 TEST_CASE("JSON of a query is whole or not there") {

@@ -39,6 +39,7 @@ TEST_CASE("a PDF appears whole, with more pages for more tests") {
   const std::string one = content(folder / "one.pdf"), three = content(folder / "three.pdf");
   CHECK(one.rfind("%PDF-1.", 0) == 0);
   CHECK(one.find("%%EOF") != std::string::npos);
+  CHECK(one.find("CreationDate") == std::string::npos);  // the same report, the same bytes
   CHECK(pages(one) >= 2);
   CHECK(pages(three) >= pages(one) + 4);
   CHECK_THROWS_AS(src::pdf_report({src::test::stable_test()}, (folder / "no/where.pdf").string()),
