@@ -218,7 +218,7 @@ std::optional<lab::LeftToOnset> read_left(Columns& c) {
   for (const lab::QuantityInfo& row : lab::quantities()) {
     if (heading.empty() || lab::heading(row.quantity) != heading) continue;
     lab::LeftToOnset left{.quantity = row.quantity, .value = 0, .time_s = {}};
-    left.value = lab::si_value(row.quantity, c.number().value_or(0));
+    left.value = lab::from_field_units(row.quantity, c.number().value_or(0));
     left.time_s = c.number();
     return left;
   }

@@ -208,7 +208,7 @@ void insert_outlook(SQLite::Database& database, std::int64_t id, lab::WarningLev
       .number(outlook->eta_high);
   const auto& left = outlook->left;
   row.text_or_null(left ? heading(left->quantity) : std::string())
-      .number(left ? std::optional(field_value(*left)) : std::nullopt)
+      .number(left ? std::optional(in_field_units(*left)) : std::nullopt)
       .number(left ? left->time_s : std::nullopt)
       .run();
 }

@@ -22,12 +22,12 @@ sim::Unit unit_of(Quantity quantity) {
 
 }  // namespace
 
-double field_value(const LeftToOnset& left) {
+double in_field_units(const LeftToOnset& left) {
   return sim::to_field(left.value, unit_of(left.quantity));
 }
 
-double si_value(Quantity quantity, double field_value) {
-  return sim::to_si(field_value, unit_of(quantity));
+double from_field_units(Quantity quantity, double value) {
+  return sim::to_si(value, unit_of(quantity));
 }
 
 std::string_view to_string(WarningLevel level) {

@@ -25,8 +25,8 @@ struct LeftToOnset {
 };
 
 /// `left.value` in the unit of its quantity's column ("deviator_stress_kPa"), and back.
-double field_value(const LeftToOnset& left);
-double si_value(Quantity quantity, double field_value);
+double in_field_units(const LeftToOnset& left);
+double from_field_units(Quantity quantity, double value);
 
 /// A forecast, and when it was made.
 struct Outlook {

@@ -189,7 +189,7 @@ Json outlook_json(const std::optional<lab::Outlook>& outlook) {
   Json left = nullptr;
   if (outlook->left)
     left = {{"quantity", lab::heading(outlook->left->quantity)},
-            {"value", lab::field_value(*outlook->left)},
+            {"value", lab::in_field_units(*outlook->left)},
             {"time_s", study::json_number(outlook->left->time_s)}};
   return {{"reading", outlook->reading},   {"time_s", study::json_number(outlook->time_s)},
           {"eta_forecast", outlook->eta},  {"eta_low", outlook->eta_low},
