@@ -29,8 +29,8 @@ enum class EventKind {
   held,                    ///< paused, by the operator or from outside
   resumed,
   aborted,
-  safe_state,  ///< the supervision brought the rig to rest
-  run_away,    ///< equilibrium of cap and specimen was lost, or found again
+  safe_state,         ///< the supervision brought the rig to rest
+  run_away,           ///< equilibrium of cap and specimen was lost, or found again
   approaching,        ///< an onset is forecast
   imminent,           ///< it lies within the next few scans
   warning_withdrawn,  ///< neither any longer
