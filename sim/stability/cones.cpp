@@ -29,15 +29,20 @@ class Refinement {
             [](const Probe& p) { return p.answered; });
   }
 
-  /// Puts the local minima of the normalised work between the steps.
-  void find_minima() {
+  /// Puts the local minima of the normalised work between the steps, and the local maxima that part
+  /// a cone in two.
+  void find_extrema() {
     const std::size_t n = probes_.size();
     std::vector<Probe> found;
     for (std::size_t i = 0; i < n; ++i) {
       const Probe &before = at(i + n - 1), &here = at(i), &after = at(i + 1);
       if (!before.answered || !here.answered || !after.answered) continue;
+      const double from = angle(i + n - 1) - kTurn, to = angle(i + 1);
       if (here.normalised <= before.normalised && here.normalised < after.normalised)
-        found.push_back(minimum(angle(i + n - 1) - kTurn, angle(i + 1)));
+        found.push_back(extremum(1, from, to));
+      if (here.normalised < before.normalised || here.normalised <= after.normalised) continue;
+      if (!unstable(here)) continue;
+      if (const Probe most = extremum(-1, from, to); !unstable(most)) found.push_back(most);
     }
     insert(found);
   }
@@ -94,13 +99,17 @@ class Refinement {
     return prober_(angle - turns * kTurn);
   }
 
-  /// Golden section on an interval with one minimum, as far as the square root of round-off allows.
-  Probe minimum(double low, double high) const {
+  /// The least of `sign` times the normalised work by golden section, on an interval with one
+  /// minimum of that, as far as the square root of round-off allows.
+  Probe extremum(double sign, double low, double high) const {
+    const auto less = [sign](const Probe& one, const Probe& other) {
+      return one.answered && sign * one.normalised < sign * other.normalised;
+    };
     static const double kGolden = (std::sqrt(5.0) - 1) / 2;
     double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
     Probe pa = probed(a), pb = probed(b);
     while (high - low > std::max(precision_, 1e-8)) {
-      const bool lower_part = !pb.answered || (pa.answered && pa.normalised < pb.normalised);
+      const bool lower_part = !pb.answered || less(pa, pb);
       if (lower_part) {
         high = b;
         b = a;
@@ -113,7 +122,7 @@ class Refinement {
         pb = probed(b = low + kGolden * (high - low));
       }
     }
-    return pa.answered && pa.normalised < pb.normalised ? pa : pb;
+    return less(pa, pb) ? pa : pb;
   }
 
   const Prober& prober_;
@@ -170,7 +179,7 @@ Circle probe_circle(const Prober& prober, const CircleOptions& options) {
   circle.refused = static_cast<int>(
       std::ranges::count_if(refinement.probes(), [](const Probe& p) { return p.refused; }));
   refinement.find_limits();
-  refinement.find_minima();
+  refinement.find_extrema();
   refinement.find_edges();
   circle.cones = cones_of(refinement.probes());
   // Four directions of an isotropic elastic answer are alike: the first, whatever round-off says.

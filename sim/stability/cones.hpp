@@ -18,7 +18,8 @@ struct Cone {
 struct CircleOptions {
   int directions = 36;  ///< equal steps from α = 0, at least 8
   /// Of a cone's edges and of the least direction, rad. The steps are refined to it about every
-  /// change of sign and every local minimum, so that a cone between two steps is found too.
+  /// change of sign and every local minimum (and every maximum within a cone), so that a cone
+  /// between two steps is found too, and a gap in one.
   double precision = 1e-10;
   bool keep_probes = true;  ///< false: the result holds no probes (grids of states)
 };

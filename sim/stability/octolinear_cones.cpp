@@ -128,10 +128,6 @@ double least_work(const std::vector<OctolinearZone>& zones) {
   return least;
 }
 
-const OctolinearZone& weakest_zone(const std::vector<OctolinearZone>& zones) {
-  return *std::ranges::min_element(zones, {}, least_of);
-}
-
 std::optional<double> least_determinant(const std::vector<OctolinearZone>& zones) {
   std::optional<double> least;
   for (const OctolinearZone& zone : zones) {

@@ -43,9 +43,6 @@ std::vector<UnstableSector> unstable_sectors(const std::vector<OctolinearZone>& 
 /// Least W₂/|dσ|² of all directions, 1/Pa: negative exactly if a direction is unstable.
 double least_work(const std::vector<OctolinearZone>& zones);
 
-/// The zone that holds the direction of that least. Pre-condition: there is a zone.
-const OctolinearZone& weakest_zone(const std::vector<OctolinearZone>& zones);
-
 /// Least relative_determinant (stability_determinant.hpp) of the zones that hold their own least
 /// eigenvector; empty where none does.
 std::optional<double> least_determinant(const std::vector<OctolinearZone>& zones);

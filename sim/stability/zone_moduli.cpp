@@ -3,6 +3,14 @@
 
 namespace triax::sim {
 
+ZoneSigns zone_of(const Vector<Axisymmetric>& stress) {
+  return {{stress(0) > 0, stress(1) > 0, stress(1) > 0}};
+}
+
+ZoneSigns zone_of(const Vector<Tensor>& stress) {
+  return {{stress(0) > 0, stress(1) > 0, stress(2) > 0}};
+}
+
 PrincipalCompliance zone_compliance(const InterpolatedForm<Tensor>& form, const ZoneSigns& zone) {
   PrincipalCompliance n;
   for (int j = 0; j < 3; ++j)

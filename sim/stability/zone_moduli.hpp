@@ -22,6 +22,10 @@ struct ZoneSigns {
   std::array<bool, 3> loading{};
 };
 
+/// Of a stress increment, by its components along the axes; what stands still counts as falling.
+ZoneSigns zone_of(const Vector<Axisymmetric>& stress);
+ZoneSigns zone_of(const Vector<Tensor>& stress);
+
 PrincipalCompliance zone_compliance(const InterpolatedForm<Tensor>& form, const ZoneSigns& zone);
 /// Q, on (dσ₁, √2 dσ₃).
 Matrix<Axisymmetric> zone_compliance(const InterpolatedForm<Axisymmetric>& form,

@@ -58,10 +58,10 @@ std::string lost_in_words(const study::Controllability& control) {
 }
 
 std::string roots_in_words(const study::Controllability& control) {
-  if (control.compliance.empty()) return "no compliance to write it with";
   const auto& roots = control.roots;
-  if (roots.empty())
-    return "no real root" + (control.by_zones ? " in any zone" : ", " + control.compliance);
+  const std::string among =
+      control.unanswered_directions > 0 ? " in the directions that the law answers" : "";
+  if (roots.empty()) return "no real root" + among;
   const bool of_one = std::ranges::all_of(
       roots, [&](const auto& root) { return root.compliance == roots.front().compliance; });
   std::string words;
@@ -69,7 +69,7 @@ std::string roots_in_words(const study::Controllability& control) {
     words += fmt::format("{}R {} (α {}°, dε₁/dσ₃ {:.3e} 1/kPa{})", words.empty() ? "" : ", ",
                          unit_free(root.R), in_degrees(root.angle), 1e3 * root.failure_rule,
                          of_one ? "" : ", " + compliance);
-  return words + (of_one ? ", " + roots.front().compliance : "");
+  return words + (of_one ? ", " + roots.front().compliance : "") + among;
 }
 
 Table scan_table(const study::Controllability& control) {

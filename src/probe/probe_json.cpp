@@ -149,6 +149,7 @@ study::Json control_json(const study::Controllability& control) {
     roots.push_back({{"R", study::json_number(root.R)},
                      {"alpha_deg", study::json_deg(root.angle)},
                      {"failure_rule_per_kPa", study::json_number(1e3 * root.failure_rule)},
+                     {"w2_normalised", study::json_number(root.normalised)},
                      {"compliance", compliance}});
   const auto& determinant = control.symmetric_determinant;
   return {{"by", "rate"},

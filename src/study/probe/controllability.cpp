@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sim/stability/plane_rate.hpp"
+#include "sim/stability/stability_determinant.hpp"
 
 namespace triax::study {
 namespace {
@@ -14,45 +15,47 @@ namespace {
 using sim::Axisymmetric;
 using sim::Tensor;
 
-std::string zone_words(const sim::InterpolatedForm<Axisymmetric>&, const sim::ZoneSigns& signs) {
-  const auto sign = [&signs](std::size_t i) { return signs.loading[i] ? "+" : "-"; };
-  return fmt::format("zone ({}, {})", sign(0), sign(2));
-}
-std::string zone_words(const sim::InterpolatedForm<Tensor>&, const sim::ZoneSigns& signs) {
-  const auto sign = [&signs](std::size_t i) { return signs.loading[i] ? "+" : "-"; };
-  return fmt::format("zone ({}, {}, {})", sign(0), sign(1), sign(2));
+template <class Space>
+bool octolinear(const sim::IncrementalResponse<Space>& response) {
+  const auto* form = std::get_if<sim::InterpolatedForm<Space>>(&response.response());
+  return form != nullptr && !form->quadratic;
 }
 
-/// By the moduli of all zones.
+/// The zone of the stress increment in a direction, of an octolinear law.
 template <class Space>
-void put_roots(const sim::InterpolatedForm<Space>& form, Controllability& found) {
-  const auto words = [&form](const sim::ZoneSigns& signs) {
-    return zone_words(form, signs) +
-           (form.quadratic ? " of the octolinear law with these moduli" : "");
-  };
-  const auto zones = sim::octolinear_zones(form);
-  found.by_zones = true;
-  if (zones.empty()) return;
-  const sim::OctolinearZone& weakest = sim::weakest_zone(zones);
-  found.compliance = words(weakest.signs);
-  found.symmetric_determinant = weakest.compliance.symmetric_determinant();
-  for (const sim::ControlRoot& root : sim::control_roots(zones))
-    found.roots.push_back({root, words(*root.zone)});
+std::string zone_words(const sim::IncrementalResponse<Space>& response, double angle) {
+  const auto signs = sim::zone_of(sim::stress_rate(response, angle).stress);
+  const auto sign = [&signs](std::size_t i) { return signs.loading[i] ? "+" : "-"; };
+  return Space::kSize == 2 ? fmt::format("zone ({}, {})", sign(0), sign(2))
+                           : fmt::format("zone ({}, {}, {})", sign(0), sign(1), sign(2));
 }
 
-/// By tangents.
+/// Whose compliance the symmetric determinant of a direction is that of.
 template <class Space>
-void put_roots(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
-               Controllability& found) {
+std::string compliance_words(const sim::IncrementalResponse<Space>& response, double angle) {
+  if (octolinear(response)) return zone_words(response, angle);
+  return response.piecewise_linear() ? "tangent of the least direction"
+                                     : "half the Hessian of W2 in the least direction";
+}
+
+template <class Space>
+void put_determinant(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
+                     Controllability& found) {
   if (!least.answered) return;
-  const auto rate = sim::stress_rate(response, sim::angle_of(least.stress));
-  if (!rate.controllable) return;
-  const auto compliance = sim::plane_compliance(response, rate);
-  if (!compliance) return;
-  found.compliance = "tangent of the least direction";
-  found.symmetric_determinant = compliance->symmetric_determinant();
-  for (const sim::ControlRoot& root : sim::control_roots(response))
-    found.roots.push_back({root, "tangent of its own direction"});
+  const double angle = sim::angle_of(least.stress);
+  const auto half_hessian = sim::half_hessian(response, angle);
+  if (!half_hessian) return;
+  found.compliance = compliance_words(response, angle);
+  found.symmetric_determinant = half_hessian->determinant();
+}
+
+template <class Space>
+void put_roots(const sim::IncrementalResponse<Space>& response, Controllability& found) {
+  const auto [roots, unanswered] = sim::control_roots(response);
+  found.unanswered_directions = unanswered;
+  for (const sim::ControlRoot& root : roots)
+    found.roots.push_back({root, octolinear(response) ? zone_words(response, root.angle)
+                                                      : "tangent of its own direction"});
 }
 
 }  // namespace
@@ -92,11 +95,8 @@ Controllability control_of(const sim::IncrementalResponse<Space>& response, cons
     found.named = sim::control_indices(response, sim::triaxial_controls());
     found.conditions = sim::control_indices(response, conditions);
   }
-  const auto form = response.law().response(response.state());
-  if (const auto* interpolated = std::get_if<sim::InterpolatedForm<Space>>(&form))
-    put_roots(*interpolated, found);
-  else
-    put_roots(response, least, found);
+  put_determinant(response, least, found);
+  put_roots(response, found);
   return found;
 }
 

@@ -13,7 +13,7 @@ namespace triax::study {
 /// A root of Eq. (34) or (35), in words.
 struct NamedRoot {
   sim::ControlRoot at;
-  std::string compliance;  ///< whose moduli it is a root of: "zone (-, +, -)"
+  std::string compliance;  ///< whose moduli it is a root of: "zone (-, +, -)" of an octolinear law
 };
 
 struct Controllability {
@@ -22,13 +22,13 @@ struct Controllability {
   int asked = 0, unanswered = 0;              ///< controls of that search, of both senses
   std::vector<sim::ControlIndex> named;       ///< axisymmetry only
   std::vector<sim::ControlIndex> conditions;  ///< that were asked for; axisymmetry only
-  /// Whose compliance `symmetric_determinant` is that of: of the zone that holds the least W₂ where
-  /// there are zones (of INL2: those of octolinear with its moduli), else of the tangent of the
-  /// least direction; empty: there is none.
+  /// Whose compliance `symmetric_determinant` is that of, all in the least direction: the zone of
+  /// an octolinear law, the tangent of others that are linear in zones, else half the Hessian of W₂
+  /// (sim/stability/stability_determinant.hpp); empty: there is none.
   std::string compliance;
-  bool by_zones = false;                        ///< the roots are those of all zones
-  std::optional<double> symmetric_determinant;  ///< det Mˢ, 1/Pa²
-  std::vector<NamedRoot> roots;                 ///< by rising R, each of its own zone or tangent
+  std::optional<double> symmetric_determinant;  ///< det Mˢ or det H, 1/Pa²
+  std::vector<NamedRoot> roots;                 ///< by rising R
+  int unanswered_directions = 0;                ///< of those among which roots were sought
 };
 
 /// Ranges of R in which control of either sense is lost, rising and apart.
@@ -39,7 +39,8 @@ inline constexpr double kLeastRatio = 0.05, kLargestRatio = 5;
 /// R from 0.1 to 3.
 std::vector<double> usual_ratios();
 
-/// `least`: the probe with the least normalised W₂. No R may be 0.
+/// `least`: the probe with the least normalised W₂, where the symmetric determinant is looked at.
+/// No R may be 0.
 template <class Space>
 Controllability control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
                            const std::vector<double>& R,

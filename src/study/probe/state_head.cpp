@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lab/base/bad_input.hpp"
 
@@ -28,7 +29,7 @@ std::string words(const sim::PointState<Space>& state) {
 template <class Space>
 double deviator_stress(const sim::PointState<Space>& state) {
   const Eigen::Vector3d s = principal(state.stress);
-  return s(1) == s(2) ? s(0) - s(2) : state.q();
+  return std::copysign(std::abs(state.q()), s(0) - (s(1) + s(2)) / 2);
 }
 
 std::vector<std::string> StateHead::all_warnings() const {

@@ -17,7 +17,7 @@ struct StateHead {
   bool from_path = false;
   std::optional<double> axial_strain;
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();  ///< σ′ along axes 1 to 3, Pa
-  double p = 0, q = 0;  ///< Pa; q = σ₁′ − σ₃′ where σ₂′ = σ₃′, else √(3/2)|s|
+  double p = 0, q = 0;                               ///< Pa; q as deviator_stress() has it
   double void_ratio = 0;
   std::vector<std::pair<std::string, double>> memory;
   std::optional<TestedState> test;
@@ -37,7 +37,10 @@ std::vector<std::string> warnings_of(const std::vector<const StateHead*>& states
 template <class Space>
 StateHead head_of(const lab::MaterialSet& material, const StateToProbe<Space>& what);
 
-/// q of a state as StateHead has it, Pa.
+/// q = ± √(3/2)|s| with the sign of σ₁′ − (σ₂′ + σ₃′)/2, Pa: positive while axis 1 carries more
+/// than the mean of the other two, which is compression. Where σ₂′ = σ₃′ that is σ₁′ − σ₃′ in
+/// either plane. The sign does not hang on whether σ₂′ and σ₃′ are equal; along a path it changes
+/// where σ₁′ passes p′, at q ≠ 0 unless the state is isotropic there.
 template <class Space>
 double deviator_stress(const sim::PointState<Space>& state);
 

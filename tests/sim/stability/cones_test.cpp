@@ -100,6 +100,20 @@ TEST_CASE("a cone narrower than a step is found by its minimum") {
   CHECK(degrees(circle.least.angle) == Approx(226.3).margin(1e-4));
 }
 
+TEST_CASE("a gap narrower than a step parts a cone in two") {
+  // 189 to 259 but for 0.8 degrees around 226.7, between the steps at 220 and 230.
+  const auto prober = made_up([](double at) {
+    const double from_gap = apart(at, 226.7);
+    return apart(at, 224) < 35 && from_gap > 0.4 ? -0.01 * from_gap : 0.1;
+  });
+  const Circle circle = probe_circle(prober, {.directions = 36});
+  REQUIRE(circle.cones.size() == 2);
+  CHECK(degrees(circle.cones[0].from) == Approx(189).margin(1e-6));
+  CHECK(degrees(circle.cones[0].to) == Approx(226.3).margin(1e-6));
+  CHECK(degrees(circle.cones[1].from) == Approx(227.1).margin(1e-6));
+  CHECK(degrees(circle.cones[1].to) == Approx(259).margin(1e-6));
+}
+
 TEST_CASE("two cones, one of them across alpha = 0") {
   const Circle circle = probe_circle(with_cones({2, 226}, 12), {.directions = 36});
   REQUIRE(circle.cones.size() == 2);
