@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <variant>
 
 #include "lab/materials/material_library.hpp"
 #include "sim/stability/cones.hpp"
@@ -87,6 +88,8 @@ int roots_checked(const std::string& material) {
           ++roots;
         }
         if (control.unanswered_directions > 0 || control.unanswered > 0) continue;
+        // Where N+ and N- are interpolated, control folds also where no direction loses its work.
+        if (std::holds_alternative<sim::InterpolatedForm<Space>>(response.response())) continue;
         const auto is_root = [&](double R) {
           return std::ranges::any_of(control.roots, [R](const auto& root) {
             return std::abs(root.at.R - R) < 1e-5 * std::max(R, 1.0);
