@@ -43,7 +43,7 @@ TEST_CASE("under a load the alarm comes before the fall and says what is left of
   load(alarm, LoosePath{.noise_pa = 30, .noise_strain = 1e-6}, 0.9999);
   const Event* soon = said.first(EventKind::imminent);
   REQUIRE(soon);
-  CHECK(soon->reading < kReadings - 60);  // a second each
+  CHECK(soon->reading < kReadings - 10);  // a second each
   CHECK(alarm.level() == WarningLevel::imminent);
   REQUIRE(alarm.imminent());
   const Outlook& o = *alarm.imminent();
