@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
@@ -63,32 +64,24 @@ constexpr std::uint32_t kArchitecture = 0;
 #endif
 
 /// To other processes, by their number: the first argument.
-constexpr std::uint32_t kSignals[] = {SYS_kill, SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo,
-                                      SYS_rt_tgsigqueueinfo};
-constexpr std::uint32_t kRefused[] = {
+constexpr auto kSignals = std::to_array<std::uint32_t>(
+    {SYS_kill, SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo});
+constexpr auto kRefused = std::to_array<std::uint32_t>({
 #if defined(__x86_64__)
-    SYS_fork,
-    SYS_vfork,
+  SYS_fork, SYS_vfork,
 #endif
-    SYS_close_range,
-    SYS_execve,
-    SYS_execveat,
-    SYS_setsid,
-    SYS_setpgid,
-    SYS_ptrace,
-    SYS_process_vm_readv,
-    SYS_process_vm_writev,
-    SYS_pidfd_open,
-    SYS_pidfd_getfd,
-    SYS_pidfd_send_signal,
-    SYS_io_uring_setup};  // what it carries out passes no filter
+      SYS_close_range, SYS_execve, SYS_execveat, SYS_setsid, SYS_setpgid, SYS_ptrace,
+      SYS_process_vm_readv, SYS_process_vm_writev, SYS_pidfd_open, SYS_pidfd_getfd,
+      SYS_pidfd_send_signal, SYS_io_uring_setup
+});  // what it carries out passes no filter
 
 /// That would put another file in its place, their second argument.
-constexpr std::uint32_t kOntoDescriptors[] = {
+constexpr auto kOntoDescriptors = std::to_array<std::uint32_t>({
 #if defined(__x86_64__)
-    SYS_dup2,
+  SYS_dup2,
 #endif
-    SYS_dup3};
+      SYS_dup3
+});
 
 constexpr std::uint32_t kAllow = SECCOMP_RET_ALLOW, kNotPermitted = SECCOMP_RET_ERRNO | EPERM;
 

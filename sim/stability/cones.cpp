@@ -58,7 +58,8 @@ class Refinement {
   const Probe& at(std::size_t i) const { return probes_[i % probes_.size()]; }
   /// Angle of probe i, growing beyond 2π with i.
   double angle(std::size_t i) const {
-    return at(i).angle + kTurn * static_cast<double>(i / probes_.size());
+    const std::size_t turns = i / probes_.size();
+    return at(i).angle + kTurn * static_cast<double>(turns);
   }
 
   void insert(std::vector<Probe>& found) {
@@ -135,7 +136,8 @@ Cone cone_from(const std::vector<Probe>& probes, std::size_t first) {
   const std::size_t n = probes.size();
   const auto at = [&](std::size_t i) -> const Probe& { return probes[i % n]; };
   const auto angle = [&](std::size_t i) {
-    return at(i).angle + kTurn * static_cast<double>(i / n);
+    const std::size_t turns = i / n;
+    return at(i).angle + kTurn * static_cast<double>(turns);
   };
   std::size_t last = first;
   Cone cone{.strongest = at(first)};

@@ -48,6 +48,7 @@ Interruption::~Interruption() {
   sigaction(SIGTERM, &terminate_before_, nullptr);
 }
 
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static): asked of who caught the signal.
 bool Interruption::requested() const { return signalled; }
 
 }  // namespace triax::src

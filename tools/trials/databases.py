@@ -107,4 +107,5 @@ def trial(t: Trial):
 
 
 def differing(before: dict, after: dict) -> list[str]:
-    return [name for name in {*before, *after} if before.get(name) != after.get(name)]
+    """An empty file that was not there is no change."""
+    return sorted(name for name in {*before, *after} if before.get(name) != after.get(name) and (name in before or after[name]))
