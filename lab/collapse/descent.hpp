@@ -25,6 +25,9 @@ struct Descent {
   /// Strength was lost with the drainage open and the axis moved by displacement: failure of the
   /// skeleton at the peak that it has under that lateral stress.
   bool drained = false;
+  bool by_displacement = false;  ///< a frame moved the axis, and q was free to fall
+  /// What is strong later is another specimen: consolidated anew, or with water let in or out.
+  bool settled = false;
   bool ended = false;      ///< with its stage, or because
   bool came_back = false;  ///< second-order work turned positive again
 
@@ -37,6 +40,11 @@ struct Descent {
 
 class DescentTracker {
  public:
+  /// How a stage is sheared.
+  struct Conditions {
+    bool drained = false, by_displacement = false;  ///< see Descent
+    bool another_specimen = false;                  ///< than before
+  };
   void add(const PathPoint& point);
   /// The descent that cost most strength so far; a descent that begins before the strength lost in
   /// the one before has half come back is that one's continuation.
@@ -45,8 +53,8 @@ class DescentTracker {
   const std::optional<Descent>& latest() const { return latest_; }
   /// Gives the latest descent a sharper onset.
   void sharpen(const PathPoint& onset);
-  /// A new stage begins: no onset may be placed before it. `drained`: see Descent.
-  void start_stage(bool drained);
+  /// A new stage begins: no onset may be placed before it.
+  void start_stage(const Conditions& conditions);
 
  private:
   void start_over(const PathPoint& point);
@@ -62,7 +70,7 @@ class DescentTracker {
   std::optional<Descent> latest_, worst_;
   std::optional<PathPoint> previous_;
   double q_lost_ = 0;  ///< since after_
-  bool drained_ = false;
+  Conditions conditions_;
 };
 
 }  // namespace triax::lab

@@ -17,6 +17,7 @@
 #include "lab/collapse/verdict.hpp"
 #include "lab/measured/axis_rest.hpp"
 #include "lab/measured/instant.hpp"
+#include "lab/measured/largest_strength.hpp"
 #include "lab/measured/path_history.hpp"
 #include "lab/measured/path_sampler.hpp"
 
@@ -69,12 +70,16 @@ struct CollapseMonitor::Impl {
   SecondOrderWork& work = criteria.of<SecondOrderWork>();
   LossOfControl& control = criteria.of<LossOfControl>();
   ControlPeak& control_peak = criteria.of<ControlPeak>();
-  std::optional<Instant> fall;          ///< where a sudden loss of control began
-  std::optional<std::int64_t> fall_of;  ///< reading of the finding that it belongs to
-  std::optional<FallWork> fall_work;
+  struct PlacedFall {
+    std::int64_t of = 0;  ///< reading of the finding that it belongs to
+    Instant at;           ///< where a sudden loss of control began
+    std::optional<FallWork> work;
+  };
+  std::vector<PlacedFall> falls;  ///< of the latest and of an earlier one
+  const PlacedFall* fall_of(std::int64_t reading) const;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   LimitSurface limit;
-  std::optional<State> peak;
+  LargestStrength peak;
   std::optional<int> stage;
   bool drained = false;         ///< in the stage under way
   bool held_q = false;          ///< in the stage under way
@@ -117,7 +122,7 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
 void CollapseMonitor::Impl::watch(const State& s) {
   if (!stage || *stage != s.stage) start_stage(s);
   if (!is_watched(header.stage(s.stage))) return;
-  if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
+  peak.add(s);
   ++watched_states;
   if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
@@ -143,7 +148,7 @@ void CollapseMonitor::Impl::sharpen() {
     descent_onset.follow(history);
   }
   const auto& burst = control.found();
-  if (burst && control.sudden() && fall_of != burst->instant.reading) place_fall(*burst);
+  if (burst && control.sudden() && !fall_of(burst->instant.reading)) place_fall(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   if (descent && is_sharper(descent_onset.onset(), descent->onset))
     work.sharpen(within_measured(descent_onset.onset()->point, history));
@@ -162,13 +167,21 @@ void CollapseMonitor::Impl::sharpen() {
 
 void CollapseMonitor::Impl::place_fall(const Finding& burst) {
   constexpr double kBefore = 24;  // readings
-  fall_of = burst.instant.reading;
-  fall_work.reset();
+  const auto& earlier = control.earlier();
+  std::erase_if(
+      falls, [&](const PlacedFall& one) { return !earlier || one.of != earlier->instant.reading; });
   const auto last = static_cast<double>(burst.instant.reading);
   const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
-  fall = fit ? instant_of(*fit, header.has_time) : burst.instant;
+  falls.push_back({.of = burst.instant.reading,
+                   .at = fit ? instant_of(*fit, header.has_time) : burst.instant,
+                   .work = {}});
   if (before_fall)
-    fall_work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
+    falls.back().work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
+}
+
+auto CollapseMonitor::Impl::fall_of(std::int64_t reading) const -> const PlacedFall* {
+  const auto found = std::ranges::find(falls, reading, &PlacedFall::of);
+  return found == falls.end() ? nullptr : &*found;
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -231,12 +244,13 @@ void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 Collapse CollapseMonitor::Impl::verdict_so_far() const {
   // A burst that a growing load withdrew takes its fall with it.
   const auto lost = control.lost();
-  const bool falls = lost && fall_of == lost->instant.reading;
+  const PlacedFall* fall = lost ? fall_of(lost->instant.reading) : nullptr;
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
                   .loss_of_control = lost,
-                  .fall = falls ? fall : std::nullopt,
-                  .fall_work = falls ? fall_work : std::nullopt,
+                  .loss = control.loss(),
+                  .fall = fall ? std::optional(fall->at) : std::nullopt,
+                  .fall_work = fall ? fall->work : std::nullopt,
                   .control_peak = control_peak.finding(),
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
@@ -259,6 +273,7 @@ Collapse CollapseMonitor::of_the_axis() const {
     if (one.name == LossOfControl::kName)
       *std::ranges::find(criteria, one.name, &Criterion::name) = one;
   return verdict({.loss_of_control = impl_->control.lost(),
+                  .loss = impl_->control.loss(),
                   .first_state = impl_->first_state,
                   .limit = impl_->limit,
                   .has_time = impl_->header.has_time},
@@ -273,8 +288,8 @@ Collapse CollapseMonitor::finish() {
 std::optional<CyclicLoading> CollapseMonitor::cyclic() const { return impl_->cycles.loading(); }
 
 std::optional<Instant> CollapseMonitor::peak() const {
-  if (!impl_->peak) return std::nullopt;
-  return instant_of(*impl_->peak, impl_->header.has_time);
+  const auto& peak = impl_->peak.state();
+  return peak ? std::optional(instant_of(*peak, impl_->header.has_time)) : std::nullopt;
 }
 
 }  // namespace triax::lab
