@@ -128,11 +128,26 @@ TEST_CASE("a spike of the load cell is no strength that came back; two readings 
   }
 }
 
+TEST_CASE("strength is looked for where the specimen runs, not on the side of q that it left") {
+  State before;
+  before.q = 2e3;
+  LossAndReturn cycle(before, -0.01, Drainage::closed), same(before, 0.01, Drainage::closed);
+  for (int i = 1; i <= 60; ++i) {
+    State after = before;
+    after.q = 2e3 - 2e3 * i;
+    cycle.add(after);
+    same.add(after);
+  }
+  CHECK(cycle.came_back());
+  CHECK_FALSE(same.came_back());
+}
+
 TEST_CASE("a leap with which the load was stepped up is told, and no collapse") {
   LoadedSpecimen test(
       {returning_stage(1, AxialControl::displacement), returning_stage(2, AxialControl::load)});
   test.to(1, 100, 300e3, 0.01).to(2, 1, 410e3, 0.13).to(2, 100, 411e3, 0.14);
   const Collapse c = test.end();
+  CHECK_FALSE(control_of(c).found());
   CHECK(c.kind == CollapseKind::none);
   CHECK(control_of(c).reading == 99);
   CHECK_THAT(control_of(c).evidence, Catch::Contains("a step of the load"));
