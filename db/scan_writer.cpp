@@ -56,7 +56,9 @@ ScanWriter::ScanWriter(SQLite::Database& database, std::int64_t test_id)
       work_(database,
             "INSERT INTO work_points (id, time_s, small_strain, eulerian, semi_lagrangian, "
             "normalised, normalised_error, window_readings, axial_strain_path) "
-            "VALUES (?,?,?,?,?,?,?,?,?)"),
+            "VALUES (?,?,?,?,?,?,?,?,?) "
+            // No test is lost for a second point at one reading: the first stands.
+            "ON CONFLICT (id) DO NOTHING"),
       references_(stage_references(database, test_id)) {}
 
 std::int64_t ScanWriter::key(std::int64_t reading) const {

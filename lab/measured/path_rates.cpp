@@ -101,7 +101,9 @@ PathPoint PathRates::point_at(const LocalFit& fit, int level, double offset) con
   const double scale = progress_slope > 0 ? 1 / progress_slope : 1;
 
   PathPoint p;
-  p.reading = value(Signal::reading);
+  // Of the window itself its middle: where readings are missing the parabola through their numbers
+  // gives two windows the same one.
+  p.reading = offset == 0 ? fit.middle.signal[Signal::reading] : value(Signal::reading);
   p.progress = value(Signal::progress);
   p.q = value(Signal::q);
   p.p_eff = value(Signal::p_eff);
@@ -145,7 +147,7 @@ PathPoint PathRates::point_at(const LocalFit& fit, int level, double offset) con
 }
 
 void PathRates::hand_on(const PathPoint& point) {
-  if (point.reading <= last_reading_) return;
+  if (std::llround(point.reading) <= std::llround(last_reading_)) return;
   last_reading_ = point.reading;
   if (on_point) on_point(point);
 }

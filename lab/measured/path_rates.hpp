@@ -65,7 +65,8 @@ class PathRates {
  public:
   static constexpr double kTolerance = 0.04;
 
-  /// Points come in the order of their readings.
+  /// Points come in the order of their readings, each nearest to a reading of its own: it is stored
+  /// beside that.
   std::function<void(const PathPoint&)> on_point;
 
   void add(const PathSample& sample);
