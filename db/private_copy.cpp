@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Backup.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -72,7 +73,7 @@ struct Unchanged {
 [[noreturn]] void no_room(const std::string& path, const std::string& copy,
                           const std::string& why) {
   throw lab::WorkFailed(path + ": is read by way of a copy, and " + copy +
-                        " has no room for it: " + why + kElsewhere);
+                        " does not take it: " + why + kElsewhere);
 }
 
 /// The copy may be written where the database may not.
@@ -80,9 +81,8 @@ void copy(const std::string& from, const std::string& to, const std::string& pat
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (!error) return fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write);
-  if (error == std::errc::no_space_on_device || error == std::errc::file_too_large ||
-      error.value() == EDQUOT)
-    no_room(path, to, error.message());
+  // The library tells a full disk as an error of input or output.
+  if (access(from.c_str(), R_OK) == 0) no_room(path, to, error.message());
   throw lab::BadInput(path, 0,
                       "cannot be read whole: " + from + ": " + error.message() +
                           "; part of the tests is in that file: make it readable, or open the "

@@ -18,6 +18,7 @@ constexpr double kHighest = 1.0;    ///< |η| at an onset where no limit is know
 /// Normalised work above which no onset lies within a few scans: a load runs into it, a frame
 /// walks.
 constexpr double kStillStiff = 0.35, kStiffFrame = 0.2;
+constexpr int kNearPoints = 3, kSoonStates = 2, kFarPoints = 10;  ///< in a row
 constexpr double kScans = 5, kSeconds = 120, kShareOfStage = 0.2, kShareOfFrame = 0.05;
 constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
 
@@ -134,9 +135,11 @@ bool WarningLevels::look(const State& state, std::optional<bool> inside) {
   const WarningLevel was = level_;
   const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest);
   soon_ = points && is_imminent() ? soon_ + 1 : 0;
-  if (level_ == WarningLevel::none && points && near_ >= 3) level_ = WarningLevel::approaching;
-  if (level_ != WarningLevel::none && (!points || far_ >= 10)) level_ = WarningLevel::none;
-  if (soon_ >= 2) level_ = WarningLevel::imminent;
+  if (level_ == WarningLevel::none && points && near_ >= kNearPoints)
+    level_ = WarningLevel::approaching;
+  // Past the onset nothing is ahead any more, and nothing is taken back.
+  if (inside == false || far_ >= kFarPoints) level_ = WarningLevel::none;
+  if (soon_ >= kSoonStates) level_ = WarningLevel::imminent;
   return level_ != was;
 }
 

@@ -14,15 +14,17 @@ namespace triax::lab {
 /// `lost`; a level is left in one way only, by clear evidence, and lost is never left within its
 /// stage.
 ///
-///   approaching  less than kNear of η is left, by the forecast and by the normalised work alike,
-///   and the
-///                forecast's standard error is below kUnsure, at three points in a row
-///   imminent     at the present rate the onset is kScans scans, or kSeconds (a fifth of the stage
-///   where that
-///                is less) away, or η is within a standard error of it, at two readings in a row
+///   approaching  less than kNear of η is left by the forecast, and less than kNearWork by the
+///                normalised work, with a standard error below kUnsure, at three points in a row
+///   imminent     at the present rate the onset may be (a standard error before its forecast)
+///   kScans
+///                scans away, or, under a load or held q, kSeconds or a fifth of the stage,
+///                whichever is less, at two readings in a row
+///   none         second-order work is positive for certain and the onset far, or none, at ten
+///                points in a row
 ///
-/// Neither where the onset forecast lies on the limit surface, nor, where no limit is known, above
-/// η = 1, which the critical state of no sand is far above.
+/// Neither level where the onset forecast lies on the limit surface, nor, where no limit is known,
+/// above η = 1, which no loose sand reaches before it is lost.
 class WarningLevels {
  public:
   explicit WarningLevels(bool has_time) : has_time_(has_time) {}

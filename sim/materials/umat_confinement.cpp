@@ -160,7 +160,7 @@ std::vector<sock_filter> allowed_calls(int lifeline) {
 }
 
 /// What Landlock is asked for: what it would otherwise refuse, everywhere. Left is what comes with
-/// any of its domains: the files of other processes in /proc (mem, maps, fd, ...) stay closed.
+/// any of its domains: memory and files of other processes in /proc (mem, fd/N) stay closed.
 constexpr landlock_ruleset_attr kNothingRefused{LANDLOCK_ACCESS_FS_REFER};
 
 /// A descriptor; negative where the kernel has no Landlock of version 2 (Linux 5.19).

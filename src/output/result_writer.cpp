@@ -96,7 +96,9 @@ class CsvWriter : public ResultWriter {
   /// in front tells. A finite number written as text stays one.
   static std::string inert(const std::string& cell) {
     const std::string text = without_controls(cell);
-    const std::string_view begins = lab::trimmed(text);  // spreadsheets skip blanks, too
+    // Spreadsheets skip blanks and ends of lines, too.
+    const std::size_t blanks = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const std::string_view begins = std::string_view(text).substr(blanks);
     const bool formula =
         std::ranges::any_of(std::array{"=", "+", "-", "@", "＝", "＋", "－", "＠"},
                             [begins](const char* sign) { return begins.starts_with(sign); });

@@ -58,6 +58,7 @@ std::string lost_in_words(const study::Controllability& control) {
 }
 
 std::string roots_in_words(const study::Controllability& control) {
+  if (control.asked > 0 && control.unanswered == control.asked) return "unknown, no R was answered";
   const auto& roots = control.roots;
   const std::string among =
       control.unanswered_directions > 0 ? " in the directions that the law answers" : "";

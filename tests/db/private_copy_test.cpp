@@ -128,7 +128,7 @@ TEST_CASE("a copy that cannot be made says where it was to be, why not, and the 
     });
   };
   CHECK(said("/no/such/folder", false) == 1);
-  CHECK(said("File too large", true) == 1);
+  CHECK(said("copy.db does not take it", true) == 1);
 }
 
 TEST_CASE(

@@ -59,8 +59,9 @@ TEST_CASE("collapse_points has the columns of the paper's table") {
   TemporaryFolder folder;
   const Table table = ask(record_collapse(folder, lab::Origin::simulated), "collapse_points");
   CHECK(table.columns == std::vector<std::string>{"type_of_test", "test", "p0_eff_kPa",
-                                                  "void_ratio", "phi_mob_deg", "eta", "kind",
-                                                  "inside_limit_surface", "origin", "test_id"});
+                                                  "void_ratio", "phi_mob_deg", "eta", "eta_low",
+                                                  "eta_high", "kind", "inside_limit_surface",
+                                                  "origin", "test_id"});
   REQUIRE(table.rows.size() == 1);
   const auto& row = table.rows[0];
   CHECK(std::get<std::string>(row[0]) == "CSU");
@@ -68,7 +69,7 @@ TEST_CASE("collapse_points has the columns of the paper's table") {
   CHECK(std::get<double>(row[3]) == 0.871);
   CHECK(std::get<double>(row[4]) == Approx(14.84).margin(0.01));  // sin φ = 3·0.56/6.56
   CHECK(std::get<double>(row[5]) == Approx(0.56));
-  CHECK(std::get<std::string>(row[8]) == "simulated");
+  CHECK(std::get<std::string>(row[10]) == "simulated");
 }
 
 TEST_CASE(

@@ -30,6 +30,8 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
   lab::TestSummary summary;
   summary.peak = lab::Instant{};
   summary.collapse.criteria = {{}};
+  summary.collapse.approaching = lab::Outlook{};
+  summary.collapse.imminent = lab::Outlook{};
   summary.truth = lab::Truth{};
   summary.truth->run_aways = {{}};
   summary.checks = {{}};
@@ -52,5 +54,5 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
     CHECK(database.execAndGet("SELECT count(*) FROM " + table).getInt() == 0);
     ++seen;
   }
-  CHECK(seen == 34);
+  CHECK(seen == 38);
 }

@@ -41,7 +41,6 @@ std::string compliance_words(const sim::IncrementalResponse<Space>& response, do
 template <class Space>
 void put_determinant(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
                      Controllability& found) {
-  if (!least.answered) return;
   const double angle = sim::angle_of(least.stress);
   const auto half_hessian = sim::half_hessian(response, angle);
   if (!half_hessian) return;
@@ -95,6 +94,8 @@ Controllability control_of(const sim::IncrementalResponse<Space>& response, cons
     found.named = sim::control_indices(response, sim::triaxial_controls());
     found.conditions = sim::control_indices(response, conditions);
   }
+  // Where no probe was answered, to ask in every direction again would only take time.
+  if (!least.answered) return found;
   put_determinant(response, least, found);
   put_roots(response, found);
   return found;

@@ -39,8 +39,8 @@ inline constexpr double kLeastRatio = 0.05, kLargestRatio = 5;
 /// R from 0.1 to 3.
 std::vector<double> usual_ratios();
 
-/// `least`: the probe with the least normalised W₂, where the symmetric determinant is looked at.
-/// No R may be 0.
+/// `least`: the probe with the least normalised W₂, where the symmetric determinant is looked at;
+/// not answered: neither that nor roots are sought. No R may be 0.
 template <class Space>
 Controllability control_of(const sim::IncrementalResponse<Space>& response, const sim::Probe& least,
                            const std::vector<double>& R,

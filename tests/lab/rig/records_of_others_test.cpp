@@ -73,7 +73,8 @@ TEST_CASE("Karlsruhe TMU-AP2: limited, strength comes back", "[of-others]") {
   const TestSummary s = replay(*path);
   REQUIRE(s.collapse.kind == CollapseKind::limited);
   CHECK(*s.collapse.onset->q_pa / 1e3 == Approx(136.8).margin(0.05));
-  CHECK(*s.collapse.onset->axial_strain * 100 == Approx(0.38).margin(0.005));
+  // Between the readings at 0.383 % (136.79 kPa) and 0.434 % (136.62 kPa), nearer to the first.
+  CHECK(*s.collapse.onset->axial_strain * 100 == Approx(0.395).margin(0.012));
 }
 
 TEST_CASE("Karlsruhe TMU-MT2 and TMD3: no collapse", "[of-others]") {

@@ -76,7 +76,8 @@ TEST_CASE("listeners are told of every reading in order, and the summary says wh
   CHECK(scans == 3000);
   CHECK(summary.readings == 3000);
   CHECK(points > 100);
-  CHECK(events == std::vector{EventKind::stage_started, EventKind::loss_of_sustainability});
+  CHECK(events == std::vector{EventKind::stage_started, EventKind::approaching, EventKind::imminent,
+                              EventKind::loss_of_sustainability});
   CHECK(summary.collapse.kind == CollapseKind::flow);
   CHECK(std::abs(summary.collapse.onset->reading - 400) < 8);
   CHECK(std::abs(summary.peak->reading - 400) < 8);

