@@ -73,6 +73,9 @@ TEST_CASE("a leap of the strain under a load is a runaway, whatever q does after
       CHECK(c.kind == CollapseKind::limited);
       REQUIRE(c.onset);
       CHECK(c.onset->reading == onset);
+      CHECK(c.onset->interval);  // though the watch began anew
+      REQUIRE(c.noticed);
+      CHECK(c.noticed->reading == onset + 1);
       CHECK(*c.strength_lost == Approx(leap).epsilon(0.1));
       CHECK(control_of(c).found());
       CHECK_THAT(control_of(c).evidence, Catch::Contains("came back to"));
