@@ -51,8 +51,8 @@ double Descent::strength_regained() const {
   return lost > 0 ? (q_regained - q_least) / lost : 0.0;
 }
 
-void DescentTracker::start_stage(bool drained) {
-  drained_ = drained;
+void DescentTracker::start_stage(const Conditions& conditions) {
+  conditions_ = conditions;
   turn_negative_.clear();
   turn_positive_.clear();
   before_.reset();
@@ -61,6 +61,8 @@ void DescentTracker::start_stage(bool drained) {
   previous_.reset();
   q_lost_ = 0;
   if (latest_) latest_->ended = true;
+  for (auto* descent : {&latest_, &worst_})
+    if (*descent) (*descent)->settled = (*descent)->settled || conditions.another_specimen;
 }
 
 void DescentTracker::add(const PathPoint& point) {
@@ -73,7 +75,8 @@ void DescentTracker::add(const PathPoint& point) {
   if (resolved && point.work.normalised < 0) q_lost_ += strength_before - point.strength();
 
   for (auto* descent : {&latest_, &worst_})
-    if (*descent) (*descent)->q_regained = std::max((*descent)->q_regained, point.strength());
+    if (*descent && !(*descent)->settled)
+      (*descent)->q_regained = std::max((*descent)->q_regained, point.strength());
 
   if (latest_ && !latest_->ended) {
     turn_positive_.add(-point.work.normalised, point.normalised_error, weight);
@@ -118,8 +121,9 @@ void DescentTracker::keep_evidence(const PathPoint& point) {
 void DescentTracker::open(const PathPoint& point) {
   turn_positive_.clear();
   const PathPoint onset = before_ ? zero_crossing(*before_, *after_) : *after_;
-  const bool continues =
-      latest_ && onset.strength() < latest_->onset.strength() && latest_->strength_regained() < 0.5;
+  const bool continues = latest_ && !latest_->settled &&
+                         onset.strength() < latest_->onset.strength() &&
+                         latest_->strength_regained() < 0.5;
   if (continues) {
     latest_->ended = latest_->came_back = false;
   } else {
@@ -135,7 +139,8 @@ void DescentTracker::open(const PathPoint& point) {
                       .q_least = onset.strength(),
                       .q_regained = onset.strength(),
                       .axial_strain_last = onset.axial_strain,
-                      .drained = drained_};
+                      .drained = conditions_.drained,
+                      .by_displacement = conditions_.by_displacement};
   }
   follow(point);
 }

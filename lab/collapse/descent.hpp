@@ -33,6 +33,9 @@ struct Descent {
   /// Strength was lost with the drainage open and the axis moved by displacement: failure of the
   /// skeleton at the peak that it has under that lateral stress.
   bool drained = false;
+  bool by_displacement = false;  ///< a frame moved the axis, and q was free to fall
+  /// What is strong later is another specimen: consolidated anew, or with water let in or out.
+  bool settled = false;
   bool ended = false;      ///< with its stage, or because
   bool came_back = false;  ///< second-order work turned positive again
 
@@ -45,6 +48,11 @@ struct Descent {
 
 class DescentTracker {
  public:
+  /// How a stage is sheared.
+  struct Conditions {
+    bool drained = false, by_displacement = false;  ///< see Descent
+    bool another_specimen = false;                  ///< than before
+  };
   void add(const PathPoint& point);
   /// The descent that cost most strength so far; a descent that begins before the strength lost in
   /// the one before has half come back is that one's continuation.
@@ -55,8 +63,8 @@ class DescentTracker {
   void sharpen(const PathPoint& onset, const std::optional<StressInterval>& interval);
   /// The latest is a loss: that is known now.
   void notice(const std::optional<Moment>& now);
-  /// A new stage begins: no onset may be placed before it. `drained`: see Descent.
-  void start_stage(bool drained);
+  /// A new stage begins: no onset may be placed before it.
+  void start_stage(const Conditions& conditions);
 
  private:
   void start_over(const PathPoint& point);
@@ -72,7 +80,7 @@ class DescentTracker {
   std::optional<Descent> latest_, worst_;
   std::optional<PathPoint> previous_;
   double q_lost_ = 0;  ///< since after_
-  bool drained_ = false;
+  Conditions conditions_;
 };
 
 }  // namespace triax::lab

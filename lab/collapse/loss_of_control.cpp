@@ -16,9 +16,11 @@ std::string in_readings(std::size_t count) {
   return count == 1 ? "one reading" : fmt::format("{} readings", count);
 }
 
-constexpr double kBurst = 10;    ///< times the rate of the stage so far
-constexpr double kFall = 0.01;   ///< axial strain between two readings
-constexpr double kLostQ = 0.05;  ///< share of the q that was
+constexpr double kBurst = 10;         ///< times the rate of the stage so far
+constexpr double kFall = 0.01;        ///< axial strain between two readings
+constexpr double kLostQ = 0.05;       ///< share of the q that was
+constexpr double kLeastShare = 0.05;  ///< of p', by which the pore pressure bursts
+constexpr double kRunaway = 0.005;    ///< axial strain of a burst that is one
 
 /// Per second where there is time, so that a logger that slows down makes no burst; else per
 /// reading.
@@ -29,22 +31,20 @@ double lapse(const State& from, const State& to, bool has_time) {
 }  // namespace
 
 void LossOfControl::start_stage(const StageInfo* stage) {
-  const auto found = std::move(finding_);
-  const auto fall = fall_;
-  After after = after_;
-  after.over = found.has_value();
-  const State before = before_;
-  const bool looked = looked_;
-  const auto now = now_;
-  *this = LossOfControl();
-  looked_ = looked;
-  now_ = now;
-  finding_ = found;
-  fall_ = fall;
-  after_ = after;
-  before_ = before;
-  control_ = stage ? stage->control : AxialControl::unknown;
-  drainage_ = stage ? stage->drainage : Drainage::unknown;
+  LossOfControl next;
+  next.looked_ = looked_;
+  next.now_ = now_;
+  next.run_ = std::move(run_);
+  next.earlier_ = std::move(earlier_);
+  next.step_ = std::move(step_);
+  next.before_ = before_;
+  next.control_ = stage ? stage->control : AxialControl::unknown;
+  next.drainage_ = stage ? stage->drainage : Drainage::unknown;
+  for (Run* run : {&next.run_, &next.earlier_}) {
+    run->over = run->finding.has_value();
+    if (run->loss) run->loss->start_stage(stage);
+  }
+  *this = std::move(next);
 }
 
 void LossOfControl::add_state(const State& state, bool has_time) {
@@ -58,37 +58,48 @@ void LossOfControl::add_axis(const State& state, bool has_time) {
 }
 
 void LossOfControl::add(const State& state, bool has_time) {
-  const State before = std::exchange(before_, state);
-  if (finding_) follow(state);
-  if (control_ == AxialControl::displacement || finding_) return;
+  const State before = before_;
+  if (earlier_.loss) earlier_.loss->add(state);
+  if (run_.finding) follow(state);
+  if (control_ != AxialControl::displacement && !run_.finding) look(before, state, has_time);
+  before_ = state;
+}
+
+void LossOfControl::look(const State& before, const State& state, bool has_time) {
   looked_ = true;
   ++count_;
   if (control_ == AxialControl::constant_q) check_held_q(state, has_time);
   check_bursts(state, has_time);
   const bool carries_load = control_ != AxialControl::unknown;
-  if (carries_load && steps_ < kReference && !finding_) check_leap(before, state, has_time);
-  if (finding_) follow(state);
+  if (carries_load && steps_ < kReference && !run_.finding) check_leap(before, state, has_time);
+  if (run_.finding) follow(state);
+}
+
+void LossOfControl::begin(const State& from, std::string evidence, bool has_time) {
+  run_.finding = Finding{
+      .instant = instant_of(from, has_time), .evidence = std::move(evidence), .noticed = now_};
+  run_.before = from;
+  run_.previous = before_;
+  run_.loss.emplace(from, recent_.back().strain.axial - from.strain.axial, drainage_);
+  run_.under_load = control_ == AxialControl::load;
 }
 
 void LossOfControl::follow(const State& state) {
-  if (after_.over || std::isnan(state.q)) return;
-  const double q = std::fabs(state.q), before = std::fabs(finding_->instant.q_pa.value_or(0));
-  if (after_.readings++ == 0) {
-    after_.under_load = control_ == AxialControl::load;
-    after_.least = q;
-    after_.first_load = after_.least_load = carried_load(state);
-  }
-  after_.load = carried_load(state);
-  after_.least_load = std::min(after_.least_load, after_.load);
-  after_.least = std::min(after_.least, q);
-  after_.last = q;
-  if (!carried_on() || q < (1 + kLostQ) * before) return;
-  finding_.reset();
-  fall_.reset();
-  after_ = {};
-  // The rates of this stage are others now: they are learned anew.
+  run_.loss->add(state);
+  run_.add(state);
+  const double before = std::fabs(run_.before.q);
+  const bool returned = run_.carried_on() || run_.loss->came_back();
+  if (returned && run_.loss->largest_since() >= (1 + kLostQ) * before) watch_anew();
+}
+
+/// The rates are others now: they are learned anew.
+void LossOfControl::watch_anew() {
+  if (!earlier_.lost()) earlier_ = std::move(run_);
+  run_ = {};
   count_ = steps_ = 0;
   held_count_ = 0;
+  below_ = 0;
+  q_mean_ = q_square_ = 0;
   largest_rate_ = mean_rate_ = mean_pore_rate_ = 0;
 }
 
@@ -97,31 +108,74 @@ double LossOfControl::carried_load(const State& state) {
   return std::fabs(state.q) * (1 - volumetric_strain(state.strain)) / (1 - state.strain.axial);
 }
 
-bool LossOfControl::carried_on() const {
-  const double before = std::fabs(finding_->instant.q_pa.value_or(0));
-  const bool grew =
-      after_.last >= (1 + kLostQ) * before || after_.load >= (1 + kLostQ) * after_.first_load;
-  const bool long_enough = after_.readings > kCalm || grew;
-  const bool shed = after_.least_load <= (1 - kLostQ) * after_.first_load;
-  return after_.under_load && long_enough && !shed && after_.least > (1 - kLostQ) * before &&
-         after_.last >= before;
+void LossOfControl::Run::add(const State& state) {
+  if (over || std::isnan(state.q)) return;
+  const double q = std::fabs(state.q);
+  load = carried_load(state);
+  if (readings++ == 0) {
+    least = q;
+    first_load = least_load = load;
+  }
+  least_load = std::min(least_load, load);
+  least = std::min(least, q);
+  last = q;
+  if (!under_load || readings > kRecent) return;
+  const auto outran = [&](const State& from) {
+    const double leap = std::fabs(state.strain.axial - from.strain.axial);
+    return leap >= kRunaway && load / carried_load(from) - 1 < leap / 2;
+  };
+  ran_away = ran_away || outran(before) || outran(previous);
+  previous = state;
+}
+
+bool LossOfControl::Run::carried_on() const {
+  if (!finding || !under_load || ran_away) return false;
+  const double q_before = std::fabs(before.q);
+  const bool grew = last >= (1 + kLostQ) * q_before || load >= (1 + kLostQ) * first_load;
+  const bool long_enough = readings > kCalm || grew;
+  const bool shed = least_load <= (1 - kLostQ) * first_load;
+  return long_enough && !shed && least > (1 - kLostQ) * q_before && last >= q_before;
+}
+
+Finding LossOfControl::Run::told() const {
+  Finding told = *finding;
+  if (carried_on()) {
+    told.detected = false;
+    told.evidence += fmt::format("; q went on to {:.2f} kPa, nothing was lost", last / 1e3);
+  } else if (loss && loss->came_back()) {
+    told.evidence += fmt::format("; q, {:.2f} kPa at least, came back to {:.2f} kPa",
+                                 loss->least() / 1e3, loss->largest_since() / 1e3);
+  }
+  return told;
+}
+
+/// Of two the one that is not made good, else the first.
+const LossOfControl::Run* LossOfControl::decisive() const {
+  const bool both = run_.lost() && earlier_.lost();
+  if (both) return run_.loss->came_back() ? &earlier_ : &run_;
+  if (run_.lost()) return &run_;
+  return earlier_.lost() ? &earlier_ : nullptr;
 }
 
 std::optional<Finding> LossOfControl::finding() const {
-  if (!finding_ || !carried_on()) return finding_;
-  Finding told = *finding_;
-  told.detected = false;
-  told.evidence += fmt::format("; q went on to {:.2f} kPa, nothing was lost", after_.last / 1e3);
-  return told;
+  if (const Run* run = decisive()) return run->told();
+  if (run_.finding) return run_.told();
+  return earlier_.finding ? earlier_.told() : step_;
+}
+
+std::optional<Finding> LossOfControl::lost() const {
+  const Run* run = decisive();
+  return run ? std::optional(run->told()) : std::nullopt;
+}
+
+const LossAndReturn* LossOfControl::loss() const {
+  const Run* run = decisive();
+  return run && run->loss ? &*run->loss : nullptr;
 }
 
 std::string LossOfControl::blind() const {
   return looked_ ? std::string()
                  : "not looked for: a displacement was prescribed, and a frame keeps its control";
-}
-
-std::optional<Finding> LossOfControl::lost() const {
-  return finding_ && !carried_on() ? finding_ : std::nullopt;
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
@@ -140,11 +194,10 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
   }
   if (below_++ == 0) first_below_ = state;
   if (below_ < 3) return;
-  finding_ =
-      Finding{.instant = instant_of(first_below_, has_time),
-              .evidence = fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa",
-                                      q_mean_ / 1e3, deviation / 1e3, q / 1e3),
-              .noticed = now_};
+  begin(first_below_,
+        fmt::format("q was held at {:.2f} ± {:.2f} kPa and fell to {:.2f} kPa", q_mean_ / 1e3,
+                    deviation / 1e3, q / 1e3),
+        has_time);
 }
 
 /// Rise of the pore pressure beyond what the programme asks; unknown (NaN) without pore pressure.
@@ -170,9 +223,9 @@ void LossOfControl::check_bursts(const State& state, bool has_time) {
   std::shift_left(recent_.begin(), recent_.end(), 1);
   recent_.back() = state;
   if (steps_ < kReference) return;
-  if (!finding_) check_strain_burst(has_time);
+  if (!run_.finding) check_strain_burst(has_time);
   const bool knows_pore = control_ != AxialControl::unknown && whole_ >= kRecent;
-  if (!finding_ && knows_pore) check_pore_burst(has_time);
+  if (!run_.finding && knows_pore) check_pore_burst(has_time);
 }
 
 /// A displacement that was set to zero between two stages leaps too, but q does not.
@@ -181,16 +234,28 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
   const double leap = std::fabs(state.strain.axial - before.strain.axial);
   // Pulled on, it sheds the load with its area at a q that stays.
   const bool pulled = state.q < 0 && state.strain.axial < before.strain.axial;
+  const bool onward = state.q > 0 && state.strain.axial > before.strain.axial;
   const double left = pulled ? carried_load(state) / carried_load(before) : state.q / before.q;
-  if (!next || !(leap >= kFall) || !(std::fabs(left) < 1 - kLostQ)) return;
-  finding_ =
-      Finding{.instant = instant_of(before, has_time),
-              .evidence = fmt::format(
-                  "axial strain jumped from {:.3f} % to {:.3f} % between two readings "
-                  "and {} from {:.2f} kPa to {:.2f} kPa",
-                  before.strain.axial * 100, state.strain.axial * 100,
-                  pulled ? "the load fell, with q" : "q fell", before.q / 1e3, state.q / 1e3),
-              .noticed = now_};
+  if (!next || !(leap >= kFall)) return;
+  const auto jumped = [&](const char* what) {
+    return fmt::format(
+        "axial strain jumped from {:.3f} % to {:.3f} % between two readings "
+        "and {} from {:.2f} kPa to {:.2f} kPa",
+        before.strain.axial * 100, state.strain.axial * 100, what, before.q / 1e3, state.q / 1e3);
+  };
+  const bool falls_with_its_area = onward && left < 1 - leap / 2 && left > 1 - 2 * leap;
+  if (std::fabs(left) < 1 - kLostQ || falls_with_its_area)
+    begin(before, jumped(pulled ? "the load fell, with q" : "q fell"), has_time);
+  else if ((onward || pulled) && left >= 1 + kLostQ && !step_)
+    step_ = Finding{.instant = instant_of(before, has_time),
+                    .evidence = jumped("q grew, with a step of the load,"),
+                    .detected = bursts_open(before, state)};
+}
+
+/// The pore pressure leapt although the valve is open: the specimen ran, the step set it going.
+bool LossOfControl::bursts_open(const State& before, const State& state) const {
+  return drainage_ == Drainage::open && whole_ > 0 &&
+         pore_excess(before, state) > kLeastShare * before.p_eff;
 }
 
 /// The latest step against the fastest before it, and the q that was lost with it.
@@ -203,7 +268,7 @@ bool LossOfControl::outruns_any_frame(bool has_time) const {
 
 void LossOfControl::check_strain_burst(bool has_time) {
   constexpr double kLeastRise = 1e-3;
-  constexpr double kCreep = 0.01;  ///< of the fastest step
+  constexpr double kCreep = 0.1;  ///< of the fastest step
   const State& last = recent_.back();
   const auto rate = [&](const State& a, const State& b) {
     return std::fabs(b.strain.axial - a.strain.axial) / lapse(a, b, has_time);
@@ -221,20 +286,18 @@ void LossOfControl::check_strain_burst(bool has_time) {
   std::size_t start = 0;
   while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < least) ++start;
   if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
-    fall_ = Fall{recent_[start], last};
-  finding_ = Finding{
-      .instant = instant_of(recent_[start], has_time),
-      .evidence = fmt::format(
-          "axial strain rose from {:.3f} % to {:.3f} % within {}{}",
-          recent_[start].strain.axial * 100, last.strain.axial * 100,
-          in_readings(kRecent - 1 - start),
-          mean_rate_ > 0 ? fmt::format(", {:.0f} times faster than before", burst / mean_rate_)
-                         : ", with no movement before"),
-      .noticed = now_};
+    run_.fall = Fall{recent_[start], last};
+  begin(recent_[start],
+        fmt::format("axial strain rose from {:.3f} % to {:.3f} % within {}{}",
+                    recent_[start].strain.axial * 100, last.strain.axial * 100,
+                    in_readings(kRecent - 1 - start),
+                    mean_rate_ > 0
+                        ? fmt::format(", {:.0f} times faster than before", burst / mean_rate_)
+                        : ", with no movement before"),
+        has_time);
 }
 
 void LossOfControl::check_pore_burst(bool has_time) {
-  constexpr double kLeastShare = 0.05;  // of p'
   const State &first = recent_.front(), &last = recent_.back();
   const double excess = pore_excess(first, last);
   const double burst = excess / lapse(first, last, has_time);
@@ -244,14 +307,13 @@ void LossOfControl::check_pore_burst(bool has_time) {
          pore_excess(recent_[start], recent_[start + 1]) <
              kBurst / 2 * mean_pore_rate_ * lapse(recent_[start], recent_[start + 1], has_time))
     ++start;
-  finding_ = Finding{
-      .instant = instant_of(recent_[start], has_time),
-      .evidence = fmt::format(
-          "pore pressure rose from {:.2f} kPa to {:.2f} kPa within {} readings, "
-          "{:.2f} kPa more than prescribed",
-          recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
-          static_cast<std::int64_t>(kRecent - 1 - start), pore_excess(recent_[start], last) / 1e3),
-      .noticed = now_};
+  begin(recent_[start],
+        fmt::format("pore pressure rose from {:.2f} kPa to {:.2f} kPa within {} readings, "
+                    "{:.2f} kPa more than prescribed",
+                    recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
+                    static_cast<std::int64_t>(kRecent - 1 - start),
+                    pore_excess(recent_[start], last) / 1e3),
+        has_time);
 }
 
 }  // namespace triax::lab

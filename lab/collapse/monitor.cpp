@@ -19,6 +19,7 @@
 #include "lab/collapse/verdict.hpp"
 #include "lab/measured/axis_rest.hpp"
 #include "lab/measured/instant.hpp"
+#include "lab/measured/largest_strength.hpp"
 #include "lab/measured/path_history.hpp"
 #include "lab/measured/path_sampler.hpp"
 
@@ -60,8 +61,10 @@ struct CollapseMonitor::Impl {
   void look_nearer(const PathPoint& point);
   void tell_of_descent();
   void sharpen();
-  void place_fall(const Finding& burst);
-  void reach_turn_of_volume(double last);
+  struct PlacedBurst;
+  void place_burst(const Finding& burst);
+  void place_fall(const Instant& at, PlacedBurst& burst);
+  void reach_turn_of_volume(double last, Instant& fall) const;
   /// Readings after which the trend of the volume is stronger than any search of a servo.
   static constexpr double kSearch = 32;
   void place_turn(const OnsetFit& turn);
@@ -88,14 +91,17 @@ struct CollapseMonitor::Impl {
   SecondOrderWork& work = criteria.of<SecondOrderWork>();
   LossOfControl& control = criteria.of<LossOfControl>();
   ControlPeak& control_peak = criteria.of<ControlPeak>();
-  std::optional<Instant> fall;           ///< where a sudden loss of control began
-  std::optional<std::int64_t> fall_of;   ///< reading of the finding that it belongs to
-  std::optional<std::int64_t> burst_of;  ///< of the finding of which the interval is known
-  std::optional<StressInterval> burst_interval;
-  std::optional<FallWork> fall_work;
+  struct PlacedBurst {
+    std::int64_t of = 0;  ///< reading of the finding that it belongs to
+    std::optional<StressInterval> interval;
+    std::optional<Instant> fall;  ///< where a sudden one began
+    std::optional<FallWork> work;
+  };
+  std::vector<PlacedBurst> bursts;  ///< the latest and an earlier one
+  const PlacedBurst* placed(const Finding& burst) const;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   LimitSurface limit;
-  std::optional<State> peak;
+  LargestStrength peak;
   std::optional<int> stage;
   bool drained = false;         ///< in the stage under way
   bool held_q = false;          ///< in the stage under way
@@ -145,7 +151,7 @@ void CollapseMonitor::Impl::watch(const State& s, const std::optional<Moment>& n
   criteria.set_now(now);
   if (!stage || *stage != s.stage) start_stage(s);
   if (!is_watched(header.stage(s.stage))) return;
-  if (!peak || std::fabs(s.q) > std::fabs(peak->q)) peak = s;
+  peak.add(s);
   ++watched_states;
   if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
@@ -171,11 +177,7 @@ void CollapseMonitor::Impl::sharpen() {
     descent_onset.follow(history);
   }
   const auto& burst = control.found();
-  if (burst && burst_of != burst->instant.reading) {
-    burst_of = burst->instant.reading;
-    burst_interval = interval_of_burst(*burst);
-  }
-  if (burst && control.sudden() && fall_of != burst->instant.reading) place_fall(*burst);
+  if (burst && !placed(*burst)) place_burst(*burst);
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   const bool sought =
       std::exchange(descent_revision, descent_onset.revision()) != descent_onset.revision();
@@ -237,31 +239,44 @@ std::optional<StressInterval> CollapseMonitor::Impl::interval_of(const OnsetFit&
                        std::min(fit.point.reading + reach, last), false);
 }
 
-void CollapseMonitor::Impl::place_fall(const Finding& burst) {
+void CollapseMonitor::Impl::place_burst(const Finding& burst) {
+  const auto& earlier = control.earlier();
+  std::erase_if(bursts, [&](const PlacedBurst& one) {
+    return !earlier || one.of != earlier->instant.reading;
+  });
+  bursts.push_back(
+      {.of = burst.instant.reading, .interval = interval_of_burst(burst), .fall = {}, .work = {}});
+  if (control.sudden()) place_fall(burst.instant, bursts.back());
+}
+
+auto CollapseMonitor::Impl::placed(const Finding& burst) const -> const PlacedBurst* {
+  const auto found = std::ranges::find(bursts, burst.instant.reading, &PlacedBurst::of);
+  return found == bursts.end() ? nullptr : &*found;
+}
+
+void CollapseMonitor::Impl::place_fall(const Instant& at, PlacedBurst& burst) {
   constexpr double kBefore = 24;  // readings
-  fall_of = burst.instant.reading;
-  fall_work.reset();
-  const auto last = static_cast<double>(burst.instant.reading);
+  burst.fall = at;
+  burst.fall->interval = burst.interval;
+  const auto last = static_cast<double>(burst.of);
   const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
-  fall = burst.instant;
-  fall->interval = burst_interval;
   if (fit) {
-    fall = instant_of(fit->point, header.has_time);
-    fall->interval = fit->interval;
+    burst.fall = instant_of(fit->point, header.has_time);
+    burst.fall->interval = fit->interval;
   }
-  if (held_q && drained) reach_turn_of_volume(last);
+  if (held_q && drained) reach_turn_of_volume(last, *burst.fall);
   if (before_fall)
-    fall_work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
+    burst.work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
 }
 
 /// Few readings before the fall its turn is too weak to be sure of, but it may be the onset.
-void CollapseMonitor::Impl::reach_turn_of_volume(double last) {
+void CollapseMonitor::Impl::reach_turn_of_volume(double last, Instant& fall) const {
   constexpr double kYields = 64;  // readings
   const auto turn = fit_onset(history.between(last - kYields, last), Witness::volume, last);
   if (!turn) return;
   Instant at = instant_of(turn->point, header.has_time);
   at.interval = interval_of(*turn, turn->point);
-  reach(*fall, at);
+  reach(fall, at);
 }
 
 /// From the reading before it to the one after it.
@@ -333,18 +348,18 @@ void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 Collapse CollapseMonitor::Impl::verdict_so_far() const {
   // A burst that a growing load withdrew takes its fall with it.
   auto lost = control.lost();
-  if (lost && burst_of == lost->instant.reading) lost->instant.interval = burst_interval;
-  const bool falls = lost && fall_of == lost->instant.reading;
-  auto at_fall = falls ? fall : std::nullopt;
+  const PlacedBurst* burst = lost ? placed(*lost) : nullptr;
+  if (burst) lost->instant.interval = burst->interval;
+  auto at_fall = burst ? burst->fall : std::nullopt;
   const auto peak_of_control = control_peak.finding();
   if (at_fall && control_peak.turned() && peak_of_control->instant.reading < at_fall->reading)
     reach(*at_fall, peak_of_control->instant);
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
                   .loss_of_control = lost,
-                  .q_after_loss = control.q_after(),
+                  .loss = control.loss(),
                   .fall = at_fall,
-                  .fall_work = falls ? fall_work : std::nullopt,
+                  .fall_work = burst ? burst->work : std::nullopt,
                   .control_peak = peak_of_control,
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
@@ -367,6 +382,7 @@ Collapse CollapseMonitor::of_the_axis() const {
     if (one.name == LossOfControl::kName)
       *std::ranges::find(criteria, one.name, &Criterion::name) = one;
   return verdict({.loss_of_control = impl_->control.lost(),
+                  .loss = impl_->control.loss(),
                   .first_state = impl_->first_state,
                   .limit = impl_->limit,
                   .has_time = impl_->header.has_time},
@@ -382,8 +398,8 @@ Collapse CollapseMonitor::finish() {
 std::optional<CyclicLoading> CollapseMonitor::cyclic() const { return impl_->cycles.loading(); }
 
 std::optional<Instant> CollapseMonitor::peak() const {
-  if (!impl_->peak) return std::nullopt;
-  return instant_of(*impl_->peak, impl_->header.has_time);
+  const auto& peak = impl_->peak.state();
+  return peak ? std::optional(instant_of(*peak, impl_->header.has_time)) : std::nullopt;
 }
 
 }  // namespace triax::lab

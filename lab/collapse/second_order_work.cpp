@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "lab/measured/instant.hpp"
 #include "lab/measured/path_sampler.hpp"
 
@@ -39,7 +41,10 @@ bool lasts_at_held_q(const Descent& descent) {
 
 void SecondOrderWork::start_stage(const StageInfo* stage) {
   held_q_ = stage && stage->control == AxialControl::constant_q;
-  descents_.start_stage(is_drained_frame(stage));
+  const Drainage before = std::exchange(drainage_, stage ? stage->drainage : Drainage::unknown);
+  descents_.start_stage({.drained = is_drained_frame(stage),
+                         .by_displacement = stage && stage->control == AxialControl::displacement,
+                         .another_specimen = is_another_specimen(before, stage)});
 }
 
 void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {

@@ -38,7 +38,8 @@ class SecondOrderWork : public CollapseCriterion {
  private:
   DescentTracker descents_;
   std::optional<Descent> held_;
-  bool held_q_ = false;  ///< in the stage under way
+  bool held_q_ = false;                    ///< in the stage under way
+  Drainage drainage_ = Drainage::unknown;  ///< likewise
   bool has_time_ = true;
 };
 

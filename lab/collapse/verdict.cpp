@@ -31,10 +31,13 @@ CollapseKind kind_of(const Descent& descent) {
   return kind_of(descent.strength_loss(), descent.strength_regained());
 }
 
+bool runaway_came_back(const Evidence& e) { return e.loss && e.loss->came_back(); }
+
 /// A specimen that yielded at held q flows unless it caught itself with its q.
 CollapseKind kind_at_held_q(const Evidence& e) {
-  const bool lost_q = e.loss_of_control || (e.worst && kind_of(*e.worst) == CollapseKind::flow);
-  return e.at_held_q->came_back && !lost_q ? CollapseKind::limited : CollapseKind::flow;
+  const bool lost_q = e.worst && kind_of(*e.worst) == CollapseKind::flow;
+  const bool caught = e.loss_of_control ? runaway_came_back(e) : e.at_held_q->came_back;
+  return caught && !lost_q ? CollapseKind::limited : CollapseKind::flow;
 }
 
 /// The windows before the fall say nothing, the fall itself does.
@@ -94,6 +97,15 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
                                      : "; a drained failure at the peak of q";
 }
 
+/// A frame let q fall before the specimen ran away under what came after: what was found there is
+/// the onset. Under a load, or at held q, the trend before a runaway is the servo's.
+bool turned_before(const Descent& descent, const Instant& runaway) {
+  return descent.by_displacement && !descent.settled && !descent.came_back &&
+         descent.evidence.significantly_negative() &&
+         descent.onset.reading < static_cast<double>(runaway.reading) &&
+         std::fabs(runaway.q_pa.value_or(0)) < descent.onset.strength();
+}
+
 /// Beyond a few loops of unloading: q comes and goes, and the strain lags behind it.
 bool is_cyclic(const Evidence& e) {
   constexpr double kCycles = 4;
@@ -103,8 +115,8 @@ bool is_cyclic(const Evidence& e) {
 
 /// What began as a descent ended in a fall.
 void take_fall_after(const Evidence& e, Collapse& c) {
-  if (c.kind != CollapseKind::partial || !e.loss_of_control || is_cyclic(e)) return;
-  const double lost = 1 - e.q_after_loss / std::fabs(*c.onset->q_pa);
+  if (c.kind != CollapseKind::partial || !e.loss || runaway_came_back(e) || is_cyclic(e)) return;
+  const double lost = 1 - e.loss->least() / std::fabs(*c.onset->q_pa);
   if (!(lost >= kFlowLoss)) return;
   c.kind = CollapseKind::flow;
   c.strength_lost = lost;
@@ -168,7 +180,8 @@ bool is_late(const Instant& onset, const BackboneFall& fall) {
 }
 
 /// Cycles that liquefied the specimen, of which each was carried all the same. What is lost for
-/// good is that: q does not turn at that strength again.
+/// good is that: q does not turn at that strength again. The onset is the first of what was reached
+/// and of what was lost.
 void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
   const auto loading = cycles.loading();
   if (!loading || (!loading->liquefied && !loading->double_amplitude)) return;
@@ -178,9 +191,11 @@ void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
       loading->liquefied &&
       (!loading->double_amplitude ||
        loading->liquefied->instant.reading <= loading->double_amplitude->instant.reading);
-  if (c.kind == CollapseKind::none) {
-    c.onset = (liquefied_first ? loading->liquefied : loading->double_amplitude)->instant;
-    c.noticed = Moment{c.onset->reading, c.onset->time_s};
+  const Instant& reached =
+      (liquefied_first ? loading->liquefied : loading->double_amplitude)->instant;
+  if (c.kind == CollapseKind::none || reached.reading < c.onset->reading) {
+    c.onset = reached;
+    c.noticed = Moment{reached.reading, reached.time_s};
     c.inside_limit_surface.reset();
     c.strength_lost.reset();
     c.second_order_work_normalised.reset();
@@ -234,14 +249,17 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
 
   if (c.kind == CollapseKind::none && e.loss_of_control) {
     // Over before any window was full: the burst itself is the evidence.
-    c.kind = CollapseKind::flow;
+    c.kind = runaway_came_back(e) ? CollapseKind::limited : CollapseKind::flow;
     c.onset = e.loss_of_control->instant;
+    if (c.kind == CollapseKind::limited) c.strength_lost = e.loss->lost();
   }
   take_fall_after(e, c);
   const bool by_backbone = !c.onset && few;
   if (by_backbone) take_backbone(e, *e.backbone, c);
   if (few && c.onset && is_late(*c.onset, *e.backbone)) c.onset = onset_of(*e.backbone, e.has_time);
   if (c.onset && e.fall) c.onset = e.fall;
+  if (c.onset && e.loss_of_control && e.worst && turned_before(*e.worst, *c.onset))
+    c.onset = onset_of(*e.worst, e.has_time);
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   const bool drained = by_backbone ? e.backbone->drained : descent && descent->drained;

@@ -8,6 +8,7 @@
 #include "lab/collapse/fall_work.hpp"
 #include "lab/collapse/finding.hpp"
 #include "lab/collapse/limit_surface.hpp"
+#include "lab/collapse/loss_and_return.hpp"
 #include "lab/measured/axis_rest.hpp"
 #include "lab/measured/backbone.hpp"
 #include "lab/measured/cycles.hpp"
@@ -19,7 +20,7 @@ struct Evidence {
   std::optional<Descent> worst;      ///< descent that cost most strength
   std::optional<Descent> at_held_q;  ///< descent that lasted while q was held
   std::optional<Finding> loss_of_control;
-  double q_after_loss = kMissing;  ///< |q| that was left at last, Pa
+  const LossAndReturn* loss = nullptr;  ///< what that took and gave back; null: nobody says
   /// The specimen fell from one reading to the next, and this is where it lost its equilibrium.
   /// Whatever turned before, until then it carried the programme, the second-order work of whose
   /// slow trend is hundreds of times smaller than that of the servo's search.
@@ -42,17 +43,18 @@ struct Evidence {
 };
 
 /// flow: half the strength or more is lost and not half of that comes back, in the descent or by a
-/// loss of control that follows it, or the specimen yields at held q to the end; limited: a tenth
-/// or more is lost, and half of that comes back; partial: a tenth or more, and neither; none: less,
-/// or the onset lies on the limit surface (softening of dense sand is a failure there, no diffuse
+/// loss of control that follows it, or the specimen yields at held q to the end, or it runs away
+/// and its strength does not come back; limited: a tenth or more is lost, or it runs away, and half
+/// of that comes back (LossAndReturn); partial: a tenth or more, and neither; none: less, or the
+/// onset lies on the limit surface (softening of dense sand is a failure there, no diffuse
 /// collapse). So is a peak of q with the drainage open under prescribed displacement, unless the
 /// friction angle is known to be larger; that is told from a fiftieth of the strength on. Strength
 /// that was lost within fewer readings than windows need is a collapse by the work of its finite
-/// increment; where a single one shows the loss, nothing is known after it;
-/// nor where the record ends while q falls and less than that is lost. Where cycles of load
-/// liquefied the specimen and were carried on it is cyclic mobility. `criteria` are those of
-/// Criteria::criteria(): they stand in the verdict, the first of them, second-order work, as a fall
-/// proves it or the limit surface refutes it.
+/// increment; where a single one shows the loss, nothing is known after it; nor where the record
+/// ends while q falls and less than that is lost. Where cycles of load liquefied the specimen and
+/// were carried on it is cyclic mobility. `criteria` are those of Criteria::criteria(): they stand
+/// in the verdict, the first of them, second-order work, as a fall proves it or the limit surface
+/// refutes it.
 Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

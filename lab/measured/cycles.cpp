@@ -16,10 +16,12 @@ void CycleCounter::add(const State& state) {
   if (!first_) {
     first_ = extreme_ = state;
     strain_ = strain_since_ = {state.strain.axial, state.strain.axial};
+    strain_extreme_ = state.strain.axial;
   }
   noise_.add(state.q);
   if (is_within_the_cycles(state.q)) strain_since_.add(state.strain.axial);
   follow(state);
+  follow_strain(state.strain.axial);
   watch_pore_pressure(state);
   watch_strain(state);
 }
@@ -35,6 +37,22 @@ void CycleCounter::follow(const State& state) {
   const double back = direction_ * (extreme_.q - state.q);
   if (back <= 0) reach(state);
   if (back > least) turn(state);
+}
+
+void CycleCounter::follow_strain(double strain) {
+  strain_noise_.add(strain);
+  const double least = std::max(kLeastStrain, kNoises * strain_noise_.value());
+  const double moved = strain - strain_extreme_;
+  if (strain_direction_ == 0) {
+    if (std::fabs(moved) < least) return;
+    strain_direction_ = moved > 0 ? 1 : -1;
+  } else if (strain_direction_ * moved < -least) {
+    strain_direction_ = -strain_direction_;
+    ++strain_turns_;
+  } else if (strain_direction_ * moved <= 0) {
+    return;
+  }
+  strain_extreme_ = strain;
 }
 
 /// Whether q lies between the last two turns, with a tenth to spare: shear beyond them is no
@@ -76,7 +94,7 @@ CycleInstant CycleCounter::at(const State& state) const {
 int CycleCounter::cycle_of(const State& state) const {
   constexpr double kRounding = 1e-6;
   const double counted = std::floor(state.cycle - first_->cycle + kRounding) + 1;
-  return counted >= 1 && counted < 1e9 ? static_cast<int>(counted) : turns_ / 2 + 1;
+  return counted >= 1 && counted < 1e9 ? static_cast<int>(counted) : turns() / 2 + 1;
 }
 
 /// r_u from the pore pressure, or, where the cell pressure stands, from the effective radial
@@ -103,9 +121,10 @@ void CycleCounter::watch_strain(const State& state) {
 }
 
 std::optional<CyclicLoading> CycleCounter::loading() const {
-  if (turns_ < kFewest) return std::nullopt;
+  if (turns() < kFewest) return std::nullopt;
   CyclicLoading loading = found_;
-  loading.cycles = turns_ / 2.0;
+  if (by_strain()) loading.double_amplitude.reset();
+  loading.cycles = turns() / 2.0;
   loading.q_low_pa = low_.value;
   loading.q_high_pa = high_.value;
   loading.stress_ratio = (high_.value - low_.value) / 4 / first_->p_eff;

@@ -10,14 +10,17 @@
 
 namespace triax::lab {
 
-/// Counts the turns of q, beside what the logger counts itself: where it comes back by more than
-/// kLeast p′₀ and kNoises times its noise. Two turns are a cycle; from kFewest turns on a test is a
-/// cyclic one. The double amplitude is the strain from turn to turn, counted while q lies between
-/// the last two of them: shear that goes on beyond them, between loops of unloading or after the
-/// cycles, is none.
+/// Counts the turns of q, or, where the strain is driven to and fro while q fades, those of the
+/// axial strain (by kLeastStrain and kNoises times its noise), beside what the logger counts
+/// itself: where it comes back by more than kLeast p′₀ and kNoises times its noise. Two turns are a
+/// cycle; from kFewest turns on a test is a cyclic one. The double amplitude is the strain from
+/// turn to turn, counted while q lies between the last two of them: shear that goes on beyond them,
+/// between loops of unloading or after the cycles, is none. Of cycles of strain it is what was
+/// prescribed, and says nothing.
 class CycleCounter {
  public:
   static constexpr double kLeast = 0.05;
+  static constexpr double kLeastStrain = 5e-4;
   static constexpr double kNoises = 18;  ///< of BendNoise: 10.4 standard deviations
   static constexpr int kFewest = 4;
   static constexpr double kLiquefied = 0.95;        ///< r_u of initial liquefaction
@@ -51,6 +54,9 @@ class CycleCounter {
     void add(double next) { value += (next - value) / ++count; }
   };
   void follow(const State& state);
+  void follow_strain(double strain);
+  bool by_strain() const { return strain_turns_ > turns_ + 1; }
+  int turns() const { return by_strain() ? strain_turns_ : turns_; }
   bool is_within_the_cycles(double q) const;
   void reach(const State& state);
   void turn(const State& state);
@@ -67,7 +73,10 @@ class CycleCounter {
   State extreme_;                ///< of q since the last turn
   BendNoise noise_;              ///< of q
   Range strain_, strain_since_;  ///< of this half cycle to its extreme of q, and since that
-  int turns_ = 0;
+  int turns_ = 0, strain_turns_ = 0;
+  int strain_direction_ = 0;
+  double strain_extreme_ = 0;
+  BendNoise strain_noise_;
   Mean high_, low_;  ///< of the turns
   std::deque<Turn> recent_;
   CyclicLoading found_;

@@ -19,6 +19,11 @@ bool is_drained_frame(const StageInfo* stage) {
          stage->control != AxialControl::load;
 }
 
+bool is_another_specimen(Drainage before, const StageInfo* stage) {
+  const bool opened = before == Drainage::closed && stage && stage->drainage != Drainage::closed;
+  return opened || !is_watched(stage);
+}
+
 std::optional<PathSample> PathSampler::sample(const State& s) {
   if (!std::isnan(last_strain_)) path_ += std::fabs(s.strain.axial - last_strain_);
   last_strain_ = s.strain.axial;

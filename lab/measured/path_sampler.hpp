@@ -20,6 +20,10 @@ bool is_watched(const StageInfo* stage);
 /// lost at a peak of q is then the skeleton's strength under that lateral stress.
 bool is_drained_frame(const StageInfo* stage);
 
+/// Whether strength in this stage says nothing of what was lost while the drainage was as `before`:
+/// the specimen is consolidated, or water may flow that was shut in.
+bool is_another_specimen(Drainage before, const StageInfo* stage);
+
 /// Gives each complete state of the watched stages its progress: time, or the path along the axial
 /// strain where the record has no time.
 class PathSampler {

@@ -188,7 +188,7 @@ bool VirtualRig::Impl::go(Mode next, EventKind kind, const std::string& detail) 
   if (next == Mode::safe) {
     const std::string why = fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s,
                                         stage().name, detail);
-    kind == EventKind::safe_state ? cut(why) : warn(why);
+    cut(why);
   }
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
   return true;

@@ -130,13 +130,26 @@ std::string failure_line(const lab::Collapse& c) {
                                                      : "past the peak with the drainage open");
 }
 
+/// What leapt under a load that was carried on is told, and did not stay controllable.
+std::string none_line(const db::StoredTest& test) {
+  const auto& criteria = test.summary.collapse.criteria;
+  const auto leap = std::ranges::find_if(criteria, [](const lab::Criterion& one) {
+    return one.name == "loss_of_control" && one.reading;
+  });
+  const std::string found =
+      leap == criteria.end()
+          ? "none found: the specimen stayed controllable"
+          : fmt::format("none for good: a burst at reading {}, and the load was carried on",
+                        *leap->reading);
+  return found + "; " + judged_words(test);
+}
+
 std::string verdict_line(const db::StoredTest& test) {
   if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
   const auto& collapse = test.summary.collapse;
   if (!study::has_verdict(test)) return not_judged_line(collapse);
   if (study::failure_onset(test)) return failure_line(collapse);
-  if (!collapse.detected())
-    return "none found: the specimen stayed controllable; " + judged_words(test);
+  if (!collapse.detected()) return none_line(test);
   std::string line = collapse_word(collapse.kind);
   if (!collapse.inside_limit_surface)
     line += "; limit surface unknown";

@@ -79,7 +79,7 @@ TEST_CASE("a stage's start forgets what hangs between two stages") {
   Feed feed;
   feed(0.1, 100e3);
   feed(-0.1, 99e3, 0.05);  // not sure yet
-  feed.tracker.start_stage(false);
+  feed.tracker.start_stage({});
   for (int i = 1; i <= 5; ++i) feed(-0.3, 99e3 - 5e3 * i);
   REQUIRE(feed.tracker.latest());
   CHECK(feed.tracker.latest()->onset.reading >= 14);

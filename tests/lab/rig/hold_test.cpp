@@ -105,4 +105,6 @@ TEST_CASE("abort: ten more readings in the safe state, and why") {
   CHECK(of_stage(readings, 2).size() == VirtualRig::kSafeReadings);
   CHECK(readings.back().time_s == Approx(30 + VirtualRig::kSafeReadings * 0.25).margin(0.26));
   CHECK_THAT(by_operator.header().warnings.at(0).text, Contains("aborted by the operator"));
+  // It earns no verdict of none.
+  CHECK_THAT(by_operator.header().cut_short, Contains("aborted by the operator"));
 }

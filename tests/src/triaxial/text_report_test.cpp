@@ -56,6 +56,12 @@ TEST_CASE("each test says its evidence, its doubts and that it is simulated or i
   blind.stored.summary.collapse.judged = false;
   CHECK(holds(text_of_test(blind), "not judged"));
   CHECK_FALSE(holds(text_of_test(blind), "stayed controllable"));
+  auto leapt = test::stable_test();
+  CHECK(holds(text_of_test(leapt), "stayed controllable"));
+  leapt.stored.summary.collapse.criteria.push_back(
+      {.name = "loss_of_control", .detected = false, .reading = 77, .evidence = "jumped"});
+  CHECK_FALSE(holds(text_of_test(leapt), "stayed controllable"));
+  CHECK(holds(text_of_test(leapt), "a burst at reading 77"));
 }
 
 TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known") {
