@@ -119,7 +119,7 @@ TEST_CASE("after a loss nothing is imminent any more, and the levels that were s
   CHECK(alarm.imminent());
 }
 
-TEST_CASE("the same is said whatever comes before in a stage that is not watched") {
+TEST_CASE("states without q between the others change nothing that is said") {
   Said alone, after;
   const RecordHeader header = shear_header(AxialControl::displacement);
   Alarm one(header, {alone.listener()}), other(header, {after.listener()});
