@@ -271,8 +271,8 @@ void CollapseMonitor::Impl::place_fall(const Instant& at, PlacedBurst& burst) {
 
 /// Few readings before the fall its turn is too weak to be sure of, but it may be the onset.
 void CollapseMonitor::Impl::reach_turn_of_volume(double last, Instant& fall) const {
-  constexpr double kYields = 64;  // readings
-  const auto turn = fit_onset(history.between(last - kYields, last), Witness::volume, last);
+  constexpr double kReadings = 64;  // readings
+  const auto turn = fit_onset(history.between(last - kReadings, last), Witness::volume, last);
   if (!turn) return;
   Instant at = instant_of(turn->point, header.has_time);
   at.interval = interval_of(*turn, turn->point);
