@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/grains/engine/team.hpp"
 
-#include <chrono>
 #include <stdexcept>
 
 #if defined(__x86_64__)
@@ -11,10 +10,11 @@
 namespace triax::sim {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// How long a thread looks for the next round before it sleeps: rounds take some ten microseconds.
 constexpr std::chrono::microseconds kLook{100};
+/// How often it looks so long while a round is open, offering its processor in between: who sleeps
+/// comes late to the next round, finds its pieces taken, and sleeps again.
+constexpr int kLooksInRound = 4;
 /// Looks between two readings of the clock.
 constexpr int kLooks = 64;
 /// How often a thread that holds no piece offers its processor to whoever waits for one. Schedulers
@@ -37,7 +37,7 @@ void run_alone(const TeamWork& work) {
 
 }  // namespace
 
-Team::Team(int threads) {
+Team::Team(int threads) : seats_(static_cast<std::size_t>(threads)) {
   for (int t = 1; t < threads; ++t) others_.emplace_back([this, t] { serve(t); });
 }
 
@@ -67,7 +67,7 @@ void Team::run(const TeamWork& work) {
 unsigned Team::work_on(int thread, unsigned round) {
   auto offered = Clock::now();
   while (round % 2 == 1) {
-    take_pieces(thread, round);
+    take_part(thread, round);
     wait_for_change(round);
     round = round_.load(std::memory_order_acquire);
     if (Clock::now() - offered < kOffer) continue;
@@ -77,18 +77,37 @@ unsigned Team::work_on(int thread, unsigned round) {
   return round;
 }
 
-void Team::take_pieces(int thread, unsigned round) {
+void Team::take_part(int thread, unsigned round) {
+  seats_[static_cast<std::size_t>(thread)].here.store(round, std::memory_order_relaxed);
+  const auto begun = Clock::now();
+  if (take_pieces_of(thread, round)) return;
+  const auto away = [&](int other) {
+    return round - seats_[static_cast<std::size_t>(other)].here.load(std::memory_order_relaxed) > 2;
+  };
+  for (int i = 1; i < size(); ++i) {
+    const int other = (thread + i) % size();
+    if (away(other) && take_pieces_of(other, round)) return;
+  }
+  if (look_for_change(round, Clock::now() - begun)) return;
+  for (int i = 1; i < size(); ++i)
+    if (take_pieces_of((thread + i) % size(), round)) return;
+}
+
+/// Does what is left of a thread's pieces; true if that ended the round.
+bool Team::take_pieces_of(int owner, unsigned round) {
   const int count = pieces_a_round_.load(std::memory_order_relaxed);
-  const int own = count * thread / size();
-  for (int i = 0; i < count; ++i) {
-    const int k = (own + i) % count;
+  const int end = count * (owner + 1) / size();
+  for (int k = count * owner / size(); k < end; ++k) {
     std::atomic<unsigned>& taken = pieces_[static_cast<std::size_t>(k)].taken;
     unsigned free = round - 2;
     if (taken.load(std::memory_order_relaxed) != free) continue;
     if (!taken.compare_exchange_strong(free, round, std::memory_order_relaxed)) continue;
     work_->piece((round - first_) / 2, k);
-    if (left_.fetch_sub(1, std::memory_order_acq_rel) == 1) return close(round);
+    if (left_.fetch_sub(1, std::memory_order_acq_rel) != 1) continue;
+    close(round);
+    return true;
   }
+  return false;
 }
 
 /// By the thread that finished the last piece of the round.
@@ -101,14 +120,24 @@ void Team::close(unsigned round) {
   round_.notify_all();
 }
 
-void Team::wait_for_change(unsigned round) const {
-  if (round_.load(std::memory_order_acquire) != round) return;
-  const auto until = Clock::now() + kLook;
+/// Looks without sleeping; false if the round is the same when patience ends.
+bool Team::look_for_change(unsigned round, Clock::duration patience) const {
+  if (round_.load(std::memory_order_acquire) != round) return true;
+  const auto until = Clock::now() + patience;
   for (int look = 1; round_.load(std::memory_order_acquire) == round; ++look) {
     breathe();
-    if (look % kLooks == 0 && Clock::now() > until)
-      return round_.wait(round, std::memory_order_acquire);
+    if (look % kLooks == 0 && Clock::now() > until) return false;
   }
+  return true;
+}
+
+void Team::wait_for_change(unsigned round) const {
+  const int looks = round % 2 == 1 ? kLooksInRound : 1;
+  for (int i = 0; i < looks; ++i) {
+    if (look_for_change(round, kLook)) return;
+    std::this_thread::yield();
+  }
+  round_.wait(round, std::memory_order_acquire);
 }
 
 void Team::serve(int thread) {

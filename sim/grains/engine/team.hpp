@@ -2,12 +2,15 @@
 #pragma once
 // A few threads that share rounds of work.
 //
-// A round is a fixed number of pieces. Each piece is taken by whichever thread comes first, a
-// thread's own ones before the others', and the thread that finishes the last piece does alone what
-// is between this round and the next. Nobody waits for a thread that holds no piece: one that the
-// machine does not run at the moment costs its share and no more.
+// A round is a fixed number of pieces. Every thread has its own ones, whose data are in the cache
+// of its core. Those of a thread that has not come to the round, or is late by as much as the round
+// has taken, are done by others: one that the machine does not run at the moment costs its share
+// and no more. A thread that is merely a little slower keeps its pieces: taken by another core they
+// cost three times as much. The thread that finishes the last piece does alone what is between this
+// round and the next.
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -46,13 +49,20 @@ class Team {
   struct alignas(64) Piece {
     std::atomic<unsigned> taken{0};  ///< the round it was last taken in
   };
+  struct alignas(64) Seat {
+    std::atomic<unsigned> here{0};  ///< the last round that its thread came to
+  };
+  using Clock = std::chrono::steady_clock;
   void serve(int thread);
   unsigned work_on(int thread, unsigned round);
-  void take_pieces(int thread, unsigned round);
+  void take_part(int thread, unsigned round);
+  bool take_pieces_of(int owner, unsigned round);
+  bool look_for_change(unsigned round, Clock::duration patience) const;
   void close(unsigned round);
   void wait_for_change(unsigned round) const;
 
   std::array<Piece, kMostPieces> pieces_;
+  std::vector<Seat> seats_;  ///< of every thread
   alignas(64) std::atomic<unsigned> round_{0};
   std::atomic<bool> leaving_{false};
   std::atomic<int> pieces_a_round_{1};

@@ -107,10 +107,11 @@ void choose_near_walls(GrainState& state) {
 }
 
 void choose_near(GrainState& state) {
-  const NearPairs before = std::move(state.neighbours.near);
-  NearPairs near;
+  // Its memory is used again: fresh pages would cost more than the choice.
+  static thread_local NearPairs chosen;
+  const NearPairs& before = state.neighbours.near;
   std::size_t k = 0;
-  fill_near(state, near, [&](std::size_t l) {
+  fill_near(state, chosen, [&](std::size_t l) {
     std::array<double, 3> t{};
     if (k < before.size() && static_cast<std::size_t>(before.listed[k]) == l) {
       for (int a = 0; a < 3; ++a) t[a] = before.tangential_n[a][k];
@@ -118,7 +119,7 @@ void choose_near(GrainState& state) {
     }
     return t;
   });
-  state.neighbours.near = std::move(near);
+  std::swap(state.neighbours.near, chosen);
   choose_near_walls(state);
 }
 

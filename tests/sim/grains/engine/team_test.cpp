@@ -79,6 +79,29 @@ TEST_CASE("Grains: a thread that stands still in a piece holds up no other piece
   CHECK(all_others);
 }
 
+TEST_CASE("Grains: a thread that is a little slower keeps its pieces", "[threads]") {
+  using namespace std::chrono_literals;
+  Team team(2);
+  std::array<std::thread::id, 4> by;
+  std::atomic<int> first_half{0};
+  bool kept = false;
+  team.run({4,
+            [&](unsigned, int k) {
+              by.at(k) = std::this_thread::get_id();
+              if (k < 2) std::this_thread::sleep_for(20ms);
+              if (k < 2) ++first_half;
+              if (k != 2) return;
+              comes_true([&] { return first_half == 2; });
+              std::this_thread::sleep_for(2ms);  // time in which the other one could take piece 3
+            },
+            [&](unsigned round) {
+              first_half = 0;
+              kept = kept || (by[0] == by[1] && by[2] == by[3] && by[0] != by[2]);
+              return !kept && round < 20;
+            }});
+  CHECK(kept);
+}
+
 TEST_CASE("Grains: a team that was never used ends, and refuses rounds without pieces") {
   { const Team idle(4); }
   Team team(2);
