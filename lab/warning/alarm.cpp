@@ -16,28 +16,14 @@ constexpr double kWorthTelling = 1e-3;  ///< change of η forecast
 Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners)
     : header_(header),
       listeners_(std::move(listeners)),
-      sampler_(header.has_time),
       limit_(header.specimen),
-      levels_(header.has_time) {
-  rates_.on_point = [this](const PathPoint& point) { take(point); };
-}
+      levels_(header.has_time) {}
 
 void Alarm::start_stage(const State& state) {
   take_back(state, "its stage ended");
-  rates_.finish();
-  rest_.finish();
-  const StageInfo* info = header_.stage(state.stage);
   stage_ = state.stage;
-  rest_.start_stage(info, header_.has_time);
-  levels_.start_stage(info);
+  levels_.start_stage(header_.stage(state.stage));
   told_.reset();
-}
-
-void Alarm::take(const PathPoint& point) {
-  for (const PathPoint& driven : rest_.add(point)) {
-    limit_.add(driven);
-    levels_.add(driven);
-  }
 }
 
 void Alarm::watch(const State& state) {
@@ -45,11 +31,17 @@ void Alarm::watch(const State& state) {
   if (stage_ != state.stage) start_stage(state);
   latest_ = state;
   if (!is_watched(header_.stage(state.stage))) return;
-  if (const auto sample = sampler_.sample(state)) rates_.add(*sample);
+  if (levels_.add(state)) {
+    PathPoint point;
+    point.reading = static_cast<double>(state.reading);
+    point.q = state.q;
+    point.p_eff = state.p_eff;
+    limit_.add(point);
+  }
   const auto eta = levels_.eta_forecast();
   const auto inside =
       eta ? limit_.inside(*eta, static_cast<double>(state.reading)) : std::optional<bool>();
-  if (levels_.look(state, inside)) say(state);
+  if (levels_.look(inside)) say(state);
   if (!eta || (told_ && std::fabs(*eta - *told_) < kWorthTelling)) return;
   told_ = eta;
   if (is_heard(listeners_, &AlarmListener::foreseen))

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "lab/collapse/limit_surface.hpp"
-#include "lab/measured/axis_rest.hpp"
 #include "lab/measured/path_sampler.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/summary.hpp"
@@ -47,15 +46,11 @@ class Alarm {
 
  private:
   void start_stage(const State& state);
-  void take(const PathPoint& point);
   void take_back(const State& state, const std::string& reason);
   void say(const State& state);
 
   const RecordHeader header_;
   const AlarmListeners listeners_;
-  PathSampler sampler_;
-  PathRates rates_;
-  AxisRest rest_;
   LimitSurface limit_;
   WarningLevels levels_;
   std::optional<int> stage_;

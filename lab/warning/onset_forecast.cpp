@@ -1,133 +1,221 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/warning/onset_forecast.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-
-#include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr std::size_t kLooks = 128;
-constexpr std::size_t kLeastLooks = 5;
-constexpr double kLeastIndependent = 2.5;
+constexpr std::size_t kLeast = 8;                  ///< means in a fit
+constexpr double kLongest = 0.5, kShortest = 0.1;  ///< distance that rules the window, of η
+constexpr double kReach = 2.5, kReachShut = 5;
+constexpr double kBehind = 0.3;  ///< of the distance, over which normalised work is continued
+constexpr double kModel = 0.27, kModelOpen = 0.25, kModelShut = 0.3;  ///< errors, of the distance
 constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
-constexpr double kModel = 0.15;    ///< of the distance left: what a straight line errs by
-/// A forecast is held to its word where this share of η is left and its standard error is below
-/// that share.
-constexpr double kSoon = 0.15, kConfident = 0.1, kBreach = 0.04;
+constexpr int kLooksInAll = 64;    ///< a look each so many-th part of the readings
+
+using Columns = Eigen::Matrix<double, 4, 1>;
+
+/// y, and beside it p′ along a strain path and ε₁ at held q, fitted to the driven path near `now`.
+struct Fit {
+  double now = 0, distance = 0;
+  Columns y = Columns::Zero(), beside = Columns::Zero();  ///< constant, f₀, f₁, f₂
+  Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();
+  double first_eta = 0;
+
+  double at(const Columns& c, double xi) const { return c[1] + xi * (c[2] + xi * c[3]); }
+  /// The root of dy/dx nearest to now at which it falls.
+  std::optional<double> root() const;
+  double normalised_work(double xi) const;
+  std::optional<double> root_of_work() const;
+  double error(double xi) const;
+};
+
+std::optional<double> Fit::root() const {
+  const double a = y[3], b = y[2], c = y[1];
+  std::optional<double> best;
+  const auto take = [&](double xi) {
+    if (!(b + 2 * a * xi < 0) || !(xi > -1)) return;
+    if (!best || std::fabs(xi) < std::fabs(*best)) best = xi;
+  };
+  if (std::fabs(a) * std::fabs(c) < 1e-12 * b * b) {
+    take(-c / b);
+    return best;
+  }
+  const double under = b * b - 4 * a * c;
+  if (under < 0) return std::nullopt;
+  const double s = -0.5 * (b + std::copysign(std::sqrt(under), b));
+  take(s / a);
+  if (s != 0) take(c / s);
+  return best;
+}
+
+/// At held q, the drainage open: dp′dε_v/(|dσ′||dε|).
+double Fit::normalised_work(double xi) const {
+  const double volume = at(y, xi), shear = at(beside, xi) + volume / 3;
+  return volume / std::sqrt(volume * volume + 4.5 * shear * shear);
+}
+
+/// Of normalised work, which falls along a straight line over p′ = q/η.
+std::optional<double> Fit::root_of_work() const {
+  const double here = normalised_work(0), behind = normalised_work(-kBehind);
+  const double p = 1 / now, p_behind = 1 / (now - kBehind * distance);
+  const double slope = (behind - here) / (p_behind - p);
+  const double p_there = p - here / slope;
+  if (!(slope > 0) || !(p_there > 0)) return std::nullopt;
+  return (1 / p_there - now) / distance;
+}
+
+double Fit::error(double xi) const {
+  const Columns g{0, 1, xi, xi * xi};
+  const double slope = y[2] + 2 * y[3] * xi;
+  return distance * std::sqrt(std::max(0.0, g.dot(variance * g))) / std::fabs(slope);
+}
+
+/// Least squares over the means from `first` on, weighted by their readings.
+std::optional<Fit> fit(const std::vector<PathMean>& means, std::size_t first, double now,
+                       double distance, int terms) {
+  Fit f{.now = now, .distance = distance, .first_eta = means[first].eta};
+  const auto count = static_cast<Eigen::Index>(means.size() - first);
+  if (count < terms + 2) return std::nullopt;
+  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, 128, 4> a(count, 4);
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, 128, 2> b(count, 2);
+  const PathMean& from = means[first];
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const PathMean& m = means[first + static_cast<std::size_t>(i)];
+    const double w = std::sqrt(m.readings);
+    const double j0 = m.weighted[0] - from.weighted[0], j1 = m.weighted[1] - from.weighted[1],
+                 j2 = m.weighted[2] - from.weighted[2];
+    a.row(i) << w, w * j0, w * (j1 - now * j0) / distance,
+        w * (j2 - now * (2 * j1 - now * j0)) / (distance * distance);
+    b.row(i) << w * (m.y - from.y), w * (m.beside - from.beside);
+  }
+  Columns scale = a.colwise().norm();
+  for (int k = 0; k < terms; ++k)
+    if (!(scale[k] > 0)) return std::nullopt;
+  const auto used = (a.leftCols(terms) * scale.head(terms).cwiseInverse().asDiagonal()).eval();
+  const Eigen::LDLT<Eigen::MatrixXd> normal(used.transpose() * used);
+  if (!(normal.rcond() > 1e-13)) return std::nullopt;
+  const Eigen::MatrixXd solution = normal.solve(used.transpose() * b);
+  const double rest = (b.col(0) - used * solution.col(0)).squaredNorm();
+  const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(terms, terms)) *
+                                  (rest / static_cast<double>(count - terms));
+  for (int k = 0; k < terms; ++k) {
+    f.y[k] = solution(k, 0) / scale[k];
+    f.beside[k] = solution(k, 1) / scale[k];
+    for (int l = 0; l < terms; ++l) f.variance(k, l) = inverse(k, l) / (scale[k] * scale[l]);
+  }
+  return f;
+}
+
+std::size_t first_within(const std::vector<PathMean>& means, double from) {
+  const auto at = std::ranges::find_if(means, [&](const PathMean& m) { return m.eta >= from; });
+  const auto first = static_cast<std::size_t>(at - means.begin());
+  return std::min(first, means.size() > kLeast ? means.size() - kLeast : 0);
+}
+
+/// Mean of the latest: single readings scatter.
+PathMean latest(const std::vector<PathMean>& means, std::int64_t readings) {
+  const auto count = std::min<std::int64_t>(std::clamp<std::int64_t>(readings / 100, 3, 16),
+                                            static_cast<std::int64_t>(means.size()));
+  PathMean sum{};
+  for (std::size_t i = means.size() - static_cast<std::size_t>(count); i < means.size(); ++i) {
+    sum.eta += means[i].eta / static_cast<double>(count);
+    sum.p += means[i].p / static_cast<double>(count);
+    sum.q += means[i].q / static_cast<double>(count);
+  }
+  return sum;
+}
 
 }  // namespace
 
-OnsetForecast::Witness OnsetForecast::witness_of(const StageInfo* stage) {
-  if (stage && stage->control == AxialControl::constant_q)
-    return stage->drainage == Drainage::closed ? Witness::pore_pressure : Witness::mixture;
-  if (is_drained_frame(stage) && !stage->strain_path_R) return Witness::none;
-  return Witness::stiffness;
+double EtaForecast::way_to(double at) const {
+  const double ahead = std::max(at - now, 0.0);
+  if (by == AxialControl::constant_q) return q / now - q / (now + ahead);
+  if (!(slope > 0)) return ahead > 0 ? std::numeric_limits<double>::infinity() : 0;
+  // dy/dη falls linearly to zero at the onset; dη/dx goes from the one slope to the other.
+  const double share = eta > now ? std::min(ahead / (eta - now), 1.0) : 1.0;
+  if (by == AxialControl::load) return answer / slope * ahead * (1 - 0.5 * share);
+  return ahead / (slope + 0.5 * share * (slope_there - slope));
 }
 
-void OnsetForecast::start_stage(Witness witness) {
-  *this = OnsetForecast(reach_);
-  witness_ = witness;
+void OnsetForecast::start_stage(const StageInfo* stage, bool has_time) {
+  *this = OnsetForecast();
+  path_.start_stage(stage, has_time);
+  if (stage) by_ = stage->control;
 }
 
-std::optional<OnsetForecast::Look> OnsetForecast::look_at(const PathPoint& p) const {
-  const double shear = p.axial_rate - p.volumetric_rate / 3;
-  const double stress = std::sqrt(3 * p.p_rate * p.p_rate + p.q_rate * p.q_rate * 2 / 3);
-  const double strain = std::sqrt(p.volumetric_rate * p.volumetric_rate / 3 + 1.5 * shear * shear);
-  if (!(stress > 0) || !(strain > 0) || !(p.p_eff > 0)) return std::nullopt;
-  Look look{.eta = std::fabs(p.eta())};
-  if (witness_ == Witness::pore_pressure) {
-    if (p.p_rate == 0) return std::nullopt;
-    look.y = p.pore_rate / p.p_rate;
-    look.sigma = std::hypot(p.pore_rate_error, look.y * p.p_rate_error) / std::fabs(p.p_rate);
-  } else {
-    const double b = witness_ == Witness::stiffness ? -1 : witness_ == Witness::mixture ? 0.25 : 0;
-    const double factor = std::pow(strain / stress, b);
-    look.y = p.work.normalised * factor;
-    look.sigma = std::max(p.normalised_error, 1e-3) * factor;
+bool OnsetForecast::add(const State& state) {
+  if (path_.control() == DrivenPath::Control::none) return false;
+  path_.add(state);
+  const std::int64_t readings = path_.readings();
+  if (readings == looked_) return false;
+  if (readings > looked_ && readings - looked_ < readings / kLooksInAll) return false;
+  looked_ = readings;
+  forecast_ = made();
+  return true;
+}
+
+std::optional<EtaForecast> OnsetForecast::made() {
+  const auto& means = path_.means();
+  clear_ = false;
+  if (means.size() < kLeast) return std::nullopt;
+  const bool held = path_.control() != DrivenPath::Control::strain_path;
+  const bool open = path_.control() == DrivenPath::Control::held_q_open;
+  const PathMean here = latest(means, path_.readings());
+  double distance = forecast_ ? forecast_->eta - here.eta : here.eta;
+  std::optional<Fit> f;
+  std::optional<double> xi;
+  for (int round = 0; round < 4; ++round) {
+    distance = std::clamp(distance, kShortest * here.eta, kLongest * here.eta);
+    const double reach = path_.control() == DrivenPath::Control::held_q_shut ? kReachShut : kReach;
+    const std::size_t first = first_within(means, here.eta - (reach - 1) * distance);
+    f = fit(means, first, here.eta, distance, held ? 4 : 3);
+    if (!f) return std::nullopt;
+    xi = open ? f->root_of_work() : f->root();
+    if (!xi) break;
+    // Halfway, so that two windows do not call for each other for ever.
+    distance = 0.5 * (*xi + 1) * f->distance;
   }
-  if (!(look.sigma > 0)) return std::nullopt;
-  // Windows overlap; their slopes know little of each other from half a window on.
-  look.share =
-      std::min(1.0, 2 * (p.reading - last_reading_) / static_cast<double>(p.window_readings));
-  return look;
+  const double weight = held ? 1 : std::sqrt(here.p);
+  stiffest_ = std::max(stiffest_, f->y[1] * weight);
+  clear_ = f->y[1] > 3 * std::sqrt(f->variance(1, 1));
+  if (!xi) return std::nullopt;
+  const double ahead = *xi * f->distance;
+  EtaForecast made{.eta = here.eta + ahead, .now = here.eta};
+  if (here.eta - means.front().eta < kCovered * made.eta) return std::nullopt;
+  const double model = !held ? kModel : open ? kModelOpen : kModelShut;
+  const double of_fit =
+      open ? 2 * std::fabs(ahead) * std::sqrt(f->variance(1, 1)) / std::fabs(f->y[1])
+           : f->error(*xi);
+  made.error = std::hypot(of_fit, model * std::max(ahead, 0.0));
+  made.stiffness = f->y[1] * weight / stiffest_;
+  made.stiffness_error = std::sqrt(f->variance(1, 1)) * weight / stiffest_;
+  made.by = by_;
+  made.p = here.p;
+  made.q = here.q;
+  made.answer = f->y[1] * weight;
+  if (open) made.work = f->normalised_work(0);
+  if (held) return made;
+  made.slope = weight * (f->y[1] - here.eta * f->beside[1]) / here.p;
+  made.slope_there = -weight * made.eta * f->at(f->beside, *xi) / here.p;
+  made.fall = f->beside[1] < 0 ? f->at(f->beside, *xi) / f->beside[1] : 0;
+  return made;
 }
 
-void OnsetForecast::add(const PathPoint& point) {
-  if (witness_ == Witness::none) return;
-  if (const bool extension = point.q < 0; extension != in_extension_) {
-    start_stage(witness_);
-    in_extension_ = extension;
-  }
-  if (last_reading_ == 0) last_reading_ = point.reading - 1;
-  const auto look = look_at(point);
-  last_reading_ = point.reading;
-  if (!look) return;
-  remember(*look);
-  // Of a long stage a look is thousands of points, and a part of them moves no line.
-  if (in_last_ % std::max(1, merged_ / 8) == 0) forecast_ = made();
-  if (!forecast_) return;
-  forecast_->now = look->eta;
-  if (forecast_->left() <= kSoon && forecast_->error <= kConfident * forecast_->eta)
-    promised_ = std::min(
-        promised_, forecast_->eta + std::max(2.5 * forecast_->error, kBreach * forecast_->eta));
-}
-
-void OnsetForecast::remember(const Look& look) {
-  const auto merge = [](const Look& a, const Look& b) {
-    const double wa = a.share / (a.sigma * a.sigma), wb = b.share / (b.sigma * b.sigma);
-    return Look{.eta = (wa * a.eta + wb * b.eta) / (wa + wb),
-                .y = (wa * a.y + wb * b.y) / (wa + wb),
-                .sigma = std::sqrt((a.share + b.share) / (wa + wb)),
-                .share = a.share + b.share};
+std::optional<double> OnsetForecast::rate() const {
+  const auto& means = path_.means();
+  if (means.size() < 3) return std::nullopt;
+  const auto driver = [&](const PathMean& m) {
+    if (by_ == AxialControl::load) return m.y;
+    return m.x;
   };
-  if (!looks_.empty() && in_last_ < merged_) {
-    looks_.back() = merge(looks_.back(), look);
-    ++in_last_;
-    return;
-  }
-  if (looks_.size() == kLooks) {
-    for (std::size_t i = 0; i < kLooks / 2; ++i)
-      looks_[i] = merge(looks_[2 * i], looks_[2 * i + 1]);
-    looks_.resize(kLooks / 2);
-    merged_ *= 2;
-  }
-  looks_.push_back(look);
-  in_last_ = 1;
-}
-
-/// Through looks no farther from the onset than `reach` times the distance that is left, and as
-/// many more as make enough independent ones.
-StraightLine OnsetForecast::through(double distance, double reach) const {
-  StraightLine line;
-  const double now = looks_.back().eta;
-  for (std::size_t i = looks_.size(); i-- > 0;) {
-    const double behind = now - looks_[i].eta + distance;
-    if (behind > reach * distance && line.independent() >= kLeastIndependent) break;
-    line.add(looks_[i].eta, looks_[i].y, looks_[i].sigma, looks_[i].share);
-  }
-  return line;
-}
-
-std::optional<EtaForecast> OnsetForecast::made() const {
-  if (looks_.size() < kLeastLooks || looks_.back().eta > promised_) return std::nullopt;
-  const double now = looks_.back().eta, least = 0.01 * now;
-  double distance = forecast_ ? std::max(forecast_->eta - now, least) : now;
-  std::optional<StraightLine::Zero> zero;
-  for (int round = 0; round < 3; ++round) {
-    const StraightLine line = through(distance, reach_);
-    zero = line.zero();
-    if (!zero || line.independent() < kLeastIndependent) return std::nullopt;
-    distance = std::max(zero->x - now, least);
-  }
-  if (now - looks_.front().eta < kCovered * zero->x) return std::nullopt;
-  // What half the reach says: how far the line is bent.
-  const auto nearer = through(distance, (1 + reach_) / 2).zero();
-  const double bent = nearer && nearer->error < distance ? nearer->x - zero->x : 0;
-  const double model = std::hypot(kModel * distance, bent);
-  return EtaForecast{.eta = zero->x, .error = std::hypot(zero->error, model), .now = now};
+  const PathMean &last = means.back(),
+                 &before = means[means.size() - std::min<std::size_t>(means.size(), 24)];
+  const double rate = (driver(last) - driver(before)) / (last.progress - before.progress);
+  return rate > 0 ? std::optional(rate) : std::nullopt;
 }
 
 }  // namespace triax::lab

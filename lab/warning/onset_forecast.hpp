@@ -1,76 +1,74 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where the onset will be: the stress ratio at which second-order work is going to vanish.
+// Where the onset will be: the stress ratio at which what the specimen answers with stops growing.
 //
-// W2 falls to zero over the stress ratio η long before the specimen falls. Divided by a power of
-// the stiffness |dσ′|/|dε| it falls along a straight line,
+// Along the driven path (DrivenPath) sustainability is lost where dy/dx = 0: there second-order
+// work vanishes, W2 = dq dε₁ along a strain path, dp′ dε_v at held q. On the way there
 //
-//   y = W2/(|dσ′|^{1+b} |dε|^{1−b})     b = −1: work per square of the strain, a stiffness;
-//                                       b = +1: per square of the stress, a compliance,
+//   dy/dx = g (f₀ + f₁ξ + f₂ξ²),   ξ = (η − η now)/d,   f₂ = 0 along a strain path,
 //
-// with b by what drives the test. Where the strain path is prescribed (undrained, or dε₁ + 2R dε₃ =
-// 0; by displacement, load or spring) the stiffness dq/dε₁ of loose sand falls linearly over η. At
-// held q with the drainage open it is a mixture near the normalised work, b = 0.25. At held q with
-// the valve closed the volume moves with the pore pressure, dε_v = C du, and y = du/dp′. A line
-// through what lies within three times the distance that is left is continued to y = 0. Measured on
-// the laws of triax (bench/warning): INL2 is straight; SANISAND and hypoplasticity are bent, by up
-// to half of what is left. So the error holds a share of that distance beside scatter and bend.
-#include <cstdint>
-#include <limits>
+// and integrated, y = c + f₀∫g dx + f₁∫gξ dx + f₂∫gξ² dx, which is linear in all that is sought and
+// is fitted to the readings themselves by least squares, over the last kReach times the distance d
+// that is left to the root. Along a strain path p′ is fitted likewise, dp′/dx = g (r₀ + r₁ξ): where
+// it would fall no longer as dy/dx vanishes the path does not come to that η; it turns at its phase
+// transformation, and no onset is ahead. Measured on the laws of triax (bench/warning): INL2 is
+// straight over η, SANISAND and hypoplasticity are bent and come out early, octolinear has a knee
+// and comes out late, all by a share of the distance: the error holds such a share beside that of
+// the fit.
 #include <optional>
 #include <vector>
 
-#include "lab/measured/path_rates.hpp"
-#include "lab/results/record_header.hpp"
-#include "lab/warning/straight_line.hpp"
+#include "lab/results/outlook.hpp"
+#include "lab/warning/driven_path.hpp"
 
 namespace triax::lab {
 
 struct EtaForecast {
-  double eta = 0;    ///< |η| at the onset to come
-  double error = 0;  ///< standard error
-  double now = 0;    ///< |η| of the latest point
+  double eta = 0;                             ///< |η| at the onset to come
+  double error = 0;                           ///< standard error
+  double now = 0;                             ///< |η| of the latest readings
+  double stiffness = 0, stiffness_error = 0;  ///< dy/dx now, over the largest that was seen
   /// What of η is left, as a share of the way to the onset.
   double left() const { return (eta - now) / eta; }
+  /// Of what drives the stage until η is `at`: q, p′ or ε₁.
+  double way_to(double at) const;
+
+  AxialControl by = AxialControl::unknown;
+  double p = 0, q = 0;     ///< now, Pa
+  double slope = 0;        ///< dη/dx now
+  double slope_there = 0;  ///< and at the onset
+  double work = 1;         ///< normalised second-order work now, at held q with the drainage open
+  /// −dp′/dx at the onset over what it is now, along a strain path: 1 and more where loose sand
+  /// falls, well below where p′ turns at phase transformation.
+  double fall = 1;
+  double answer = 0;  ///< dy/dx now
 };
 
 class OnsetForecast {
  public:
-  /// What falls along a straight line over η.
-  enum class Witness { none, stiffness, normalised, mixture, pore_pressure };
-  /// The one that is right for what drives a stage; none with the drainage open under prescribed
-  /// displacement, where nothing is lost but at the limit surface.
-  static Witness witness_of(const StageInfo* stage);
-
-  /// Looks within `reach` times the distance that is left are fitted.
-  explicit OnsetForecast(double reach = 3) : reach_(reach) {}
   /// A stage begins, and all is forgotten.
-  void start_stage(Witness witness);
-  /// The next point of the driven path, in the order of readings.
-  void add(const PathPoint& point);
+  void start_stage(const StageInfo* stage, bool has_time);
+  /// The next reading in shear; true where the forecast was made anew. Pre-condition:
+  /// complete(state).
+  bool add(const State& state);
   /// As it stands; empty where nothing points at an onset, or too little was seen of the stage.
   const std::optional<EtaForecast>& now() const { return forecast_; }
+  /// Of the stage there is enough to say that nothing points at an onset.
+  bool clear() const { return clear_; }
+  /// Change of what drives the stage a unit of progress, at present; empty where it stands still.
+  std::optional<double> rate() const;
+  DrivenPath::Control control() const { return path_.control(); }
+  bool in_extension() const { return path_.in_extension(); }
 
  private:
-  struct Look {
-    double eta = 0, y = 0, sigma = 0, share = 0;
-  };
-  std::optional<Look> look_at(const PathPoint& point) const;
-  void remember(const Look& look);
-  void merge_pairs();
-  StraightLine through(double distance, double reach) const;
-  std::optional<EtaForecast> made() const;
+  std::optional<EtaForecast> made();
 
-  double reach_;
-  Witness witness_ = Witness::none;
-  bool in_extension_ = false;
-  std::vector<Look> looks_;  ///< bounded; each of `merged_` points but the last, of `in_last_`
-  int merged_ = 1, in_last_ = 0;
-  double last_reading_ = 0;
-  /// The least |η| by which an onset was said to come for certain: beyond it this stage is none
-  /// that a straight line foretells.
-  double promised_ = std::numeric_limits<double>::infinity();
+  DrivenPath path_;
+  AxialControl by_ = AxialControl::unknown;
   std::optional<EtaForecast> forecast_;
+  bool clear_ = false;
+  double stiffest_ = 0;
+  std::int64_t looked_ = 0;  ///< readings at the last look
 };
 
 }  // namespace triax::lab

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An undrained test in closed form whose stiffness falls linearly over η, to zero at η*:
+// An undrained test in closed form whose stiffness goes with √p′ and falls linearly over η, to zero
+// at η*:
 //
-//   p′ = p₀ (1 − η/2η*),   q = η p′,   ε₁ = k η   =>   dq/dε₁ = (p₀/k)(1 − η/η*)
+//   p′ = p₀ (1 − η/2η*),   q = η p′,   ε₁ = 4 η* k (1 − √(1 − η/2η*))
+//   =>  dq/dε₁ = (p₀/k) √(p′/p₀) (1 − η/η*),   dp′/dε₁ = −(p₀/2η*k) √(p′/p₀)
 //
 // so that q peaks, and second-order work vanishes, at η = η* with q* = p₀ η*/2.
 #include <cmath>
@@ -31,7 +33,8 @@ struct LoosePath {
     s.q = eta * s.p_eff + noise_pa * normal(random);
     s.p_eff += noise_pa * normal(random);
     s.volumetric_strain = 0;
-    const double axial = strain_per_eta * eta + noise_strain * normal(random);
+    const double bent = 1 - std::sqrt(1 - eta / (2 * eta_onset));
+    const double axial = 4 * eta_onset * strain_per_eta * bent + noise_strain * normal(random);
     s.strain = {axial, -axial / 2};
     s.pore_pressure = 4e5 - s.p_eff + s.q / 3;
     return s;

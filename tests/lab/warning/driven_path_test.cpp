@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/warning/driven_path.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/lab/warning/loose_path.hpp"
+
+using namespace triax::lab;
+using triax::lab::testing::LoosePath;
+using triax::lab::testing::shear_header;
+
+namespace {
+
+DrivenPath path_of(const RecordHeader& header) {
+  DrivenPath path;
+  path.start_stage(header.stage(1), true);
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("what drives a stage decides along what it is followed") {
+  using enum DrivenPath::Control;
+  const auto control = [](AxialControl by, Drainage drainage) {
+    return DrivenPath::control_of(shear_header(by, drainage).stage(1));
+  };
+  CHECK(control(AxialControl::load, Drainage::closed) == strain_path);
+  CHECK(control(AxialControl::displacement, Drainage::closed) == strain_path);
+  CHECK(control(AxialControl::displacement, Drainage::open) == none);
+  CHECK(control(AxialControl::constant_q, Drainage::open) == held_q_open);
+  CHECK(control(AxialControl::constant_q, Drainage::closed) == held_q_shut);
+}
+
+TEST_CASE("the integrals over a path in closed form, and means of them, lie on its law") {
+  // dq = (√p₀/k) √p′ (1 − η/η*) dε₁, so q = (√p₀/k)(∫√p′ dε₁ − ∫√p′ η dε₁/η*), reading by reading
+  // and for their means alike.
+  const RecordHeader header = shear_header(AxialControl::load);
+  LoosePath loose;
+  for (const int readings : {50, 5000}) {
+    DrivenPath path = path_of(header);
+    for (int i = 0; i <= readings; ++i) path.add(loose.at(0.55 * i / readings, i));
+    REQUIRE(path.means().size() <= DrivenPath::kMost);
+    CHECK(path.readings() == readings + 1);
+    double counted = 0;
+    for (const PathMean& m : path.means()) {
+      counted += m.readings;
+      const double q = std::sqrt(loose.p0_pa) / loose.strain_per_eta *
+                       (m.weighted[0] - m.weighted[1] / loose.eta_onset);
+      CHECK(q == Approx(m.y).margin(readings < 100 ? 3 : 0.1));  // Pa, of 3e4
+    }
+    CHECK(counted == readings + 1);
+  }
+}
+
+TEST_CASE("means of a long stage are spread over its η, and the latest readings stay single") {
+  const RecordHeader header = shear_header(AxialControl::load);
+  LoosePath loose;
+  DrivenPath path = path_of(header);
+  constexpr int kReadings = 20000;
+  for (int i = 1; i <= kReadings; ++i)
+    path.add(loose.at(loose.eta_under_load(0.9999 * i / kReadings), i));
+  const auto& means = path.means();
+  CHECK(means.back().readings == 1);
+  for (std::size_t i = 1; i < means.size(); ++i) {
+    CHECK(means[i].eta > means[i - 1].eta);
+    CHECK(means[i].eta - means[i - 1].eta < 0.6 / 30);
+  }
+}
+
+TEST_CASE("a loop of unloading and the creep in it are left out of the path") {
+  const RecordHeader header = shear_header(AxialControl::displacement);
+  LoosePath loose;
+  DrivenPath straight = path_of(header), looped = path_of(header);
+  const auto later = [&](double eta, int i) {
+    State state = loose.at(eta, i);
+    state.strain.axial += 0.002;  // what the loop left behind
+    return state;
+  };
+  for (int i = 1; i <= 100; ++i) straight.add(loose.at(0.004 * i, i));
+  for (int i = 1; i <= 50; ++i) looped.add(loose.at(0.004 * i, i));
+  for (int i = 1; i <= 20; ++i) looped.add(later(0.1, 50 + i));
+  for (int i = 50; i <= 100; ++i) looped.add(later(0.004 * i, 20 + i));
+  const auto &a = straight.means().back().weighted, &b = looped.means().back().weighted;
+  for (std::size_t k = 0; k < a.size(); ++k) CHECK(b[k] == Approx(a[k]).epsilon(1e-9));
+}
+
+TEST_CASE("in extension a path is what it is in compression, mirrored") {
+  const RecordHeader header = shear_header(AxialControl::load);
+  LoosePath loose;
+  DrivenPath compression = path_of(header), extension = path_of(header);
+  for (int i = 1; i <= 40; ++i) {
+    State state = loose.at(0.01 * i, i);
+    compression.add(state);
+    state.q = -state.q;
+    state.strain.axial = -state.strain.axial;
+    extension.add(state);
+  }
+  CHECK(extension.in_extension());
+  CHECK(extension.means().back().y == Approx(compression.means().back().y).epsilon(1e-12));
+  CHECK(extension.means().back().weighted[1] ==
+        Approx(compression.means().back().weighted[1]).epsilon(1e-12));
+}
