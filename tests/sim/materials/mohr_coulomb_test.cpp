@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sim/law/on_yield.hpp"
 #include "sim/point/point_driver.hpp"
 #include "tests/sim/materials/random_tensors.hpp"
 
@@ -264,6 +265,27 @@ TEST_CASE("Mohr-Coulomb: a stress outside the surface is not moved silently") {
   auto settled = outside;
   law.settle(settled, 1);
   CHECK(settled.stress == outside.stress);
+}
+
+TEST_CASE("Mohr-Coulomb: a settled state stays as it is to the bit, on planes and at corners") {
+  const Full law(sand(5, 10e3));
+  const auto start = law.isotropic(100e3, 0.9);
+  for (const auto& control :
+       {TensorControl::drained_compression(0.03), TensorControl::drained_compression(-0.03),
+        true_triaxial(0.03, 20e3, 0)}) {
+    const auto step = advance_point(law, start, control);
+    REQUIRE(step.outcome == StepOutcome::accepted);
+    const unsigned standing = mechanisms_on_yield(law, step.state, 3);
+    REQUIRE(standing != 0);
+    auto again = step.state;
+    law.settle(again, standing);
+    CHECK(again.stress == step.state.stress);
+    CHECK(again.memory == step.state.memory);
+    again.stress *= 1 + 1e-10;
+    const Vector<Tensor> beside = again.stress;
+    law.settle(again, standing);
+    CHECK(again.stress != beside);
+  }
 }
 
 TEST_CASE("Mohr-Coulomb: without friction it is Tresca's law") {
