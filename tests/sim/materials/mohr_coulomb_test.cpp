@@ -268,12 +268,14 @@ TEST_CASE("Mohr-Coulomb: a stress outside the surface is not moved silently") {
 }
 
 TEST_CASE("Mohr-Coulomb: a settled state stays as it is to the bit, on planes and at corners") {
+  test::RandomTensors random;
   const Full law(sand(5, 10e3));
   const auto start = law.isotropic(100e3, 0.9);
-  for (const auto& control :
-       {TensorControl::drained_compression(0.03), TensorControl::drained_compression(-0.03),
-        true_triaxial(0.03, 20e3, 0)}) {
-    const auto step = advance_point(law, start, control);
+  for (int i = 0; i < 12; ++i) {
+    const auto control = i % 3 == 2 ? true_triaxial(0.03, 20e3, 0)
+                                    : TensorControl::drained_compression(i % 3 == 0 ? 0.03 : -0.03);
+    const auto step =
+        advance_point(law, start, test::turned_control(control, rotation(random.turn())));
     REQUIRE(step.outcome == StepOutcome::accepted);
     const unsigned standing = mechanisms_on_yield(law, step.state, 3);
     REQUIRE(standing != 0);
@@ -286,6 +288,19 @@ TEST_CASE("Mohr-Coulomb: a settled state stays as it is to the bit, on planes an
     law.settle(again, standing);
     CHECK(again.stress != beside);
   }
+}
+
+TEST_CASE("Mohr-Coulomb: the distance is that of this law and stress, whatever was asked before") {
+  std::optional<Full> law;
+  const auto distance = [&law](double cohesion_pa, double axial_pa) {
+    law.emplace(sand(0, cohesion_pa));  // where the last one was
+    return law->yield_distance(
+        law->start(as_tensor(components(AxisymmetricStress{axial_pa, 100e3})), 0.9), 0);
+  };
+  const double first = distance(0, 200e3);
+  CHECK(distance(20e3, 200e3) < first - 0.05);
+  CHECK(distance(20e3, 300e3) > distance(20e3, 200e3) + 0.05);
+  CHECK(distance(0, 200e3) == first);
 }
 
 TEST_CASE("Mohr-Coulomb: without friction it is Tresca's law") {
