@@ -34,29 +34,30 @@ double determinant_of(const Matrix<Space>& a) {
 
 /// Newton's method on the interpolated form, for the first components of the control. Where all
 /// strains are given the conditions are dε = what they give.
-template <class Space, class Whole>
+template <class Space, class Whole, bool kStrainDriven>
 class InterpolatedSolver {
   static constexpr int kSize = Space::kSize;
 
  public:
-  InterpolatedSolver(const InterpolatedForm<Whole>& form, const PreparedControl<Whole>& control)
+  InterpolatedSolver(const InterpolatedForm<Whole>& form, const PreparedControl<Whole>& control,
+                     PointRate<Space>& rate)
       : law_(form.plus.template topLeftCorner<kSize, kSize>(),
              form.minus.template topLeftCorner<kSize, kSize>(), form.quadratic),
         control_(control),
-        strain_driven_(control.strain_driven && control.determined),
-        wanted_((strain_driven_ ? control.strain_increment : control.increment)
-                    .template head<kSize>()) {
-    if (strain_driven_) return;
+        wanted_(
+            (kStrainDriven ? control.strain_increment : control.increment).template head<kSize>()),
+        rate_(rate) {
+    if (kStrainDriven) return;
     s_ = control.stress.template topLeftCorner<kSize, kSize>();
     e_ = control.strain.template topLeftCorner<kSize, kSize>();
   }
 
-  PointRate<Space> solve(const Vector<Space>& guess) {
-    if (!std::isfinite(law_.mean().sum())) return rate_;  // the base has no answer here
+  void solve(const Vector<Space>& guess) {
+    if (!std::isfinite(law_.mean().sum())) return;  // the base has no answer here
     square_ = wanted_.squaredNorm();
     if (square_ == 0) {
       rate_.controllable = true;
-      return rate_;
+      return;
     }
     bool found = guess.squaredNorm() > 0 && newton(guess);
     if (!found) {
@@ -66,15 +67,14 @@ class InterpolatedSolver {
     // Sign and size relative to the diagonal part, which is positive definite.
     const Vector<Space> diagonal = law_.mean().diagonal();
     const double reference =
-        strain_driven_ ? diagonal.prod()
-                       : determinant_of<Space>(s_ + e_ * Matrix<Space>(diagonal.asDiagonal()));
+        kStrainDriven ? diagonal.prod()
+                      : determinant_of<Space>(s_ + e_ * Matrix<Space>(diagonal.asDiagonal()));
     const Matrix<Space> tangent = law_.tangent(at_);
     rate_.determinant = determinant_of<Space>(conditions_on(tangent)) / reference;
     if (!found || !(rate_.determinant > 1e-9)) return lost(tangent);
     rate_.stress = at_.stress;
     rate_.strain = at_.strain;
     rate_.controllable = std::isfinite(rate_.stress.sum() + rate_.strain.sum());
-    return rate_;
   }
 
  private:
@@ -82,19 +82,18 @@ class InterpolatedSolver {
 
   /// ∂(S dσ + E dε)/∂dσ
   Matrix<Space> conditions_on(const Matrix<Space>& compliance) const {
-    if (strain_driven_) return compliance;
+    if (kStrainDriven) return compliance;
     return s_ + e_ * compliance;
   }
   Vector<Space> residual(const Instant& at) const {
-    if (strain_driven_) return at.strain - wanted_;
+    if (kStrainDriven) return at.strain - wanted_;
     return s_ * at.stress + e_ * at.strain - wanted_;
   }
-  PointRate<Space> lost(const Matrix<Space>& tangent) {
+  void lost(const Matrix<Space>& tangent) {
     if constexpr (std::is_same_v<Space, Whole>)  // else the whole control is asked again
       rate_.limiting_variable = row_that_limits<Space>(
           left_null_vector<Space>(control_.stress + control_.strain * tangent), control_.increment);
     rate_.determinant = std::min(rate_.determinant, 0.0);
-    return rate_;
   }
 
   Vector<Space> start() const {
@@ -145,12 +144,11 @@ class InterpolatedSolver {
 
   const InterpolatedCompliance<Space> law_;
   const PreparedControl<Whole>& control_;
-  const bool strain_driven_;
   const Vector<Space> wanted_;
   Matrix<Space> s_, e_;
   double square_ = 0;  // |wanted|²
   Instant at_;
-  PointRate<Space> rate_;
+  PointRate<Space>& rate_;  // of no control at first
 };
 
 /// Whether no shear component is coupled with another component.
@@ -160,18 +158,27 @@ bool shear_is_apart(const Matrix<Tensor>& m) {
          m(5, 4) == 0;
 }
 
+template <class Space, class Whole>
+void solve_components(const InterpolatedForm<Whole>& form, const PreparedControl<Whole>& control,
+                      const Vector<Space>& guess, PointRate<Space>& rate) {
+  if (control.strain_driven && control.determined)
+    InterpolatedSolver<Space, Whole, true>(form, control, rate).solve(guess);
+  else
+    InterpolatedSolver<Space, Whole, false>(form, control, rate).solve(guess);
+}
+
 }  // namespace
 
 template <class Space>
 PointRate<Space> solve_interpolated(const InterpolatedForm<Space>& form,
                                     const PreparedControl<Space>& control,
                                     const Vector<Space>& guess) {
+  PointRate<Space> rate;
   if constexpr (Space::kSize == 6)
     if (control.principal && shear_is_apart(form.plus) && shear_is_apart(form.minus)) {
-      const auto found =
-          InterpolatedSolver<Principal, Tensor>(form, control).solve(guess.template head<3>());
+      PointRate<Principal> found;
+      solve_components<Principal, Tensor>(form, control, guess.template head<3>(), found);
       if (found.controllable) {
-        PointRate<Space> rate;
         rate.controllable = true;
         rate.stress.template head<3>() = found.stress;
         rate.strain.template head<3>() = found.strain;
@@ -179,7 +186,8 @@ PointRate<Space> solve_interpolated(const InterpolatedForm<Space>& form,
         return rate;
       }
     }
-  return InterpolatedSolver<Space, Space>(form, control).solve(guess);
+  solve_components<Space, Space>(form, control, guess, rate);
+  return rate;
 }
 
 template PointRate<Axisymmetric> solve_interpolated(const InterpolatedForm<Axisymmetric>&,

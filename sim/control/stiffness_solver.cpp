@@ -54,18 +54,19 @@ class ControlMatrix {
 template <class Space>
 class StiffnessSolver {
  public:
-  StiffnessSolver(const StiffnessForm<Space>& form, const PreparedControl<Space>& control)
-      : form_(form), control_(control) {}
+  StiffnessSolver(const StiffnessForm<Space>& form, const PreparedControl<Space>& control,
+                  PointRate<Space>& rate)
+      : form_(form), control_(control), rate_(rate) {}
 
-  PointRate<Space> solve(const Branch& branch) {
+  void solve(const Branch& branch) {
     if (control_.strain_driven) {
-      if (!control_.determined) return rate_;
+      if (!control_.determined) return;
       x_ = control_.strain_increment;
     } else {
       a_.noalias() = control_.stress * form_.stiffness;
       a_ += control_.strain;
       matrix_.emplace(a_);
-      if (!matrix_->regular()) return rate_;
+      if (!matrix_->regular()) return;
       x_ = matrix_->solve(control_.increment);
     }
     if (form_.nonlinear)
@@ -74,7 +75,6 @@ class StiffnessSolver {
       solve_mechanisms(branch);
     else
       finish(x_);
-    return rate_;
   }
 
  private:
@@ -252,7 +252,7 @@ class StiffnessSolver {
   std::array<Vector<Space>, kMostMechanisms> relief_;
   Eigen::Vector3d trial_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d coupling_;
-  PointRate<Space> rate_;
+  PointRate<Space>& rate_;  // of no control at first
 };
 
 }  // namespace
@@ -260,7 +260,9 @@ class StiffnessSolver {
 template <class Space>
 PointRate<Space> solve_stiffness(const StiffnessForm<Space>& form,
                                  const PreparedControl<Space>& control, const Branch& branch) {
-  return StiffnessSolver<Space>(form, control).solve(branch);
+  PointRate<Space> rate;
+  StiffnessSolver<Space>(form, control, rate).solve(branch);
+  return rate;
 }
 
 template PointRate<Axisymmetric> solve_stiffness(const StiffnessForm<Axisymmetric>&,

@@ -19,7 +19,9 @@ class InterpolatedCompliance {
  public:
   explicit InterpolatedCompliance(const InterpolatedForm<Space>& form)
       : InterpolatedCompliance(form.plus, form.minus, form.quadratic) {}
-  InterpolatedCompliance(const Matrix<Space>& plus, const Matrix<Space>& minus, bool quadratic)
+  template <class Plus, class Minus>
+  InterpolatedCompliance(const Eigen::MatrixBase<Plus>& plus, const Eigen::MatrixBase<Minus>& minus,
+                         bool quadratic)
       : mean_(0.5 * (plus + minus)), half_(0.5 * (plus - minus)), quadratic_(quadratic) {}
 
   /// ½ (N⁺ + N⁻), the linear part.

@@ -17,6 +17,8 @@ constexpr double kTie = 1e-7;
 /// Share of shear in the plane of two equal principal stresses from which on an increment turns
 /// their axes.
 constexpr double kTurned = 1e-9;
+/// Change of stress, as a ratio to the strength, that is round-off: such a state is settled.
+constexpr double kRoundOffChange = 1e-14;
 
 // Where a state stands, as its memory says it.
 constexpr double kInside = 0, kOnPlane = 1, kCompressionEdge = 2, kExtensionEdge = 3;
@@ -83,71 +85,65 @@ MohrCoulomb<Space>::MohrCoulomb(const MohrCoulombParameters& p)
 /// The planes of the three mechanisms of a tensor: f_k = excess(high_k·σ high_k, low_k·σ low_k).
 template <class Space>
 struct MohrCoulomb<Space>::Planes {
-  Eigen::Matrix3d stress;
-  Eigen::Matrix3d axes;  ///< v₁, v₂, v₃
-  Eigen::Matrix3d high, low;
-  Eigen::Vector3d value() const {
-    return {along(stress, axes.col(0)), along(stress, axes.col(1)), along(stress, axes.col(2))};
+  Planes(const MohrCoulomb& of, const PointState<Tensor>& state);
+  bool answer(const MohrCoulomb& asked, const PointState<Tensor>& state) const {
+    return law == asked.mark_ && components == state.stress && memory == state.memory;
   }
+
+  Mark law;
+  Vector<Tensor> components;
+  Eigen::Matrix<double, 7, 1> memory;
+  Eigen::Matrix3d stress;
+  Eigen::Matrix3d axes;   ///< v₁, v₂, v₃
+  Eigen::Vector3d value;  ///< principal stresses
+  Eigen::Matrix3d high, low;
+  Eigen::Vector3d distance;  ///< from yield
 };
 
 template <class Space>
-typename MohrCoulomb<Space>::Planes MohrCoulomb<Space>::find_planes(
-    const PointState<Tensor>& state) const {
-  Planes p;
-  p.stress = matrix_of(state.stress);
-  const Eigen::Matrix3d v = principal_axes(p.stress).directions;
-  const double place = state.memory(6);
+MohrCoulomb<Space>::Planes::Planes(const MohrCoulomb& of, const PointState<Tensor>& state)
+    : law(of.mark_), components(state.stress), memory(state.memory), stress(matrix_of(components)) {
+  const Eigen::Matrix3d v = principal_axes(stress).directions;
+  const double place = memory(6), strength = of.strength(state.p());
   if (place == kInside) {
-    p.axes = v.rowwise().reverse();
+    axes = v.rowwise().reverse();
   } else {
-    const Eigen::Matrix3d names = matrix_of(Vector<Tensor>(state.memory.head<6>()));
-    p.axes = sorted(v, (v.transpose() * names * v).diagonal());
-    const int i = place == kCompressionEdge ? 1 : 0;
-    const Eigen::Vector3d value = p.value();
-    if (place != kOnPlane && std::abs(value(i) - value(i + 1)) < kTie * strength(state.p()))
-      turn_axes(names, p.axes, i, i + 1);
+    const Eigen::Matrix3d names = matrix_of(Vector<Tensor>(memory.head<6>()));
+    axes = sorted(v, (v.transpose() * names * v).diagonal());
+    const int i = place == kCompressionEdge ? 1 : 0, j = i + 1;
+    if (place != kOnPlane &&
+        std::abs(along(stress, axes.col(i)) - along(stress, axes.col(j))) < kTie * strength)
+      turn_axes(names, axes, i, j);
   }
   for (int k = 0; k < 3; ++k) {
     const auto& [i, j] = kPairs[static_cast<std::size_t>(k)];
-    p.high.col(k) = p.axes.col(i);
-    p.low.col(k) = p.axes.col(j);
+    value(k) = along(stress, axes.col(k));
+    high.col(k) = axes.col(i);
+    low.col(k) = axes.col(j);
   }
   // cos and sin of 60°
   const double c = 0.5, s = std::sqrt(0.75);
   if (place == kCompressionEdge) {
-    p.high.col(2) = p.axes.col(0);
-    p.low.col(1) = c * p.axes.col(2) + s * p.axes.col(1);
-    p.low.col(2) = c * p.axes.col(2) - s * p.axes.col(1);
+    high.col(2) = axes.col(0);
+    low.col(1) = c * axes.col(2) + s * axes.col(1);
+    low.col(2) = c * axes.col(2) - s * axes.col(1);
   } else if (place == kExtensionEdge) {
-    p.low.col(1) = p.axes.col(2);
-    p.high.col(1) = c * p.axes.col(0) + s * p.axes.col(1);
-    p.high.col(2) = c * p.axes.col(0) - s * p.axes.col(1);
+    low.col(1) = axes.col(2);
+    high.col(1) = c * axes.col(0) + s * axes.col(1);
+    high.col(2) = c * axes.col(0) - s * axes.col(1);
   }
-  return p;
+  for (int k = 0; k < 3; ++k)
+    distance(k) = of.excess(along(stress, high.col(k)), along(stress, low.col(k))) / strength;
 }
 
-/// The same, valid until the next call on this thread: the distance of each mechanism, the settling
-/// and the response ask for the planes of one state a dozen times in a step.
+/// Valid until the next call on this thread: the distance of each mechanism, the settling and the
+/// response ask for the planes of one state a dozen times in a step.
 template <class Space>
 const typename MohrCoulomb<Space>::Planes& MohrCoulomb<Space>::planes(
     const PointState<Tensor>& state) const {
-  struct Kept {
-    double sine = 0, cohesion = 0;  // with stress and memory all that planes depend on
-    Vector<Tensor> stress = Vector<Tensor>::Constant(std::nan(""));
-    Eigen::Matrix<double, 7, 1> memory;
-    Planes planes;
-  };
-  thread_local Kept kept;
-  if (kept.stress != state.stress || kept.memory != state.memory || kept.sine != sine_ ||
-      kept.cohesion != cohesion_) {
-    kept.planes = find_planes(state);
-    kept.memory = state.memory;
-    kept.sine = sine_;
-    kept.cohesion = cohesion_;
-    kept.stress = state.stress;
-  }
-  return kept.planes;
+  thread_local std::optional<Planes> kept;
+  if (!kept || !kept->answer(*this, state)) kept.emplace(*this, state);
+  return *kept;
 }
 
 template <class Space>
@@ -203,7 +199,9 @@ void MohrCoulomb<Space>::response(const State& state, Response<Space>& out) cons
     const Planes& on = planes(state);
     for (int k = 0; k < 3; ++k) {
       const Vector<Space> high = dyad(on.high.col(k)), low = dyad(on.low.col(k));
-      form.add_plastic((1 - flow_sine_) * high - (1 + flow_sine_) * low,
+      const Vector<Space> c_high = form.stiffness * high, c_low = form.stiffness * low;
+      form.add_plastic((1 - flow_sine_) * c_high - (1 + flow_sine_) * c_low,
+                       (1 - sine_) * c_high - (1 + sine_) * c_low,
                        (1 - sine_) * high - (1 + sine_) * low, 0);
     }
   }
@@ -211,13 +209,11 @@ void MohrCoulomb<Space>::response(const State& state, Response<Space>& out) cons
 
 template <class Space>
 double MohrCoulomb<Space>::yield_distance(const State& state, int k) const {
-  const double size = strength(state.p());
   if constexpr (Space::kSize == 2) {
     const double axial = state.stress(0), radial = state.stress(1) / std::numbers::sqrt2;
-    return (k == 0 ? excess(axial, radial) : excess(radial, axial)) / size;
+    return (k == 0 ? excess(axial, radial) : excess(radial, axial)) / strength(state.p());
   } else {
-    const Planes& on = planes(state);
-    return excess(along(on.stress, on.high.col(k)), along(on.stress, on.low.col(k))) / size;
+    return planes(state).distance(k);
   }
 }
 
@@ -237,7 +233,7 @@ void MohrCoulomb<Space>::settle(State& state, unsigned on_yield) const {
   } else {
     const Planes& on = planes(state);
     const double place = state.memory(6);
-    const Eigen::Vector3d value = on.value();
+    const Eigen::Vector3d& value = on.value;
     const double size = kOnYield * strength(state.p());
     // At constant p′ onto the edge, or onto the plane of the largest and the smallest stress.
     const bool stays = place <= kOnPlane || on_yield == 7;
@@ -258,6 +254,7 @@ void MohrCoulomb<Space>::settle(State& state, unsigned on_yield) const {
       change(0, 0) = sum - low - value(0);
       change(2, 2) = low - value(2);
     }
+    if (now == place && change.norm() < kRoundOffChange * strength(state.p())) return;
     state.stress += components(Eigen::Matrix3d(on.axes * change * on.axes.transpose()));
     remember(state, on.axes, now);
   }
@@ -269,26 +266,27 @@ bool MohrCoulomb<Space>::turn(State& state, const Rate& rate) const {
     const double place = state.memory(6);
     if (place == kInside) return false;
     bool turned = false;
-    Planes on = planes(state);
+    const Planes* on = &planes(state);
     if (place != kOnPlane) {
       const Eigen::Matrix3d strain = matrix_of(rate.strain);
       const int i = place == kCompressionEdge ? 1 : 0, j = i + 1;
       const double small = kTurned * rate.strain.norm();
-      turned = std::abs(on.axes.col(i).dot(strain * on.axes.col(j))) > small ||
-               along(strain, on.axes.col(i)) < along(strain, on.axes.col(j)) - small;
+      turned = std::abs(on->axes.col(i).dot(strain * on->axes.col(j))) > small ||
+               along(strain, on->axes.col(i)) < along(strain, on->axes.col(j)) - small;
       if (turned) {
-        turn_axes(strain, on.axes, i, j);
-        remember(state, on.axes, place);
-        on = planes(state);
+        Eigen::Matrix3d axes = on->axes;
+        turn_axes(strain, axes, i, j);
+        remember(state, axes, place);
+        on = &planes(state);
       }
     }
     if (rate.active != 0) return turned;
     // Elastic so far: if it stays so on these planes, they need no names any more.
     const Eigen::Matrix3d stress = matrix_of(rate.stress);
     for (int k = 0; k < 3; ++k)
-      if (yield_distance(state, k) >= -kOnYield &&
-          (1 - sine_) * along(stress, on.high.col(k)) - (1 + sine_) * along(stress, on.low.col(k)) >
-              1e-9 * rate.stress.norm())
+      if (on->distance(k) >= -kOnYield && (1 - sine_) * along(stress, on->high.col(k)) -
+                                                  (1 + sine_) * along(stress, on->low.col(k)) >
+                                              1e-9 * rate.stress.norm())
         return turned;
     state.memory.setZero();
     return true;

@@ -22,6 +22,7 @@
 // on an edge of compression, 3 on one of extension; and on the surface the frame v₁v₁ᵗ − v₃v₃ᵗ,
 // which names the planes from one instant to the next and, on an edge, holds the axes of the
 // increment.
+#include "sim/law/mark.hpp"
 #include "sim/materials/elastic.hpp"
 
 namespace triax::sim {
@@ -63,7 +64,6 @@ class MohrCoulomb : public Law<Space> {
 
  private:
   struct Planes;
-  Planes find_planes(const PointState<Tensor>& state) const;
   const Planes& planes(const PointState<Tensor>& state) const;
   void remember(PointState<Tensor>& state, const Eigen::Matrix3d& axes, double place) const;
   double strength(double p) const { return 2 * (p * sine_ + cohesion_); }
@@ -73,6 +73,7 @@ class MohrCoulomb : public Law<Space> {
 
   MohrCoulombParameters parameters_;
   double sine_, flow_sine_, cohesion_;  ///< sin φ, sin ψ, c cos φ (Pa)
+  Mark mark_;
 };
 
 extern template class MohrCoulomb<Axisymmetric>;

@@ -36,6 +36,9 @@ constexpr const char* kSetForUndrained =
     "the volume changes, but this set is for undrained loading (pore_fluid_bulk_modulus_kPa is "
     "above 0); take one for drained loading, such as norsand/S28-MT-drained";
 
+/// Relative change of p_i that is round-off: such a state stands on its yield surface.
+constexpr double kRoundOff = 1e-15;
+
 constexpr double kVanished = 1;  // Pa; the law comes to p′ = 0 where e stays above Γ
 
 /// (1, D) in terms of (ε_q, ε_v), or of (q, p): both the flow and the normal.
@@ -155,14 +158,12 @@ double NorSand::consolidation_slope(double p0) const {
   const auto& par = parameters_;
   if (par.critical_exponent == 0) return par.critical_slope;
   struct Kept {
-    double p0 = 0, slope = 0, exponent = 0, pressure = 0, of_p0 = 0;
+    Mark law;
+    double p0, slope;
   };
-  thread_local Kept kept;
-  if (kept.p0 != p0 || kept.slope != par.critical_slope || kept.exponent != par.critical_exponent ||
-      kept.pressure != par.critical_pressure_pa)
-    kept = {p0, par.critical_slope, par.critical_exponent, par.critical_pressure_pa,
-            critical_state(p0).slope};
-  return kept.of_p0;
+  thread_local std::optional<Kept> kept;
+  if (!kept || kept->law != mark_ || kept->p0 != p0) kept = {mark_, p0, critical_state(p0).slope};
+  return kept->slope;
 }
 
 double NorSand::shear_modulus(double p) const {
@@ -197,14 +198,22 @@ NorSand::Image NorSand::image_at(double p, double void_ratio, double image_press
   return i;
 }
 
-NorSand::Image NorSand::image_at(const State& state) const {
-  return image_at(state.p(), state.void_ratio, image_pressure(state), state.memory(1));
-}
-
-NorSand::Image NorSand::image(const State& state) const {
-  Image i = image_at(state);
-  i.largest_ratio = std::exp(-i.dilatancy * i.state_parameter / i.stress_ratio);
-  return i;
+/// A step asks for that of where it ends twice, the next one for that of where it begins.
+const NorSand::Image& NorSand::image(const State& state) const {
+  struct Kept {
+    Mark law;
+    double p, void_ratio, image_pressure, p0;
+    Image image;
+  };
+  thread_local std::optional<Kept> kept;
+  const double p = state.p(), pressure = image_pressure(state), p0 = state.memory(1);
+  if (!kept || kept->law != mark_ || kept->p != p || kept->void_ratio != state.void_ratio ||
+      kept->image_pressure != pressure || kept->p0 != p0) {
+    Image i = image_at(p, state.void_ratio, pressure, p0);
+    i.largest_ratio = std::exp(-i.dilatancy * i.state_parameter / i.stress_ratio);
+    kept = {mark_, p, state.void_ratio, pressure, p0, i};
+  }
+  return kept->image;
 }
 
 double NorSand::restraint(double skeleton_pa) const {
@@ -219,22 +228,21 @@ double NorSand::cap_softening(const State& state, const Image& i, double restrai
   return -eta / i.limit * (i.stress_ratio - eta) * share * restraint_pa / state.p();
 }
 
-/// p_i with which q = p M_i (1 + ln(p_i/p)), by Newton's method from `first`.
-double NorSand::image_on_yield(const State& state, double p0, double first) const {
-  const double p = state.p(), eta = state.q() / p;
-  double x = std::log(first / p);
+/// Makes p_i that with which q = p M_i (1 + ln(p_i/p)), by Newton's method.
+void NorSand::put_on_yield(State& state) const {
+  const double eta = state.q() / state.p();
   for (int k = 0; k < 20; ++k) {
-    const double pressure = p * std::exp(x);
-    const Image i = image_at(p, state.void_ratio, pressure, p0);
+    const Image& i = image(state);
+    const double x = 1 + std::log(i.ratio);
     const double slope =
         i.stress_ratio -
-        (1 + x) * std::copysign(i.dilatancy * parameters_.volumetric_coupling, i.state_parameter) *
+        x * std::copysign(i.dilatancy * parameters_.volumetric_coupling, i.state_parameter) *
             i.critical_slope;
-    const double step = (i.stress_ratio * (1 + x) - eta) / slope;
-    x -= step;
-    if (!(std::abs(step) > 1e-9)) break;  // the next would be of the order of its square
+    const double step = (i.stress_ratio * x - eta) / slope;
+    if (std::abs(step) < kRoundOff) return;
+    state.memory(0) *= std::exp(-step);
+    if (!(std::abs(step) > 1e-9)) return;  // the next would be of the order of its square
   }
-  return p * std::exp(x);
 }
 
 PointState<Axisymmetric> NorSand::start(const Vector<Axisymmetric>& stress,
@@ -242,8 +250,9 @@ PointState<Axisymmetric> NorSand::start(const Vector<Axisymmetric>& stress,
   State state{stress, void_ratio, Memory::Zero(2)};
   const double p = state.p();
   if (!(p > 0)) return state;  // objection() says so
-  const double on_yield = image_on_yield(state, p, p * std::exp(-1.0));
-  state.memory << parameters_.overconsolidation_ratio * on_yield / p, p;
+  state.memory << std::exp(-1.0), p;
+  put_on_yield(state);
+  state.memory(0) *= parameters_.overconsolidation_ratio;
   return state;
 }
 
@@ -269,7 +278,7 @@ std::optional<std::string> NorSand::objection(const State& state) const {
     return "the state parameter is " + short_number(psi) + ", must be at most " +
            short_number(parameters_.largest_state_parameter) +
            ", beyond which the image stress ratio M_i is not defined";
-  const Image i = image(state);
+  const Image& i = image(state);
   if (!(i.dilatancy > 0))
     return "1 - λ χ/M is not above 0 at the pressure of consolidation; "
            "expected a smaller state_dilatancy";
@@ -298,7 +307,7 @@ std::optional<std::string> NorSand::refusal(const State& state, const Rate& rate
   if (constant_q && dp < -kNoRate && (elastic || drained_set)) return kNoInstabilityLine;
   if (elastic && dp < -kGivesWay && dq - eta * dp > kNoRate) return kNoInstabilityLine;
   // Beyond M_i the law dilates, and p′ may rise past a peak of q.
-  if (constant_q && dp > kNoRate && (elastic || eta < image_at(state).stress_ratio))
+  if (constant_q && dp > kNoRate && (elastic || eta < image(state).stress_ratio))
     return kIsotropicLoading;
   const bool backwards = shear_strain(axisymmetric_strain(rate.strain)) < 0;
   if ((eta <= kOnYield && dq < -kNoRate) || (!elastic && backwards)) return kExtension;
@@ -328,13 +337,12 @@ std::optional<std::string> NorSand::warning(const State& state) const {
 }
 
 double NorSand::yield_distance(const State& state, int) const {
-  const Image i = image_at(state);
+  const Image& i = image(state);
   return state.q() / state.p() - i.stress_ratio * (1 + std::log(i.ratio));
 }
 
 void NorSand::settle(State& state, unsigned on_yield) const {
-  if (on_yield == 0) return;
-  state.memory(0) = image_on_yield(state, state.memory(1), image_pressure(state)) / state.memory(1);
+  if (on_yield != 0) put_on_yield(state);
 }
 
 void NorSand::response(const State& state, Response<Axisymmetric>& out) const {
@@ -342,7 +350,7 @@ void NorSand::response(const State& state, Response<Axisymmetric>& out) const {
   const double p = state.p(), q = state.q();
   const double shear = shear_modulus(p), bulk = bulk_ratio() * shear;
   form.stiffness = isotropic_stiffness<Axisymmetric>(bulk, shear);
-  const Image i = image(state);
+  const Image& i = image(state);
   const double growth = hardening(state) * (i.largest_ratio - i.ratio) / (i.ratio * i.ratio) +
                         cap_softening(state, i, restraint(bulk));  // dp_i/p_i per dε_q^p
   // M_i changes with p_i and, through the void ratio, with any strain: the second part belongs to

@@ -26,6 +26,7 @@
 // What the law cannot follow is refused: see objection() and refusal().
 //
 // p is p′ (Pa), compression positive. Memory: p_i/p₀ and p₀ (Pa).
+#include "sim/law/mark.hpp"
 #include "sim/law/parameters.hpp"
 
 namespace triax::sim {
@@ -115,7 +116,8 @@ class NorSand : public Law<Axisymmetric> {
     double largest_ratio = 0;    ///< r_max
     double limit = 0;            ///< η_L
   };
-  Image image(const State& state) const;
+  /// Valid until the next call on this thread.
+  const Image& image(const State& state) const;
 
   /// K_S; 0 in a set for drained loading.
   double restraint(const State& state) const { return restraint(bulk_modulus(state.p())); }
@@ -126,14 +128,14 @@ class NorSand : public Law<Axisymmetric> {
 
  private:
   Image image_at(double p, double void_ratio, double image_pressure, double p0) const;
-  Image image_at(const State& state) const;
   double consolidation_slope(double p0) const;
   double bulk_ratio() const;  ///< K/G
   double restraint(double skeleton_pa) const;
   std::optional<std::string> wrong_drainage(const State& state, const Rate& rate) const;
-  double image_on_yield(const State& state, double p0, double first) const;
+  void put_on_yield(State& state) const;
 
   NorSandParameters parameters_;
+  Mark mark_;
 };
 
 }  // namespace triax::sim

@@ -191,38 +191,18 @@ typename Sanisand<Space>::Standing Sanisand<Space>::standing(const State& state)
 }
 
 template <class Space>
-typename Sanisand<Space>::Lode Sanisand<Space>::lode(const Vector<Space>& n) const {
-  Lode l;
-  l.n2 = square<Space>(n);
-  l.cosine = std::clamp(std::sqrt(6.0) * l.n2.dot(n), -1.0, 1.0);
-  const double c = parameters_.extension_ratio;
-  l.g = 2 * c / ((1 + c) - (1 - c) * l.cosine);
-  return l;
-}
-
-template <class Space>
-double Sanisand<Space>::bounding_at(double limit, double psi) const {
-  return kSanisandRoot *
-         (limit * std::exp(-parameters_.bounding_exponent * psi) - parameters_.yield_radius);
-}
-
-template <class Space>
-double Sanisand<Space>::bounding(const Standing& at) const {
-  const double psi = state_parameter_at(at.p / parameters_.atmospheric_pressure_pa, at.void_ratio);
-  return bounding_at(lode(at.n).g * parameters_.critical_stress_ratio, psi);
-}
-
-template <class Space>
 typename Sanisand<Space>::Loading Sanisand<Space>::loading(const Standing& at) const {
   const auto& par = parameters_;
   Loading l;
   l.n = at.n;
-  const auto [n2, cosine, g] = lode(at.n);
+  const Vector<Space> n2 = square<Space>(l.n);
+  const double cosine = std::clamp(std::sqrt(6.0) * n2.dot(l.n), -1.0, 1.0);  // of 3θ
   const double c = par.extension_ratio;
+  const double g = 2 * c / ((1 + c) - (1 - c) * cosine);
   const double relative_p = at.p / par.atmospheric_pressure_pa;
   const double psi = state_parameter_at(relative_p, at.void_ratio);
   const double limit = g * par.critical_stress_ratio;
-  l.bounding = bounding_at(limit, psi);
+  l.bounding = kSanisandRoot * (limit * std::exp(-par.bounding_exponent * psi) - par.yield_radius);
   const double dilatancy_line =
       kSanisandRoot * (limit * std::exp(par.dilatancy_exponent * psi) - par.yield_radius);
   l.dilatancy = par.dilatancy_factor * (1 + at.fabric) * (dilatancy_line - at.along);

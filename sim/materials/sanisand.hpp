@@ -106,19 +106,11 @@ class Sanisand : public Law<Space> {
   Standing standing(const State& state) const;
   Loading loading(const Standing& at) const;
   Loading loading(const State& state) const { return loading(standing(state)); }
-  /// α^b:n alone.
-  double bounding(const Standing& at) const;
   /// Why there is no law at this stress (p′ > 0) and void ratio, whatever the memory.
   std::optional<std::string> objection(const Vector<Space>& stress, double void_ratio) const;
 
  private:
   static constexpr int kSize = Space::kSize;
-  struct Lode {
-    Vector<Space> n2;  // n²
-    double cosine, g;  // cos 3θ
-  };
-  Lode lode(const Vector<Space>& n) const;
-  double bounding_at(double limit, double psi) const;  // g M, ψ
   double contraction_fade(double p) const;
   double shear_at(double root_p, double void_ratio) const;  // √(p/p_at)
   double state_parameter_at(double relative_p, double void_ratio) const;

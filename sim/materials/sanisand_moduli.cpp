@@ -40,14 +40,46 @@ std::vector<std::string> SanisandModuli<Space>::memory_names() const {
 }
 
 template <class Space>
-typename Sanisand<Space>::Standing SanisandModuli<Space>::standing(const State& state) const {
+typename SanisandModuli<Space>::Standing SanisandModuli<Space>::standing(const State& state) const {
   const double radius = kSanisandRoot * law_.parameters().yield_radius;
-  typename Sanisand<Space>::Standing s{.p = state.p(), .void_ratio = state.void_ratio};
+  Standing s{.p = state.p(), .void_ratio = state.void_ratio};
   s.ratio = deviator<Space>(state.stress) / s.p;
   const double size = s.ratio.norm();
   s.n = size > 0 ? Vector<Space>(s.ratio / size) : compression<Space>();
   s.along = std::max(size - radius, 0.0);
   return s;
+}
+
+/// What one state is asked for. Where a step ends it is the objection, where the next one begins
+/// the moduli and the memory.
+template <class Space>
+struct SanisandModuli<Space>::Kept {
+  Kept(const SanisandModuli& moduli, const State& state)
+      : law(moduli.mark_),
+        stress(state.stress),
+        void_ratio(state.void_ratio),
+        standing(moduli.standing(state)),
+        loading(moduli.law_.loading(standing)),
+        eta(std::max(standing.ratio.norm() / kSanisandRoot,
+                     moduli.law_.parameters().yield_radius)) {}
+  bool answers(const Mark& asked, const State& state) const {
+    return law == asked && stress == state.stress && void_ratio == state.void_ratio;
+  }
+
+  Mark law;
+  Vector<Space> stress;
+  double void_ratio;
+  Standing standing;
+  Loading loading;
+  double eta;  ///< |η|, at least m
+};
+
+/// Valid until the next call on this thread.
+template <class Space>
+const typename SanisandModuli<Space>::Kept& SanisandModuli<Space>::at(const State& state) const {
+  thread_local std::optional<Kept> kept;
+  if (!kept || !kept->answers(mark_, state)) kept.emplace(*this, state);
+  return *kept;
 }
 
 template <class Space>
@@ -63,16 +95,17 @@ std::optional<std::string> SanisandModuli<Space>::objection(const State& state) 
 template <class Space>
 bool SanisandModuli<Space>::at_limit(const State& state) const {
   if (!(state.p() > 0)) return false;
-  const auto s = standing(state);
-  return !(law_.bounding(s) > s.along);
+  const Kept& here = at(state);
+  return !(here.loading.bounding > here.standing.along);
 }
 
 template <class Space>
 void SanisandModuli<Space>::moduli(const State& state, Matrix<Space>& plus,
                                    Matrix<Space>& minus) const {
-  const auto s = standing(state);
-  const auto l = law_.loading(s);
-  const double eta = size_of(s);
+  const Kept& here = at(state);
+  const Standing& s = here.standing;
+  const Loading& l = here.loading;
+  const double eta = here.eta;
   // In first loading to the bit what it is without a memory.
   const double from_last =
       eta < state.memory(0) ? kSanisandRoot * distance(state.memory, eta) : s.along;
@@ -113,8 +146,9 @@ double SanisandModuli<Space>::reversal(const State& state) const {
 
 template <class Space>
 bool SanisandModuli<Space>::turn(State& state, const PointRate<Space>& rate) const {
-  const auto s = standing(state);
-  const double eta = size_of(s);
+  const Kept& here = at(state);
+  const Standing& s = here.standing;
+  const double eta = here.eta;
   Memory& loops = state.memory;
   int open = 0;
   bool coming_up = true;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <algorithm>
-
+#include "sim/law/mark.hpp"
 #include "sim/materials/generalised_triaxial.hpp"
 #include "sim/materials/sanisand.hpp"
 
@@ -59,17 +58,18 @@ class SanisandModuli : public GeneralisedTriaxial<Space> {
 
  private:
   static constexpr int kLoops = 2, kFalling = 2 * kLoops;
+  using Standing = typename Sanisand<Space>::Standing;
+  using Loading = typename Sanisand<Space>::Loading;
   /// On a yield surface that passes through the stress.
-  typename Sanisand<Space>::Standing standing(const State& state) const;
+  Standing standing(const State& state) const;
+  struct Kept;
+  const Kept& at(const State& state) const;
   double distance(const Memory& loops, double eta) const;
-  /// |η|, at least m
-  double size_of(const typename Sanisand<Space>::Standing& at) const {
-    return std::max(at.ratio.norm() / kSanisandRoot, law_.parameters().yield_radius);
-  }
   /// Fall of |η| over which the answer becomes elastic.
   double range() const { return 0.2 * law_.parameters().yield_radius; }
 
   Sanisand<Space> law_;
+  Mark mark_;
 };
 
 extern template class SanisandModuli<Axisymmetric>;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sim/law/on_yield.hpp"
 #include "sim/point/point_driver.hpp"
 #include "tests/sim/materials/random_tensors.hpp"
 
@@ -264,6 +265,42 @@ TEST_CASE("Mohr-Coulomb: a stress outside the surface is not moved silently") {
   auto settled = outside;
   law.settle(settled, 1);
   CHECK(settled.stress == outside.stress);
+}
+
+TEST_CASE("Mohr-Coulomb: a settled state stays as it is to the bit, on planes and at corners") {
+  test::RandomTensors random;
+  const Full law(sand(5, 10e3));
+  const auto start = law.isotropic(100e3, 0.9);
+  for (int i = 0; i < 12; ++i) {
+    const auto control = i % 3 == 2 ? true_triaxial(0.03, 20e3, 0)
+                                    : TensorControl::drained_compression(i % 3 == 0 ? 0.03 : -0.03);
+    const auto step =
+        advance_point(law, start, test::turned_control(control, rotation(random.turn())));
+    REQUIRE(step.outcome == StepOutcome::accepted);
+    const unsigned standing = mechanisms_on_yield(law, step.state, 3);
+    REQUIRE(standing != 0);
+    auto again = step.state;
+    law.settle(again, standing);
+    CHECK(again.stress == step.state.stress);
+    CHECK(again.memory == step.state.memory);
+    again.stress *= 1 + 1e-10;
+    const Vector<Tensor> beside = again.stress;
+    law.settle(again, standing);
+    CHECK(again.stress != beside);
+  }
+}
+
+TEST_CASE("Mohr-Coulomb: the distance is that of this law and stress, whatever was asked before") {
+  std::optional<Full> law;
+  const auto distance = [&law](double cohesion_pa, double axial_pa) {
+    law.emplace(sand(0, cohesion_pa));  // where the last one was
+    return law->yield_distance(
+        law->start(as_tensor(components(AxisymmetricStress{axial_pa, 100e3})), 0.9), 0);
+  };
+  const double first = distance(0, 200e3);
+  CHECK(distance(20e3, 200e3) < first - 0.05);
+  CHECK(distance(20e3, 300e3) > distance(20e3, 200e3) + 0.05);
+  CHECK(distance(0, 200e3) == first);
 }
 
 TEST_CASE("Mohr-Coulomb: without friction it is Tresca's law") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -96,6 +97,37 @@ TEST_CASE("the image pressure keeps the stress on the yield surface along any lo
   check(NorSand(test::nerlerk_drained()),
         {Control::drained_compression(0.01), Control::strain_path(0.01, 0.8),
          Control::strain_path(0.01, 1.3)});
+}
+
+TEST_CASE("a settled state stays as it is to the bit; one beside the surface is put onto it") {
+  const NorSand law(test::nerlerk());
+  State state =
+      advance_point<Axisymmetric>(law, loose(law, 300, 0.05), Control::strain_path(0.004)).state;
+  const Memory settled = state.memory;
+  law.settle(state, 1);
+  CHECK(state.memory == settled);
+  state.memory(0) *= 1 + 1e-3;
+  law.settle(state, 1);
+  CHECK(std::abs(law.yield_distance(state, 0)) < 1e-14);
+  CHECK(state.memory(0) == Approx(settled(0)).epsilon(1e-13));
+}
+
+TEST_CASE("the image is that of this law and state, whatever was asked before") {
+  std::optional<NorSand> law;
+  const auto image = [&law](double coupling, double e, double m0, double p0) {
+    auto p = test::hostun_norsand();
+    p.volumetric_coupling = coupling;
+    law.emplace(p);  // where the last one was
+    State s{isotropic<Axisymmetric>(200e3), e, Memory::Zero(2)};
+    s.memory << m0, p0;
+    return law->image(s);
+  };
+  const double first = image(0.2, 0.95, 0.5, 200e3).limit;
+  CHECK(image(0.3, 0.95, 0.5, 200e3).limit != first);
+  CHECK(image(0.2, 0.96, 0.5, 200e3).limit != first);
+  CHECK(image(0.2, 0.95, 0.6, 200e3).limit != first);
+  CHECK(image(0.2, 0.95, 0.25, 400e3).limit != first);  // p_i is the same
+  CHECK(image(0.2, 0.95, 0.5, 200e3).limit == first);
 }
 
 TEST_CASE("a plastic increment has the flow and the hardening of the equations") {

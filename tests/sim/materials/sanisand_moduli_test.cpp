@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "sim/point/point_driver.hpp"
@@ -318,4 +319,17 @@ TEST_CASE("the moduli are continuous at q = 0, whatever came before") {
       CHECK(above.plus.isApprox(below.plus, 1e-5));
       CHECK(above.minus.isApprox(below.minus, 1e-5));
     }
+}
+
+TEST_CASE("the moduli are those of this law, stress and void ratio, whatever was asked before") {
+  std::optional<Interpolated<Axisymmetric>> material;
+  const auto column = [&material](double h0, double eta, double e) {
+    material.emplace(law<Axisymmetric>(Interpolation::inl2, h0));  // where the last one was
+    return Eigen::Vector2d(moduli(*material, state_at(*material, 70, eta, e)).plus.col(0));
+  };
+  const Eigen::Vector2d first = column(kInl2, 0.5, 1);
+  CHECK(column(2 * kInl2, 0.5, 1)(0) < 0.9 * first(0));
+  CHECK(column(2 * kInl2, 0.5, 1.1)(0) > 1.1 * column(2 * kInl2, 0.5, 1)(0));
+  CHECK(column(kInl2, 0.4, 1)(0) < 0.9 * first(0));
+  CHECK(column(kInl2, 0.5, 1) == first);
 }
