@@ -16,8 +16,7 @@ void FallWatch::start(const StageInfo* stage) {
 bool FallWatch::runs(const State& state) const {
   const State& before = *control_.before();
   const double leap = std::fabs(state.strain.axial - before.strain.axial);
-  const double grown =
-      LossOfControl::carried_load(state) / LossOfControl::carried_load(before) - 1;
+  const double grown = LossOfControl::carried_load(state) / LossOfControl::carried_load(before) - 1;
   return leap >= kRan && (holds_q_ || grown < leap / 2);
 }
 

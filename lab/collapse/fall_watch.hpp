@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Whether the specimen runs away now, from readings as they come. The monitor's states have waited
-// until nothing more can come to light about their sensors, and in a fall there is no time for that.
+// until nothing more can come to light about their sensors, and in a fall there is no time for
+// that.
 #include <optional>
 
 #include "lab/collapse/loss_of_control.hpp"

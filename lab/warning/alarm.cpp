@@ -31,12 +31,14 @@ void Alarm::start_stage(const State& state) {
   rest_.start_stage(info, header_.has_time);
   levels_.start_stage(info);
   told_.reset();
+  work_.reset();
 }
 
 void Alarm::take(const PathPoint& point) {
   for (const PathPoint& driven : rest_.add(point)) {
     limit_.add(driven);
     levels_.add(driven);
+    work_ = driven.work.normalised;
   }
 }
 

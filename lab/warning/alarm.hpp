@@ -41,6 +41,8 @@ class Alarm {
   void lose() { levels_.lose(); }
 
   WarningLevel level() const { return levels_.level(); }
+  /// The latest normalised second-order work of the stage; empty before any is known.
+  const std::optional<double>& work() const { return work_; }
   /// Where the levels that stand, or stood when the specimen was lost, were said first.
   const std::optional<Outlook>& approaching() const { return approaching_; }
   const std::optional<Outlook>& imminent() const { return imminent_; }
@@ -60,6 +62,7 @@ class Alarm {
   WarningLevels levels_;
   std::optional<int> stage_;
   std::optional<State> latest_;
+  std::optional<double> work_;
   std::optional<double> told_;  ///< η of the last forecast that was told
   std::optional<Outlook> approaching_, imminent_;
 };
