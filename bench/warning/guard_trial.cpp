@@ -51,7 +51,6 @@ void run_guarded(lab::Programme programme, GuardTrial& t) {
   if (!summary.guard) return;
   const lab::GuardOutcome& guard = *summary.guard;
   t.acted_s = guard.at.time_s;
-  t.by_imminent = guard.level == lab::WarningLevel::imminent;
   t.further_strain = std::fabs(*guard.last_axial_strain - *guard.at.axial_strain);
   t.ran_away = fall_in(*summary.truth, *t.acted_s) != nullptr;
 }
@@ -132,11 +131,10 @@ void print_guard_trials(const std::vector<GuardTrial>& trials, bool failures) {
   for (const auto* t : falls)
     if (!t->caught() || (t->shown && !(t->known_after && *t->known_after <= 3)))
       fmt::print(
-          "{} {} seed {}: fall {:.0f} s, lost after {} readings; guard {:.0f} s{}, further "
+          "{} {} seed {}: fall {:.0f} s, lost after {} readings; guard {:.0f} s, further "
           "strain {:.2f} %{}\n",
           t->programme, t->material, t->seed, t->fall_s.value_or(NAN), t->known_after.value_or(-1),
-          t->acted_s.value_or(NAN), t->by_imminent ? "" : " (not by imminent)",
-          100 * t->further_strain, t->ran_away ? ", ran away" : "");
+          t->acted_s.value_or(NAN), 100 * t->further_strain, t->ran_away ? ", ran away" : "");
   for (const auto* t : controls)
     if (acted(t) || said(t))
       fmt::print("control {} {} seed {}: guard {:.0f} s{}\n", t->programme, t->material, t->seed,

@@ -25,12 +25,11 @@ struct GuardTrial {
   std::optional<int> known_after;        ///< readings from the fall to the event `lost`, without it
   bool said_lost = false;                ///< that event, ever
   std::optional<double> acted_s;         ///< the guard
-  bool by_imminent = false;
-  double further_strain = 0;  ///< from where it acted to the end, of either sign
-  bool ran_away = false;      ///< after it had acted
+  double further_strain = 0;             ///< from where it acted to the end, of either sign
+  bool ran_away = false;                 ///< after it had acted
 
   bool comparable() const { return lost == collapses; }
-  bool in_time() const { return acted_s && by_imminent && (!fall_s || *acted_s < *fall_s); }
+  bool in_time() const { return acted_s && (!fall_s || *acted_s < *fall_s); }
   bool caught() const { return in_time() && !ran_away && further_strain < kAllowed; }
 };
 

@@ -150,6 +150,7 @@ class SessionRun {
   void pass_on();
   void watch_fall(const State& state);
   void heed(const State& state);
+  void ask_guard(const State& state);
   void know_the_fall(Collapse& collapse) const;
   void tell_progress();
   void abort(const Reading& reading);
@@ -167,6 +168,7 @@ class SessionRun {
   std::optional<Event> lost_;  ///< the first fall that was seen
   std::pair<std::optional<Outlook>, std::optional<Outlook>> acted_on_;  ///< approaching, imminent
   WarningLevel heeded_ = WarningLevel::none;
+  std::optional<State> latest_;
   std::optional<double> axial_strain_;  ///< the latest that is known
   JudgedStates states_;
   CrossChecks cross_checks_;
@@ -199,6 +201,7 @@ AlarmListener SessionRun::alarm_listener() {
 }
 
 void SessionRun::take(const Reading& reading) {
+  if (latest_) ask_guard(*latest_);  // before its stage began
   if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
   stage_ = reading.stage;
   last_reading_ = Moment{reading.number, {}};
@@ -236,8 +239,14 @@ void SessionRun::watch_fall(const State& state) {
 /// What the alarm says is told to the rig at once: the guard of its programme may act on it.
 void SessionRun::heed(const State& state) {
   if (!std::isnan(state.strain.axial)) axial_strain_ = state.strain.axial;
-  if (std::exchange(heeded_, alarm_.level()) == alarm_.level()) return;
-  const auto done = back_end_.heed(heeded_);
+  latest_ = state;
+  if (std::exchange(heeded_, alarm_.level()) != alarm_.level()) back_end_.heed(heeded_);
+  ask_guard(state);
+}
+
+/// Whether it acted at that state.
+void SessionRun::ask_guard(const State& state) {
+  const auto done = back_end_.guarded();
   if (!done) return;
   // Its stage ends here, and with it what the alarm says of it.
   acted_on_ = {alarm_.approaching(), alarm_.imminent()};

@@ -86,7 +86,8 @@ struct VirtualRig::Impl {
   bool stage_over();
   bool stage_follows() const;
   void hold_by_guard(const std::string& detail);
-  std::optional<std::string> heed(WarningLevel level);
+  bool guard_is_due() const;
+  void act_as_guard();
   void act_as_operator();
   bool go(Mode next, EventKind kind, const std::string& detail);
   PlantDemand demand(double dt_s);
@@ -119,7 +120,9 @@ struct VirtualRig::Impl {
   Mode mode = Mode::running;
   int safe_readings = 0;
   std::size_t next_action = 0;
+  WarningLevel said = WarningLevel::none;  ///< by the alarm
   bool guard_acted = false;
+  std::optional<std::string> guard_did;
   std::optional<double> held_until_s;  ///< by the guard
   PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
@@ -178,30 +181,26 @@ void VirtualRig::Impl::hold_by_guard(const std::string& detail) {
   held_until_s = time_s + programme.guard->hold_s;
 }
 
-std::optional<std::string> VirtualRig::Impl::heed(WarningLevel level) {
+bool VirtualRig::Impl::guard_is_due() const {
   const auto& guard = programme.guard;
-  if (!guard || guard_acted || level < guard->on || mode != Mode::running) return std::nullopt;
-  if (stage_index >= guarded.successor.size() || !guards(*guard, stage())) return std::nullopt;
+  return guard && !guard_acted && said >= guard->on && mode == Mode::running &&
+         stage_index < guarded.successor.size() && guards(*guard, stage());
+}
+
+void VirtualRig::Impl::act_as_guard() {
+  const Guard& guard = *programme.guard;
   guard_acted = true;
-  const std::string done = describe(*guard);
-  const std::string why = fmt::format("stage \"{}\" was ended at {:.6g} s by the guard: {}",
-                                      stage().name, time_s, done);
-  switch (guard->action) {
-    case Guard::Action::hand_over:
-    case Guard::Action::unload:
-      stage_index = *guarded.successor[stage_index];
-      aim(*guard, seen, programme.specimen.height_m, programme.stages[stage_index]);
-      begin_stage();
-      break;
-    case Guard::Action::hold:
-      hold_by_guard(done);
-      break;
-    case Guard::Action::safe:
-      go(Mode::safe, EventKind::safe_state, "by the guard");
-      return done;
+  guard_did = describe(guard);
+  if (guard.action == Guard::Action::safe) {
+    go(Mode::safe, EventKind::safe_state, "by the guard");
+    return;
   }
-  cut(why);
-  return done;
+  cut(fmt::format("stage \"{}\" was ended at {:.6g} s by the guard: {}", stage().name, time_s,
+                  *guard_did));
+  if (guard.action == Guard::Action::hold) return hold_by_guard(*guard_did);
+  stage_index = *guarded.successor[stage_index];
+  aim(guard, seen, programme.specimen.height_m, programme.stages[stage_index]);
+  begin_stage();
 }
 
 /// True where the stage is over and none follows, or it may not go on.
@@ -216,6 +215,7 @@ bool VirtualRig::Impl::stage_over() {
     if (!stage_follows()) return true;
     ++stage_index;
     begin_stage();
+    if (guard_is_due()) act_as_guard();
     return false;
   }
   if (seen.stage_time_s() < stage().time_limit_s) return false;
@@ -408,7 +408,11 @@ bool VirtualRig::abort(const std::string& reason) {
   return impl_->go(Impl::Mode::safe, EventKind::aborted, reason);
 }
 
-std::optional<std::string> VirtualRig::heed(WarningLevel level) { return impl_->heed(level); }
+void VirtualRig::heed(WarningLevel level) {
+  impl_->said = level;
+  if (impl_->guard_is_due()) impl_->act_as_guard();
+}
+std::optional<std::string> VirtualRig::guarded() { return std::exchange(impl_->guard_did, {}); }
 
 bool VirtualRig::next(Reading& reading) {
   Impl& rig = *impl_;

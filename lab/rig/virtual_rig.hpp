@@ -55,8 +55,10 @@ class VirtualRig : public BackEnd {
   void hold();
   void resume();
   bool abort(const std::string& reason) override;
-  /// The guard of the programme acts in a stage that it guards, from the next tick on.
-  std::optional<std::string> heed(WarningLevel level) override;
+  /// The guard of the programme acts in a stage that it guards, from the next tick on; a stage that
+  /// would begin while its level stands is not left to its load for a tick.
+  void heed(WarningLevel level) override;
+  std::optional<std::string> guarded() override;
 
   /// True state of the specimen at the last reading, which no instrument sees.
   const sim::SpecimenState& specimen_state() const;

@@ -27,6 +27,11 @@ std::string guard(const std::string& keys) { return "[guard]\non = \"imminent\"\
 const std::string kHandOver =
     guard("action = \"hand_over\"\nrate_mm_per_min = 0.5\nfurther_strain_pct = 1.0\n");
 
+std::optional<std::string> heed(VirtualRig& rig, WarningLevel level) {
+  rig.heed(level);
+  return rig.guarded();
+}
+
 struct Guarded {
   std::vector<Reading> readings;
   std::size_t acted = 0;  ///< readings by then; 0: never
@@ -39,7 +44,7 @@ Guarded run(VirtualRig& rig, double force) {
   for (Reading r; rig.next(r);) {
     all.readings.push_back(r);
     if (all.acted > 0 || std::fabs(r[Quantity::axial_force]) < force) continue;
-    if (const auto done = rig.heed(WarningLevel::imminent)) {
+    if (const auto done = heed(rig, WarningLevel::imminent)) {
       all.done = *done;
       all.acted = all.readings.size();
     }
@@ -103,6 +108,29 @@ TEST_CASE("masses and springs are handed over as a servo's load is") {
   }
 }
 
+TEST_CASE("a load is not put on a specimen that was said to be lost in the stage before") {
+  const std::string past_peak = shear_stage("closed", "displacement", "axial_rate_mm_per_min = 0.5",
+                                            R"("axial_strain_pct", above = 0.7)");
+  const std::string masses = shear_stage("closed", "dead_load", "impulse_N_s = 0.001", kFar);
+  VirtualRig rig(rig_programme(past_peak + masses + kHandOver, kWithMass));
+  Reading r, last;
+  REQUIRE(rig.next(r));
+  CHECK_FALSE(heed(rig, WarningLevel::lost));  // the crosshead holds it
+  while (rig.next(r)) last = r;
+  CHECK(rig.guarded());
+  CHECK(last.stage == 3);
+  CHECK(rig.truth()->run_aways.empty());
+
+  VirtualRig taken_back(rig_programme(past_peak + masses + kHandOver, kWithMass));
+  REQUIRE(taken_back.next(r));
+  taken_back.heed(WarningLevel::imminent);
+  taken_back.heed(WarningLevel::none);
+  while (taken_back.next(r)) last = r;
+  CHECK_FALSE(taken_back.guarded());
+  CHECK(last.stage == 2);
+  CHECK(taken_back.truth()->run_aways.size() == 1);
+}
+
 TEST_CASE("at held q the pressures stop with the hand-over, the valve stays as it was") {
   Programme programme = load_programme("samples/programmes/csu_41.toml");
   const auto stages = static_cast<int>(programme.stages.size());
@@ -117,7 +145,7 @@ TEST_CASE("at held q the pressures stop with the hand-over, the valve stays as i
   bool acted = false;
   for (Reading r; rig.next(r); last = r) {
     if (acted || r.time_s < fall_s - 30) continue;
-    acted = rig.heed(WarningLevel::imminent).has_value();
+    acted = heed(rig, WarningLevel::imminent).has_value();
     at = r;
   }
   REQUIRE(acted);
@@ -181,12 +209,13 @@ TEST_CASE("a guard acts at its level, once, and in the stages that it guards") {
   VirtualRig rig(rig_programme(consolidation + by_load(60) + kHandOver, kWithMass));
   Reading r;
   REQUIRE(rig.next(r));
-  CHECK_FALSE(rig.heed(WarningLevel::lost));  // nothing is sheared yet
+  CHECK_FALSE(heed(rig, WarningLevel::lost));  // nothing is sheared yet
+  rig.heed(WarningLevel::none);
   while (r.stage == 1) REQUIRE(rig.next(r));
-  CHECK_FALSE(rig.heed(WarningLevel::approaching));
-  CHECK(rig.heed(WarningLevel::lost));
-  CHECK_FALSE(rig.heed(WarningLevel::lost));
+  CHECK_FALSE(heed(rig, WarningLevel::approaching));
+  CHECK(heed(rig, WarningLevel::lost));
+  CHECK_FALSE(heed(rig, WarningLevel::lost));
   VirtualRig unguarded(rig_programme(by_load(60), kWithMass));
   REQUIRE(unguarded.next(r));
-  CHECK_FALSE(unguarded.heed(WarningLevel::lost));
+  CHECK_FALSE(heed(unguarded, WarningLevel::lost));
 }
