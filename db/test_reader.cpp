@@ -265,6 +265,31 @@ void read_cyclic(SQLite::Database& database, std::int64_t id,
            });
 }
 
+void read_guard(SQLite::Database& database, std::int64_t id,
+                std::optional<lab::GuardOutcome>& outcome) {
+  for_rows(database, id,
+           "SELECT level, done, reading, time_s, axial_strain, q_kPa, p_eff_kPa, "
+           "second_order_work_normalised, last_axial_strain, without_kind, "
+           "without_last_axial_strain, without_lost_reading, without_lost_time_s FROM guards "
+           "WHERE test_id = ?",
+           [&](Columns& c) {
+             lab::GuardOutcome& guard = outcome.emplace();
+             guard.level = known(c.text(), lab::warning_level_from);
+             guard.done = c.text();
+             guard.at.reading = c.integer().value_or(0);
+             guard.at.time_s = c.number();
+             guard.at.axial_strain = c.number();
+             guard.at.q_pa = c.si("kPa");
+             guard.at.p_eff_pa = c.si("kPa");
+             guard.second_order_work_normalised = c.number();
+             guard.last_axial_strain = c.number();
+             const auto kind = lab::collapse_kind_from(c.text());
+             if (!kind) return;
+             guard.without = {.kind = *kind, .last_axial_strain = c.number(), .lost = {}};
+             guard.without->lost = read_moment(c);
+           });
+}
+
 void read_consolidation_and_checks(SQLite::Database& database, std::int64_t id,
                                    lab::TestSummary& summary) {
   for_rows(database, id,
@@ -370,6 +395,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_collapse(database, id, test.summary.collapse);
   read_outlooks(database, id, test.summary.collapse);
   read_cyclic(database, id, test.summary.cyclic);
+  read_guard(database, id, test.summary.guard);
   read_truth(database, id, test.summary.truth);
   read_events(database, id, test.events);
   read_sweep(database, id, test.sweep);

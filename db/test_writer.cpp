@@ -213,6 +213,28 @@ void insert_outlook(SQLite::Database& database, std::int64_t id, lab::WarningLev
       .run();
 }
 
+void insert_guard(SQLite::Database& database, std::int64_t id,
+                  const std::optional<lab::GuardOutcome>& guard) {
+  if (!guard) return;
+  Statement insert(database, "INSERT INTO guards VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  Binder row(insert);
+  row.integer(id)
+      .text(to_string(guard->level))
+      .text(guard->done)
+      .integer(guard->at.reading)
+      .number(guard->at.time_s)
+      .number(guard->at.axial_strain)
+      .si(guard->at.q_pa, "kPa")
+      .si(guard->at.p_eff_pa, "kPa")
+      .number(guard->second_order_work_normalised)
+      .number(guard->last_axial_strain);
+  const auto& without = guard->without;
+  row.text_or_null(without ? std::string(to_string(without->kind)) : std::string())
+      .number(without ? without->last_axial_strain : std::nullopt);
+  bind_moment(row, without ? without->lost : std::nullopt);
+  row.run();
+}
+
 void insert_run_aways(SQLite::Database& database, std::int64_t id,
                       const std::vector<lab::RunAwayTruth>& run_aways) {
   Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?,?)");
@@ -343,6 +365,7 @@ void insert_summary(SQLite::Database& database, std::int64_t test_id,
   insert_outlook(database, test_id, lab::WarningLevel::approaching, summary.collapse.approaching);
   insert_outlook(database, test_id, lab::WarningLevel::imminent, summary.collapse.imminent);
   insert_cyclic(database, test_id, summary.cyclic);
+  insert_guard(database, test_id, summary.guard);
   insert_truth(database, test_id, summary.truth);
   insert_checks(database, test_id, summary.checks);
   insert_warnings(database, test_id, "at_end", summary.warnings);

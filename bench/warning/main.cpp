@@ -23,6 +23,7 @@
 
 #include "bench/detection/subjects.hpp"
 #include "bench/warning/alarm_trial.hpp"
+#include "bench/warning/guard_trial.hpp"
 #include "lab/base/bad_input.hpp"
 
 using namespace triax;
@@ -33,19 +34,20 @@ struct Options {
   int seeds = 40, from = 1;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::string only, list = "bench/warning/programmes.txt", folder = "samples/programmes";
-  bool failures = false;
+  bool failures = false, guard = false;
 };
 
-std::vector<bench::AlarmTrial> run_all(const std::vector<bench::Subject>& subjects,
-                                       const Options& o) {
-  std::vector<bench::AlarmTrial> trials(subjects.size() * static_cast<std::size_t>(o.seeds));
+template <class Trial>
+std::vector<Trial> run_all(const std::vector<bench::Subject>& subjects, const Options& o,
+                           Trial (*trial)(const bench::Subject&, std::uint64_t)) {
+  std::vector<Trial> trials(subjects.size() * static_cast<std::size_t>(o.seeds));
   std::atomic<std::size_t> next = 0;
   std::mutex guard;
   const auto work = [&] {
     for (std::size_t i = next++; i < trials.size(); i = next++) {
       const auto seed = static_cast<std::uint64_t>(o.from) + i / subjects.size();
       try {
-        trials[i] = bench::run_alarm_trial(subjects[i % subjects.size()], seed);
+        trials[i] = trial(subjects[i % subjects.size()], seed);
       } catch (const std::exception& e) {
         const std::lock_guard lock(guard);
         fmt::print(stderr, "{} seed {}: {}\n", subjects[i % subjects.size()].programme.name, seed,
@@ -124,7 +126,11 @@ int run(const Options& o) {
     std::erase_if(subjects, [&](const auto& s) {
       return s.programme.name.find(o.only) == std::string::npos;
     });
-  const auto trials = run_all(subjects, o);
+  if (o.guard) {
+    bench::print_guard_trials(run_all(subjects, o, bench::run_guard_trial), o.failures);
+    return 0;
+  }
+  const auto trials = run_all(subjects, o, bench::run_alarm_trial);
   std::vector<std::string> kinds;
   Group collapses, controls;
   for (const auto& t : trials) {
@@ -198,6 +204,7 @@ int main(int argc, char** argv) {
   app.add_option("--list", o.list, "file of subjects");
   app.add_option("--folder", o.folder, "of programmes");
   app.add_flag("--failures", o.failures, "name the tests that failed");
+  app.add_flag("--guard", o.guard, "what a guard that hands the load over catches, instead");
   CLI11_PARSE(app, argc, argv);
   try {
     return run(o);

@@ -103,7 +103,6 @@ void LossOfControl::watch_anew() {
   largest_rate_ = mean_rate_ = mean_pore_rate_ = 0;
 }
 
-/// The force beyond that of the cell pressure, on a cross-section of one when shear began.
 double LossOfControl::carried_load(const State& state) {
   return std::fabs(state.q) * (1 - volumetric_strain(state.strain)) / (1 - state.strain.axial);
 }

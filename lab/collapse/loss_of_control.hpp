@@ -48,6 +48,10 @@ class LossOfControl : public CollapseCriterion {
   std::optional<Finding> finding() const override;
   std::string blind() const override;
   const std::optional<Finding>& found() const { return run_.finding; }
+  /// The state from which that began; null without one.
+  const State* before() const { return run_.finding ? &run_.before : nullptr; }
+  /// The force beyond that of the cell pressure, on a cross-section of one when shear began.
+  static double carried_load(const State& state);
   /// The finding, where control was lost for all that is known: of several runaways the last that
   /// took strength away, or the first if it came back after each.
   std::optional<Finding> lost() const;
@@ -74,7 +78,6 @@ class LossOfControl : public CollapseCriterion {
   void follow(const State& state);
   void watch_anew();
   const Run* decisive() const;
-  static double carried_load(const State& state);
   void check_held_q(const State& state, bool has_time);
   void check_bursts(const State& state, bool has_time);
   void check_leap(const State& before, const State& state, bool has_time);

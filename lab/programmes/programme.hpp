@@ -16,6 +16,7 @@
 #include "lab/materials/material_library.hpp"
 #include "lab/programmes/axial_way.hpp"
 #include "lab/programmes/end_condition.hpp"
+#include "lab/programmes/guard.hpp"
 #include "lab/results/quantity.hpp"
 #include "lab/results/record_header.hpp"
 #include "sim/specimen/specimen.hpp"
@@ -86,6 +87,7 @@ struct Programme {
   std::vector<Fault> faults;  ///< of all devices, in the order of the file
   std::vector<Stage> stages;
   std::vector<OperatorAction> operator_actions;  ///< in the order of time
+  std::optional<Guard> guard;
 };
 
 }  // namespace triax::lab

@@ -114,6 +114,7 @@ Programme read_programme(std::string_view toml_text, const std::string& file,
   const auto stages = root.tables("stages");
   programme.operator_actions = read_operator(root.tables("operator"));
   const auto faults = root.tables("faults");
+  const auto guard = root.table("guard");
   root.finish();
   read_test(test, programme);
   read_specimen(specimen, programme);
@@ -124,6 +125,7 @@ Programme read_programme(std::string_view toml_text, const std::string& file,
   double back_pa = programme.initial_back_pressure_pa;
   for (const TomlTable& stage : stages)
     programme.stages.push_back(read_stage(stage, programme, cell_pa, back_pa));
+  if (guard) programme.guard = read_guard(*guard, programme);
   return programme;
 }
 

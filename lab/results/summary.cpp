@@ -26,9 +26,11 @@ constexpr auto kEventKinds = std::to_array<std::pair<EventKind, std::string_view
      {EventKind::resumed, "resumed"},
      {EventKind::aborted, "aborted"},
      {EventKind::safe_state, "safe_state"},
+     {EventKind::guarded, "guarded"},
      {EventKind::run_away, "run_away"},
      {EventKind::approaching, "approaching"},
      {EventKind::imminent, "imminent"},
+     {EventKind::lost, "lost"},
      {EventKind::warning_withdrawn, "warning_withdrawn"}});
 constexpr auto kCheckKinds = std::to_array<std::pair<CheckKind, std::string_view>>(
     {{CheckKind::b_value, "b_value"},

@@ -30,9 +30,11 @@ enum class EventKind {
   resumed,
   aborted,
   safe_state,         ///< the supervision brought the rig to rest
+  guarded,            ///< the guard of the programme acted on a level of the alarm
   run_away,           ///< equilibrium of cap and specimen was lost, or found again
   approaching,        ///< an onset is forecast
   imminent,           ///< it lies within the next few scans
+  lost,               ///< the specimen runs away under what it cannot carry
   warning_withdrawn,  ///< neither any longer
 };
 /// "stage_started".
@@ -199,11 +201,28 @@ struct CyclicLoading {
   std::optional<CycleInstant> double_amplitude;  ///< of 5 %
 };
 
+/// What the guard of a programme did, and what it was good for.
+struct GuardOutcome {
+  WarningLevel level = WarningLevel::none;             ///< that it acted on
+  std::string done;                                    ///< in words
+  Instant at;                                          ///< the reading at which it acted
+  std::optional<double> second_order_work_normalised;  ///< the last that was known then
+  std::optional<double> last_axial_strain;             ///< at the end of the test
+  /// The same test without the guard; empty: nobody can run it.
+  struct Without {
+    CollapseKind kind = CollapseKind::none;
+    std::optional<double> last_axial_strain;
+    std::optional<Moment> lost;  ///< the reading after which the specimen ran away
+  };
+  std::optional<Without> without;
+};
+
 struct TestSummary {
   Consolidation consolidation;
   std::optional<Instant> peak;  ///< of q
   Collapse collapse;
   std::optional<CyclicLoading> cyclic;  ///< empty: no cyclic test
+  std::optional<GuardOutcome> guard;    ///< empty: none acted
   std::optional<Truth> truth;
   std::vector<Check> checks;
   /// "none", "astm" or "iso" (lab/reduction); empty where the record was reduced before.

@@ -30,6 +30,11 @@ class BackEnd {
   virtual std::optional<Truth> truth() const { return std::nullopt; }
   /// What happened to the rig itself since the last call: held, safe state, run-away.
   virtual std::vector<Event> events() { return {}; }
+  /// The alarm has come to this level by the reading last drawn, or back to none: a back end that
+  /// drives something does what the guard of its programme asks for, once a test.
+  virtual void heed(WarningLevel /*level*/) {}
+  /// What the guard did since the last call, in words; empty: nothing.
+  virtual std::optional<std::string> guarded() { return std::nullopt; }
   /// The test is broken off after the reading last drawn: no more readings are asked for. `reason`
   /// is a whole sentence for the record; a back end that drives something brings it to rest. True
   /// if a warning of its header says so from now on.

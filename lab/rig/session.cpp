@@ -8,11 +8,14 @@
 #include <thread>
 
 #include "lab/base/listeners.hpp"
+#include "lab/collapse/fall_watch.hpp"
 #include "lab/collapse/monitor.hpp"
 #include "lab/health/gaps.hpp"
 #include "lab/health/judged_states.hpp"
+#include "lab/measured/instant.hpp"
 #include "lab/reduction/cross_checks.hpp"
 #include "lab/warning/alarm.hpp"
+#include "lab/warning/warning_words.hpp"
 
 namespace triax::lab {
 namespace {
@@ -108,6 +111,7 @@ class SessionRun {
         reduction_(back_end.header(), options.reduction),
         monitor_(back_end.header(), {monitor_listener()}),
         alarm_(back_end.header(), {alarm_listener()}),
+        fall_watch_(back_end.header()),
         states_(back_end.header()),
         cross_checks_(back_end.header()),
         pace_(options) {}
@@ -144,6 +148,10 @@ class SessionRun {
     for (const Event& event : back_end_.events()) tell_of(event);
   }
   void pass_on();
+  void watch_fall(const State& state);
+  void heed(const State& state);
+  void ask_guard(const State& state);
+  void know_the_fall(Collapse& collapse) const;
   void tell_progress();
   void abort(const Reading& reading);
   void keep_run_away(Collapse& collapse);
@@ -156,6 +164,13 @@ class SessionRun {
   Gaps gaps_;
   CollapseMonitor monitor_;
   Alarm alarm_;
+  FallWatch fall_watch_;
+  std::optional<double> work_;  ///< normalised, at the latest point of second-order work
+  std::optional<Event> lost_;  ///< the first fall that was seen
+  std::pair<std::optional<Outlook>, std::optional<Outlook>> acted_on_;  ///< approaching, imminent
+  WarningLevel heeded_ = WarningLevel::none;
+  std::optional<State> latest_;
+  std::optional<double> axial_strain_;  ///< the latest that is known
   JudgedStates states_;
   CrossChecks cross_checks_;
   Collapse until_mark_;
@@ -172,6 +187,7 @@ CollapseListener SessionRun::monitor_listener() {
   return {.second_order_work =
               [this](const SecondOrderWorkPoint& p) {
                 gaps_.add(p);
+                work_ = p.work.normalised;
                 tell(listeners_, &SessionListener::second_order_work, p);
               },
           .happened =
@@ -187,6 +203,7 @@ AlarmListener SessionRun::alarm_listener() {
 }
 
 void SessionRun::take(const Reading& reading) {
+  if (latest_) ask_guard(*latest_);  // before its stage began
   if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
   stage_ = reading.stage;
   last_reading_ = Moment{reading.number, {}};
@@ -198,10 +215,66 @@ void SessionRun::take(const Reading& reading) {
   for (const SensorFinding& finding : states_.health().news()) {
     tell_of(sensor_event(finding));
     alarm_.interrupt(describe(finding));
+    if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
+      fall_watch_.interrupt();
   }
   alarm_.watch(state);
+  watch_fall(state);
+  heed(state);
   pass_on();
   if (++summary_.readings % 1024 == 0 || options_.speed > 0) tell_progress();
+}
+
+void SessionRun::watch_fall(const State& state) {
+  const auto fall = fall_watch_.watch(state);
+  if (!fall) return;
+  alarm_.lose();
+  const Event event{.reading = fall->instant.reading,
+                    .time_s = fall->instant.time_s,
+                    .kind = EventKind::lost,
+                    .detail = fall->evidence,
+                    .noticed = last_reading_};
+  if (!lost_) lost_ = event;
+  tell_of(event);
+}
+
+/// What the alarm says is told to the rig at once: the guard of its programme may act on it.
+void SessionRun::heed(const State& state) {
+  if (!std::isnan(state.strain.axial)) axial_strain_ = state.strain.axial;
+  latest_ = state;
+  if (std::exchange(heeded_, alarm_.level()) != alarm_.level()) back_end_.heed(heeded_);
+  ask_guard(state);
+}
+
+/// Whether it acted at that state.
+void SessionRun::ask_guard(const State& state) {
+  const auto done = back_end_.guarded();
+  if (!done) return;
+  // Its stage ends here, and with it what the alarm says of it.
+  acted_on_ = {alarm_.approaching(), alarm_.imminent()};
+  GuardOutcome& guard = summary_.guard.emplace();
+  guard.level = heeded_;
+  guard.done = *done;
+  guard.at = instant_of(state, back_end_.header().has_time);
+  guard.second_order_work_normalised = work_;
+  tell_of({.reading = guard.at.reading,
+           .time_s = guard.at.time_s,
+           .kind = EventKind::guarded,
+           .detail = describe(guard)});
+}
+
+/// A collapse that came with the fall was known with it, whatever it took to judge it.
+void SessionRun::know_the_fall(Collapse& collapse) const {
+  if (!lost_) return;
+  const auto earlier = [&](std::optional<Moment>& noticed) {
+    if (!noticed || lost_->noticed->reading < noticed->reading) noticed = lost_->noticed;
+  };
+  const auto knew = [&](std::int64_t reading) { return reading <= lost_->noticed->reading; };
+  if (collapse.detected() && collapse.onset && knew(collapse.onset->reading))
+    earlier(collapse.noticed);
+  for (Criterion& one : collapse.criteria)
+    if (one.name == LossOfControl::kName && one.found() && one.reading && knew(*one.reading))
+      earlier(one.noticed);
 }
 
 /// To the monitor goes what has been judged by now.
@@ -252,8 +325,9 @@ void SessionRun::summarise() {
   if (states_.ends_at_mark()) collapse = until_mark_;
   states_.bound(collapse);
   keep_run_away(collapse);
-  collapse.approaching = alarm_.approaching();
-  collapse.imminent = alarm_.imminent();
+  know_the_fall(collapse);
+  collapse.approaching = acted_on_.first ? acted_on_.first : alarm_.approaching();
+  collapse.imminent = acted_on_.second ? acted_on_.second : alarm_.imminent();
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
   if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
     collapse.end_at(last_reading_ ? std::optional(last_reading_->reading) : std::nullopt, why);
@@ -261,6 +335,10 @@ void SessionRun::summarise() {
     if (const auto doubt = contradiction(collapse, options_.otherwise())) collapse.withhold(*doubt);
   const auto caveat = gaps_.caveat(collapse);
   if (caveat && collapse.judged_until_reason.empty()) collapse.judged_until_reason = *caveat;
+  if (summary_.guard) {
+    summary_.guard->last_axial_strain = axial_strain_;
+    if (options_.without_guard) summary_.guard->without = options_.without_guard();
+  }
   summary_.peak = monitor_.peak();
   summary_.cyclic = monitor_.cyclic();
   summary_.consolidation = reduction_.consolidation();

@@ -26,6 +26,8 @@ struct SessionOptions {
   /// Asked once where the test was judged. A verdict that another answer contradicts, collapse
   /// against none, is withheld, and both are named.
   std::function<std::vector<Otherwise>()> otherwise = {};
+  /// Asked once where the guard of the programme acted.
+  std::function<GuardOutcome::Without()> without_guard = {};
 };
 
 /// Runs a whole test; returns what it came to. A test that was broken off is judged as far as it

@@ -10,6 +10,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
+#include "lab/rig/guard_stages.hpp"
 #include "lab/rig/logger.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "lab/rig/run_away_log.hpp"
@@ -49,7 +50,7 @@ struct VirtualRig::Impl {
   enum class Mode { running, held, safe, fallen };
 
   Impl(const Programme& p, std::uint64_t used_seed)
-      : programme(as_far_as_simulated(p)),
+      : guarded(with_guard_stages(as_far_as_simulated(p))),
         header(rig_header(programme, used_seed)),
         plant(make_plant(programme)),
         instruments(programme, used_seed),
@@ -83,6 +84,10 @@ struct VirtualRig::Impl {
   void begin_stage();
   bool met(const EndCondition& end) const;
   bool stage_over();
+  bool stage_follows() const;
+  void hold_by_guard(const std::string& detail);
+  bool guard_is_due() const;
+  void act_as_guard();
   void act_as_operator();
   bool go(Mode next, EventKind kind, const std::string& detail);
   PlantDemand demand(double dt_s);
@@ -93,7 +98,8 @@ struct VirtualRig::Impl {
   bool advance_to_next_scan();
   void check_ranges();
 
-  Programme programme;
+  GuardedProgramme guarded;
+  Programme& programme = guarded.programme;
   RecordHeader header;
   Plant plant;
   Instruments instruments;
@@ -114,6 +120,10 @@ struct VirtualRig::Impl {
   Mode mode = Mode::running;
   int safe_readings = 0;
   std::size_t next_action = 0;
+  WarningLevel said = WarningLevel::none;  ///< by the alarm
+  bool guard_acted = false;
+  std::optional<std::string> guard_did;
+  std::optional<double> held_until_s;  ///< by the guard
   PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
   std::array<double, kEndQuantityCount> at_stage_start{};
@@ -163,14 +173,49 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
   return Supervision::can_tell(end.quantity, reading, instruments) && seen.met(end);
 }
 
+/// The stages of the guard stand after those of the programme and are followed by none.
+bool VirtualRig::Impl::stage_follows() const { return stage_index + 1 < guarded.successor.size(); }
+
+void VirtualRig::Impl::hold_by_guard(const std::string& detail) {
+  go(Mode::held, EventKind::held, "by the guard: " + detail);
+  held_until_s = time_s + programme.guard->hold_s;
+}
+
+bool VirtualRig::Impl::guard_is_due() const {
+  const auto& guard = programme.guard;
+  return guard && !guard_acted && said >= guard->on && mode == Mode::running &&
+         stage_index < guarded.successor.size() && guards(*guard, stage());
+}
+
+void VirtualRig::Impl::act_as_guard() {
+  const Guard& guard = *programme.guard;
+  guard_acted = true;
+  guard_did = describe(guard);
+  if (guard.action == Guard::Action::safe) {
+    go(Mode::safe, EventKind::safe_state, "by the guard");
+    return;
+  }
+  cut(fmt::format("stage \"{}\" was ended at {:.6g} s by the guard: {}", stage().name, time_s,
+                  *guard_did));
+  if (guard.action == Guard::Action::hold) return hold_by_guard(*guard_did);
+  stage_index = *guarded.successor[stage_index];
+  aim(guard, seen, programme.specimen.height_m, programme.stages[stage_index]);
+  begin_stage();
+}
+
 /// True where the stage is over and none follows, or it may not go on.
 bool VirtualRig::Impl::stage_over() {
   if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
-  if (mode == Mode::held) return false;
+  if (mode == Mode::held) return held_until_s && time_s >= *held_until_s;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
-    if (stage_index + 1 >= programme.stages.size()) return true;
+    if (guard_acted && programme.guard->action == Guard::Action::unload) {
+      hold_by_guard("q was taken back");
+      return false;
+    }
+    if (!stage_follows()) return true;
     ++stage_index;
     begin_stage();
+    if (guard_is_due()) act_as_guard();
     return false;
   }
   if (seen.stage_time_s() < stage().time_limit_s) return false;
@@ -190,6 +235,7 @@ bool VirtualRig::Impl::go(Mode next, EventKind kind, const std::string& detail) 
                                         stage().name, detail);
     cut(why);
   }
+  if (resumed) held_until_s.reset();
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
   return true;
 }
@@ -361,6 +407,12 @@ void VirtualRig::resume() { impl_->go(Impl::Mode::running, EventKind::resumed, "
 bool VirtualRig::abort(const std::string& reason) {
   return impl_->go(Impl::Mode::safe, EventKind::aborted, reason);
 }
+
+void VirtualRig::heed(WarningLevel level) {
+  impl_->said = level;
+  if (impl_->guard_is_due()) impl_->act_as_guard();
+}
+std::optional<std::string> VirtualRig::guarded() { return std::exchange(impl_->guard_did, {}); }
 
 bool VirtualRig::next(Reading& reading) {
   Impl& rig = *impl_;

@@ -14,8 +14,9 @@
 //
 // Held or in its safe state the rig locks the crosshead and holds both pressures, in a stage of its
 // own (the last of the header) of which nothing is judged. After a hold the test goes on where it
-// was; the safe state ends it after kSafeReadings. So many readings follow, in the same stage,
-// after a cap that ran away has come to lie on the stop at the end of its travel.
+// was; the guard's hold ends it (guard.hpp); the safe state ends it after kSafeReadings. So many
+// readings follow, in the same stage, after a cap that ran away has come to lie on the stop at the
+// end of its travel.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -54,6 +55,10 @@ class VirtualRig : public BackEnd {
   void hold();
   void resume();
   bool abort(const std::string& reason) override;
+  /// The guard of the programme acts in a stage that it guards, from the next tick on; a stage that
+  /// would begin while its level stands is not left to its load for a tick.
+  void heed(WarningLevel level) override;
+  std::optional<std::string> guarded() override;
 
   /// True state of the specimen at the last reading, which no instrument sees.
   const sim::SpecimenState& specimen_state() const;

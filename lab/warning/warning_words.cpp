@@ -27,6 +27,15 @@ std::string describe(const Outlook& o) {
   return told;
 }
 
+std::string describe(const GuardOutcome& g) {
+  std::string told = fmt::format("on {}: {}", to_string(g.level), g.done);
+  if (g.at.axial_strain) told += fmt::format("; axial strain {:.3f} %", *g.at.axial_strain * 100);
+  if (g.at.q_pa) told += fmt::format(", q {:.2f} kPa", *g.at.q_pa / 1e3);
+  if (g.second_order_work_normalised)
+    told += fmt::format(", normalised second-order work {:.3f}", *g.second_order_work_normalised);
+  return told;
+}
+
 Event level_event(WarningLevel level, const Outlook& outlook) {
   return {.reading = outlook.reading,
           .time_s = outlook.time_s,

@@ -9,6 +9,8 @@ namespace triax::lab {
 
 /// "onset forecast at η 0.598 (0.571 to 0.625), 3.20 kPa of q and 120 s left at the present rate".
 std::string describe(const Outlook& outlook);
+/// What the guard did, and where: "on imminent: handed over to displacement at 0.05 mm/min; ...".
+std::string describe(const GuardOutcome& guard);
 /// `level`, approaching or imminent, was reached with that forecast.
 Event level_event(WarningLevel level, const Outlook& outlook);
 /// What had been said is said no longer; `reason` may be empty: the forecast that stands is the

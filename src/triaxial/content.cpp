@@ -8,8 +8,9 @@
 #include "lab/measured/instant.hpp"
 #include "lab/warning/warning_words.hpp"
 #include "src/output/words.hpp"
-#include "src/triaxial/cyclic_fact.hpp"
-#include "src/triaxial/run_away_fact.hpp"
+#include "src/triaxial/facts/cyclic_fact.hpp"
+#include "src/triaxial/facts/guard_fact.hpp"
+#include "src/triaxial/facts/run_away_fact.hpp"
 
 namespace triax::src {
 namespace {
@@ -285,6 +286,7 @@ std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Inst
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   facts.push_back({"Collapse", {verdict_line(test)}});
+  if (test.summary.guard) facts.push_back({"Guard", guard_lines(*test.summary.guard)});
   if (!study::has_verdict(test)) return;
   if (const auto onset = study::collapse_onset(test))
     facts.push_back({"Onset", onset_lines(test, *onset)});

@@ -266,6 +266,25 @@ Json guesses_json(const std::vector<lab::Guess>& guesses) {
   return list;
 }
 
+Json guard_json(const std::optional<lab::GuardOutcome>& guard) {
+  if (!guard) return nullptr;
+  Json without = nullptr;
+  if (const auto& w = guard->without)
+    without = {{"kind", std::string(to_string(w->kind))},
+               {"axial_strain", study::json_number(w->last_axial_strain)},
+               {"lost", moment_json(w->lost)}};
+  return {{"level", std::string(to_string(guard->level))},
+          {"done", study::json_text(guard->done)},
+          {"reading", guard->at.reading},
+          {"time_s", study::json_number(guard->at.time_s)},
+          {"axial_strain", study::json_number(guard->at.axial_strain)},
+          {"q_kPa", study::json_kPa(guard->at.q_pa)},
+          {"p_eff_kPa", study::json_kPa(guard->at.p_eff_pa)},
+          {"second_order_work_normalised", study::json_number(guard->second_order_work_normalised)},
+          {"last_axial_strain", study::json_number(guard->last_axial_strain)},
+          {"without", std::move(without)}};
+}
+
 Json report_json(const db::StoredTest& test) {
   Json peak;
   put_instant(peak, test.summary.peak);
@@ -275,6 +294,7 @@ Json report_json(const db::StoredTest& test) {
           {"peak", std::move(peak)},
           {"collapse", collapse_json(test)},
           {"cyclic", cyclic_json(test.summary.cyclic)},
+          {"guard", guard_json(test.summary.guard)},
           {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
           {"notes", notes_json(test.header.notes)},
           {"guesses", guesses_json(test.header.guesses)},

@@ -12,6 +12,7 @@
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/record_writer.hpp"
 #include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/without_guard.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
@@ -74,10 +75,13 @@ void run_test_of(const SimulateOptions& o) {
   if (!o.record.empty()) writer.emplace(o.record, rig.header());
   const Interruption interruption;
   ProgressBar bar(rig.header().name);
-  const auto id = study::run_test(
-      rig, {.reduction = {}, .speed = o.speed, .stop = [&] { return interruption.requested(); }},
-      o.db, {shown_on(bar)},
-      {.say = notify, .stop = [&interruption] { return interruption.requested(); }});
+  const auto stop = [&interruption] { return interruption.requested(); };
+  const auto id = study::run_test(rig,
+                                  {.reduction = {},
+                                   .speed = o.speed,
+                                   .stop = stop,
+                                   .without_guard = lab::without_guard(programme, o.seed, stop)},
+                                  o.db, {shown_on(bar)}, {.say = notify, .stop = stop});
   std::string unwritten;
   if (writer) try {
       write_record(*writer, rig, o.db, id);
@@ -127,6 +131,8 @@ Command simulate_command() {
            "The same programme and seed give the same readings, to the bit. --record also writes "
            "them as a logger would; replaying that file gives the same states and the same "
            "verdict.",
+           "A programme may have a guard, which acts on what the alarm says; where it did, the "
+           "test is run once more without it, and the report tells what was gained.",
            "--set changes keys of the programme for this run, as "
            "--set specimen.void_ratio=1.12; the name of the test and a warning say so. --seed "
            "overrides "

@@ -77,3 +77,42 @@ TEST_CASE("cycles of load come back as they were stored, and none where there we
   db::insert_summary(database, monotonic, {});
   CHECK_FALSE(db::read_test(database, monotonic).summary.cyclic);
 }
+
+TEST_CASE("what a guard did comes back as it was stored, with and without the test without it") {
+  testing::TemporaryFolder folder;
+  SQLite::Database database = db::open_for_writing(folder.file("t.db"));
+  const auto id = db::insert_test(database, testing::raw_header("a"), "now");
+  lab::TestSummary summary;
+  lab::GuardOutcome& guard = summary.guard.emplace();
+  guard.level = lab::WarningLevel::lost;
+  guard.done = "safe state";
+  guard.at = {
+      .reading = 51, .time_s = 102.0, .axial_strain = 0.003, .q_pa = 42e3, .p_eff_pa = 80e3};
+  guard.second_order_work_normalised = 0.12;
+  guard.last_axial_strain = 0.023;
+  db::insert_summary(database, id, summary);
+  const auto alone = db::read_test(database, id).summary.guard;
+  REQUIRE(alone);
+  CHECK(alone->level == lab::WarningLevel::lost);
+  CHECK(alone->done == "safe state");
+  CHECK(alone->at.reading == 51);
+  CHECK(alone->at.time_s == 102);
+  CHECK(alone->at.axial_strain == 0.003);
+  CHECK(*alone->at.q_pa == Approx(42e3));
+  CHECK(*alone->at.p_eff_pa == Approx(80e3));
+  CHECK(alone->second_order_work_normalised == 0.12);
+  CHECK(alone->last_axial_strain == 0.023);
+  CHECK_FALSE(alone->without);
+
+  guard.without = {
+      .kind = lab::CollapseKind::flow, .last_axial_strain = 0.168, .lost = lab::Moment{60, 120.0}};
+  const auto other = db::insert_test(database, testing::raw_header("b"), "now");
+  db::insert_summary(database, other, summary);
+  const auto both = db::read_test(database, other).summary.guard;
+  REQUIRE(both->without);
+  CHECK(both->without->kind == lab::CollapseKind::flow);
+  CHECK(both->without->last_axial_strain == 0.168);
+  REQUIRE(both->without->lost);
+  CHECK(both->without->lost->reading == 60);
+  CHECK(both->without->lost->time_s == 120);
+}

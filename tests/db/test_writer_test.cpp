@@ -32,6 +32,7 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
   summary.collapse.criteria = {{}};
   summary.collapse.approaching = lab::Outlook{};
   summary.collapse.imminent = lab::Outlook{};
+  summary.guard = lab::GuardOutcome{.level = lab::WarningLevel::imminent};
   summary.truth = lab::Truth{};
   summary.truth->run_aways = {{}};
   summary.checks = {{}};
@@ -54,5 +55,5 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
     CHECK(database.execAndGet("SELECT count(*) FROM " + table).getInt() == 0);
     ++seen;
   }
-  CHECK(seen == 38);
+  CHECK(seen == 39);
 }

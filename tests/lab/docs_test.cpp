@@ -116,6 +116,19 @@ TEST_CASE("the fault and the operator that are printed are of a programme") {
   CHECK(programme.operator_actions.size() == 2);
 }
 
+TEST_CASE("the guard that is printed is that of the sample") {
+  const auto guard = joined(printed("docs/programmes.md", "[guard]"), "\n");
+  const auto by_load = read_text_file("samples/programmes/icu_load.toml");
+  const Programme printed_one = read_programme(by_load + "\n" + guard, "docs/programmes.md");
+  const Programme sample = load_programme("samples/programmes/icu_load_guarded.toml");
+  REQUIRE(printed_one.guard);
+  REQUIRE(sample.guard);
+  CHECK(printed_one.guard->on == sample.guard->on);
+  CHECK(printed_one.guard->action == sample.guard->action);
+  CHECK(printed_one.guard->rate_m_per_s == sample.guard->rate_m_per_s);
+  CHECK(printed_one.guard->further_strain == sample.guard->further_strain);
+}
+
 TEST_CASE("the record that is printed is a record") {
   const auto text = joined(printed("docs/formats.md", "# [test]", "|"), "\n") + "\n";
   const auto record = open_record(open_memory("docs.csv", text), {});

@@ -16,6 +16,7 @@
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
 #include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/without_guard.hpp"
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
@@ -85,8 +86,13 @@ class SweepRun {
     db::Recorder recorder(job_.db, std::move(patience));
     recorder.belongs_to({job_.name, member.place, job_.sweep.values(member.place)}, turns_);
     try {
-      const lab::TestSummary summary = lab::run_session(
-          rig, {.reduction = {}, .speed = job_.speed, .stop = stop_}, {recorder.listener()});
+      const lab::TestSummary summary =
+          lab::run_session(rig,
+                           {.reduction = {},
+                            .speed = job_.speed,
+                            .stop = stop_,
+                            .without_guard = lab::without_guard(programme, {}, stop_)},
+                           {recorder.listener()});
       if (stop_()) return recorder.discard();
       member.id = recorder.finish(summary);
       take_findings(member, summary);
