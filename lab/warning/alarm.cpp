@@ -7,12 +7,6 @@
 #include "lab/warning/warning_words.hpp"
 
 namespace triax::lab {
-namespace {
-
-constexpr double kWorthTelling = 1e-3;  ///< change of η forecast
-
-}  // namespace
-
 Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners)
     : header_(header),
       listeners_(std::move(listeners)),
@@ -30,13 +24,14 @@ void Alarm::start_stage(const State& state) {
   stage_ = state.stage;
   rest_.start_stage(info, header_.has_time);
   levels_.start_stage(info);
-  told_.reset();
+  is_new_ = false;
 }
 
 void Alarm::take(const PathPoint& point) {
   for (const PathPoint& driven : rest_.add(point)) {
     limit_.add(driven);
     levels_.add(driven);
+    is_new_ = true;
   }
 }
 
@@ -49,9 +44,10 @@ void Alarm::watch(const State& state) {
   const auto eta = levels_.eta_forecast();
   const auto inside =
       eta ? limit_.inside(*eta, static_cast<double>(state.reading)) : std::optional<bool>();
-  if (levels_.look(state, inside)) say(state);
-  if (!eta || (told_ && std::fabs(*eta - *told_) < kWorthTelling)) return;
-  told_ = eta;
+  const bool changed = levels_.look(state, inside);
+  if (changed) say(state);
+  if (!eta || !(is_new_ || changed)) return;
+  is_new_ = false;
   if (is_heard(listeners_, &AlarmListener::foreseen))
     tell(listeners_, &AlarmListener::foreseen, *levels_.outlook(state));
 }
