@@ -9,6 +9,7 @@
 #include "sim/mechanics/units.hpp"
 #include "src/study/json_parts.hpp"
 #include "src/study/triaxial/runaway_balance.hpp"
+#include "src/triaxial/event_json.hpp"
 
 namespace triax::src {
 namespace {
@@ -139,11 +140,6 @@ void put_interval(Json& object, const std::optional<lab::Instant>& at) {
   object["p_eff_high_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.high));
 }
 
-Json moment_json(const std::optional<lab::Moment>& moment) {
-  if (!moment) return nullptr;
-  return {{"reading", moment->reading}, {"time_s", study::json_number(moment->time_s)}};
-}
-
 Json criteria_json(const std::vector<lab::Criterion>& criteria) {
   Json list = Json::array();
   for (const auto& criterion : criteria) {
@@ -182,18 +178,6 @@ Json reading_itself_json(const db::StoredTest& test) {
   Json object;
   put_instant(object, lab::instant_of(*test.state_at_onset, test.header.has_time));
   return object;
-}
-
-Json outlook_json(const std::optional<lab::Outlook>& outlook) {
-  if (!outlook) return nullptr;
-  Json left = nullptr;
-  if (outlook->left)
-    left = {{"quantity", lab::heading(outlook->left->quantity)},
-            {"value", lab::in_field_units(*outlook->left)},
-            {"time_s", study::json_number(outlook->left->time_s)}};
-  return {{"reading", outlook->reading},   {"time_s", study::json_number(outlook->time_s)},
-          {"eta_forecast", outlook->eta},  {"eta_low", outlook->eta_low},
-          {"eta_high", outlook->eta_high}, {"left", std::move(left)}};
 }
 
 Json collapse_json(const db::StoredTest& test) {
@@ -237,6 +221,12 @@ Json cyclic_json(const std::optional<lab::CyclicLoading>& cyclic) {
           {"double_amplitude_5_pct", at_json(cyclic->double_amplitude)}};
 }
 
+Json events_json(const std::vector<lab::Event>& events) {
+  Json list = Json::array();
+  for (const auto& event : events) list.push_back(event_json(event));
+  return list;
+}
+
 Json checks_json(const std::vector<lab::Check>& checks) {
   Json list = Json::array();
   for (const auto& check : checks)
@@ -275,6 +265,7 @@ Json report_json(const db::StoredTest& test) {
           {"peak", std::move(peak)},
           {"collapse", collapse_json(test)},
           {"cyclic", cyclic_json(test.summary.cyclic)},
+          {"events", events_json(test.events)},
           {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
           {"notes", notes_json(test.header.notes)},
           {"guesses", guesses_json(test.header.guesses)},
