@@ -82,6 +82,7 @@ void fill_eta_panel(QCPAxisRect& rect, const study::WarningHistory& history) {
   const QCPRange range = eta_range(history);
   rect.axis(QCPAxis::atLeft)->setRange(range);
   auto* legend = new QCPLegend;
+  rect.insetLayout()->setMargins(QMargins(6, 6, 6, 6));
   rect.insetLayout()->addElement(legend, Qt::AlignBottom | Qt::AlignRight);
   legend->setLayer("legend");
   style_legend(*legend);
