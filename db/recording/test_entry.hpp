@@ -23,9 +23,7 @@ struct Batch {
   std::vector<lab::Outlook> forecasts;
   std::vector<lab::Event> events;
 
-  std::size_t rows() const {
-    return scans.size() + work.size() + forecasts.size() + events.size();
-  }
+  std::size_t rows() const { return scans.size() + work.size() + forecasts.size() + events.size(); }
   void clear();
 };
 

@@ -8,8 +8,8 @@
 #include "lab/measured/instant.hpp"
 #include "lab/warning/warning_words.hpp"
 #include "src/output/words.hpp"
-#include "src/triaxial/cyclic_fact.hpp"
-#include "src/triaxial/run_away_fact.hpp"
+#include "src/triaxial/facts/cyclic_fact.hpp"
+#include "src/triaxial/facts/run_away_fact.hpp"
 
 namespace triax::src {
 namespace {

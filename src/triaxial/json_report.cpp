@@ -8,8 +8,8 @@
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 #include "src/study/json_parts.hpp"
+#include "src/study/triaxial/event_json.hpp"
 #include "src/study/triaxial/runaway_balance.hpp"
-#include "src/triaxial/event_json.hpp"
 
 namespace triax::src {
 namespace {
@@ -190,9 +190,9 @@ Json collapse_json(const db::StoredTest& test) {
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
   put_interval(object, collapse.onset);
-  object["noticed"] = moment_json(collapse.noticed);
-  object["warning"] = {{"approaching", outlook_json(collapse.approaching)},
-                       {"imminent", outlook_json(collapse.imminent)}};
+  object["noticed"] = study::moment_json(collapse.noticed);
+  object["warning"] = {{"approaching", study::outlook_json(collapse.approaching)},
+                       {"imminent", study::outlook_json(collapse.imminent)}};
   object["reading_itself"] = reading_itself_json(test);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);
@@ -223,7 +223,7 @@ Json cyclic_json(const std::optional<lab::CyclicLoading>& cyclic) {
 
 Json events_json(const std::vector<lab::Event>& events) {
   Json list = Json::array();
-  for (const auto& event : events) list.push_back(event_json(event));
+  for (const auto& event : events) list.push_back(study::event_json(event));
   return list;
 }
 

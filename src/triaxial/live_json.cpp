@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/live_json.hpp"
 
+#include "src/study/triaxial/event_json.hpp"
 #include "src/study/triaxial/test_result.hpp"
-#include "src/triaxial/event_json.hpp"
 #include "src/triaxial/json_report.hpp"
 
 namespace triax::src {
@@ -16,8 +16,8 @@ Json row_json(const study::LiveRow& row) {
           {"time_s", study::json_number(said ? said->time_s : std::nullopt)},
           {"stage", row.stage ? Json(*row.stage) : Json(nullptr)},
           {"eta", study::json_number(row.eta)},
-          {"event", row.event ? event_json(*row.event) : Json(nullptr)},
-          {"forecast", outlook_json(row.forecast)}};
+          {"event", row.event ? study::event_json(*row.event) : Json(nullptr)},
+          {"forecast", study::outlook_json(row.forecast)}};
 }
 
 Json lead_json(const std::optional<study::LiveLead>& lead) {

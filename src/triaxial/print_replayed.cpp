@@ -7,7 +7,6 @@
 #include "src/reference/reference_json.hpp"
 #include "src/reference/reference_text.hpp"
 #include "src/triaxial/json_report.hpp"
-#include "src/triaxial/live_document.hpp"
 #include "src/triaxial/live_json.hpp"
 #include "src/triaxial/print_tests.hpp"
 

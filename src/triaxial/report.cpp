@@ -20,7 +20,6 @@
 #include "src/triaxial/html_report.hpp"
 #include "src/triaxial/json_report.hpp"
 #include "src/triaxial/left_waiting.hpp"
-#include "src/triaxial/live_document.hpp"
 #include "src/triaxial/pdf_report.hpp"
 #include "src/triaxial/print_tests.hpp"
 #include "src/triaxial/report_choice.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/triaxial/run_away_fact.hpp"
+#include "src/triaxial/facts/run_away_fact.hpp"
 
 #include <fmt/format.h>
 

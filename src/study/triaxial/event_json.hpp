@@ -6,13 +6,13 @@
 #include "lab/results/summary.hpp"
 #include "src/study/json_parts.hpp"
 
-namespace triax::src {
+namespace triax::study {
 
 /// Null where it is unknown.
-study::Json moment_json(const std::optional<lab::Moment>& moment);
+Json moment_json(const std::optional<lab::Moment>& moment);
 /// η to come with its 90 % interval, and what is left until then; null where nothing was said.
-study::Json outlook_json(const std::optional<lab::Outlook>& outlook);
+Json outlook_json(const std::optional<lab::Outlook>& outlook);
 /// Of which reading it speaks, and at which it was known.
-study::Json event_json(const lab::Event& event);
+Json event_json(const lab::Event& event);
 
-}  // namespace triax::src
+}  // namespace triax::study
