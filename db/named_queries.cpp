@@ -89,8 +89,17 @@ const std::vector<NamedQuery>& named_queries() {
        "s.drainage, s.control "
        "FROM stages s JOIN tests t ON t.id = s.test_id ORDER BY t.id, s.number"},
       {"events", "events, in order of detection",
-       "SELECT t.id AS test_id, t.name AS test, t.origin, e.reading, e.time_s, e.kind, e.detail "
+       "SELECT t.id AS test_id, t.name AS test, t.origin, e.reading, e.time_s, e.kind, "
+       "e.noticed_reading, e.noticed_time_s, e.detail "
        "FROM events e JOIN tests t ON t.id = e.test_id ORDER BY t.id, e.id"},
+      {"alarms", "what the alarm said first and did not take back, with the onset that came",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, o.level, o.reading, o.time_s, "
+       "o.eta_forecast, o.eta_low, o.eta_high, o.left_quantity, o.left_value, o.left_time_s, "
+       "c.kind, c.reading AS onset_reading, c.time_s AS onset_time_s, c.eta AS onset_eta "
+       "FROM outlooks o JOIN tests t ON t.id = o.test_id "
+       "LEFT JOIN collapses c ON c.test_id = o.test_id ORDER BY t.id, o.reading"},
+      {"forecasts", "the onset as it was forecast while tests ran, at every point of W2",
+       "SELECT * FROM forecasts ORDER BY test_id, reading"},
       {"checks", "measured values compared with acceptable limits",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS check_name, c.measured, "
        "c.limit_value, c.ok, c.note "

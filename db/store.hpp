@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/results/outlook.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/second_order_work_point.hpp"
@@ -80,6 +81,8 @@ class Store {
   std::optional<lab::State> state_at(std::int64_t id, std::int64_t reading) const;
   std::int64_t scan_count(std::int64_t id) const;
   std::vector<lab::SecondOrderWorkPoint> second_order_work(std::int64_t id) const;
+  /// What the alarm forecast while the test ran, in the order in which it was said.
+  std::vector<lab::Outlook> forecasts(std::int64_t id) const;
 
  private:
   struct Impl;

@@ -225,19 +225,24 @@ std::optional<lab::LeftToOnset> read_left(Columns& c) {
   return std::nullopt;
 }
 
+lab::Outlook read_outlook(Columns& c) {
+  lab::Outlook o;
+  o.reading = c.integer().value_or(0);
+  o.time_s = c.number();
+  o.eta = c.number().value_or(lab::kMissing);
+  o.eta_low = c.number().value_or(lab::kMissing);
+  o.eta_high = c.number().value_or(lab::kMissing);
+  o.left = read_left(c);
+  return o;
+}
+
 void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
   for_rows(database, id,
            "SELECT level, reading, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
            "left_value, left_time_s FROM outlooks WHERE test_id = ?",
            [&](Columns& c) {
              const bool imminent = lab::warning_level_from(c.text()) == lab::WarningLevel::imminent;
-             lab::Outlook& o = (imminent ? collapse.imminent : collapse.approaching).emplace();
-             o.reading = c.integer().value_or(0);
-             o.time_s = c.number();
-             o.eta = c.number().value_or(lab::kMissing);
-             o.eta_low = c.number().value_or(lab::kMissing);
-             o.eta_high = c.number().value_or(lab::kMissing);
-             o.left = read_left(c);
+             (imminent ? collapse.imminent : collapse.approaching) = read_outlook(c);
            });
 }
 
@@ -383,6 +388,16 @@ std::optional<SignOfLife> sign_of_life(Columns& c) {
   const auto silent_s = c.integer();
   if (at.empty()) return std::nullopt;
   return SignOfLife{std::move(at), silent_s.value_or(0)};
+}
+
+std::vector<lab::Outlook> read_forecasts(SQLite::Database& database, std::int64_t id) {
+  std::vector<lab::Outlook> forecasts;
+  for_rows(database, id,
+           "SELECT id & 4294967295, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
+           "left_value, left_time_s FROM forecast_points "
+           "WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 ORDER BY id",
+           [&](Columns& c) { forecasts.push_back(read_outlook(c)); });
+  return forecasts;
 }
 
 StoredTest read_test(SQLite::Database& database, std::int64_t id) {

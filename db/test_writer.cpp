@@ -194,23 +194,26 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
   }
 }
 
+/// All but its reading.
+void bind_outlook(Binder& row, const lab::Outlook& outlook) {
+  const auto& left = outlook.left;
+  row.number(outlook.time_s)
+      .number(outlook.eta)
+      .number(outlook.eta_low)
+      .number(outlook.eta_high)
+      .text_or_null(left ? heading(left->quantity) : std::string())
+      .number(left ? std::optional(in_field_units(*left)) : std::nullopt)
+      .number(left ? left->time_s : std::nullopt);
+}
+
 void insert_outlook(SQLite::Database& database, std::int64_t id, lab::WarningLevel level,
                     const std::optional<lab::Outlook>& outlook) {
   if (!outlook) return;
   Statement insert(database, "INSERT INTO outlooks VALUES (?,?,?,?,?,?,?,?,?,?)");
   Binder row(insert);
-  row.integer(id)
-      .text(to_string(level))
-      .integer(outlook->reading)
-      .number(outlook->time_s)
-      .number(outlook->eta)
-      .number(outlook->eta_low)
-      .number(outlook->eta_high);
-  const auto& left = outlook->left;
-  row.text_or_null(left ? heading(left->quantity) : std::string())
-      .number(left ? std::optional(in_field_units(*left)) : std::nullopt)
-      .number(left ? left->time_s : std::nullopt)
-      .run();
+  row.integer(id).text(to_string(level)).integer(outlook->reading);
+  bind_outlook(row, *outlook);
+  row.run();
 }
 
 void insert_guard(SQLite::Database& database, std::int64_t id,
@@ -357,6 +360,21 @@ void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::E
   row.run();
 }
 
+void insert_forecasts(SQLite::Database& database, std::int64_t test_id,
+                      const std::vector<lab::Outlook>& forecasts) {
+  if (forecasts.empty()) return;
+  Statement insert(database,
+                   "INSERT INTO forecast_points VALUES (?,?,?,?,?,?,?,?) "
+                   // As of points of second-order work: the first at a reading stands.
+                   "ON CONFLICT (id) DO NOTHING");
+  for (const lab::Outlook& forecast : forecasts) {
+    Binder row(insert);
+    row.integer(test_id << 32 | forecast.reading);
+    bind_outlook(row, forecast);
+    row.run();
+  }
+}
+
 void insert_summary(SQLite::Database& database, std::int64_t test_id,
                     const lab::TestSummary& summary) {
   insert_consolidation(database, test_id, summary.consolidation);
@@ -388,7 +406,7 @@ void mark_interrupted(SQLite::Database& database, std::int64_t test_id) {
 }
 
 void remove_test(SQLite::Database& database, std::int64_t test_id) {
-  for (const char* table : {"scans", "scan_details", "work_points"}) {
+  for (const char* table : {"scans", "scan_details", "work_points", "forecast_points"}) {
     Statement range(database, std::string("DELETE FROM ") + table + " WHERE id BETWEEN ? AND ?");
     Binder(range).integer(test_id << 32).integer(test_id << 32 | 0xffffffff).run();
   }

@@ -17,6 +17,8 @@ namespace triax::db {
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at);
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep);
+void insert_forecasts(SQLite::Database& database, std::int64_t test_id,
+                      const std::vector<lab::Outlook>& forecasts);
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event);
 /// All that a summary holds, and `complete`.
 void insert_summary(SQLite::Database& database, std::int64_t test_id,

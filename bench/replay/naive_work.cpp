@@ -6,29 +6,13 @@
 #include <deque>
 #include <optional>
 
-#include "bench/replay/synthetic_record.hpp"
+#include "bench/replay/synthetic_states.hpp"
 #include "lab/collapse/monitor.hpp"
 
 namespace {
 
 using triax::bench::SyntheticRecord;
 using triax::lab::State;
-
-State reduce(const triax::bench::RawRow& r, long i) {
-  State s;
-  s.reading = i;
-  s.time_s = r.time_s;
-  const double strain = r.displacement_mm / SyntheticRecord::kHeight_mm;
-  const double area = std::numbers::pi * 0.035 * 0.035 / (1 - strain);
-  s.strain = {strain, -strain / 2};
-  s.volumetric_strain = 0;
-  s.q = r.force_kN * 1e3 / area;
-  s.pore_pressure = r.pore_kPa * 1e3;
-  s.effective_stress = {r.cell_kPa * 1e3 + s.q - s.pore_pressure,
-                        r.cell_kPa * 1e3 - s.pore_pressure};
-  s.p_eff = triax::sim::mean_stress(s.effective_stress);
-  return s;
-}
 
 /// First reading at which the product of increments over `lag` readings of the moving averages over
 /// `window` has stayed negative for `window` readings: what a spreadsheet does.
@@ -87,7 +71,7 @@ int main(int argc, char** argv) {
   long top = 0;
   double q_top = 0;
   for (long i = 0; i < rows; ++i) {
-    const State s = reduce(record.row(i), i);
+    const State s = triax::bench::reduced(record.row(i), i);
     if (s.q > q_top) {
       q_top = s.q;
       top = i;

@@ -18,7 +18,8 @@ class SyntheticRecord {
  public:
   static constexpr double kHeight_mm = 140, kDiameter_mm = 70;
 
-  explicit SyntheticRecord(long rows) : rows_(rows) {}
+  /// `noise`: so many times that.
+  explicit SyntheticRecord(long rows, double noise = 1) : rows_(rows), noise_(noise) {}
 
   RawRow row(long i) {
     const double mm = 12.0 * double(i) / double(rows_ - 1);
@@ -27,10 +28,10 @@ class SyntheticRecord {
     const double pore = 500e3 + 250e3 * (1 - std::exp(-strain / 0.01));
     return {.time_s = 0.1 * double(i),
             .displacement_mm = mm,
-            .force_kN = (q(strain) * area + 0.3 * normal_(rng_)) / 1e3,
-            .cell_kPa = (800e3 + 60 * normal_(rng_)) / 1e3,
+            .force_kN = (q(strain) * area + 0.3 * noise_ * normal_(rng_)) / 1e3,
+            .cell_kPa = (800e3 + 60 * noise_ * normal_(rng_)) / 1e3,
             .back_kPa = 500,
-            .pore_kPa = (pore + 60 * normal_(rng_)) / 1e3,
+            .pore_kPa = (pore + 60 * noise_ * normal_(rng_)) / 1e3,
             .volume_mm3 = 0};
   }
 
@@ -51,6 +52,7 @@ class SyntheticRecord {
 
  private:
   long rows_;
+  double noise_;
   std::mt19937_64 rng_{1};
   std::normal_distribution<double> normal_;
 };

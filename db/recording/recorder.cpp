@@ -243,15 +243,17 @@ void Recorder::belongs_to(SweepMembership sweep, Turns& turns) {
 
 lab::SessionListener Recorder::listener() {
   Impl* const impl = impl_.get();
-  return {.started = [impl](const lab::RecordHeader& header) { impl->start(header); },
-          .scanned =
-              [impl](const lab::Reading& reading, const lab::State& state) {
-                impl->add(&Batch::scans, Scan{reading, state});
-              },
-          .second_order_work =
-              [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
-          .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },
-          .progressed = {}};
+  return {
+      .started = [impl](const lab::RecordHeader& header) { impl->start(header); },
+      .scanned =
+          [impl](const lab::Reading& reading, const lab::State& state) {
+            impl->add(&Batch::scans, Scan{reading, state});
+          },
+      .second_order_work =
+          [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
+      .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },
+      .foreseen = [impl](const lab::Outlook& outlook) { impl->add(&Batch::forecasts, outlook); },
+      .progressed = {}};
 }
 
 std::int64_t Recorder::finish(const lab::TestSummary& summary) {

@@ -16,6 +16,7 @@ namespace triax::db {
 void Batch::clear() {
   scans.clear();
   work.clear();
+  forecasts.clear();
   events.clear();
 }
 
@@ -75,6 +76,7 @@ void TestEntry::write(const TestStart& test, const Batch& batch, std::int64_t& i
   if (!scans_) scans_.emplace(*database_, id);
   scans_->write(batch.scans);
   for (const lab::SecondOrderWorkPoint& point : batch.work) scans_->write(point);
+  insert_forecasts(*database_, id, batch.forecasts);
   for (const lab::Event& event : batch.events) insert_event(*database_, id, event);
 }
 
@@ -124,7 +126,8 @@ std::vector<lab::Event> TestEntry::without_known(std::vector<lab::Event> events)
 void TestEntry::take_in(const TestStart& test, const Store& from, std::int64_t id) {
   store(test, {});
   constexpr std::size_t kAtATime = 20000;
-  const std::int64_t scanned = last_reading("scans"), worked = last_reading("work_points");
+  const std::int64_t scanned = last_reading("scans"), worked = last_reading("work_points"),
+                     forecast = last_reading("forecast_points");
   Batch batch;
   from.for_each_scan(id, 1, [&](const lab::Reading& reading, const lab::State& state) {
     if (reading.number <= scanned) return;
@@ -135,6 +138,8 @@ void TestEntry::take_in(const TestStart& test, const Store& from, std::int64_t i
   });
   batch.work = from.second_order_work(id);
   std::erase_if(batch.work, [&](const auto& point) { return point.reading <= worked; });
+  batch.forecasts = from.forecasts(id);
+  std::erase_if(batch.forecasts, [&](const auto& one) { return one.reading <= forecast; });
   batch.events = without_known(from.load(id).events);
   store(test, batch);
 }

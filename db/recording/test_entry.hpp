@@ -20,9 +20,10 @@ namespace triax::db {
 struct Batch {
   std::vector<Scan> scans;
   std::vector<lab::SecondOrderWorkPoint> work;
+  std::vector<lab::Outlook> forecasts;
   std::vector<lab::Event> events;
 
-  std::size_t rows() const { return scans.size() + work.size() + events.size(); }
+  std::size_t rows() const { return scans.size() + work.size() + forecasts.size() + events.size(); }
   void clear();
 };
 

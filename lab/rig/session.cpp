@@ -204,10 +204,10 @@ AlarmListener SessionRun::alarm_listener() {
 
 void SessionRun::take(const Reading& reading) {
   if (latest_) ask_guard(*latest_);  // before its stage began
-  if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
-  stage_ = reading.stage;
   last_reading_ = Moment{reading.number, {}};
   if (back_end_.header().has_time) last_reading_->time_s = reading.time_s;
+  if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
+  stage_ = reading.stage;
   tell_of_the_rig();
   const State state = reduction_.reduce(reading);
   tell(listeners_, &SessionListener::scanned, reading, state);

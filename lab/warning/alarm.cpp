@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/warning/alarm.hpp"
 
-#include <cmath>
-
 #include "lab/base/listeners.hpp"
 #include "lab/warning/warning_words.hpp"
 
 namespace triax::lab {
-namespace {
-
-constexpr double kWorthTelling = 1e-3;  ///< change of η forecast
-
-}  // namespace
 
 Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners)
     : header_(header),
@@ -23,7 +16,6 @@ void Alarm::start_stage(const State& state) {
   take_back(state, "its stage ended");
   stage_ = state.stage;
   levels_.start_stage(header_.stage(state.stage));
-  told_.reset();
 }
 
 void Alarm::watch(const State& state) {
@@ -31,7 +23,8 @@ void Alarm::watch(const State& state) {
   if (stage_ != state.stage) start_stage(state);
   latest_ = state;
   if (!is_watched(header_.stage(state.stage))) return;
-  if (levels_.add(state)) {
+  const bool is_new = levels_.add(state);
+  if (is_new) {
     PathPoint point;
     point.reading = static_cast<double>(state.reading);
     point.q = state.q;
@@ -41,9 +34,9 @@ void Alarm::watch(const State& state) {
   const auto eta = levels_.eta_forecast();
   const auto inside =
       eta ? limit_.inside(*eta, static_cast<double>(state.reading)) : std::optional<bool>();
-  if (levels_.look(inside)) say(state);
-  if (!eta || (told_ && std::fabs(*eta - *told_) < kWorthTelling)) return;
-  told_ = eta;
+  const bool changed = levels_.look(inside);
+  if (changed) say(state);
+  if (!eta || !(is_new || changed)) return;
   if (is_heard(listeners_, &AlarmListener::foreseen))
     tell(listeners_, &AlarmListener::foreseen, *levels_.outlook(state));
 }

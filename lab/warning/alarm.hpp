@@ -15,8 +15,8 @@ namespace triax::lab {
 
 /// What the alarm tells as it watches. Any may be empty.
 struct AlarmListener {
-  /// A forecast that differs from the last one told: by a look of the forecast, not by every
-  /// reading.
+  /// The forecast, where there is one: at every point of second-order work, and where a level is
+  /// reached or left; never twice at one reading.
   std::function<void(const Outlook&)> foreseen;
   /// A level was reached or taken back.
   std::function<void(const Event&)> happened;
@@ -55,7 +55,6 @@ class Alarm {
   WarningLevels levels_;
   std::optional<int> stage_;
   std::optional<State> latest_;
-  std::optional<double> told_;  ///< η of the last forecast that was told
   std::optional<Outlook> approaching_, imminent_;
 };
 

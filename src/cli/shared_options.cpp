@@ -53,6 +53,10 @@ void add_json(CLI::App& app, bool& json) {
                 [&json](const std::string& chosen) { json = chosen == "json"; });
 }
 
+void add_live(CLI::App& app, bool& live) {
+  app.add_flag("--live", live, "what was said while the test ran, and when, instead of the result");
+}
+
 void add_jobs(CLI::App& app, int& jobs, const std::string& what, int most) {
   app.add_option("--jobs", jobs, what + " [all cores]")
       ->check(CLI::Range(1, most).description(""))

@@ -145,21 +145,6 @@ std::string none_line(const db::StoredTest& test) {
   return found + "; " + judged_words(test);
 }
 
-std::string verdict_line(const db::StoredTest& test) {
-  if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
-  const auto& collapse = test.summary.collapse;
-  if (!study::has_verdict(test)) return not_judged_line(collapse);
-  if (study::failure_onset(test)) return failure_line(collapse);
-  if (!collapse.detected()) return none_line(test);
-  std::string line = collapse_word(collapse.kind);
-  if (!collapse.inside_limit_surface)
-    line += "; limit surface unknown";
-  else
-    line += *collapse.inside_limit_surface ? "; inside the Mohr-Coulomb limit surface"
-                                           : "; on the Mohr-Coulomb limit surface";
-  return line;
-}
-
 std::string limit_line(const db::StoredTest& test) {
   const lab::Collapse& collapse = test.summary.collapse;
   if (!collapse.limit_stress_ratio) return "unknown; --set specimen.limit_friction_angle_deg=...";
@@ -177,24 +162,6 @@ std::string work_line(const lab::Collapse& collapse) {
   auto line = number(collapse.second_order_work_normalised, 3);
   if (collapse.second_order_work_error) line += " ± " + number(collapse.second_order_work_error, 3);
   return line + " where it is first significant (normalised, between −1 and 1)";
-}
-
-std::string truth_line(const lab::Truth& truth) {
-  if (!truth.lost_sustainability) return "the simulated specimen remained stable";
-  const lab::Instant at = study::true_instant(truth);
-  std::vector<std::string> parts;
-  if (truth.time_s) parts.push_back(duration(truth.time_s));
-  if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
-  if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
-  if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
-  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
-  const bool fell = std::ranges::any_of(truth.run_aways, [&](const lab::RunAwayTruth& run_away) {
-    return run_away.start_s == truth.time_s;
-  });
-  return fmt::format(
-      "the simulated specimen {} at {}",
-      fell ? "lost its equilibrium (runaway, W₂ still positive)" : "became unstable (W₂ < 0)",
-      fmt::join(parts, ", "));
 }
 
 std::string axis_line(const db::StoredTest& test) {
@@ -329,6 +296,26 @@ Table criteria_table(const db::StoredTest& test) {
   return table;
 }
 
+/// Beginnings of stages are no news in a report.
+Table events_table(const db::StoredTest& test) {
+  Table table{{{"Event"},
+               {"Reading", Align::right},
+               {"Time", Align::right},
+               {"Noticed at", Align::right},
+               {"then", Align::right},
+               {"What"}},
+              {}};
+  for (const lab::Event& event : test.events) {
+    if (event.kind == lab::EventKind::stage_started) continue;
+    const auto& noticed = event.noticed;
+    table.rows.push_back({spaced(std::string(to_string(event.kind))),
+                          fmt::format("{}", event.reading), duration(event.time_s),
+                          noticed ? fmt::format("{}", noticed->reading) : kUnknown,
+                          duration(noticed ? noticed->time_s : std::nullopt), event.detail});
+  }
+  return table;
+}
+
 Table checks_table(const db::StoredTest& test) {
   Table table{
       {{"Check"}, {"Measured", Align::right}, {"Limit", Align::right}, {"Verdict"}, {"Why"}}, {}};
@@ -354,6 +341,39 @@ TestContent begun_content(const db::StoredTest& test) {
 }
 
 }  // namespace
+
+std::string verdict_line(const db::StoredTest& test) {
+  if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
+  const auto& collapse = test.summary.collapse;
+  if (!study::has_verdict(test)) return not_judged_line(collapse);
+  if (study::failure_onset(test)) return failure_line(collapse);
+  if (!collapse.detected()) return none_line(test);
+  std::string line = collapse_word(collapse.kind);
+  if (!collapse.inside_limit_surface)
+    line += "; limit surface unknown";
+  else
+    line += *collapse.inside_limit_surface ? "; inside the Mohr-Coulomb limit surface"
+                                           : "; on the Mohr-Coulomb limit surface";
+  return line;
+}
+
+std::string truth_line(const lab::Truth& truth) {
+  if (!truth.lost_sustainability) return "the simulated specimen remained stable";
+  const lab::Instant at = study::true_instant(truth);
+  std::vector<std::string> parts;
+  if (truth.time_s) parts.push_back(duration(truth.time_s));
+  if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
+  if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
+  if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
+  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
+  const bool fell = std::ranges::any_of(truth.run_aways, [&](const lab::RunAwayTruth& run_away) {
+    return run_away.start_s == truth.time_s;
+  });
+  return fmt::format(
+      "the simulated specimen {} at {}",
+      fell ? "lost its equilibrium (runaway, W₂ still positive)" : "became unstable (W₂ < 0)",
+      fmt::join(parts, ", "));
+}
 
 Table summary_table(const std::vector<study::TestResult>& tests) {
   Table table{{{"Type of test"},
@@ -420,6 +440,7 @@ TestContent test_content(const study::TestResult& reported) {
   if (auto list = study::warnings(test); !list.empty())
     facts.push_back({"Warnings", std::move(list)});
   content.criteria = criteria_table(test);
+  content.events = events_table(test);
   content.checks = checks_table(test);
   return content;
 }

@@ -17,6 +17,7 @@ struct TestContent {
   std::string banner;  ///< what a reader must not miss: SIMULATED, INTERRUPTED; empty if neither
   std::vector<Fact> facts;
   Table criteria;  ///< each criterion with its finding and evidence
+  Table events;    ///< what happened, of which reading, when it was known, the evidence
   Table checks;    ///< measured, limit, ok, why
 };
 
@@ -38,6 +39,11 @@ TestContent test_content(const study::TestResult& reported);
 
 /// The same in short: what was stored and what it came to, without criteria and checks.
 TestContent brief_content(const db::StoredTest& test);
+
+/// What it came to in one sentence: "flow: strength is lost and does not return; ...".
+std::string verdict_line(const db::StoredTest& test);
+/// Of a simulated specimen itself.
+std::string truth_line(const lab::Truth& truth);
 
 /// "flow", "not judged", "interrupted"...: for tables. `kind` is empty without a verdict.
 std::string verdict_word(db::TestStatus status, std::optional<lab::CollapseKind> kind);

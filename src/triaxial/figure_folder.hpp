@@ -12,7 +12,7 @@ namespace triax::src {
 /// Writes into `folder`, which is made where it does not exist, of each figure an SVG, a PNG and a
 /// PDF:
 ///
-///   TEST_stress_path, TEST_history, TEST_onset            of each test
+///   TEST_stress_path, TEST_history, TEST_onset, TEST_alarm    of each test
 ///   TYPE_stress_paths, TYPE_shear_curves, TYPE_strains    of all tests of a type (ICU, CSD...)
 ///   collapse_points, stress_increments                    of all tests
 ///

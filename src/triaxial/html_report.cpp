@@ -78,6 +78,7 @@ std::string test_markup(const study::TestResult& test) {
   html += "<div class=\"figures\">\n";
   for (const auto& figure : test_figures(test)) html += figure_markup(figure.drawing);
   html += "</div>\n" + section("Criteria of collapse", content.criteria);
+  html += section("Events", content.events);
   html += section("Checks", content.checks);
   return html + "</section>\n";
 }

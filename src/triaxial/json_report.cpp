@@ -8,6 +8,7 @@
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 #include "src/study/json_parts.hpp"
+#include "src/study/triaxial/event_json.hpp"
 #include "src/study/triaxial/runaway_balance.hpp"
 
 namespace triax::src {
@@ -139,11 +140,6 @@ void put_interval(Json& object, const std::optional<lab::Instant>& at) {
   object["p_eff_high_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.high));
 }
 
-Json moment_json(const std::optional<lab::Moment>& moment) {
-  if (!moment) return nullptr;
-  return {{"reading", moment->reading}, {"time_s", study::json_number(moment->time_s)}};
-}
-
 Json criteria_json(const std::vector<lab::Criterion>& criteria) {
   Json list = Json::array();
   for (const auto& criterion : criteria) {
@@ -184,18 +180,6 @@ Json reading_itself_json(const db::StoredTest& test) {
   return object;
 }
 
-Json outlook_json(const std::optional<lab::Outlook>& outlook) {
-  if (!outlook) return nullptr;
-  Json left = nullptr;
-  if (outlook->left)
-    left = {{"quantity", lab::heading(outlook->left->quantity)},
-            {"value", lab::in_field_units(*outlook->left)},
-            {"time_s", study::json_number(outlook->left->time_s)}};
-  return {{"reading", outlook->reading},   {"time_s", study::json_number(outlook->time_s)},
-          {"eta_forecast", outlook->eta},  {"eta_low", outlook->eta_low},
-          {"eta_high", outlook->eta_high}, {"left", std::move(left)}};
-}
-
 Json collapse_json(const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   const bool known = study::has_verdict(test);
@@ -206,9 +190,9 @@ Json collapse_json(const db::StoredTest& test) {
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
   put_interval(object, collapse.onset);
-  object["noticed"] = moment_json(collapse.noticed);
-  object["warning"] = {{"approaching", outlook_json(collapse.approaching)},
-                       {"imminent", outlook_json(collapse.imminent)}};
+  object["noticed"] = study::moment_json(collapse.noticed);
+  object["warning"] = {{"approaching", study::outlook_json(collapse.approaching)},
+                       {"imminent", study::outlook_json(collapse.imminent)}};
   object["reading_itself"] = reading_itself_json(test);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);
@@ -235,6 +219,12 @@ Json cyclic_json(const std::optional<lab::CyclicLoading>& cyclic) {
           {"largest_double_amplitude", study::json_number(cyclic->largest_double_amplitude)},
           {"liquefied", at_json(cyclic->liquefied)},
           {"double_amplitude_5_pct", at_json(cyclic->double_amplitude)}};
+}
+
+Json events_json(const std::vector<lab::Event>& events) {
+  Json list = Json::array();
+  for (const auto& event : events) list.push_back(study::event_json(event));
+  return list;
 }
 
 Json checks_json(const std::vector<lab::Check>& checks) {
@@ -272,7 +262,7 @@ Json guard_json(const std::optional<lab::GuardOutcome>& guard) {
   if (const auto& w = guard->without)
     without = {{"kind", std::string(to_string(w->kind))},
                {"axial_strain", study::json_number(w->last_axial_strain)},
-               {"lost", moment_json(w->lost)}};
+               {"lost", study::moment_json(w->lost)}};
   return {{"level", std::string(to_string(guard->level))},
           {"done", study::json_text(guard->done)},
           {"reading", guard->at.reading},
@@ -295,6 +285,7 @@ Json report_json(const db::StoredTest& test) {
           {"collapse", collapse_json(test)},
           {"cyclic", cyclic_json(test.summary.cyclic)},
           {"guard", guard_json(test.summary.guard)},
+          {"events", events_json(test.events)},
           {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
           {"notes", notes_json(test.header.notes)},
           {"guesses", guesses_json(test.header.guesses)},

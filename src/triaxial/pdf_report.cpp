@@ -57,6 +57,7 @@ PageSection test_section(const study::TestResult& test) {
   if (!content.banner.empty()) section.running_head += " – " + content.banner;
   section.markup += banner_markup(content.banner) + facts_markup(content.facts);
   add_table(section, "Criteria of collapse", content.criteria);
+  add_table(section, "Events", content.events);
   add_table(section, "Checks", content.checks);
   for (auto& figure : test_figures(test)) add_figure(section, std::move(figure.drawing));
   return section;

@@ -16,4 +16,8 @@ std::string text_for_people(std::vector<study::TestResult> tests);
 /// which simulate, replay and report say what a test came to.
 void print_tests(const std::string& db, const std::vector<std::int64_t>& ids, bool json);
 
+/// Of the named tests what was said while they ran, as text or as one JSON document (an object for
+/// one test, an array for several).
+std::string live_document(const std::string& db, const std::vector<std::int64_t>& ids, bool json);
+
 }  // namespace triax::src

@@ -35,6 +35,7 @@ struct ReplayOptions {
   std::string db = "triax.db";
   double speed = 0;
   bool json = false;
+  bool live = false;
 };
 
 /// What went wrong with single records; told at once, and counted for the end.
@@ -132,7 +133,7 @@ void run_replay(const ReplayOptions& o) {
       break;
     }
   }
-  print_replayed(o.db, ids, references, o.json);
+  print_replayed(o.db, ids, references, o.json, o.live);
   if (stopped) throw Stopped();
   bad.finish();
 }
@@ -151,6 +152,10 @@ Command replay_command() {
            "What a file does not hold is given with --set: specimen.height_mm, "
            "specimen.diameter_mm, "
            "specimen.void_ratio, specimen.limit_friction_angle_deg, stages.N.role and so on.",
+           "With --live it tells, reading by reading, what would have been said while the test "
+           "ran: "
+           "events, the onset as it was forecast, what was left until then, and how that compares "
+           "with the result.",
            "An AGS4 file has no readings of triaxial tests but their results: these are stored as "
            "reference values, which `triax query reference_results` lists. The same file read "
            "again replaces them."},
@@ -164,6 +169,7 @@ Command replay_command() {
       .examples =
           {{"triax replay test.csv", "a record in triax's own form"},
            {"triax replay delivery.ags", "results of AGS4, as reference values"},
+           {"triax replay test.csv --live", "what would have been said when"},
            {"triax replay *.gds --json", "several files, as one JSON document"},
            {"triax replay raw.csv --set specimen.height_mm=140 --set specimen.diameter_mm=70",
             "the file lacks the specimen"},
@@ -187,6 +193,7 @@ Command replay_command() {
             ->type_name("none|astm|iso");
         add_db(app, o->db);
         add_speed(app, o->speed);
+        add_live(app, o->live);
         add_json(app, o->json);
         return [o] { run_replay(*o); };
       }};

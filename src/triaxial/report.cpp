@@ -6,6 +6,7 @@
 
 #include "db/grain_store.hpp"
 #include "db/store.hpp"
+#include "lab/base/bad_input.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/grains/grain_figure_folder.hpp"
@@ -33,6 +34,7 @@ struct ReportOptions {
   std::string format;  ///< empty: what the ending of --output says, or text
   std::string output;
   std::string figures;
+  bool live = false;
 };
 
 std::string chosen_format(const ReportOptions& o) {
@@ -86,6 +88,10 @@ void run_report(const ReportOptions& o) {
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
   tell_of_what_waits(o.db);
+  if (o.live) {
+    if (drawn) throw lab::BadInput("--live is told as text or JSON, not as " + format);
+    return write_file(output, live_document(o.db, store.find(o.tests), format == "json"));
+  }
   const db::GrainStore grains(o.db);
   const auto [ids, run_ids] = report_choice(store, grains, o.tests);
   const auto curves = drawn || !o.figures.empty() ? study::WithCurves::yes : study::WithCurves::no;
@@ -124,6 +130,7 @@ Command report_command() {
                        "there is no database yet, or --db names another file"}},
       .examples = {{"triax report", "all tests and runs of grains as text"},
                    {"triax report csu_26 --output csu_26.html", "one test with figures"},
+                   {"triax report csu_26 --live", "what was said while the test ran, and when"},
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"},
                    {"triax report grains:1 --format html", "a run of grains with its figures"},
                    {"triax report --figures pictures",
@@ -139,6 +146,7 @@ Command report_command() {
         app.add_option("--output", o->output,
                        "file to write; .json, .html or .pdf at its end says the format")
             ->type_name("FILE");
+        add_live(app, o->live);
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");
         return [o] { run_report(*o); };

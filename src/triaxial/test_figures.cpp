@@ -5,6 +5,7 @@
 
 #include "src/triaxial/figures/history_figure.hpp"
 #include "src/triaxial/figures/stress_path_figure.hpp"
+#include "src/triaxial/figures/warning_figure.hpp"
 
 namespace triax::src {
 
@@ -15,6 +16,8 @@ std::vector<TestFigure> test_figures(const study::TestResult& test) {
     figures.push_back({"history", history_figure(*shear)});
   if (const auto onset = study::history(test, study::Span::onset))
     figures.push_back({"onset", history_figure(*onset)});
+  if (const auto warnings = study::warning_history(test))
+    figures.push_back({"alarm", warning_figure(*warnings)});
   std::erase_if(figures, [](const TestFigure& figure) { return !figure.drawing.plot; });
   return figures;
 }

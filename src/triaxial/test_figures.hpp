@@ -9,12 +9,13 @@
 namespace triax::src {
 
 struct TestFigure {
-  std::string name;  ///< "stress_path", "history", "onset": of its files
+  std::string name;  ///< "stress_path", "history", "onset", "alarm": of its files
   Drawing drawing;
 };
 
 /// The figures of one test, drawn from its curves, in the order a report shows them: stress path,
-/// histories of shear, histories around the onset; those without data are left out.
+/// histories of shear, histories around the onset, forecasts of it; those without data are left
+/// out.
 std::vector<TestFigure> test_figures(const study::TestResult& test);
 
 }  // namespace triax::src

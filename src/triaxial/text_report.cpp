@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "src/output/sentence_table.hpp"
 #include "src/output/terminal.hpp"
 
 namespace triax::src {
@@ -29,6 +30,12 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return out;
 }
 
+std::string below(const Table& table) {
+  return table.rows.empty() ? std::string() : '\n' + text_with_sentences(table);
+}
+
+}  // namespace
+
 std::string facts_text(const std::vector<Fact>& facts) {
   std::size_t label_width = 0;
   for (const auto& fact : facts) label_width = std::max(label_width, display_width(fact.label));
@@ -45,34 +52,14 @@ std::string facts_text(const std::vector<Fact>& facts) {
   return text;
 }
 
-// The last column holds sentences: they go below their row instead of stretching the table.
-std::string evidence_table_text(Table table) {
-  if (table.rows.empty()) return {};
-  table.columns.pop_back();
-  std::vector<std::string> sentences;
-  for (auto& row : table.rows) {
-    sentences.push_back(row.back());
-    row.pop_back();
-  }
-  std::istringstream lines(to_text(table));
-  std::string text = "\n", line;
-  for (std::ptrdiff_t i = -2; std::getline(lines, line); ++i) {
-    text += "  " + line + '\n';
-    if (i < 0 || sentences[static_cast<std::size_t>(i)].empty()) continue;
-    text += "      " + wrapped(sentences[static_cast<std::size_t>(i)], 6) + '\n';
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string text_of(const TestContent& content) {
   std::string text = content.title + '\n';
   text += std::string(display_width(content.title), '=') + '\n';
   if (!content.banner.empty()) text += "*** " + wrapped(content.banner, 4) + " ***\n";
   text += facts_text(content.facts);
-  text += evidence_table_text(content.criteria);
-  text += evidence_table_text(content.checks);
+  text += below(content.criteria);
+  text += below(content.events);
+  text += below(content.checks);
   return text;
 }
 

@@ -14,5 +14,7 @@ std::string text_report(const std::vector<study::TestResult>& tests);
 /// One test in full, without the summary table.
 std::string text_of_test(const study::TestResult& test);
 std::string text_of(const TestContent& content);
+/// Labels and lines that are known of them, two blanks in.
+std::string facts_text(const std::vector<Fact>& facts);
 
 }  // namespace triax::src

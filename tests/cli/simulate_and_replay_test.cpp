@@ -61,7 +61,7 @@ TEST_CASE("the document holds every key of the contract, null where nothing is k
   REQUIRE(outcome.status == 0);
   const json d = json::parse(outcome.out);
   for (const char* key :
-       {"test", "specimen", "consolidation", "peak", "collapse", "checks", "warnings"})
+       {"test", "specimen", "consolidation", "peak", "collapse", "events", "checks", "warnings"})
     REQUIRE(d.contains(key));
   for (const char* key : {"id", "name", "origin", "programme", "source"})
     CHECK(d["test"].contains(key));
@@ -74,6 +74,30 @@ TEST_CASE("the document holds every key of the contract, null where nothing is k
   CHECK(d["collapse"]["detected"].is_null());  // three readings are too few to judge
   CHECK(d["collapse"]["kind"].is_null());
   CHECK(d["peak"]["q_kPa"].get<double>() == Approx(9));
+}
+
+TEST_CASE(
+    "what would have been said when comes from the record alone, and from the database again") {
+  const Workplace here;
+  const std::string record = source("samples/records/icu_6.csv");
+  const Outcome told = here.triax("replay " + record + " --live");
+  REQUIRE(told.status == 0);
+  for (const char* word : {"forecast", "approaching", "imminent", "lost", "before the onset"})
+    CHECK(told.out.find(word) != std::string::npos);
+  CHECK(here.triax("report --live").out == told.out);
+  const json d = json::parse(here.triax("report --live --json").out);
+  CHECK(d["collapse"]["kind"] == "flow");
+  const json& live = d["live"];
+  CHECK(live["forecasts"].get<int>() > live["forecasts_shown"].get<int>());
+  CHECK(live["before_onset"]["imminent"]["readings"].get<int>() > 0);
+  std::int64_t before = 0;
+  for (const json& row : live["rows"]) {
+    if (row["reading"].is_null()) continue;
+    CHECK(row["reading"].get<std::int64_t>() >= before);
+    before = row["reading"].get<std::int64_t>();
+    CHECK_FALSE((row["event"].is_null() && row["forecast"].is_null()));
+  }
+  CHECK(here.triax("report --live --format pdf").status == 2);
 }
 
 TEST_CASE("reports are written whole, and queries cannot write") {

@@ -152,6 +152,39 @@ TEST_CASE("views give units of the field and what follows from the stored values
       answer(path, "SELECT cell_volume_mm3 FROM readings LIMIT 1")));
 }
 
+TEST_CASE(
+    "a forecast stands beside the reading after which it was made, with what the onset came to") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  db::Recorder recorder(path);
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(testing::raw_header("a"));
+  testing::send_scans(listener, 0, 10);
+  const lab::Outlook said{
+      7,    0.7,  0.61,
+      0.58, 0.64, lab::LeftToOnset{lab::Quantity::mean_effective_stress, 3.2e3, 12.5}};
+  listener.foreseen(said);
+  listener.happened({7, 0.7, lab::EventKind::imminent, "soon", lab::Moment{8, 0.8}});
+  lab::TestSummary summary;
+  summary.collapse.kind = lab::CollapseKind::flow;
+  summary.collapse.imminent = said;
+  summary.collapse.onset = lab::Instant{9, 0.9, 0.005, 60e3, 100e3, {}};
+  recorder.finish(summary);
+  const auto number = [&](const std::string& what, const std::string& from) {
+    return std::get<double>(answer(path, "SELECT " + what + " FROM " + from));
+  };
+  CHECK(number("eta_forecast", "forecasts WHERE reading = 7") == 0.61);
+  CHECK(number("left_value", "forecasts") == Approx(3.2));
+  CHECK(number("eta", "forecasts") == number("eta", "states WHERE reading = 7"));
+  const Table alarms = ask(path, "alarms");
+  REQUIRE(alarms.rows.size() == 1);
+  CHECK(std::get<double>(alarms.rows[0].back()) == Approx(0.6));
+  const Table events = ask(path, "events");
+  REQUIRE(events.rows.size() == 1);
+  CHECK(events.columns[6] == "noticed_reading");
+  CHECK(std::get<std::int64_t>(events.rows[0][6]) == 8);
+}
+
 TEST_CASE("a filter on a test is a range of rows, not a scan of the table") {
   TemporaryFolder folder;
   const std::string path = record_collapse(folder, lab::Origin::recorded);
@@ -159,7 +192,8 @@ TEST_CASE("a filter on a test is a range of rows, not a scan of the table") {
        {"EXPLAIN QUERY PLAN SELECT * FROM readings WHERE test_id = 3",
         "EXPLAIN QUERY PLAN SELECT * FROM states WHERE test_id = 3",
         "EXPLAIN QUERY PLAN SELECT eta FROM states WHERE test = '26'",
-        "EXPLAIN QUERY PLAN SELECT * FROM second_order_work WHERE test_id = 3"}) {
+        "EXPLAIN QUERY PLAN SELECT * FROM second_order_work WHERE test_id = 3",
+        "EXPLAIN QUERY PLAN SELECT * FROM forecasts WHERE test_id = 3"}) {
     std::string plan;
     for (const auto& row : ask(path, question).rows) plan += std::get<std::string>(row[3]) + '\n';
     INFO(question << "\n" << plan);

@@ -115,9 +115,24 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   listener.happened({5, 0.5, lab::EventKind::limit_surface, "q fell", lab::Moment{9, 0.9}});
   listener.second_order_work({3, 0.3, {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
   listener.second_order_work({4, lab::kMissing, {1.5, 1.4, 1.3, 0.9}, 0.02, 51, 0.0125});
+  listener.foreseen({6, 0.6, -0.6, -0.65, -0.55, {}});
+  listener.foreseen(
+      {8, 0.8, 0.61, 0.58, 0.64, lab::LeftToOnset{lab::Quantity::deviator_stress, 3.2e3, 12.5}});
   const std::int64_t id = recorder.finish(summary);
 
   const db::Store store(folder.file("t.db"));
+  const auto forecasts = store.forecasts(id);
+  REQUIRE(forecasts.size() == 2);
+  CHECK(forecasts[0].reading == 6);
+  CHECK(forecasts[0].eta_low == -0.65);
+  CHECK_FALSE(forecasts[0].left);
+  CHECK(forecasts[1].time_s == 0.8);
+  CHECK(forecasts[1].eta == 0.61);
+  CHECK(forecasts[1].eta_high == 0.64);
+  CHECK(forecasts[1].left->quantity == lab::Quantity::deviator_stress);
+  CHECK(forecasts[1].left->value == Approx(3.2e3));
+  CHECK(forecasts[1].left->time_s == 12.5);
+  CHECK(store.forecasts(id + 1).empty());
   const db::StoredTest test = store.load(id);
   CHECK(test.status == db::TestStatus::complete);
   CHECK(test.stored_at.size() == 20);

@@ -83,4 +83,26 @@ std::vector<lab::SecondOrderWorkPoint> thin(const std::vector<lab::SecondOrderWo
   return kept;
 }
 
+std::vector<lab::Outlook> thin(const std::vector<lab::Outlook>& forecasts, std::int64_t buckets) {
+  const auto count = static_cast<std::int64_t>(forecasts.size());
+  if (count <= 4 * buckets) return forecasts;
+  const std::int64_t span = (count + buckets - 1) / buckets;
+  std::vector<lab::Outlook> kept;
+  for (std::int64_t begin = 0; begin < count; begin += span)
+    kept.push_back(forecasts[static_cast<std::size_t>(std::min(count, begin + span) - 1)]);
+  return kept;
+}
+
+double strain_at(const Curves& curves, std::int64_t reading) {
+  const auto& states = curves.states;
+  const auto next = std::lower_bound(states.begin(), states.end(), reading,
+                                     [](const auto& s, auto number) { return s.reading < number; });
+  if (next == states.end()) return lab::kMissing;
+  if (next->reading == reading || next == states.begin()) return next->strain.axial;
+  const auto before = next - 1;
+  const double part = static_cast<double>(reading - before->reading) /
+                      static_cast<double>(next->reading - before->reading);
+  return before->strain.axial + part * (next->strain.axial - before->strain.axial);
+}
+
 }  // namespace triax::study

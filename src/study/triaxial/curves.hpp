@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lab/results/outlook.hpp"
 #include "lab/results/second_order_work_point.hpp"
 #include "lab/results/state.hpp"
 
@@ -12,7 +13,12 @@ namespace triax::study {
 struct Curves {
   std::vector<lab::State> states;               ///< in order
   std::vector<lab::SecondOrderWorkPoint> work;  ///< in order
+  std::vector<lab::Outlook> forecasts;          ///< in order
 };
+
+/// Axial strain at a reading, between the states that are kept: points of second-order work and
+/// forecasts know their reading and time only. NaN behind the last.
+double strain_at(const Curves& curves, std::int64_t reading);
 
 /// Of each of this many equal spans of a test, the first and last state, the extremes of q, p′, u
 /// and the axial strain and some states at even steps are kept for drawing.
@@ -41,5 +47,7 @@ class CurveThinner {
 /// The same for points of second-order work, by the extremes of the normalised value.
 std::vector<lab::SecondOrderWorkPoint> thin(const std::vector<lab::SecondOrderWorkPoint>& points,
                                             std::int64_t buckets);
+/// The same for forecasts, the last of each bucket.
+std::vector<lab::Outlook> thin(const std::vector<lab::Outlook>& forecasts, std::int64_t buckets);
 
 }  // namespace triax::study

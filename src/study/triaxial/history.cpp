@@ -53,20 +53,6 @@ HistoryCurve curve_of(const Curves& curves, HistoryQuantity quantity, const Hist
   return curve;
 }
 
-// Points of second-order work know their reading and time only; along the strain the strain of that
-// reading is looked up between the states that are kept.
-double strain_at(const Curves& curves, std::int64_t reading) {
-  const auto& states = curves.states;
-  const auto next = std::lower_bound(states.begin(), states.end(), reading,
-                                     [](const auto& s, auto number) { return s.reading < number; });
-  if (next == states.end()) return lab::kMissing;
-  if (next->reading == reading || next == states.begin()) return next->strain.axial;
-  const auto before = next - 1;
-  const double part = static_cast<double>(reading - before->reading) /
-                      static_cast<double>(next->reading - before->reading);
-  return before->strain.axial + part * (next->strain.axial - before->strain.axial);
-}
-
 std::vector<HistoryWork> work_of(const Curves& curves, const HistoryAxis& axis) {
   std::vector<HistoryWork> work;
   for (const auto& point : curves.work) {

@@ -42,8 +42,7 @@ double unit_for(const HistoryAxis& axis) {
 
 }  // namespace
 
-std::optional<double> HistoryAxis::position(double time_s, double axial_strain) const {
-  const double si = along_time ? time_s : axial_strain;
+std::optional<double> HistoryAxis::place(double si) const {
   if (!std::isfinite(si) || si < begin || si > end) return std::nullopt;
   return (si - origin) / unit;
 }
@@ -68,6 +67,13 @@ std::optional<HistoryAxis> history_axis(const TestResult& test, Span span) {
   axis.from_shear = shear_known;
   if (span == Span::onset && !narrow_to_onset(axis, collapse_onset(test.stored)))
     return std::nullopt;
+  axis.unit = unit_for(axis);
+  return axis;
+}
+
+HistoryAxis narrowed(HistoryAxis axis, double begin, double end) {
+  axis.begin = begin;
+  axis.end = end;
   axis.unit = unit_for(axis);
   return axis;
 }

@@ -21,10 +21,17 @@ struct HistoryAxis {
   double end = 0;          ///< SI
 
   /// In units of the axis, from its 0; nothing for a value outside the span or unknown.
-  std::optional<double> position(double time_s, double axial_strain) const;
+  std::optional<double> position(double time_s, double axial_strain) const {
+    return place(along_time ? time_s : axial_strain);
+  }
+  /// The same of a time or strain, whichever the axis has.
+  std::optional<double> place(double si) const;
 };
 
 /// Nothing where the test has no state in the span.
 std::optional<HistoryAxis> history_axis(const TestResult& test, Span span);
+
+/// The same axis over another stretch of it, in the unit that fits that; SI.
+HistoryAxis narrowed(HistoryAxis axis, double begin, double end);
 
 }  // namespace triax::study

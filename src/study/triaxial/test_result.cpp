@@ -17,6 +17,7 @@ TestResult load_test_result(const db::Store& store, std::int64_t id, WithCurves 
                       [&](const lab::Reading&, const lab::State& state) { thinner.add(state); });
   test.curves.states = thinner.take();
   test.curves.work = thin(store.second_order_work(id), kCurveBuckets);
+  test.curves.forecasts = thin(store.forecasts(id), kCurveBuckets);
   return test;
 }
 

@@ -103,6 +103,7 @@ TEST_CASE("readings wait beside a database that another program locks, and all o
   for (std::int64_t first = kBatch; first < kCount; first += kBatch) {
     testing::send_scans(listener, first, kBatch);
     listener.second_order_work({first, static_cast<double>(first), {1.5, 1.4, 1.3, 0.9}, 0.02, 51});
+    listener.foreseen({first, {}, 0.6, 0.5, 0.7, {}});
   }
   listener.happened({40000, 4000.0, lab::EventKind::limit_surface, "q fell"});
   REQUIRE(becomes_true([&] { return !db::spools_beside(path).empty(); }));
@@ -125,6 +126,8 @@ TEST_CASE("readings wait beside a database that another program locks, and all o
   const auto work = store.second_order_work(2);
   REQUIRE(work.size() == 79);
   CHECK(work.back().reading == 79000);
+  REQUIRE(store.forecasts(2).size() == 79);
+  CHECK(store.forecasts(2).back().reading == 79000);
   CHECK(db::spools_beside(path).empty());
   CHECK_FALSE(std::filesystem::exists(spool + "-wal"));
   REQUIRE(said.sentences.size() == 2);

@@ -195,6 +195,10 @@ TEST_CASE("what happened and what was found are known at the last reading taken 
   SessionListener listener;
   listener.scanned = [&](const Reading& r, const State&) { last = r.number; };
   listener.happened = [&](const Event& event) {
+    if (event.kind == EventKind::stage_started) {
+      REQUIRE(event.noticed);
+      CHECK(event.noticed->reading == event.reading);
+    }
     if (event.kind != EventKind::loss_of_sustainability) return;
     ++losses;
     REQUIRE(event.noticed);

@@ -84,6 +84,18 @@ TEST_CASE(
   REQUIRE(said.first(EventKind::imminent));
   CHECK(said.first(EventKind::approaching)->reading < said.first(EventKind::imminent)->reading);
   CHECK(said.first(EventKind::imminent)->reading < 857);  // η of 0.6
+  // The forecast is told at every point of second-order work, though it stands still, and where a
+  // level is reached, never twice at one reading.
+  CHECK(said.outlooks.size() > 50);
+  std::int64_t last = -1;
+  int of_levels = 0;
+  for (const Outlook& o : said.outlooks) {
+    CHECK(o.reading > last);
+    last = o.reading;
+    for (const EventKind level : {EventKind::approaching, EventKind::imminent})
+      if (said.first(level)->reading == o.reading) ++of_levels;
+  }
+  CHECK(of_levels == 2);
   CHECK_FALSE(said.first(EventKind::warning_withdrawn));
   CHECK(alarm.level() == WarningLevel::imminent);
 }

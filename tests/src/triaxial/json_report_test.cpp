@@ -104,6 +104,24 @@ TEST_CASE("beside the fitted onset stands its reading; cycles of load where ther
   CHECK(d["cyclic"]["liquefied"].is_null());
 }
 
+TEST_CASE("events say of which reading they speak and at which they were known") {
+  auto test = test::flow_test();
+  CHECK(json::parse(json_report({test}))["events"].empty());
+  using enum triax::lab::EventKind;
+  test.stored.events = {{300, 30.0, loss_of_sustainability, "fell", triax::lab::Moment{330, 33.0}},
+                        {310, {}, limit_surface, "late", {}}};
+  const json events = json::parse(json_report({test}))["events"];
+  REQUIRE(events.size() == 2);
+  CHECK(events[0]["kind"] == "loss_of_sustainability");
+  CHECK(events[0]["reading"] == 300);
+  CHECK(events[0]["time_s"] == 30.0);
+  CHECK(events[0]["noticed_reading"] == 330);
+  CHECK(events[0]["noticed_time_s"] == 33.0);
+  CHECK(events[0]["detail"] == "fell");
+  CHECK(events[1]["noticed_reading"].is_null());
+  CHECK(events[1]["noticed_time_s"].is_null());
+}
+
 TEST_CASE("the interval of the onset and when it was known are told, and null where unknown") {
   auto test = test::flow_test();
   auto& collapse = test.stored.summary.collapse;

@@ -71,7 +71,10 @@ TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
   collapse.noticed = triax::lab::Moment{330, 33.0};
   collapse.criteria[0].noticed = triax::lab::Moment{340, std::nullopt};
+  test.stored.events = {{301, 30.1, triax::lab::EventKind::loss_of_sustainability, "q fell away",
+                         triax::lab::Moment{335, 33.5}}};
   const std::string text = text_report({test});
+  CHECK(holds(text, "loss of sustainability 301 30.1 s 335 33.5 s q fell away"));
   CHECK(holds(text, "with 95 %: η 0.570 to 0.620, q 58.0 to 61.0 kPa, p′ 96.0 to 104.0 kPa"));
   CHECK(holds(text, "Noticed at reading 330, 33.0 s; 30 readings after the onset"));
   CHECK(holds(text, "340"));

@@ -10,6 +10,7 @@
 #include "src/triaxial/figures/collapse_points_figure.hpp"
 #include "src/triaxial/figures/history_figure.hpp"
 #include "src/triaxial/figures/stress_path_figure.hpp"
+#include "src/triaxial/figures/warning_figure.hpp"
 #include "tests/src/sample_tests.hpp"
 
 using namespace triax;
@@ -64,6 +65,25 @@ TEST_CASE("histories have four panels on one axis; a path without points is not 
   for (int i = 1; i < 4; ++i)
     CHECK(history.plot->axisRect(i)->axis(QCPAxis::atBottom)->range() == range);
   CHECK_FALSE(stress_path_figure({}).plot);
+}
+
+TEST_CASE(
+    "what the alarm forecast is drawn with its band, cut at the axes, below the marks' names") {
+  auto told = test::flow_test();
+  for (int i = 60; i <= 290; i += 2)
+    told.curves.forecasts.push_back({i, 0.1 * i, 0.61, 0.61 - 10.0 / i, 0.61 + 1000.0 / i, {}});
+  told.stored.events = {{250, 25, lab::EventKind::imminent, "soon", lab::Moment{250, 25.0}}};
+  const Drawing drawing = warning_figure(*warning_history(told));
+  REQUIRE(drawing.plot);
+  CHECK(drawing.plot->axisRectCount() == 2);
+  CHECK(drawn_at(*drawing.plot, 20, 0.61, 1e-9));
+  CHECK(drawn_at(*drawing.plot, 20, 0.56, 1e-9));  // 0.61 - 10/200
+  CHECK(drawn_at(*drawing.plot, 30, 0.6, 1e-3));   // measured
+  CHECK(drawn_at(*drawing.plot, 30, 60, 0.1));
+  const auto range = drawing.plot->axisRect(0)->axis(QCPAxis::atLeft)->range();
+  CHECK(range.upper < 2);
+  CHECK(drawn_at(*drawing.plot, 20, range.upper, 1e-9));
+  CHECK(to_svg(*drawing.plot).find("imminent") != std::string::npos);
 }
 
 TEST_CASE("figures need no screen") {

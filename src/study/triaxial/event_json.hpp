@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What was said while a test ran, as parts of JSON documents.
+#include <optional>
+
+#include "lab/results/summary.hpp"
+#include "src/study/json_parts.hpp"
+
+namespace triax::study {
+
+/// Null where it is unknown.
+Json moment_json(const std::optional<lab::Moment>& moment);
+/// η to come with its 90 % interval, and what is left until then; null where nothing was said.
+Json outlook_json(const std::optional<lab::Outlook>& outlook);
+/// Of which reading it speaks, and at which it was known.
+Json event_json(const lab::Event& event);
+
+}  // namespace triax::study
