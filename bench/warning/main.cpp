@@ -75,6 +75,7 @@ int run(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app("what is said of an onset before it comes");
   Options o;
+  app.option_defaults()->take_last();  // run.sh gives some before its own
   app.add_option("--seeds", o.seeds, "seeds of each subject")->check(CLI::PositiveNumber);
   app.add_option("--from", o.from, "first seed")->check(CLI::PositiveNumber);
   app.add_option("--jobs", o.jobs, "threads")->check(CLI::PositiveNumber);

@@ -7,4 +7,4 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 tools/build release bench_warning >/dev/null
 build/release/bench/bench_warning --seeds 46 --from 101 "$@" || true
-build/release/bench/bench_warning --guard --seeds 8 --from 101
+build/release/bench/bench_warning --guard --seeds 8 --from 101 "$@"

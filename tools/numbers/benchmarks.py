@@ -19,6 +19,10 @@ def detection(triax) -> str:
     return sampled(triax, "bench/detection/run.sh", "bench/detection/run.sh --seeds 1 --only ICU")
 
 
+def warning(triax) -> str:
+    return sampled(triax, "bench/warning/run.sh", "bench/warning/run.sh --seeds 1 --only ICU")
+
+
 def point(triax) -> str:
     return timed(triax, "bench/point/run.sh")
 

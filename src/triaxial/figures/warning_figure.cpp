@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "src/plot/note.hpp"
 #include "src/plot/plot_style.hpp"
@@ -69,8 +68,8 @@ QCPCurve* draw_forecast(QCPAxisRect& rect, const std::vector<study::ForecastPoin
   const auto within = [&](double eta) { return std::clamp(eta, range.lower, range.upper); };
   Points band, middle;
   for (const auto& point : run) band.emplace_back(point.at, within(point.low));
-  for (const auto& point : run | std::views::reverse)
-    band.emplace_back(point.at, within(point.high));
+  for (auto point = run.rbegin(); point != run.rend(); ++point)
+    band.emplace_back(point->at, within(point->high));
   for (const auto& point : run) middle.emplace_back(point.at, within(point.eta));
   auto fill = kVermilion;
   fill.setAlpha(50);
