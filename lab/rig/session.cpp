@@ -166,7 +166,7 @@ class SessionRun {
   Alarm alarm_;
   FallWatch fall_watch_;
   std::optional<double> work_;  ///< normalised, at the latest point of second-order work
-  std::optional<Event> lost_;  ///< the first fall that was seen
+  std::optional<Event> lost_;   ///< the first fall that was seen
   std::pair<std::optional<Outlook>, std::optional<Outlook>> acted_on_;  ///< approaching, imminent
   WarningLevel heeded_ = WarningLevel::none;
   std::optional<State> latest_;
