@@ -19,6 +19,7 @@ constexpr double kPerturbed = 0.1, kSoftPerturbed = 0.3;
 /// load, at held q and by displacement.
 constexpr double kSofter = 0.65, kSofterHeld = 0.58, kSoftLoad = 0.4, kSoftHeld = 0.55,
                  kSoftFrame = 0.2;
+constexpr double kVague = 0.4;    ///< likewise, of one that is not worth telling
 constexpr double kHighest = 1.0;  ///< |η| at an onset where no limit is known
 constexpr int kNearLooks = 3, kSoonStates = 2, kFarLooks = 10;  ///< in a row
 constexpr double kScans = 5, kSeconds = 120, kShareOfStage = 0.2, kShareOfFrame = 0.05;
@@ -122,7 +123,7 @@ bool WarningLevels::lose() {
 }
 
 std::optional<double> WarningLevels::eta_forecast() const {
-  if (!forecast()) return std::nullopt;
+  if (!forecast() || forecast()->error > kVague * forecast()->eta) return std::nullopt;
   return forecast_.in_extension() ? -forecast()->eta : forecast()->eta;
 }
 

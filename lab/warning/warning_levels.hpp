@@ -40,7 +40,7 @@ class WarningLevels {
   bool lose();
 
   WarningLevel level() const { return level_; }
-  /// η to come, with its sign; empty where there is no forecast.
+  /// η to come, with its sign; empty where there is no forecast that says anything.
   std::optional<double> eta_forecast() const;
   /// The forecast as it stands at that reading.
   std::optional<Outlook> outlook(const State& now) const;
