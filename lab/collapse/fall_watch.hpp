@@ -4,6 +4,7 @@
 // until nothing more can come to light about their sensors, and in a fall there is no time for
 // that.
 #include <optional>
+#include <utility>
 
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/results/record_header.hpp"
@@ -22,7 +23,7 @@ class FallWatch {
   static constexpr int kPatience = 10;   ///< readings
   static constexpr int kInARow = 2;
 
-  explicit FallWatch(const RecordHeader& header) : header_(header) {}
+  explicit FallWatch(RecordHeader header) : header_(std::move(header)) {}
 
   /// Every state, in order. The burst, where it began, when it is known to be a runaway; told once
   /// a stage.

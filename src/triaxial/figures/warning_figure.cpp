@@ -68,8 +68,9 @@ QCPCurve* draw_forecast(QCPAxisRect& rect, const std::vector<study::ForecastPoin
   const auto within = [&](double eta) { return std::clamp(eta, range.lower, range.upper); };
   Points band, middle;
   for (const auto& point : run) band.emplace_back(point.at, within(point.low));
-  for (auto point = run.rbegin(); point != run.rend(); ++point)
-    band.emplace_back(point->at, within(point->high));
+  Points back;
+  for (const auto& point : run) back.emplace_back(point.at, within(point.high));
+  band.insert(band.end(), back.rbegin(), back.rend());
   for (const auto& point : run) middle.emplace_back(point.at, within(point.eta));
   auto fill = kVermilion;
   fill.setAlpha(50);
