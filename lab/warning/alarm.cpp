@@ -2,6 +2,7 @@
 #include "lab/warning/alarm.hpp"
 
 #include "lab/base/listeners.hpp"
+#include "lab/measured/path_sampler.hpp"
 #include "lab/warning/warning_words.hpp"
 
 namespace triax::lab {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "lab/collapse/limit_surface.hpp"
-#include "lab/measured/path_sampler.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/summary.hpp"
 #include "lab/warning/warning_levels.hpp"

@@ -23,7 +23,6 @@ struct Fit {
   double now = 0, distance = 0;
   Columns y = Columns::Zero(), beside = Columns::Zero();  ///< constant, f₀, f₁, f₂
   Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();
-  double first_eta = 0;
 
   double at(const Columns& c, double xi) const { return c[1] + xi * (c[2] + xi * c[3]); }
   /// The root of dy/dx nearest to now at which it falls.
@@ -77,7 +76,7 @@ double Fit::error(double xi) const {
 /// Least squares over the means from `first` on, weighted by their readings.
 std::optional<Fit> fit(const std::vector<PathMean>& means, std::size_t first, double now,
                        double distance, int terms) {
-  Fit f{.now = now, .distance = distance, .first_eta = means[first].eta};
+  Fit f{.now = now, .distance = distance};
   const auto count = static_cast<Eigen::Index>(means.size() - first);
   if (count < terms + 2) return std::nullopt;
   Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, 128, 4> a(count, 4);
@@ -194,7 +193,6 @@ std::optional<EtaForecast> OnsetForecast::made() {
   made.stiffness = f->y[1] * weight / stiffest_;
   made.stiffness_error = std::sqrt(f->variance(1, 1)) * weight / stiffest_;
   made.by = by_;
-  made.p = here.p;
   made.q = here.q;
   made.answer = f->y[1] * weight;
   if (open) made.work = f->normalised_work(0);

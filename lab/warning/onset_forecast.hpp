@@ -34,7 +34,7 @@ struct EtaForecast {
   double way_to(double at) const;
 
   AxialControl by = AxialControl::unknown;
-  double p = 0, q = 0;     ///< now, Pa
+  double q = 0;            ///< now, Pa
   double slope = 0;        ///< dη/dx now
   double slope_there = 0;  ///< and at the onset
   double work = 1;         ///< normalised second-order work now, at held q with the drainage open

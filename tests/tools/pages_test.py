@@ -156,6 +156,15 @@ class Pages(unittest.TestCase):
             self.assertEqual(self.unchecked(PAGE + "\n" + more)[0], 1, more)
         self.assertEqual(self.unchecked(PAGE + "\n| a | b |\n|---|---|\n| x | 0.58 |\n"), (0, ""))
 
+    def test_a_benchmark_that_was_stopped_changes_no_page(self):
+        page = "<!-- numbers: table -->\n<!-- end of numbers -->\n"
+        self.write("docs/page.md", page)
+        self.write("bench/run.sh", "#!/bin/sh\necho half\nkill -TERM $$\n")
+        done = self.pages("page")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("bench/run.sh: status", done.stderr)
+        self.assertEqual(self.page(), page)
+
     def test_an_exception_for_nothing_is_found(self):
         self.assertIn("has what is not there: eta", self.unchecked(PAGE, '["docs/page.md"]\n"eta" = "of others"\n')[1])
         self.assertIn("there is no docs/gone.md", self.unchecked(PAGE, '["docs/gone.md"]\n"*" = "of others"\n')[1])

@@ -59,6 +59,8 @@ class Triax:
     def output_of(*command: str) -> str:
         """What a command of the tree prints, as a block of Markdown. A bound that is broken is told and ends nothing."""
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode not in (0, 1):  # stopped, or not begun: what there is of it belongs on no page
+            sys.exit(f"{' '.join(command)}: status {done.returncode}\n{done.stderr}")
         if done.returncode != 0:
             sys.stderr.write(f"{' '.join(command)}: status {done.returncode}\n{done.stderr}")
         return indented(done.stdout)
