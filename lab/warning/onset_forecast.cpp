@@ -24,7 +24,7 @@ struct Fit {
   Columns y = Columns::Zero(), beside = Columns::Zero();  ///< constant, f₀, f₁, f₂
   Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();
 
-  double at(const Columns& c, double xi) const { return c[1] + xi * (c[2] + xi * c[3]); }
+  static double at(const Columns& c, double xi) { return c[1] + xi * (c[2] + xi * c[3]); }
   /// The root of dy/dx nearest to now at which it falls.
   std::optional<double> root() const;
   double normalised_work(double xi) const;
