@@ -12,9 +12,13 @@ constexpr std::size_t kLeast = 8;                  ///< means in a fit
 constexpr double kLongest = 0.5, kShortest = 0.1;  ///< distance that rules the window, of η
 constexpr double kReach = 2.5, kReachShut = 5;
 constexpr double kBehind = 0.3;  ///< of the distance, over which normalised work is continued
+
+constexpr double kDown = 0.02;  ///< of the largest y, by which it has come down
+constexpr double kApart = 2;    ///< of the way ahead, between two witnesses that are believed both
 constexpr double kModel = 0.27, kModelOpen = 0.25, kModelShut = 0.3;  ///< errors, of the distance
 constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
-constexpr int kLooksInAll = 64;    ///< a look each so many-th part of the readings
+constexpr int kLooksInAll = 64, kLooksNear = 256;  ///< a look each so many-th part of the readings
+constexpr double kLooksFrom = 0.2;  ///< share of η left, from which it is the latter
 
 using Columns = Eigen::Matrix<double, 4, 1>;
 
@@ -27,7 +31,9 @@ struct Fit {
   static double at(const Columns& c, double xi) { return c[1] + xi * (c[2] + xi * c[3]); }
   /// The root of dy/dx nearest to now at which it falls.
   std::optional<double> root() const;
+  std::optional<double> root_of_slope() const;
   double normalised_work(double xi) const;
+  double work_along_path(double ratio, double sign) const;
   std::optional<double> root_of_work() const;
   double error(double xi) const;
 };
@@ -51,10 +57,24 @@ std::optional<double> Fit::root() const {
   return best;
 }
 
+/// Of −(dy/dp′) √η along a strain path, by its tangent; empty where p′ does not fall or y does.
+std::optional<double> Fit::root_of_slope() const {
+  if (!(y[1] > 0) || !(beside[1] < 0)) return std::nullopt;
+  const double falls = y[2] / y[1] - beside[2] / beside[1] + 0.5 * distance / now;
+  return falls < 0 ? std::optional(-1 / falls) : std::nullopt;
+}
+
 /// At held q, the drainage open: dp′dε_v/(|dσ′||dε|).
 double Fit::normalised_work(double xi) const {
   const double volume = at(y, xi), shear = at(beside, xi) + volume / 3;
   return volume / std::sqrt(volume * volume + 4.5 * shear * shear);
+}
+
+/// Now, where dε₁ + 2R dε₃ = 0 is kept: dy dε₁/(|dσ′||dε|), y = σ₁′ − σ₃′/R.
+double Fit::work_along_path(double ratio, double sign) const {
+  const double radial = (3 * beside[1] - sign * y[1]) / (2 + 1 / ratio);
+  const double axial = sign * y[1] + radial / ratio;
+  return y[1] / std::sqrt((1 + 0.5 / (ratio * ratio)) * (axial * axial + 2 * radial * radial));
 }
 
 /// Of normalised work, which falls along a straight line over p′ = q/η.
@@ -115,6 +135,29 @@ std::size_t first_within(const std::vector<PathMean>& means, double from) {
   return std::min(first, means.size() > kLeast ? means.size() - kLeast : 0);
 }
 
+struct FitToRoot {
+  std::optional<Fit> fit;
+  std::optional<double> xi;
+};
+
+/// The root, and the window that its distance rules.
+FitToRoot fit_to_root(const std::vector<PathMean>& means, DrivenPath::Control control, double now,
+                      double distance) {
+  FitToRoot r;
+  const double reach = control == DrivenPath::Control::held_q_shut ? kReachShut : kReach;
+  const int terms = control == DrivenPath::Control::strain_path ? 3 : 4;
+  for (int round = 0; round < 4; ++round) {
+    distance = std::clamp(distance, kShortest * now, kLongest * now);
+    r.fit = fit(means, first_within(means, now - (reach - 1) * distance), now, distance, terms);
+    if (!r.fit) return {};
+    r.xi = control == DrivenPath::Control::held_q_open ? r.fit->root_of_work() : r.fit->root();
+    if (!r.xi) break;
+    // Halfway, so that two windows do not call for each other for ever.
+    distance = 0.5 * (*r.xi + 1) * r.fit->distance;
+  }
+  return r;
+}
+
 /// Mean of the latest: single readings scatter.
 PathMean latest(const std::vector<PathMean>& means, std::int64_t readings) {
   const auto count = std::min<std::int64_t>(std::clamp<std::int64_t>(readings / 100, 3, 16),
@@ -124,8 +167,57 @@ PathMean latest(const std::vector<PathMean>& means, std::int64_t readings) {
     sum.eta += means[i].eta / static_cast<double>(count);
     sum.p += means[i].p / static_cast<double>(count);
     sum.q += means[i].q / static_cast<double>(count);
+    sum.y += means[i].y / static_cast<double>(count);
   }
   return sum;
+}
+
+/// Where the onset will be, and how well that is known.
+void foresee(const Fit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
+  const bool open = control == DrivenPath::Control::held_q_open;
+  double ahead = xi * f.distance, between = 0;
+  if (const auto slope = f.root_of_slope(); control == DrivenPath::Control::strain_path && slope &&
+                                            std::fabs(*slope - xi) <= kApart * std::max(xi, 0.0)) {
+    between = 0.5 * (*slope - xi) * f.distance;
+    ahead += between;
+  }
+  const double model = control == DrivenPath::Control::strain_path ? kModel
+                       : open                                      ? kModelOpen
+                                                                   : kModelShut;
+  const double of_fit =
+      open ? 2 * std::fabs(ahead) * std::sqrt(f.variance(1, 1)) / std::fabs(f.y[1]) : f.error(xi);
+  made.eta = made.now + ahead;
+  made.error = std::hypot(of_fit, between, model * std::max(ahead, 0.0));
+}
+
+/// What the path does there: dη/dx, and whether p′ still falls.
+void path_at_onset(const Fit& f, double xi, const PathMean& here, EtaForecast& made) {
+  const double weight = std::sqrt(here.p);
+  made.slope = weight * (f.y[1] - here.eta * f.beside[1]) / here.p;
+  made.slope_there = -weight * made.eta * Fit::at(f.beside, xi) / here.p;
+  made.fall = f.beside[1] < 0 ? Fit::at(f.beside, xi) / f.beside[1] : 0;
+}
+
+/// What single readings scatter by: from how far each of the latest lies off the middle of its
+/// neighbours.
+double scatter(const std::vector<PathMean>& means) {
+  std::vector<double> off;
+  for (std::size_t i = means.size() - kLeast + 1; i + 1 < means.size(); ++i)
+    off.push_back(std::fabs(means[i].y - 0.5 * (means[i - 1].y + means[i + 1].y)));
+  std::ranges::nth_element(off, off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2));
+  return off[off.size() / 2] / 0.826;  // of 1.22 σ, its median
+}
+
+/// Whether y has come down, beyond scatter: then the onset was where it was largest, between its
+/// neighbours.
+bool look_back(const std::vector<PathMean>& means, double y_now, EtaForecast& made) {
+  const auto most = std::ranges::max_element(means, {}, &PathMean::y);
+  if (most->y - y_now < kDown * most->y + 5 * scatter(means)) return false;
+  const auto& before = most == means.begin() ? *most : *(most - 1);
+  const auto& after = most + 1 == means.end() ? *most : *(most + 1);
+  made.eta = most->eta;
+  made.error = 0.5 * std::fabs(after.eta - before.eta) / kOf90;
+  return true;
 }
 
 }  // namespace
@@ -151,7 +243,9 @@ bool OnsetForecast::add(const State& state) {
   path_.add(state);
   const std::int64_t readings = path_.readings();
   if (readings == looked_) return false;
-  if (readings > looked_ && readings - looked_ < readings / kLooksInAll) return false;
+  const bool near = forecast_ && forecast_->left() < kLooksFrom;
+  const std::int64_t every = readings / (near ? kLooksNear : kLooksInAll);
+  if (readings > looked_ && readings - looked_ < every) return false;
   looked_ = readings;
   forecast_ = made();
   return true;
@@ -161,46 +255,33 @@ std::optional<EtaForecast> OnsetForecast::made() {
   const auto& means = path_.means();
   clear_ = false;
   if (means.size() < kLeast) return std::nullopt;
-  const bool held = path_.control() != DrivenPath::Control::strain_path;
-  const bool open = path_.control() == DrivenPath::Control::held_q_open;
   const PathMean here = latest(means, path_.readings());
-  double distance = forecast_ ? forecast_->eta - here.eta : here.eta;
-  std::optional<Fit> f;
-  std::optional<double> xi;
-  for (int round = 0; round < 4; ++round) {
-    distance = std::clamp(distance, kShortest * here.eta, kLongest * here.eta);
-    const double reach = path_.control() == DrivenPath::Control::held_q_shut ? kReachShut : kReach;
-    const std::size_t first = first_within(means, here.eta - (reach - 1) * distance);
-    f = fit(means, first, here.eta, distance, held ? 4 : 3);
-    if (!f) return std::nullopt;
-    xi = open ? f->root_of_work() : f->root();
-    if (!xi) break;
-    // Halfway, so that two windows do not call for each other for ever.
-    distance = 0.5 * (*xi + 1) * f->distance;
-  }
-  const double weight = held ? 1 : std::sqrt(here.p);
+  const auto [f, xi] = fit_to_root(means, path_.control(), here.eta,
+                                   forecast_ ? forecast_->eta - here.eta : here.eta);
+  if (!f) return std::nullopt;
+  const bool on_path = path_.control() == DrivenPath::Control::strain_path;
+  const double weight = on_path ? std::sqrt(here.p) : 1, error = std::sqrt(f->variance(1, 1));
   stiffest_ = std::max(stiffest_, f->y[1] * weight);
-  clear_ = f->y[1] > 3 * std::sqrt(f->variance(1, 1));
-  if (!xi) return std::nullopt;
-  const double ahead = *xi * f->distance;
-  EtaForecast made{.eta = here.eta + ahead, .now = here.eta};
-  if (here.eta - means.front().eta < kCovered * made.eta) return std::nullopt;
-  const double model = !held ? kModel : open ? kModelOpen : kModelShut;
-  const double of_fit =
-      open ? 2 * std::fabs(ahead) * std::sqrt(f->variance(1, 1)) / std::fabs(f->y[1])
-           : f->error(*xi);
-  made.error = std::hypot(of_fit, model * std::max(ahead, 0.0));
-  made.stiffness = f->y[1] * weight / stiffest_;
-  made.stiffness_error = std::sqrt(f->variance(1, 1)) * weight / stiffest_;
+  clear_ = f->y[1] > 3 * error;
+  EtaForecast made{.now = here.eta};
+  if (stiffest_ > 0) {
+    made.stiffness = f->y[1] * weight / stiffest_;
+    made.stiffness_error = error * weight / stiffest_;
+  }
+  made.covered = (here.eta - means.front().eta) / here.eta;
   made.by = by_;
   made.q = here.q;
   made.answer = f->y[1] * weight;
-  if (open) made.work = f->normalised_work(0);
-  if (held) return made;
-  made.slope = weight * (f->y[1] - here.eta * f->beside[1]) / here.p;
-  made.slope_there = -weight * made.eta * f->at(f->beside, *xi) / here.p;
-  made.fall = f->beside[1] < 0 ? f->at(f->beside, *xi) / f->beside[1] : 0;
-  return made;
+  if (on_path) made.work = f->work_along_path(path_.ratio(), path_.in_extension() ? -1 : 1);
+  if (path_.control() == DrivenPath::Control::held_q_open) made.work = f->normalised_work(0);
+  if (made.work < 1) made.work_error = error * std::fabs(made.work / f->y[1]);
+  if (xi) {
+    foresee(*f, *xi, path_.control(), made);
+    if (on_path) path_at_onset(*f, *xi, here, made);
+  } else if (!on_path || !look_back(means, here.y, made)) {
+    return std::nullopt;
+  }
+  return made.covered * made.now < kCovered * made.eta ? std::nullopt : std::optional(made);
 }
 
 std::optional<double> OnsetForecast::rate() const {

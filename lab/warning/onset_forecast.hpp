@@ -11,10 +11,14 @@
 // is fitted to the readings themselves by least squares, over the last kReach times the distance d
 // that is left to the root. Along a strain path p′ is fitted likewise, dp′/dx = g (r₀ + r₁ξ): where
 // it would fall no longer as dy/dx vanishes the path does not come to that η; it turns at its phase
-// transformation, and no onset is ahead. Measured on the laws of triax (bench/warning): INL2 is
-// straight over η, SANISAND and hypoplasticity are bent and come out early, octolinear has a knee
-// and comes out late, all by a share of the distance: the error holds such a share beside that of
-// the fit.
+// transformation, and no onset is ahead. The two fits make a second witness: −(dy/dp′) √η, which
+// goes to zero with dy/dx, straight where the first is bent. The forecast is the mean of the two,
+// and half of what lies between them is a part of its error. Measured on the laws of triax
+// (bench/warning): stiffness is straight in INL2; bent in SANISAND and hypoplasticity, where it
+// comes out early; octolinear has a knee, which no witness sees before it is reached. All err by a
+// share of the distance: the error holds such a share beside that of the fit.
+//
+// Past the onset, where y comes down for certain, the forecast is the η of the largest y.
 #include <optional>
 #include <vector>
 
@@ -23,6 +27,8 @@
 
 namespace triax::lab {
 
+inline constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
+
 struct EtaForecast {
   double eta = 0;                             ///< |η| at the onset to come
   double error = 0;                           ///< standard error
@@ -30,6 +36,7 @@ struct EtaForecast {
   double stiffness = 0, stiffness_error = 0;  ///< dy/dx now, over the largest that was seen
   /// What of η is left, as a share of the way to the onset.
   double left() const { return (eta - now) / eta; }
+  double covered = 0;  ///< η since the start of the stage, as a share of η now
   /// Of what drives the stage until η is `at`: q, p′ or ε₁.
   double way_to(double at) const;
 
@@ -37,7 +44,9 @@ struct EtaForecast {
   double q = 0;            ///< now, Pa
   double slope = 0;        ///< dη/dx now
   double slope_there = 0;  ///< and at the onset
-  double work = 1;         ///< normalised second-order work now, at held q with the drainage open
+  /// Normalised second-order work now, d²W/(|dσ′||dε|), and its standard error; 1 and 0 at held q
+  /// with the valve closed, where nothing measures dε_v.
+  double work = 1, work_error = 0;
   /// −dp′/dx at the onset over what it is now, along a strain path: 1 and more where loose sand
   /// falls, well below where p′ turns at phase transformation.
   double fall = 1;
@@ -57,6 +66,7 @@ class OnsetForecast {
   bool clear() const { return clear_; }
   /// Change of what drives the stage a unit of progress, at present; empty where it stands still.
   std::optional<double> rate() const;
+  std::int64_t readings() const { return path_.readings(); }
   DrivenPath::Control control() const { return path_.control(); }
   bool in_extension() const { return path_.in_extension(); }
 

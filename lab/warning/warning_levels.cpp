@@ -8,32 +8,38 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kNear = 0.35;    ///< share of η that is left
-constexpr double kFar = 0.45;     ///< likewise, from which nothing is ahead
-constexpr double kUnsure = 0.12;  ///< standard error of a forecast that says nothing, of η
-/// Of −dp′/dx at the onset over what it is now: from which it is an onset, soon one, and none.
-constexpr double kFalls = 0.8, kFallsSoon = 0.88, kTurns = 0.7;
-/// Normalised work at held q below which a hunting pressure may bring the fall.
-constexpr double kPerturbed = 0.1, kSoftPerturbed = 0.3;
-/// dy/dx over the largest of the stage, at most: ahead of an onset, and soon before it under a
-/// load, at held q and by displacement.
-constexpr double kSofter = 0.65, kSofterHeld = 0.58, kSoftLoad = 0.4, kSoftHeld = 0.55,
-                 kSoftFrame = 0.2;
+constexpr double kNear = 0.25, kClose = 0.15;  ///< share of η that is left
+constexpr double kWithin = 0.35;               ///< likewise, of an onset that may be imminent
+constexpr double kFar = 0.45;                  ///< likewise, from which nothing is ahead
+constexpr double kUnsure = 0.12, kUnsureSoon = 0.15;  ///< standard error of what says nothing, of η
 constexpr double kVague = 0.4;    ///< likewise, of one that is not worth telling
 constexpr double kHighest = 1.0;  ///< |η| at an onset where no limit is known
-constexpr int kNearLooks = 3, kSoonStates = 2, kFarLooks = 10;  ///< in a row
-constexpr double kScans = 5, kSeconds = 120, kShareOfStage = 0.2, kShareOfFrame = 0.05;
-constexpr double kAtMost = 4;    ///< of such a time, until the onset as it is forecast
-constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
+/// What is covered of η in the stage, and the standard error of normalised work along a strain path
+/// and of dy/dx at held q (over its largest), of what says something.
+constexpr double kSeen = 0.03, kUnsureWork = 0.1, kUnsureHeld = 0.06;
+/// Of −dp′/dx at the onset over what it is now: from which it is an onset, and none.
+constexpr double kFalls = 0.95, kFallsLess = 0.8, kTurns = 0.7;
+/// Normalised work at most: near an onset, and near one though p′ falls less and less.
+constexpr double kWorkNear = 0.4, kWorkNearLess = 0.25;
+/// Likewise, soon before an onset: by a load, though p′ falls less, within kScans; by displacement
+/// also once the forecast may be passed.
+constexpr double kWorkLoad = 0.33, kWorkLess = 0.185, kWorkScans = 0.5, kWorkFrame = 0.14;
+/// At held q, by the share of η that is left: below which a hunting pressure may bring the fall.
+constexpr double kPerturbed = 0.1;
+constexpr double kSofter = 0.58, kSoft = 0.55;  ///< dy/dx at held q over its largest: near, soon
+constexpr int kNearLooks = 3, kSoonLooks = 2, kFarLooks = 5;  ///< in a row
+constexpr int kFew = 64;                                      ///< readings of the stage
+constexpr double kSure = 0.03;                                ///< standard error of normalised work
+constexpr double kScans = 5, kScansOnPath = 3, kSeconds = 120, kShareOfStage = 0.2;
+constexpr double kAtMost = 4;  ///< of such a time, until the onset as it is forecast
 
 double progress_of(const State& s, bool has_time) { return has_time ? s.time_s : s.strain.axial; }
+double lapse(const LeftToOnset& left) { return left.time_s.value_or(left.value); }
 
 }  // namespace
 
 void WarningLevels::start_stage(const StageInfo* stage) {
   *this = WarningLevels(has_time_);
-  by_force_ =
-      stage && (stage->control == AxialControl::load || stage->control == AxialControl::constant_q);
   forecast_.start_stage(stage, has_time_);
 }
 
@@ -44,7 +50,8 @@ bool WarningLevels::add(const State& state) {
   const double eta = std::fabs(state.eta());
   eta_now_ = before_ ? std::min(eta, eta_before_) : eta;
   eta_before_ = eta;
-  if (!forecast_.add(state)) return false;
+  is_new_ = forecast_.add(state);
+  if (!is_new_) return false;
   near_ = is_near() ? near_ + 1 : 0;
   far_ = is_far() ? far_ + 1 : 0;
   return true;
@@ -52,8 +59,12 @@ bool WarningLevels::add(const State& state) {
 
 bool WarningLevels::is_near() const {
   const auto& f = forecast();
-  return f && f->left() <= kNear && f->error <= kUnsure * f->eta && f->fall >= kFalls &&
-         f->stiffness <= (f->by == AxialControl::constant_q ? kSofterHeld : kSofter);
+  if (!f || f->error > kUnsure * f->eta || f->covered < kSeen) return false;
+  if (f->by == AxialControl::constant_q)
+    return f->left() <= kClose && f->stiffness + f->stiffness_error <= kSofter;
+  if (f->left() > kNear) return false;
+  return (f->work <= kWorkNear && f->fall >= kFalls) ||
+         (f->work <= kWorkNearLess && f->fall >= kFallsLess);
 }
 
 bool WarningLevels::is_far() const {
@@ -77,44 +88,67 @@ std::optional<LeftToOnset> WarningLevels::left(double eta) const {
   return left;
 }
 
-/// Soft enough for a fall, within the error; a load runs into it, a frame walks.
-bool WarningLevels::is_soft() const {
-  const EtaForecast& f = *forecast();
-  if (f.by == AxialControl::load) return f.stiffness <= kSoftLoad;
-  if (f.by == AxialControl::constant_q) return f.stiffness + f.stiffness_error <= kSoftHeld;
-  return f.stiffness - f.stiffness_error <= kSoftFrame;
-}
-
 bool WarningLevels::is_imminent() const {
   const EtaForecast& f = *forecast();
-  if (f.error > kUnsure * f.eta || f.fall < kFallsSoon || !is_soft() || !before_) return false;
-  // Not when it will be, but when it may be.
+  if (f.error > kUnsureSoon * f.eta || f.left() > kWithin || !before_) return false;
+  return f.by == AxialControl::constant_q ? is_imminent_at_held_q() : is_imminent_on_path();
+}
+
+/// Not when it will be, but when it may be: `left` counts to a standard error before the forecast.
+bool WarningLevels::is_imminent_on_path() const {
+  const EtaForecast& f = *forecast();
+  if (f.work_error > kUnsureWork) return false;
   const double may_be = f.eta - f.error;
-  if (!by_force_ && eta_now_ >= may_be) return true;
-  if (near_ < kNearLooks) return false;
-  if (f.work <= kPerturbed && f.stiffness <= kSoftPerturbed) return true;
-  const auto first = left(may_be), at_last = left(f.eta);
-  if (!first || !at_last) return false;
-  const auto since = [&](const State& s) {
-    return std::fabs(progress_of(*state_, has_time_) - progress_of(s, has_time_));
-  };
-  const double share = (by_force_ ? kShareOfStage : kShareOfFrame) * since(*first_);
+  if (f.by != AxialControl::load)
+    return f.fall >= kFalls && ((f.work <= kWorkFrame && f.left() <= kClose) ||
+                                (f.work - f.work_error <= kWorkLess && eta_now_ >= may_be));
+  if (f.work <= kWorkLess) return f.fall >= kFallsLess;
+  return f.fall >= kFalls &&
+         (f.work <= kWorkLoad || (f.work <= kWorkScans && within_scans(may_be, kScansOnPath)));
+}
+
+bool WarningLevels::within_scans(double eta, double scans) const {
+  const auto to = left(eta);
+  return to && lapse(*to) <= scans * since(*before_);
+}
+
+bool WarningLevels::is_imminent_at_held_q() const {
+  const EtaForecast& f = *forecast();
+  if (f.covered < kSeen || f.stiffness_error > kUnsureHeld) return false;
+  if (f.work <= kPerturbed && f.left() <= kPerturbed) return true;
+  const auto first = left(f.eta - f.error), at_last = left(f.eta);
+  if (f.stiffness + f.stiffness_error > kSoft || !first || !at_last) return false;
+  const double share = kShareOfStage * since(*first_);
   const double soon =
       std::max(kScans * since(*before_), has_time_ ? std::min(kSeconds, share) : share);
-  const auto lapse = [](const LeftToOnset& l) { return l.time_s.value_or(l.value); };
   return lapse(*first) <= soon && lapse(*at_last) <= kAtMost * soon;
+}
+
+double WarningLevels::since(const State& s) const {
+  return std::fabs(progress_of(*state_, has_time_) - progress_of(s, has_time_));
+}
+
+/// Among few readings the next may be after the fall.
+bool WarningLevels::is_last_chance() const {
+  const EtaForecast& f = *forecast();
+  return forecast_.readings() <= kFew && f.work_error <= kSure && within_scans(f.eta, 1);
 }
 
 bool WarningLevels::look(std::optional<bool> inside) {
   if (level_ == WarningLevel::lost) return false;
   const WarningLevel was = level_;
   const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest);
-  soon_ = points && is_imminent() ? soon_ + 1 : 0;
+  if (is_new_ && (forecast() || forecast_.clear())) {
+    if (!points || !is_imminent())
+      soon_ = 0;
+    else
+      soon_ += is_last_chance() ? kSoonLooks : 1;
+  }
   if (level_ == WarningLevel::none && points && near_ >= kNearLooks)
     level_ = WarningLevel::approaching;
   // Past the onset nothing is ahead any more, and nothing is taken back.
   if (inside == false || far_ >= kFarLooks) level_ = WarningLevel::none;
-  if (soon_ >= kSoonStates) level_ = WarningLevel::imminent;
+  if (soon_ >= kSoonLooks) level_ = WarningLevel::imminent;
   return level_ != was;
 }
 

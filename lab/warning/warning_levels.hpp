@@ -49,18 +49,21 @@ class WarningLevels {
   const std::optional<EtaForecast>& forecast() const { return forecast_.now(); }
   bool is_far() const;
   bool is_near() const;
-  bool is_soft() const;
   bool is_imminent() const;
+  bool is_imminent_on_path() const;
+  bool is_imminent_at_held_q() const;
+  bool within_scans(double eta, double scans) const;
+  double since(const State& s) const;
+  bool is_last_chance() const;
   std::optional<LeftToOnset> left(double eta) const;
 
   bool has_time_;
-  bool by_force_ = false;  ///< or at held q
+  bool is_new_ = false;  ///< the forecast of the latest state
   OnsetForecast forecast_;
   std::optional<State> first_, before_, state_;
-  double eta_now_ = 0;      ///< |η| of the latest states, the lower of two
-  double eta_before_ = 0;   ///< |η| of the one before
-  int near_ = 0, far_ = 0;  ///< looks in a row
-  int soon_ = 0;            ///< states in a row
+  double eta_now_ = 0;                 ///< |η| of the latest states, the lower of two
+  double eta_before_ = 0;              ///< |η| of the one before
+  int near_ = 0, far_ = 0, soon_ = 0;  ///< looks in a row
   WarningLevel level_ = WarningLevel::none;
 };
 

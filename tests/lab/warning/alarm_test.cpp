@@ -48,7 +48,7 @@ TEST_CASE("under a load the alarm comes before the fall and says what is left of
   REQUIRE(alarm.imminent());
   const Outlook& o = *alarm.imminent();
   CHECK(o.reading == soon->reading);
-  CHECK(o.eta == Approx(0.6).margin(0.02));
+  CHECK(o.eta == Approx(0.6).margin(0.03));
   CHECK(o.eta_low < 0.6);
   CHECK(0.6 < o.eta_high);
   REQUIRE(o.left);
