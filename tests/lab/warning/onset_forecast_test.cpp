@@ -120,8 +120,8 @@ TEST_CASE("what is left under a load is what the closed form leaves") {
   for (int i = 1; i <= 19800; ++i) forecast.add(path.at(path.eta_under_load(i / 20000.0), i));
   const auto& f = forecast.now();
   REQUIRE(f);
-  const double q_left = 1e5 * 0.3 * 0.01;  // of q* = p₀ η*/2
-  CHECK(f->way_to(f->eta) == Approx(q_left).epsilon(0.1));
+  const double q_left = 1e5 * (0.6 - f->now) * (0.6 - f->now) / 1.2;  // q = p₀ η (1 − η/1.2)
+  CHECK(f->way_to(0.6) == Approx(q_left).epsilon(0.1));
   REQUIRE(forecast.rate());
   CHECK(*forecast.rate() == Approx(1e5 * 0.3 / 20000).epsilon(0.01));  // Pa/s
 }
