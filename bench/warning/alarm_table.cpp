@@ -14,6 +14,8 @@ namespace {
 
 using Group = std::vector<const AlarmTrial*>;
 
+constexpr double kNearZero = 0.05;  ///< normalised second-order work
+
 double percent(std::int64_t part, std::int64_t whole) {
   return whole ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : NAN;
 }
@@ -113,18 +115,25 @@ void print_all_collapses(const Group& collapses) {
   print_collapses("all", collapses);
 }
 
+/// Controls whose second-order work never came near zero, where nobody can tell them from others.
+Group clear_of_zero(const Group& controls) {
+  return among(controls, [](const auto& t) { return t.least_work > kNearZero; });
+}
+
 void print_all_controls(const Group& controls) {
   fmt::print("\n{:42} {:>5} {:>10} {:>22} {:>14}\n", "controls", "tests", "imminent %",
              "approaching at end %", "wrong points %");
   for (const std::string& kind : names(controls, specimen))
     print_controls(kind, among(controls, [&](const auto& t) { return specimen(t) == kind; }));
   print_controls("all", controls);
+  print_controls("all that kept clear of zero work", clear_of_zero(controls));
 }
 
 void print_failures(const Group& collapses, const Group& controls) {
   for (const auto* t : controls)
     if (t->imminent || t->approaching_at_end)
-      fmt::print("control {} seed {}:{}\n", specimen(*t), t->seed, t->said);
+      fmt::print("control {} seed {}, least work {:.3f}:{}\n", specimen(*t), t->seed, t->least_work,
+                 t->said);
   for (const auto* t : collapses)
     if (!t->warned() || !t->looks[1] || std::fabs(t->looks[1]->error) > 0.02)
       fmt::print(
@@ -181,7 +190,10 @@ bool print_bounds(const Group& collapses, const Group& controls) {
                             "to 95 %",
                             covered, kLeft[i] * 100));
   }
-  at_most(share(controls, [](const auto& t) { return t.imminent; }), 1, "of controls imminent");
+  const auto imminent = [](const AlarmTrial& t) { return t.imminent; };
+  at_most(share(controls, imminent), 1, "of controls imminent");
+  at_most(share(clear_of_zero(controls), imminent), 1,
+          "of controls imminent whose work kept clear of zero");
   at_most(share(controls, [](const auto& t) { return t.approaching_at_end; }), 5,
           "of controls approaching at the end");
   at_most(percent(wrong, points), 2, "of points in controls under a level");

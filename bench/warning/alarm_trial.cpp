@@ -95,6 +95,19 @@ void judge_collapse(const lab::Truth& truth, const Heard& heard, AlarmTrial& r) 
   }
 }
 
+/// By instruments without noise or steps.
+double least_work(lab::Programme programme, std::uint64_t seed) {
+  for (lab::Transducer& t : programme.transducers) t.noise_rms = 0, t.step = 0;
+  lab::VirtualRig rig(std::move(programme), seed);
+  double least = 1;
+  lab::SessionListener listener;
+  listener.second_order_work = [&](const lab::SecondOrderWorkPoint& point) {
+    least = std::min(least, point.work.normalised);
+  };
+  lab::run_session(rig, {}, {listener});
+  return least;
+}
+
 }  // namespace
 
 lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
@@ -165,6 +178,7 @@ AlarmTrial run_alarm_trial(const Subject& subject, std::uint64_t seed) {
   for (const auto& one : heard.levels)
     r.said += fmt::format(" {} {:.0f} s", lab::to_string(one.level), one.time_s);
   if (r.lost) judge_collapse(*summary.truth, heard, r);
+  if (!r.collapses) r.least_work = least_work(programme, seed);
   return r;
 }
 

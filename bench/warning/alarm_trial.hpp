@@ -36,6 +36,9 @@ struct AlarmTrial {
   std::array<std::optional<Look>, kLeft.size()> looks;
   std::string said;  ///< levels and when they were said
   // of a control
+  /// Of normalised second-order work in shear, measured without noise or steps: near zero the
+  /// control came as near to an onset as any error can tell.
+  double least_work = 1;
   bool imminent = false;  ///< ever
   bool approaching_at_end = false;
   std::int64_t points = 0, wrong_points = 0;  ///< of second-order work; those under a level

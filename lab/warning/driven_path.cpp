@@ -30,7 +30,8 @@ PathMean mean_of(const PathMean& a, const PathMean& b) {
 }  // namespace
 
 DrivenPath::Control DrivenPath::control_of(const StageInfo* stage) {
-  if (stage && stage->control == AxialControl::constant_q)
+  if (!stage) return Control::strain_path;
+  if (stage->control == AxialControl::constant_q)
     return stage->drainage == Drainage::closed ? Control::held_q_shut : Control::held_q_open;
   if (is_drained_frame(stage) && !stage->strain_path_R) return Control::none;
   return Control::strain_path;
