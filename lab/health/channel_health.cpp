@@ -167,17 +167,14 @@ void ChannelHealth::look_for_spike() {
   }
 }
 
-std::optional<std::int64_t> ChannelHealth::first_doubt() const {
-  std::optional<std::int64_t> first;
-  const auto doubt = [&first](std::int64_t number) {
-    first = first ? std::min(*first, number) : number;
-  };
-  if (dead_) return std::nullopt;
-  if (gap_ > 0 && steady_ >= kSteady) doubt(gap_from_);
-  if (leap_) doubt(*leap_);
-  if (jump_ && noise_.run() < kFlat) doubt(jump_begin_);
+std::int64_t ChannelHealth::first_doubt() const {
+  std::int64_t first = kNever;
+  if (dead_) return first;
+  if (gap_ > 0 && steady_ >= kSteady) first = std::min(first, gap_from_);
+  if (leap_) first = std::min(first, *leap_);
+  if (jump_ && noise_.run() < kFlat) first = std::min(first, jump_begin_);
   if (!may_rest_ && noise_.run() > 0 && noise_.impossible_run())
-    doubt(jump_ ? jump_begin_ : run_from_);
+    first = std::min(first, jump_ ? jump_begin_ : run_from_);
   return first;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "lab/health/channel_noise.hpp"
@@ -54,10 +55,12 @@ class ChannelHealth {
   bool absent() const { return gap_ > 0 && steady_ >= kSteady; }
   /// The spike that this reading brought to light.
   const std::optional<Spike>& spike() const { return spike_; }
-  /// First reading that may still turn out to be wrong; none is before it.
-  std::optional<std::int64_t> doubtful_from() const {
+  /// First reading that may still turn out to be wrong; none is before it. kNever where none may
+  /// (no optional: its copy would wait for its own stores, a twentieth of a replay).
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  std::int64_t doubtful_from() const {
     const bool quiet = gap_ == 0 && noise_.run() == 0 && !leap_ && !jump_;
-    return quiet ? std::nullopt : first_doubt();
+    return quiet ? kNever : first_doubt();
   }
 
   // For what only a look at other channels can decide:
@@ -74,7 +77,7 @@ class ChannelHealth {
   void condemn();
 
  private:
-  std::optional<std::int64_t> first_doubt() const;
+  std::int64_t first_doubt() const;
   void miss(std::int64_t number);
   std::optional<std::int64_t> last_leap() const;
   void follow_run(std::int64_t number, double value);

@@ -20,7 +20,7 @@ constexpr double kLeastAnswer_pa = 200;
 
 }  // namespace
 
-RecordHealth::RecordHealth(const RecordHeader& header) : header_(header) {
+RecordHealth::RecordHealth(const RecordHeader& header) : header_(header), raw_(header.is_raw()) {
   const auto& specimen = header.specimen;
   if (specimen.diameter_m)
     area_m2_ = std::numbers::pi / 4 * *specimen.diameter_m * *specimen.diameter_m;
@@ -54,7 +54,7 @@ void RecordHealth::start_stage(const Reading& reading) {
 }
 
 bool RecordHealth::is_compared(Quantity q) const {
-  if (!header_.is_raw()) return false;
+  if (!raw_) return false;
   if (q == Quantity::back_volume) return true;
   if (!shear_) return false;
   if (q == Quantity::axial_force || q == Quantity::axial_displacement) return driven_;
@@ -84,8 +84,7 @@ void RecordHealth::watch(const Reading& reading) {
   for (Channel& channel : channels_) {
     if (is_compared(channel.quantity)) compare(channel, reading);
     report(channel, reading);
-    if (const auto doubt = channel.health.doubtful_from())
-      doubtful_from_ = std::min(doubtful_from_, *doubt);
+    doubtful_from_ = std::min(doubtful_from_, channel.health.doubtful_from());
   }
 }
 
@@ -159,7 +158,7 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
 bool RecordHealth::sound(std::initializer_list<Quantity> quantities) const {
   return std::ranges::none_of(channels_, [&](const Channel& c) {
     return std::ranges::find(quantities, c.quantity) != quantities.end() &&
-           (c.health.dead() || c.health.doubtful_from());
+           (c.health.dead() || c.health.doubtful_from() != ChannelHealth::kNever);
   });
 }
 

@@ -114,6 +114,7 @@ class RecordHealth {
   std::optional<double> time_of(std::int64_t number, const Reading& now) const;
 
   RecordHeader header_;
+  const bool raw_;                      ///< header_.is_raw()
   double area_m2_ = 0, volume_m3_ = 0;  ///< as built; 0: unknown
   std::vector<Channel> channels_;
   std::optional<int> stage_;

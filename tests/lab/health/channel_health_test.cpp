@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/health/channel_health.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -36,7 +37,7 @@ struct Watched {
         CHECK(health.spike()->from >= settled);
         spikes.push_back(*health.spike());
       }
-      settled = health.doubtful_from().value_or(number + 1);
+      settled = std::min(health.doubtful_from(), number + 1);
     }
   }
 };
