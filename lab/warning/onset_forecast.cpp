@@ -158,16 +158,18 @@ FitToRoot fit_to_root(const std::vector<PathMean>& means, DrivenPath::Control co
   return r;
 }
 
-/// Mean of the latest: single readings scatter.
-PathMean latest(const std::vector<PathMean>& means, std::int64_t readings) {
-  const auto count = std::min<std::int64_t>(std::clamp<std::int64_t>(readings / 100, 3, 16),
-                                            static_cast<std::int64_t>(means.size()));
+/// How many of the latest are taken together: single readings scatter.
+std::size_t latest_of(const std::vector<PathMean>& means, std::int64_t readings) {
+  return std::min(static_cast<std::size_t>(std::clamp<std::int64_t>(readings / 100, 3, 16)),
+                  means.size());
+}
+
+PathMean latest(const std::vector<PathMean>& means, std::size_t count) {
   PathMean sum{};
-  for (std::size_t i = means.size() - static_cast<std::size_t>(count); i < means.size(); ++i) {
+  for (std::size_t i = means.size() - count; i < means.size(); ++i) {
     sum.eta += means[i].eta / static_cast<double>(count);
     sum.p += means[i].p / static_cast<double>(count);
     sum.q += means[i].q / static_cast<double>(count);
-    sum.y += means[i].y / static_cast<double>(count);
   }
   return sum;
 }
@@ -210,9 +212,11 @@ double scatter(const std::vector<PathMean>& means) {
 
 /// Whether y has come down, beyond scatter: then the onset was where it was largest, between its
 /// neighbours.
-bool look_back(const std::vector<PathMean>& means, double y_now, EtaForecast& made) {
+bool look_back(const std::vector<PathMean>& means, std::size_t latest, EtaForecast& made) {
   const auto most = std::ranges::max_element(means, {}, &PathMean::y);
-  if (most->y - y_now < kDown * most->y + 5 * scatter(means)) return false;
+  const auto now = std::ranges::max_element(means.end() - static_cast<std::ptrdiff_t>(latest),
+                                            means.end(), {}, &PathMean::y);
+  if (most->y - now->y < kDown * most->y + 5 * scatter(means)) return false;
   const auto& before = most == means.begin() ? *most : *(most - 1);
   const auto& after = most + 1 == means.end() ? *most : *(most + 1);
   made.eta = most->eta;
@@ -255,7 +259,8 @@ std::optional<EtaForecast> OnsetForecast::made() {
   const auto& means = path_.means();
   clear_ = false;
   if (means.size() < kLeast) return std::nullopt;
-  const PathMean here = latest(means, path_.readings());
+  const std::size_t count = latest_of(means, path_.readings());
+  const PathMean here = latest(means, count);
   const auto [f, xi] = fit_to_root(means, path_.control(), here.eta,
                                    forecast_ ? forecast_->eta - here.eta : here.eta);
   if (!f) return std::nullopt;
@@ -278,7 +283,7 @@ std::optional<EtaForecast> OnsetForecast::made() {
   if (xi) {
     foresee(*f, *xi, path_.control(), made);
     if (on_path) path_at_onset(*f, *xi, here, made);
-  } else if (!on_path || !look_back(means, here.y, made)) {
+  } else if (!on_path || !look_back(means, count, made)) {
     return std::nullopt;
   }
   return made.covered * made.now < kCovered * made.eta ? std::nullopt : std::optional(made);

@@ -89,6 +89,10 @@ TEST_CASE("where few readings show that y came down, the onset was at the larges
   REQUIRE(forecast.now());
   CHECK(std::fabs(forecast.now()->eta - 0.6) <= 1.645 * forecast.now()->error);
   CHECK(forecast.now()->work < 0);
+  // While y grows the largest is the latest, and nothing has come down.
+  OnsetForecast growing = started(AxialControl::displacement);
+  for (int i = 1; i <= 9; ++i) growing.add(path.at(0.03 * i, i));
+  if (growing.now()) CHECK(growing.now()->eta > 0.5);
   // A load cell at the end of its range stands still: y does not come down.
   OnsetForecast saturated = started(AxialControl::displacement);
   for (int i = 1; i <= 12; ++i) {
