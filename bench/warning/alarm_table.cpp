@@ -109,6 +109,13 @@ void print_all_collapses(const Group& collapses) {
     print_collapses(kInstruments[i], among(collapses, [&](const auto& t) {
                       return static_cast<std::size_t>(t.instruments) == i;
                     }));
+  print_collapses("air in the pores", among(collapses, [](const auto& t) { return t.air; }));
+  print_collapses("no air", among(collapses, [](const auto& t) { return !t.air; }));
+  constexpr std::array kWays = {"straight on", "after a rest", "after a loop"};
+  for (std::size_t i = 0; i < kWays.size(); ++i)
+    print_collapses(kWays[i], among(collapses, [&](const auto& t) {
+                      return static_cast<std::size_t>(t.interruption) == i;
+                    }));
   for (const std::string& law : names(collapses, [](const auto& t) { return t.material; }))
     print_collapses(law.substr(0, law.find('/')),
                     among(collapses, [&](const auto& t) { return t.material == law; }));

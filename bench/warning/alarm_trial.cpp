@@ -126,7 +126,8 @@ lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
     logging.averaging_s *= interval / logging.interval_s;
     logging.interval_s = interval;
   }
-  return programme;
+  if (choice(seed, 12) < 0.25) programme.specimen.saturation = 1 - 0.01 - 0.015 * choice(seed, 14);
+  return interrupted(std::move(programme), interruption(seed), seed);
 }
 
 AlarmTrial run_alarm_trial(const Subject& subject, std::uint64_t seed) {
@@ -160,6 +161,8 @@ AlarmTrial run_alarm_trial(const Subject& subject, std::uint64_t seed) {
   r.type = programme.type;
   r.material = programme.material.name;
   r.seed = seed;
+  r.air = programme.specimen.saturation < 1;
+  r.interruption = interruption(seed);
   r.collapses = subject.collapses;
   r.lost = summary.truth && summary.truth->lost_sustainability;
   for (const lab::StageInfo& info : rig.header().stages)

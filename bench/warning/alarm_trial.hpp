@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bench/detection/trial.hpp"
+#include "bench/warning/interruption.hpp"
 
 namespace triax::bench {
 
@@ -25,6 +26,8 @@ struct AlarmTrial {
   std::string programme, type, material;
   std::uint64_t seed = 0;
   Instruments instruments = Instruments::good;
+  bool air = false;  ///< in the pores
+  Interruption interruption = Interruption::none;
   double interval_s = 0;
   bool collapses = false, lost = false;  ///< expected, and what the specimen did
   bool under_force = false;              ///< load, dead load, spring or held q drove it
@@ -50,7 +53,8 @@ struct AlarmTrial {
 
 /// What the seed chooses beside varied(): the stress level (× 0.5 to 2), instruments (as they are,
 /// or noise and steps as of a logger of 12 bits), time between readings in shear (× 1/4 to 16, from
-/// 0.1 to 60 s).
+/// 0.1 to 60 s), air in the pores (a quarter of the seeds, B of about 0.8 to 0.93), a rest or a
+/// loop on the way (interruption.hpp).
 lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
                                 Instruments& instruments);
 
