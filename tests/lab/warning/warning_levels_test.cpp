@@ -24,14 +24,14 @@ WarningLevel after(WarningLevels& levels, const State& state) {
   return levels.level();
 }
 
-/// Undrained, on its way to phase transformation at η = 0.7, where p′ has its least: q grows on,
-/// and dq/dε₁ stays above a thirtieth of its first.
+/// Undrained, on its way to phase transformation at η = 0.7, where p′ has its least; on the way
+/// there −dq/dp′ comes down to 0.72 (normalised work 0.32), and q grows on.
 State dense(double eta, int reading) {
   State s;
   s.reading = reading;
   s.time_s = reading;
   s.stage = 1;
-  s.p_eff = 1e5 * (1 - 0.35 * eta + 0.25 * eta * eta);
+  s.p_eff = 1e5 * (1 - 1.2 * eta + 0.85 * eta * eta);
   s.q = eta * s.p_eff;
   s.volumetric_strain = 0;
   s.strain = {0.002 * eta / (1 - 0.95 * eta), 0};
