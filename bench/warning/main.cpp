@@ -18,6 +18,7 @@
 #include "bench/warning/alarm_table.hpp"
 #include "bench/warning/alarm_trial.hpp"
 #include "bench/warning/guard_trial.hpp"
+#include "bench/warning/worst.hpp"
 #include "lab/base/bad_input.hpp"
 
 using namespace triax;
@@ -29,6 +30,7 @@ struct Options {
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::string only, list = "bench/warning/programmes.txt", folder = "samples/programmes";
   bool failures = false, guard = false;
+  std::string worst;
 };
 
 template <class Trial>
@@ -67,7 +69,9 @@ int run(const Options& o) {
     return 0;
   }
   const auto trials = run_all(subjects, o, bench::run_alarm_trial);
-  return bench::print_alarm_trials(trials, o.failures) ? 0 : 1;
+  const bool held = bench::print_alarm_trials(trials, o.failures);
+  if (!o.worst.empty()) bench::write_worst(trials, subjects, o.worst);
+  return held ? 0 : 1;
 }
 
 }  // namespace
@@ -83,6 +87,8 @@ int main(int argc, char** argv) {
   app.add_option("--list", o.list, "file of subjects");
   app.add_option("--folder", o.folder, "of programmes");
   app.add_flag("--failures", o.failures, "name the tests that failed");
+  app.add_option("--worst", o.worst, "folder for records of the worst failures")
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--guard", o.guard, "what a guard that hands the load over catches, instead");
   CLI11_PARSE(app, argc, argv);
   try {
