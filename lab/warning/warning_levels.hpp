@@ -14,14 +14,16 @@ namespace triax::lab {
 /// `lost`; a level is left in one way only, by clear evidence, and lost is never left within its
 /// stage.
 ///
-///   approaching  little of η is left by the forecast and second-order work is low: along a strain path
+///   approaching  little of η is left by the forecast and second-order work is low: along a strain
+///   path
 ///                normalised, d²W/(|dσ′||dε|), while p′ falls on; at held q dy/dx over its largest.
 ///                Three looks in a row.
 ///   imminent     along a strain path: normalised work lower still; by displacement also that the
 ///                forecast may be passed (a standard error before it). At held q: at the present
 ///                rate the onset may be kScans scans away, or kSeconds or a share of the stage,
 ///                whichever is less; or normalised work is so low that a hunting pressure may bring
-///                the fall. Two looks in a row, one where the stage has few and the next comes late.
+///                the fall. Two looks in a row, one where the stage has few and the next comes
+///                late.
 ///   none         what the specimen answers grows for certain and the onset is far, or none, at
 ///                five looks in a row
 ///
