@@ -13,6 +13,7 @@
 #include "db/plain_statement.hpp"
 #include "db/scan_codec.hpp"
 #include "db/scan_writer.hpp"
+#include "db/summary_reader.hpp"
 #include "db/test_reader.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"

@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/test_reader.hpp"
 
-#include <SQLiteCpp/Statement.h>
-
-#include <fmt/format.h>
-
-#include <array>
 #include <sstream>
 
 #include "db/columns.hpp"
-#include "lab/base/bad_input.hpp"
+#include "db/summary_reader.hpp"
+#include "db/test_rows.hpp"
 
 namespace triax::db {
 namespace {
-
-using SQLite::Statement;
-
-/// Calls `use` with the columns of each row that the query gives for the test.
-template <class Use>
-void for_rows(SQLite::Database& database, std::int64_t id, const char* sql, const Use& use) {
-  Statement select(database, sql);
-  select.bind(1, id);
-  while (select.executeStep()) {
-    Columns columns(select);
-    use(columns);
-  }
-}
 
 std::vector<lab::Quantity> quantities_in(const std::string& list) {
   std::vector<lab::Quantity> result;
@@ -34,14 +17,6 @@ std::vector<lab::Quantity> quantities_in(const std::string& list) {
     for (const lab::QuantityInfo& row : lab::quantities())
       if (lab::heading(row.quantity) == heading) result.push_back(row.quantity);
   return result;
-}
-
-/// What a text of ours stands for. Throws lab::BadInput for one that this version does not know.
-template <class Kind>
-Kind known(const std::string& text, std::optional<Kind> (*kind_from)(std::string_view)) {
-  if (const auto kind = kind_from(text)) return *kind;
-  throw lab::BadInput(fmt::format(
-      "the database holds '{}', which this version of triax does not know: use a newer one", text));
 }
 
 void read_specimen(SQLite::Database& database, std::int64_t id, lab::SpecimenInfo& s) {
@@ -135,221 +110,6 @@ void read_warnings(SQLite::Database& database, std::int64_t id, StoredTest& test
            });
 }
 
-std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_t id,
-                                         std::string_view kind) {
-  std::optional<lab::Instant> result;
-  for_rows(database, id,
-           "SELECT kind, reading, time_s, axial_strain, q_kPa, p_eff_kPa, pore_pressure_kPa "
-           "FROM instants WHERE test_id = ?",
-           [&](Columns& c) {
-             if (c.text() != kind) return;
-             lab::Instant& instant = result.emplace();
-             instant.reading = c.integer().value_or(0);
-             instant.time_s = c.number();
-             instant.axial_strain = c.number();
-             instant.q_pa = c.si("kPa");
-             instant.p_eff_pa = c.si("kPa");
-             instant.pore_pressure_pa = c.si("kPa");
-           });
-  return result;
-}
-
-std::optional<lab::Moment> read_moment(Columns& c) {
-  const auto reading = c.integer();
-  const auto time_s = c.number();
-  return reading ? std::optional(lab::Moment{*reading, time_s}) : std::nullopt;
-}
-
-std::optional<lab::StressInterval> read_interval(Columns& c) {
-  std::array<std::optional<double>, 6> ends = {c.number(), c.number()};
-  for (std::size_t i = 2; i < ends.size(); ++i) ends[i] = c.si("kPa");
-  for (const auto& end : ends)
-    if (!end) return std::nullopt;
-  return lab::StressInterval{
-      .q_pa = {*ends[2], *ends[3]}, .p_eff_pa = {*ends[4], *ends[5]}, .eta = {*ends[0], *ends[1]}};
-}
-
-void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
-  std::optional<lab::StressInterval> interval;
-  for_rows(
-      database, id,
-      "SELECT kind, inside_limit_surface, second_order_work_normalised, second_order_work_error, "
-      "limit_stress_ratio, limit_source, judged_until_reading, judged_until_reason, "
-      "judged_from_reading, strength_lost, eta_low, eta_high, q_low_kPa, q_high_kPa, "
-      "p_eff_low_kPa, p_eff_high_kPa, noticed_reading, noticed_time_s, "
-      "nearest_reading, nearest_normalised, nearest_error FROM verdicts WHERE test_id = ?",
-      [&](Columns& c) {
-        const auto kind = lab::collapse_kind_from(c.text());
-        collapse.judged = kind.has_value();
-        collapse.kind = kind.value_or(lab::CollapseKind::none);
-        collapse.inside_limit_surface = c.truth();
-        collapse.second_order_work_normalised = c.number();
-        collapse.second_order_work_error = c.number();
-        collapse.limit_stress_ratio = c.number();
-        collapse.limit_source = c.text();
-        collapse.judged_until = c.integer();
-        collapse.judged_until_reason = c.text();
-        collapse.judged_from = c.integer();
-        collapse.strength_lost = c.number();
-        interval = read_interval(c);
-        collapse.noticed = read_moment(c);
-        if (const auto reading = c.integer())
-          collapse.nearest = lab::Nearest{*reading, c.number().value_or(0), c.number().value_or(0)};
-      });
-  collapse.onset = read_instant(database, id, "onset");
-  if (collapse.onset) collapse.onset->interval = interval;
-  for_rows(database, id,
-           "SELECT name, detected, reading, time_s, eta, evidence, noticed_reading, "
-           "noticed_time_s FROM criteria WHERE test_id = ? ORDER BY id",
-           [&](Columns& c) {
-             lab::Criterion& criterion = collapse.criteria.emplace_back();
-             criterion.name = c.text();
-             criterion.detected = c.truth();
-             criterion.reading = c.integer();
-             criterion.time_s = c.number();
-             criterion.eta = c.number();
-             criterion.evidence = c.text();
-             criterion.noticed = read_moment(c);
-           });
-}
-
-std::optional<lab::LeftToOnset> read_left(Columns& c) {
-  const std::string heading = c.text();
-  for (const lab::QuantityInfo& row : lab::quantities()) {
-    if (heading.empty() || lab::heading(row.quantity) != heading) continue;
-    lab::LeftToOnset left{.quantity = row.quantity, .value = 0, .time_s = {}};
-    left.value = lab::from_field_units(row.quantity, c.number().value_or(0));
-    left.time_s = c.number();
-    return left;
-  }
-  return std::nullopt;
-}
-
-lab::Outlook read_outlook(Columns& c) {
-  lab::Outlook o;
-  o.reading = c.integer().value_or(0);
-  o.time_s = c.number();
-  o.eta = c.number().value_or(lab::kMissing);
-  o.eta_low = c.number().value_or(lab::kMissing);
-  o.eta_high = c.number().value_or(lab::kMissing);
-  o.left = read_left(c);
-  return o;
-}
-
-void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
-  for_rows(database, id,
-           "SELECT level, reading, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
-           "left_value, left_time_s FROM outlooks WHERE test_id = ?",
-           [&](Columns& c) {
-             const bool imminent = lab::warning_level_from(c.text()) == lab::WarningLevel::imminent;
-             (imminent ? collapse.imminent : collapse.approaching) = read_outlook(c);
-           });
-}
-
-void read_cyclic(SQLite::Database& database, std::int64_t id,
-                 std::optional<lab::CyclicLoading>& cyclic) {
-  for_rows(database, id,
-           "SELECT cycles, q_low_kPa, q_high_kPa, cyclic_stress_ratio, "
-           "largest_pore_pressure_ratio, largest_double_amplitude, liquefied_reading, "
-           "liquefied_cycle, double_amplitude_reading, double_amplitude_cycle "
-           "FROM cyclic_loadings WHERE test_id = ?",
-           [&](Columns& c) {
-             lab::CyclicLoading& all = cyclic.emplace();
-             all.cycles = c.number().value_or(0);
-             all.q_low_pa = c.si("kPa").value_or(0);
-             all.q_high_pa = c.si("kPa").value_or(0);
-             all.stress_ratio = c.number().value_or(0);
-             all.largest_pore_pressure_ratio = c.number().value_or(0);
-             all.largest_double_amplitude = c.number().value_or(0);
-             for (auto* at : {&all.liquefied, &all.double_amplitude}) {
-               const auto reading = c.integer(), cycle = c.integer();
-               if (!reading) continue;
-               at->emplace().instant.reading = *reading;
-               (*at)->cycle = static_cast<int>(cycle.value_or(1));
-             }
-           });
-}
-
-void read_guard(SQLite::Database& database, std::int64_t id,
-                std::optional<lab::GuardOutcome>& outcome) {
-  for_rows(database, id,
-           "SELECT level, done, reading, time_s, axial_strain, q_kPa, p_eff_kPa, "
-           "second_order_work_normalised, last_axial_strain, without_kind, "
-           "without_last_axial_strain, without_lost_reading, without_lost_time_s FROM guards "
-           "WHERE test_id = ?",
-           [&](Columns& c) {
-             lab::GuardOutcome& guard = outcome.emplace();
-             guard.level = known(c.text(), lab::warning_level_from);
-             guard.done = c.text();
-             guard.at.reading = c.integer().value_or(0);
-             guard.at.time_s = c.number();
-             guard.at.axial_strain = c.number();
-             guard.at.q_pa = c.si("kPa");
-             guard.at.p_eff_pa = c.si("kPa");
-             guard.second_order_work_normalised = c.number();
-             guard.last_axial_strain = c.number();
-             const auto kind = lab::collapse_kind_from(c.text());
-             if (!kind) return;
-             guard.without = {.kind = *kind, .last_axial_strain = c.number(), .lost = {}};
-             guard.without->lost = read_moment(c);
-           });
-}
-
-void read_consolidation_and_checks(SQLite::Database& database, std::int64_t id,
-                                   lab::TestSummary& summary) {
-  for_rows(database, id,
-           "SELECT p_eff_kPa, b_value, void_ratio, height_mm, diameter_mm FROM consolidations "
-           "WHERE test_id = ?",
-           [&](Columns& c) {
-             summary.consolidation.p_eff_pa = c.si("kPa");
-             summary.consolidation.b_value = c.number();
-             summary.consolidation.void_ratio = c.number();
-             summary.consolidation.height_m = c.si("mm");
-             summary.consolidation.diameter_m = c.si("mm");
-           });
-  for_rows(database, id,
-           "SELECT name, measured, limit_value, ok, note FROM checks WHERE test_id = ? ORDER BY id",
-           [&](Columns& c) {
-             lab::Check& check = summary.checks.emplace_back();
-             check.kind = known(c.text(), lab::check_kind_from);
-             check.measured = c.number();
-             check.limit = c.number();
-             check.ok = c.truth().value_or(false);
-             check.note = c.text();
-           });
-}
-
-void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::Truth>& truth) {
-  for_rows(database, id,
-           "SELECT lost_sustainability, time_s, axial_strain, q_kPa, p_eff_kPa, pore_pressure_kPa "
-           "FROM truths WHERE test_id = ?",
-           [&](Columns& c) {
-             truth.emplace();
-             truth->lost_sustainability = c.truth().value_or(false);
-             truth->time_s = c.number();
-             truth->axial_strain = c.number();
-             truth->q_pa = c.si("kPa");
-             truth->p_eff_pa = c.si("kPa");
-             truth->pore_pressure_pa = c.si("kPa");
-           });
-  for_rows(database, id,
-           "SELECT start_s, largest_kinetic_energy_J, largest_at_s, kinetic_energy_J, "
-           "second_order_work_J, expected_ratio, end_s, ending FROM run_aways WHERE test_id = ? "
-           "ORDER BY number",
-           [&](Columns& c) {
-             if (!truth) return;
-             lab::RunAwayTruth& run_away = truth->run_aways.emplace_back();
-             run_away.start_s = c.number().value_or(0);
-             run_away.largest_kinetic_energy_j = c.number().value_or(0);
-             run_away.largest_at_s = c.number().value_or(0);
-             run_away.kinetic_energy_j = c.number();
-             run_away.second_order_work_j = c.number();
-             run_away.expected_ratio = c.number();
-             run_away.end_s = c.number();
-             run_away.end = known(c.text(), lab::run_away_end_from);
-           });
-}
-
 void read_sweep(SQLite::Database& database, std::int64_t id, std::optional<SweepMembership>& s) {
   for_rows(database, id,
            "SELECT sweep, place, key, value FROM sweep_members WHERE test_id = ? ORDER BY position",
@@ -390,28 +150,12 @@ std::optional<SignOfLife> sign_of_life(Columns& c) {
   return SignOfLife{std::move(at), silent_s.value_or(0)};
 }
 
-std::vector<lab::Outlook> read_forecasts(SQLite::Database& database, std::int64_t id) {
-  std::vector<lab::Outlook> forecasts;
-  for_rows(database, id,
-           "SELECT id & 4294967295, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
-           "left_value, left_time_s FROM forecast_points "
-           "WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 ORDER BY id",
-           [&](Columns& c) { forecasts.push_back(read_outlook(c)); });
-  return forecasts;
-}
-
 StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   StoredTest test;
   read_header(database, id, test);
   if (test.id == 0) return test;
   read_warnings(database, id, test);
-  read_consolidation_and_checks(database, id, test.summary);
-  test.summary.peak = read_instant(database, id, "peak");
-  read_collapse(database, id, test.summary.collapse);
-  read_outlooks(database, id, test.summary.collapse);
-  read_cyclic(database, id, test.summary.cyclic);
-  read_guard(database, id, test.summary.guard);
-  read_truth(database, id, test.summary.truth);
+  read_summary(database, id, test.summary);
   read_events(database, id, test.events);
   read_sweep(database, id, test.sweep);
   read_tags(database, id, test.tags);

@@ -14,7 +14,5 @@ namespace triax::db {
 std::optional<SignOfLife> sign_of_life(Columns& columns);
 /// Its id is 0 if there is no test of that id.
 StoredTest read_test(SQLite::Database& database, std::int64_t id);
-/// In the order in which they were said; apart from the rest, for there may be many.
-std::vector<lab::Outlook> read_forecasts(SQLite::Database& database, std::int64_t id);
 
 }  // namespace triax::db

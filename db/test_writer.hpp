@@ -17,12 +17,7 @@ namespace triax::db {
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at);
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep);
-void insert_forecasts(SQLite::Database& database, std::int64_t test_id,
-                      const std::vector<lab::Outlook>& forecasts);
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event);
-/// All that a summary holds, and `complete`.
-void insert_summary(SQLite::Database& database, std::int64_t test_id,
-                    const lab::TestSummary& summary);
 void mark_interrupted(SQLite::Database& database, std::int64_t test_id);
 /// Everything of that test, scans included.
 void remove_test(SQLite::Database& database, std::int64_t test_id);

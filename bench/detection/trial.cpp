@@ -86,6 +86,15 @@ void scale_rates(lab::Programme& programme, double factor) {
 
 }  // namespace
 
+void TrialHeader::fill(const lab::Programme& of, bool expected_to_collapse,
+                       std::uint64_t its_seed) {
+  programme = of.name;
+  type = of.type;
+  material = of.material.name;
+  seed = its_seed;
+  collapses = expected_to_collapse;
+}
+
 double choice(std::uint64_t seed, std::uint64_t number) {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15U + (number + 1) * 0xD1B54A32D192ED03U;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -127,12 +136,8 @@ TrialResult judge_trial(const lab::Programme& programme, bool collapses, std::ui
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
 
   TrialResult r;
-  r.programme = programme.name;
-  r.type = programme.type;
-  r.material = programme.material.name;
-  r.seed = seed;
+  r.fill(programme, collapses, seed);
   r.readings = summary.readings;
-  r.collapses = collapses;
   if (summary.truth && summary.truth->lost_sustainability) {
     r.truth_lost = true;
     r.truth_time_s = *summary.truth->time_s;

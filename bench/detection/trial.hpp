@@ -22,12 +22,18 @@ struct Subject {
 inline constexpr std::array<std::string_view, 4> kMethods = {
     "triax", "maximum of q", "sign of neighbouring increments", "sign over moving average of 50"};
 
-struct TrialResult {
+/// Which test a trial ran, and what is expected of it.
+struct TrialHeader {
   std::string programme, type, material;
-  std::string trait;  ///< name of its Kind; empty for a subject of the list
   std::uint64_t seed = 0;
+  bool collapses = false;  ///< expected
+
+  void fill(const lab::Programme& of, bool expected_to_collapse, std::uint64_t its_seed);
+};
+
+struct TrialResult : TrialHeader {
+  std::string trait;  ///< name of its Kind; empty for a subject of the list
   std::int64_t readings = 0;
-  bool collapses = false;   ///< expected
   bool truth_lost = false;  ///< what the specimen did
   double truth_time_s = 0, truth_eta = 0, truth_q_pa = 0, truth_p_pa = 0;
   std::optional<lab::StressInterval> interval;    ///< of the onset reported

@@ -157,13 +157,9 @@ AlarmTrial run_alarm_trial(const Subject& subject, std::uint64_t seed) {
   };
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
 
-  r.programme = programme.name;
-  r.type = programme.type;
-  r.material = programme.material.name;
-  r.seed = seed;
+  r.fill(programme, subject.collapses, seed);
   r.air = programme.specimen.saturation < 1;
   r.interruption = interruption(seed);
-  r.collapses = subject.collapses;
   r.lost = summary.truth && summary.truth->lost_sustainability;
   for (const lab::StageInfo& info : rig.header().stages)
     if (lab::is_watched(&info)) {

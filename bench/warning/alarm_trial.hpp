@@ -22,18 +22,16 @@ struct Look {
 
 enum class Instruments { good, standard, cheap };
 
-struct AlarmTrial {
-  std::string programme, type, material;
-  std::uint64_t seed = 0;
+struct AlarmTrial : TrialHeader {
   Instruments instruments = Instruments::good;
   bool air = false;  ///< in the pores
   Interruption interruption = Interruption::none;
   double interval_s = 0;
-  bool collapses = false, lost = false;  ///< expected, and what the specimen did
-  bool under_force = false;              ///< load, dead load, spring or held q drove it
-  double stage_s = 0;                    ///< from the start of the stage to the onset
-  std::int64_t stage_readings = 0;       ///< likewise
-  double fall_s = 0;                     ///< time of the fall; of the onset where none fell
+  bool lost = false;                 ///< what the specimen did
+  bool under_force = false;          ///< load, dead load, spring or held q drove it
+  double stage_s = 0;                ///< from the start of the stage to the onset
+  std::int64_t stage_readings = 0;   ///< likewise
+  double fall_s = 0;                 ///< time of the fall; of the onset where none fell
   std::optional<double> imminent_s;  ///< when it was said and not taken back, before the fall or 10
                                      ///< readings after the onset
   std::array<std::optional<Look>, kLeft.size()> looks;

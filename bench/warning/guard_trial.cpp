@@ -89,11 +89,7 @@ GuardTrial run_guard_trial(const Subject& subject, std::uint64_t seed) {
   Instruments instruments{};
   const lab::Programme programme = varied_for_alarm(subject, seed, instruments);
   GuardTrial t;
-  t.programme = programme.name;
-  t.type = programme.type;
-  t.material = programme.material.name;
-  t.seed = seed;
-  t.collapses = subject.collapses;
+  t.fill(programme, subject.collapses, seed);
   for (const lab::Stage& stage : programme.stages)
     if (stage.role == lab::StageRole::shear) t.under_force = lab::guards({}, stage);
   run_as_it_is(programme, t);

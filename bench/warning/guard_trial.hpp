@@ -11,22 +11,20 @@
 
 namespace triax::bench {
 
-struct GuardTrial {
+struct GuardTrial : TrialHeader {
   static constexpr double kRate_m_per_s = 0.05e-3 / 60;
   static constexpr double kAsked = 0.005;   ///< axial strain that the guard goes on for
   static constexpr double kAllowed = 0.01;  ///< further axial strain of a specimen that was caught
 
-  std::string programme, type, material;
-  std::uint64_t seed = 0;
-  bool collapses = false, lost = false;  ///< expected, and what the specimen did without a guard
-  bool under_force = false;              ///< load, dead load, spring or held q drove its last shear
-  std::optional<double> fall_s;          ///< of the runaway without a guard
-  bool shown = false;                    ///< by three readings after it
-  std::optional<int> known_after;        ///< readings from the fall to the event `lost`, without it
-  bool said_lost = false;                ///< that event, ever
-  std::optional<double> acted_s;         ///< the guard
-  double further_strain = 0;             ///< from where it acted to the end, of either sign
-  bool ran_away = false;                 ///< after it had acted
+  bool lost = false;               ///< what the specimen did without a guard
+  bool under_force = false;        ///< load, dead load, spring or held q drove its last shear
+  std::optional<double> fall_s;    ///< of the runaway without a guard
+  bool shown = false;              ///< by three readings after it
+  std::optional<int> known_after;  ///< readings from the fall to the event `lost`, without it
+  bool said_lost = false;          ///< that event, ever
+  std::optional<double> acted_s;   ///< the guard
+  double further_strain = 0;       ///< from where it acted to the end, of either sign
+  bool ran_away = false;           ///< after it had acted
 
   bool comparable() const { return lost == collapses; }
   bool in_time() const { return acted_s && (!fall_s || *acted_s < *fall_s); }

@@ -9,6 +9,7 @@
 
 #include "db/columns.hpp"
 #include "db/connection.hpp"
+#include "db/summary_writer.hpp"
 #include "db/test_writer.hpp"
 
 namespace triax::db {

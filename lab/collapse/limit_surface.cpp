@@ -25,28 +25,29 @@ double ratio_at(double angle, bool compression) {
 
 }  // namespace
 
-void LimitSurface::add(const PathPoint& point) {
+void LimitSurface::add(double reading, double q_pa, double p_eff_pa) {
   // Near p' = 0 the ratio of two small numbers says nothing; 3 and −1.5 are the ratios at σ₃' = 0
   // and σ₁' = 0.
-  p_largest_ = std::max(p_largest_, point.p_eff);
-  if (point.p_eff < 0.03 * p_largest_ || point.eta() > 3 || point.eta() < -1.5) return;
-  const double angle = sim::mobilised_friction_angle(point.eta());
-  watch_softening(point, angle);
-  follow_walk(point, angle);
+  p_largest_ = std::max(p_largest_, p_eff_pa);
+  const double eta = q_pa / p_eff_pa;
+  if (p_eff_pa < 0.03 * p_largest_ || eta > 3 || eta < -1.5) return;
+  const double angle = sim::mobilised_friction_angle(eta);
+  watch_softening(p_eff_pa, angle);
+  follow_walk(reading, std::fabs(q_pa), angle);
 }
 
-void LimitSurface::watch_softening(const PathPoint& point, double angle) {
+void LimitSurface::watch_softening(double p_eff_pa, double angle) {
   if (angle >= largest_angle_.value_or(0)) {
     largest_angle_ = angle;
-    p_at_largest_ = point.p_eff;
+    p_at_largest_ = p_eff_pa;
     softened_ = false;
   } else if (std::sin(angle) < kBand * std::sin(*largest_angle_) &&
-             point.p_eff >= kBand * p_at_largest_) {
+             p_eff_pa >= kBand * p_at_largest_) {
     softened_ = true;
   }
 }
 
-void LimitSurface::follow_walk(const PathPoint& point, double angle) {
+void LimitSurface::follow_walk(double reading, double strength_pa, double angle) {
   if (!(angle > 0)) return;
   const bool near = std::sin(angle) >= kNear * std::sin(*largest_angle_);
   // A new largest ratio beyond the walk's begins another one.
@@ -56,13 +57,13 @@ void LimitSurface::follow_walk(const PathPoint& point, double angle) {
     walk_least_ = angle;
   }
   if (!near) return;
-  if (!walk_start_) walk_start_ = point.strength();
-  walk_start_ = std::min(*walk_start_, point.strength());
+  if (!walk_start_) walk_start_ = strength_pa;
+  walk_start_ = std::min(*walk_start_, strength_pa);
   walk_angle_ = std::max(walk_angle_, angle);
   walk_least_ = std::min(walk_least_, angle);
-  if (point.strength() < (1 + kWalk) * *walk_start_) return;
+  if (strength_pa < (1 + kWalk) * *walk_start_) return;
   if (!walks_.empty() && walk_angle_ <= 1.01 * walks_.back().angle) return;
-  if (walks_.size() < kMostWalks) walks_.push_back({point.reading, walk_angle_});
+  if (walks_.size() < kMostWalks) walks_.push_back({reading, walk_angle_});
 }
 
 std::optional<double> LimitSurface::stress_ratio() const {

@@ -21,7 +21,9 @@ class LimitSurface {
  public:
   explicit LimitSurface(const SpecimenInfo& specimen);
 
-  void add(const PathPoint& point);
+  /// q and p' (Pa) as measured at a reading; passed over where one of them is NaN.
+  void add(double reading, double q_pa, double p_eff_pa);
+  void add(const PathPoint& at) { add(at.reading, at.q, at.p_eff); }
   /// M in compression: of the angle that was given, else of the largest that was mobilised; empty
   /// while nothing is known.
   std::optional<double> stress_ratio() const;
@@ -41,8 +43,8 @@ class LimitSurface {
     double reading = 0;  ///< at which it had been long enough
     double angle = 0;
   };
-  void watch_softening(const PathPoint& point, double angle);
-  void follow_walk(const PathPoint& point, double angle);
+  void watch_softening(double p_eff_pa, double angle);
+  void follow_walk(double reading, double strength_pa, double angle);
 
   std::optional<double> given_angle_, largest_angle_;  ///< friction angles, rad
   double p_largest_ = 0;

@@ -11,10 +11,11 @@ namespace triax::lab {
 /// The state with the largest |q| of a path. One that has more than twice the |q| of the state
 /// before it, or the other sign, waits for the next: where that does not have half of it either it
 /// was a spike of the load cell, at the end of a record for one, where no reading follows by which
-/// its health could be told.
+/// its health could be told. A state of which q is not known is passed over.
 class LargestStrength {
  public:
   void add(const State& state) {
+    if (std::isnan(state.q)) return;
     if (const auto leap = std::exchange(leap_, std::nullopt); leap && shares(state, *leap))
       take(*leap);
     if (!last_ || shares(*last_, state))

@@ -175,4 +175,11 @@ double Plant::true_value(Quantity channel) const {
   }
 }
 
+Programme as_far_as_simulated(Programme programme) {
+  for (const auto& row : raw_channels())
+    if (!row.raw.standard && row.raw.of_specimen == nullptr)
+      programme.fitted[index(row.quantity)] = false;
+  return programme;
+}
+
 }  // namespace triax::lab

@@ -78,4 +78,7 @@ class Plant {
   double cell_inflow_m3_ = 0, back_inflow_m3_ = 0;  ///< of the last tick
 };
 
+/// A specimen of ours has no suction, say: such a channel is not on the rig, whatever is described.
+Programme as_far_as_simulated(Programme programme);
+
 }  // namespace triax::lab

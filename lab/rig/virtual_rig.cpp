@@ -10,30 +10,17 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
-#include "lab/rig/guard_stages.hpp"
 #include "lab/rig/logger.hpp"
+#include "lab/rig/rig_guard.hpp"
 #include "lab/rig/rig_header.hpp"
-#include "lab/rig/run_away_log.hpp"
+#include "lab/rig/stage_progress.hpp"
+#include "lab/rig/stage_words.hpp"
 #include "lab/rig/strain_path_control.hpp"
 #include "lab/rig/supervision.hpp"
-#include "lab/rig/truth_watch.hpp"
+#include "lab/rig/truth_log.hpp"
 
 namespace triax::lab {
 namespace {
-
-/// Grains jump now and then.
-TruthWatch::Lengths truth_lengths(const sim::Specimen::MaterialLaw& law) {
-  if (law.self_driven() == nullptr) return {};
-  return {.increment = 5e-4, .lasting = 1e-3};
-}
-
-/// A specimen of ours has no suction, say: such a channel is not on the rig, whatever is described.
-Programme as_far_as_simulated(Programme programme) {
-  for (const auto& row : raw_channels())
-    if (!row.raw.standard && row.raw.of_specimen == nullptr)
-      programme.fitted[index(row.quantity)] = false;
-  return programme;
-}
 
 Plant make_plant(const Programme& programme) {
   try {
@@ -50,7 +37,10 @@ struct VirtualRig::Impl {
   enum class Mode { running, held, safe, fallen };
 
   Impl(const Programme& p, std::uint64_t used_seed)
-      : guarded(with_guard_stages(as_far_as_simulated(p))),
+      : Impl(p, with_guard_stages(as_far_as_simulated(p)), used_seed) {}
+  Impl(const Programme& p, GuardedProgramme all, std::uint64_t used_seed)
+      : guard(all),
+        programme(std::move(all.programme)),
         header(rig_header(programme, used_seed)),
         plant(make_plant(programme)),
         instruments(programme, used_seed),
@@ -60,7 +50,7 @@ struct VirtualRig::Impl {
         axis(AxisControl::Servo{.ideal = p.frame.bandwidth_hz == 0 && p.frame.moving_mass_kg == 0,
                                 .filter_s = p.frame.servo_filter_s}),
         strain_path(p.specimen.height_m, p.frame.servo_filter_s),
-        watch(truth_lengths(plant.specimen().law())) {
+        truth(plant.specimen().law()) {
     for (const auto& row : raw_channels())
       if (p.fitted[index(row.quantity)] && !programme.fitted[index(row.quantity)])
         warn(fmt::format("{} is not recorded: the virtual specimen does not have it", row.name));
@@ -84,10 +74,8 @@ struct VirtualRig::Impl {
   void begin_stage();
   bool met(const EndCondition& end) const;
   bool stage_over();
-  bool stage_follows() const;
   void hold_by_guard(const std::string& detail);
-  bool guard_is_due() const;
-  void act_as_guard();
+  void act_as_guard_if_due();
   void act_as_operator();
   bool go(Mode next, EventKind kind, const std::string& detail);
   PlantDemand demand(double dt_s);
@@ -98,8 +86,8 @@ struct VirtualRig::Impl {
   bool advance_to_next_scan();
   void check_ranges();
 
-  GuardedProgramme guarded;
-  Programme& programme = guarded.programme;
+  RigGuard guard;
+  Programme programme;
   RecordHeader header;
   Plant plant;
   Instruments instruments;
@@ -108,9 +96,8 @@ struct VirtualRig::Impl {
   Supervision supervision;
   AxisControl axis;
   StrainPathControl strain_path;
-  TruthWatch watch;
-  RunAwayLog run_aways;
-  std::optional<Truth> lost;  ///< where the last run-away began, if that was in shear
+  TruthLog truth;
+  StageProgress progress;
   std::vector<Event> events;
 
   Reading reading;  ///< the latest look
@@ -120,13 +107,9 @@ struct VirtualRig::Impl {
   Mode mode = Mode::running;
   int safe_readings = 0;
   std::size_t next_action = 0;
-  WarningLevel said = WarningLevel::none;  ///< by the alarm
-  bool guard_acted = false;
-  std::optional<std::string> guard_did;
   std::optional<double> held_until_s;  ///< by the guard
   PlantDemand before;                  ///< of the last tick
   std::optional<double> shear_height;  ///< at the start of the first shear stage
-  std::array<double, kEndQuantityCount> at_stage_start{};
   bool finished = false;
   std::array<bool, kRawQuantityCount> saturation_warned{};
   bool cavitation_warned = false, accuracy_warned = false;
@@ -157,8 +140,7 @@ void VirtualRig::Impl::begin_stage() {
           p_eff_outside(programme.material, specimen.material.p())})
       if (outside) warn("at the start of shear " + *outside);
   }
-  for (int i = 0; i < kEndQuantityCount; ++i)
-    at_stage_start[static_cast<std::size_t>(i)] = seen.value(static_cast<EndQuantity>(i));
+  progress.begin_stage(seen);
 }
 
 /// A pressure that is the target of the stage's own ramp counts as reached when its controller has
@@ -173,33 +155,22 @@ bool VirtualRig::Impl::met(const EndCondition& end) const {
   return Supervision::can_tell(end.quantity, reading, instruments) && seen.met(end);
 }
 
-/// The stages of the guard stand after those of the programme and are followed by none.
-bool VirtualRig::Impl::stage_follows() const { return stage_index + 1 < guarded.successor.size(); }
-
 void VirtualRig::Impl::hold_by_guard(const std::string& detail) {
   go(Mode::held, EventKind::held, "by the guard: " + detail);
-  held_until_s = time_s + programme.guard->hold_s;
+  held_until_s = time_s + guard.hold_s();
 }
 
-bool VirtualRig::Impl::guard_is_due() const {
-  const auto& guard = programme.guard;
-  return guard && !guard_acted && said >= guard->on && mode == Mode::running &&
-         stage_index < guarded.successor.size() && guards(*guard, stage());
-}
-
-void VirtualRig::Impl::act_as_guard() {
-  const Guard& guard = *programme.guard;
-  guard_acted = true;
-  guard_did = describe(guard);
-  if (guard.action == Guard::Action::safe) {
+void VirtualRig::Impl::act_as_guard_if_due() {
+  if (mode != Mode::running || !guard.is_due(stage_index, stage())) return;
+  const Guard& now = guard.act();
+  if (now.action == Guard::Action::safe) {
     go(Mode::safe, EventKind::safe_state, "by the guard");
     return;
   }
-  cut(fmt::format("stage \"{}\" was ended at {:.6g} s by the guard: {}", stage().name, time_s,
-                  *guard_did));
-  if (guard.action == Guard::Action::hold) return hold_by_guard(*guard_did);
-  stage_index = *guarded.successor[stage_index];
-  aim(guard, seen, programme.specimen.height_m, programme.stages[stage_index]);
+  cut(ended_by_guard(stage(), time_s, describe(now)));
+  if (now.action == Guard::Action::hold) return hold_by_guard(describe(now));
+  stage_index = guard.successor(stage_index);
+  aim(now, seen, programme.specimen.height_m, programme.stages[stage_index]);
   begin_stage();
 }
 
@@ -208,19 +179,18 @@ bool VirtualRig::Impl::stage_over() {
   if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
   if (mode == Mode::held) return held_until_s && time_s >= *held_until_s;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
-    if (guard_acted && programme.guard->action == Guard::Action::unload) {
+    if (guard.unloads()) {
       hold_by_guard("q was taken back");
       return false;
     }
-    if (!stage_follows()) return true;
+    if (!guard.is_followed(stage_index)) return true;
     ++stage_index;
     begin_stage();
-    if (guard_is_due()) act_as_guard();
+    act_as_guard_if_due();
     return false;
   }
   if (seen.stage_time_s() < stage().time_limit_s) return false;
-  warn(fmt::format("stage \"{}\" did not reach its end within {:g} min; the test was ended",
-                   stage().name, stage().time_limit_s / 60));
+  warn(out_of_time(stage()));
   return true;
 }
 
@@ -230,11 +200,7 @@ bool VirtualRig::Impl::go(Mode next, EventKind kind, const std::string& detail) 
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
-  if (next == Mode::safe) {
-    const std::string why = fmt::format("safe state from {:.6g} s on, in stage \"{}\": {}", time_s,
-                                        stage().name, detail);
-    cut(why);
-  }
+  if (next == Mode::safe) cut(ended_in_safe_state(stage(), time_s, detail));
   if (resumed) held_until_s.reset();
   if (resumed) axis.resume(seen, plant.specimen().axial_force(plant.state().specimen));
   return true;
@@ -293,8 +259,7 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
     if (!step.law_ended || number <= 0)
       throw WorkFailed(fmt::format("{}: stage \"{}\" at {:.6g} s: {}", programme.source,
                                    stage().name, time_s, step.message));
-    cut(fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}",
-                    stage().name, time_s, step.message));
+    cut(ended_by_law(stage(), time_s, step));
     return false;
   }
   if (step.outcome == sim::StepOutcome::inaccurate)
@@ -302,11 +267,7 @@ bool VirtualRig::Impl::survived(const sim::SpecimenStep& step) {
                                            "accurate than specified",
                                            time_s));
   if (step.outcome == sim::StepOutcome::lost_control) {
-    cut(
-        fmt::format("stage \"{}\" ended at {:.6g} s: the specimen cannot follow what is prescribed "
-                    "(q = {:.4g} kPa, p' = {:.4g} kPa)",
-                    stage().name, time_s + step.done_s, step.state.material.q() / 1e3,
-                    step.state.material.p() / 1e3));
+    cut(control_lost(stage(), time_s, step));
     return false;
   }
   if (step.state.pore_pressure < 0)
@@ -327,16 +288,17 @@ bool VirtualRig::Impl::tick(double dt_s) {
   before = demand(dt_s);
   const sim::SpecimenState start = plant.state().specimen;
   const sim::SpecimenStep& step = plant.advance(before, time_s, dt_s);
-  const bool sheared = stage().role == StageRole::shear && mode == Mode::running;
-  if (step.outcome != sim::StepOutcome::failed)
-    watch.watch(time_s, dt_s, start, step, sheared,
-                shear_height.value_or(programme.specimen.height_m));
+  const TrueStep one{.time_s = time_s,
+                     .dt_s = dt_s,
+                     .before = start,
+                     .step = step,
+                     .sheared = stage().role == StageRole::shear && mode == Mode::running,
+                     .height_at_shear_m = shear_height.value_or(programme.specimen.height_m)};
+  if (step.outcome != sim::StepOutcome::failed) truth.add_work(one);
   if (!survived(step)) return false;
   time_s += dt_s;
   if (mode == Mode::running) seen.add_stage_time(dt_s);
-  if (sheared && step.state.run_away.count != start.run_away.count)
-    lost = lost_equilibrium(time_s - step.state.run_away.elapsed_s, start, *shear_height);
-  if (const std::string news = run_aways.watch(time_s, step.state); !news.empty())
+  if (const std::string news = truth.add_run_away(one); !news.empty())
     tell(EventKind::run_away, news);
   return within_travel(step);
 }
@@ -349,9 +311,7 @@ bool VirtualRig::Impl::within_travel(const sim::SpecimenStep& step) {
   const double displaced = programme.specimen.height_m - step.state.height_m;
   if (std::fabs(displaced) < travel * kRoundOff) return true;
   const bool dropped = step.at_stop && mode == Mode::running && fell(step.state);
-  const std::string why =
-      fmt::format("stage \"{}\" ended at {:.6g} s: travel limit of {:g} mm reached{}", stage().name,
-                  time_s, travel * 1e3, displaced < 0 ? " in extension" : "");
+  const std::string why = travel_reached(stage(), time_s, travel, displaced);
   dropped ? cut(why) : warn(why);
   if (dropped) mode = Mode::fallen;
   return dropped;
@@ -394,10 +354,7 @@ const sim::SpecimenState& VirtualRig::specimen_state() const {
 const Plant& VirtualRig::plant() const { return impl_->plant; }
 
 std::optional<Truth> VirtualRig::truth() const {
-  Truth truth = impl_->watch.truth();
-  if (impl_->lost && fell(impl_->plant.state().specimen)) truth = earlier_of(truth, *impl_->lost);
-  truth.run_aways = impl_->run_aways.all();
-  return truth;
+  return impl_->truth.truth(impl_->plant.state().specimen);
 }
 
 std::vector<Event> VirtualRig::events() { return std::exchange(impl_->events, {}); }
@@ -409,10 +366,10 @@ bool VirtualRig::abort(const std::string& reason) {
 }
 
 void VirtualRig::heed(WarningLevel level) {
-  impl_->said = level;
-  if (impl_->guard_is_due()) impl_->act_as_guard();
+  impl_->guard.hear(level);
+  impl_->act_as_guard_if_due();
 }
-std::optional<std::string> VirtualRig::guarded() { return std::exchange(impl_->guard_did, {}); }
+std::optional<std::string> VirtualRig::guarded() { return impl_->guard.take_news(); }
 
 bool VirtualRig::next(Reading& reading) {
   Impl& rig = *impl_;
@@ -433,14 +390,7 @@ bool VirtualRig::next(Reading& reading) {
 double VirtualRig::progress() const {
   const Impl& rig = *impl_;
   if (rig.finished) return 1;
-  double done = 0;
-  for (const EndCondition& end : rig.stage().end) {
-    const double start = rig.at_stage_start[static_cast<std::size_t>(end.quantity)];
-    const double way = (end.above ? *end.above : *end.below) - start;
-    const double share = (rig.seen.value(end.quantity) - start) / way;
-    if (std::isfinite(share)) done = std::max(done, share);
-  }
-  return (static_cast<double>(rig.stage_index) + std::clamp(done, 0.0, 1.0)) /
+  return (static_cast<double>(rig.stage_index) + rig.progress.share(rig.stage(), rig.seen)) /
          static_cast<double>(rig.programme.stages.size());
 }
 

@@ -25,13 +25,7 @@ void Alarm::watch(const State& state) {
   latest_ = state;
   if (!is_watched(header_.stage(state.stage))) return;
   const bool is_new = levels_.add(state);
-  if (is_new) {
-    PathPoint point;
-    point.reading = static_cast<double>(state.reading);
-    point.q = state.q;
-    point.p_eff = state.p_eff;
-    limit_.add(point);
-  }
+  if (is_new) limit_.add(static_cast<double>(state.reading), state.q, state.p_eff);
   const auto eta = levels_.eta_forecast();
   const auto inside =
       eta ? limit_.inside(*eta, static_cast<double>(state.reading)) : std::optional<bool>();

@@ -17,8 +17,6 @@ namespace {
 constexpr double kOutside = 1e-12;
 /// Distance from yield that needs no settling.
 constexpr double kSettled = 1e-14;
-/// Stress (Pa) below which errors are not measured relative to p′.
-constexpr double kSmallestStress = 0.1;
 
 constexpr const char* kLost = "the control condition cannot be held any longer";
 
@@ -40,9 +38,8 @@ PointDriver<Space>::PointDriver(const Law<Space>& law, const PointState<Space>& 
       tableau_(tableau_for(tolerance.relative)),
       control_(control, typical_modulus(reference)),
       guess_(Vector<Space>::Zero()),
-      scale_(reference.memory.size()) {
+      flows_(tableau_, law, reference.memory.size()) {
   bend_.fill(guess_);
-  for (int k = 0; k < scale_.size(); ++k) scale_(k) = 1 / law.memory_scale(k);
 }
 
 template <class Space>
@@ -111,35 +108,13 @@ PointRate<Space> PointDriver<Space>::begin(PointState<Space>& state) {
 
 template <class Space>
 void PointDriver<Space>::flow_of(const PointState<Space>& at, const PointRate<Space>& rate,
-                                 Flow& flow) const {
+                                 StageFlow<Space>& flow) const {
   flow.stress = rate.stress;
   flow.strain = rate.strain;
   flow.void_ratio = -(1 + at.void_ratio) * trace<Space>(rate.strain);
   if (at.memory.size() == 0) return;
   flow.memory.resize(at.memory.size());
   law_.memory_rate(at, response_, rate, flow.memory);
-}
-
-/// State and strain of a row of the tableau.
-template <class Space>
-void PointDriver<Space>::move(const PointState<Space>& from, double fraction, int row,
-                              Trial& trial) const {
-  std::array<double, Tableau::kMostStages> weight{};
-  const int columns = std::min(row, tableau_.evaluations);
-  PointState<Space>& at = trial.state;
-  at.stress = from.stress;
-  at.void_ratio = from.void_ratio;
-  trial.strain.setZero();
-  for (std::size_t j = 0; j < static_cast<std::size_t>(columns); ++j) {
-    weight[j] = fraction * tableau_.a[static_cast<std::size_t>(row)][j];
-    if (weight[j] == 0) continue;
-    at.stress += weight[j] * flows_[j].stress;
-    at.void_ratio += weight[j] * flows_[j].void_ratio;
-    trial.strain += weight[j] * flows_[j].strain;
-  }
-  at.memory = from.memory;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(columns); ++j)
-    if (flows_[j].memory.size() > 0) at.memory += weight[j] * flows_[j].memory;
 }
 
 /// One Runge-Kutta step over `fraction` of the increment on the branch that `first` is on.
@@ -150,7 +125,7 @@ void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointR
   const Branch branch{standing_, first.active};
   const PointState<Space>& at = trial.state;
   for (int row = 1; row < tableau_.rows; ++row) {
-    move(from, fraction, row, trial);
+    flows_.move(from, fraction, row, trial.state, trial.strain);
     if (!std::isfinite(at.stress.sum()) || (!law_.carries_tension() && !(at.p() > 0))) return;
     if (row >= tableau_.evaluations) break;
     const PointRate<Space> rate = respond(at, branch, first, fraction, row);
@@ -160,9 +135,9 @@ void PointDriver<Space>::runge_kutta(const PointState<Space>& from, const PointR
       return;
     }
     if (!keeps_branch(at, rate)) return;
-    flow_of(at, rate, flows_[static_cast<std::size_t>(row)]);
+    flow_of(at, rate, flows_[row]);
   }
-  trial.error = error_of(at, fraction);
+  trial.error = flows_.error_at(at, fraction);
   trial.refused = law_.objection(at).has_value();
   trial.possible = std::isfinite(trial.error) && !trial.refused;
 }
@@ -185,29 +160,6 @@ bool PointDriver<Space>::keeps_branch(const PointState<Space>& at,
     if (push > 1e-9 * trigger.norm() * rate.strain.norm()) return false;
   }
   return true;
-}
-
-template <class Space>
-double PointDriver<Space>::error_of(const PointState<Space>& at, double fraction) const {
-  Vector<Space> stress = Vector<Space>::Zero(), strain = stress;
-  double void_ratio = 0, worst = 0;
-  for (int i = 0; i < tableau_.evaluations; ++i) {
-    const double weight = fraction * tableau_.error[static_cast<std::size_t>(i)];
-    stress += weight * flows_[static_cast<std::size_t>(i)].stress;
-    strain += weight * flows_[static_cast<std::size_t>(i)].strain;
-    void_ratio += weight * flows_[static_cast<std::size_t>(i)].void_ratio;
-  }
-  Memory memory;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(tableau_.evaluations); ++i) {
-    if (flows_[i].memory.size() == 0) continue;
-    if (memory.size() == 0) memory.setZero(at.memory.size());
-    memory += tableau_.error[i] * flows_[i].memory;
-  }
-  if (memory.size() > 0) worst = memory.cwiseProduct(scale_).cwiseAbs().maxCoeff();
-  worst *= fraction;
-  const double size = std::max(std::abs(at.p()), kSmallestStress);
-  return std::max({worst, stress.cwiseAbs().maxCoeff() / size, strain.cwiseAbs().maxCoeff(),
-                   std::abs(void_ratio)});
 }
 
 /// Whether a mechanism that does not load in this step has come outside its surface, or one that

@@ -11,6 +11,7 @@
 
 #include "sim/control/control_solver.hpp"
 #include "sim/point/runge_kutta.hpp"
+#include "sim/point/stage_flows.hpp"
 
 namespace triax::sim {
 
@@ -65,11 +66,6 @@ class PointDriver {
   PointRate<Space> rate(PointState<Space> state) { return begin(state); }
 
  private:
-  struct Flow {  // the derivative of everything that is integrated
-    Vector<Space> stress, strain;
-    double void_ratio = 0;
-    Memory memory;
-  };
   struct Trial {
     bool possible = false;      // every stage had a meaning and kept the branch
     bool lost_control = false;  // a stage could not meet the conditions
@@ -87,12 +83,11 @@ class PointDriver {
   PointRate<Space> respond(const PointState<Space>& state, const Branch& branch);
   PointRate<Space> respond(const PointState<Space>& state, const Branch& branch,
                            const PointRate<Space>& first, double fraction, int row);
-  void flow_of(const PointState<Space>& at, const PointRate<Space>& rate, Flow& flow) const;
-  void move(const PointState<Space>& from, double fraction, int row, Trial& trial) const;
+  void flow_of(const PointState<Space>& at, const PointRate<Space>& rate,
+               StageFlow<Space>& flow) const;
   void runge_kutta(const PointState<Space>& from, const PointRate<Space>& first, double fraction,
                    Trial& trial);
   bool keeps_branch(const PointState<Space>& at, const PointRate<Space>& rate) const;
-  double error_of(const PointState<Space>& at, double fraction) const;
   bool crossed(const PointState<Space>& state, unsigned active) const;
   void stop_at_crossing(const PointState<Space>& from, const PointRate<Space>& first,
                         double& fraction, Trial& trial);
@@ -113,8 +108,7 @@ class PointDriver {
   Vector<Space> guess_;  // interpolated form: dσ to start from, the one found last
   /// Interpolated form: by how much dσ of a stage differed from that of the first, per fraction.
   std::array<Vector<Space>, Tableau::kMostStages> bend_;
-  Memory scale_;  // 1/size of each entry of the memory
-  std::array<Flow, Tableau::kMostStages> flows_;
+  StageFlows<Space> flows_;
   Trial trial_;
 };
 

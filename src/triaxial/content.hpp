@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a report says, before it is said as text, HTML or PDF: one source, three forms.
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,13 +38,5 @@ TestContent test_content(const study::TestResult& reported);
 
 /// The same in short: what was stored and what it came to, without criteria and checks.
 TestContent brief_content(const db::StoredTest& test);
-
-/// What it came to in one sentence: "flow: strength is lost and does not return; ...".
-std::string verdict_line(const db::StoredTest& test);
-/// Of a simulated specimen itself.
-std::string truth_line(const lab::Truth& truth);
-
-/// "flow", "not judged", "interrupted"...: for tables. `kind` is empty without a verdict.
-std::string verdict_word(db::TestStatus status, std::optional<lab::CollapseKind> kind);
 
 }  // namespace triax::src

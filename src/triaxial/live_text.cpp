@@ -8,7 +8,8 @@
 
 #include "src/output/sentence_table.hpp"
 #include "src/output/words.hpp"
-#include "src/triaxial/content.hpp"
+#include "src/triaxial/facts/collapse_fact.hpp"
+#include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/text_report.hpp"
 
 namespace triax::src {

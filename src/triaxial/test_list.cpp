@@ -10,7 +10,7 @@
 #include "src/output/terminal.hpp"
 #include "src/output/words.hpp"
 #include "src/study/json_parts.hpp"
-#include "src/triaxial/content.hpp"
+#include "src/triaxial/facts/verdict_fact.hpp"
 
 namespace triax::src {
 namespace {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "db/connection.hpp"
+#include "db/summary_writer.hpp"
 #include "db/test_writer.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"

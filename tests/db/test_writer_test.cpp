@@ -8,6 +8,7 @@
 #include "db/connection.hpp"
 #include "db/recording/lease.hpp"
 #include "db/scan_writer.hpp"
+#include "db/summary_writer.hpp"
 #include "db/test_reader.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"

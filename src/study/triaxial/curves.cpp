@@ -93,16 +93,4 @@ std::vector<lab::Outlook> thin(const std::vector<lab::Outlook>& forecasts, std::
   return kept;
 }
 
-double strain_at(const Curves& curves, std::int64_t reading) {
-  const auto& states = curves.states;
-  const auto next = std::lower_bound(states.begin(), states.end(), reading,
-                                     [](const auto& s, auto number) { return s.reading < number; });
-  if (next == states.end()) return lab::kMissing;
-  if (next->reading == reading || next == states.begin()) return next->strain.axial;
-  const auto before = next - 1;
-  const double part = static_cast<double>(reading - before->reading) /
-                      static_cast<double>(next->reading - before->reading);
-  return before->strain.axial + part * (next->strain.axial - before->strain.axial);
-}
-
 }  // namespace triax::study

@@ -16,10 +16,6 @@ struct Curves {
   std::vector<lab::Outlook> forecasts;          ///< in order
 };
 
-/// Axial strain at a reading, between the states that are kept: points of second-order work and
-/// forecasts know their reading and time only. NaN behind the last.
-double strain_at(const Curves& curves, std::int64_t reading);
-
 /// Of each of this many equal spans of a test, the first and last state, the extremes of q, p′, u
 /// and the axial strain and some states at even steps are kept for drawing.
 inline constexpr std::int64_t kCurveBuckets = 500;

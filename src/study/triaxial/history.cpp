@@ -28,12 +28,10 @@ bool measured(const Curves& curves, HistoryQuantity quantity) {
                      [&](const auto& state) { return std::isfinite(value_of(state, quantity)); });
 }
 
-// Along the axial strain a curve of the axial strain would be a straight line.
-std::vector<HistoryQuantity> quantities_of(const Curves& curves, bool along_time) {
+std::vector<HistoryQuantity> quantities_of(const Curves& curves) {
   using enum HistoryQuantity;
   std::vector<HistoryQuantity> chosen{
-      q, measured(curves, pore_pressure) ? pore_pressure : volumetric_strain};
-  if (along_time) chosen.push_back(axial_strain);
+      q, measured(curves, pore_pressure) ? pore_pressure : volumetric_strain, axial_strain};
   std::erase_if(chosen, [&](auto quantity) { return !measured(curves, quantity); });
   return chosen;
 }
@@ -47,7 +45,7 @@ HistoryCurve curve_of(const Curves& curves, HistoryQuantity quantity, const Hist
     curve.smallest = any ? std::min(curve.smallest, value) : value;
     curve.largest = any ? std::max(curve.largest, value) : value;
     any = true;
-    if (const auto at = axis.position(state.time_s, state.strain.axial))
+    if (const auto at = axis.position(state.time_s, state.reading))
       curve.points.push_back({*at, value});
   }
   return curve;
@@ -56,7 +54,7 @@ HistoryCurve curve_of(const Curves& curves, HistoryQuantity quantity, const Hist
 std::vector<HistoryWork> work_of(const Curves& curves, const HistoryAxis& axis) {
   std::vector<HistoryWork> work;
   for (const auto& point : curves.work) {
-    const auto at = axis.position(point.time_s, strain_at(curves, point.reading));
+    const auto at = axis.position(point.time_s, point.reading);
     if (!at || !std::isfinite(point.work.normalised)) continue;
     const double error = std::isfinite(point.normalised_error) ? point.normalised_error : 0;
     work.push_back({*at, point.work.normalised, error});
@@ -68,13 +66,14 @@ std::vector<HistoryMark> marks_of(const db::StoredTest& test, const HistoryAxis&
   std::vector<HistoryMark> marks;
   const auto add = [&](const std::optional<lab::Instant>& instant, HistoryMarkKind kind) {
     if (!instant) return;
-    const auto at = axis.position(instant->time_s.value_or(lab::kMissing),
-                                  instant->axial_strain.value_or(lab::kMissing));
+    const auto at = axis.position(instant->time_s.value_or(lab::kMissing), instant->reading);
     if (at) marks.push_back({*at, kind});
   };
   add(collapse_onset(test), HistoryMarkKind::onset);
   add(failure_onset(test), HistoryMarkKind::failure);
-  if (const auto& truth = test.summary.truth; truth && truth->lost_sustainability)
+  // The truth knows its time only.
+  const auto& truth = test.summary.truth;
+  if (axis.along_time && truth && truth->lost_sustainability)
     add(true_instant(*truth), HistoryMarkKind::true_onset);
   return marks;
 }
@@ -88,7 +87,7 @@ std::optional<History> history(const TestResult& test, Span span) {
   found.test = test.stored.header.name;
   found.span = span;
   found.axis = *axis;
-  for (const auto quantity : quantities_of(test.curves, axis->along_time))
+  for (const auto quantity : quantities_of(test.curves))
     found.curves.push_back(curve_of(test.curves, quantity, *axis));
   if (!test.curves.work.empty()) found.work = work_of(test.curves, *axis);
   if (found.curves.empty() && !found.work) return std::nullopt;

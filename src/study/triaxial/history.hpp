@@ -41,8 +41,8 @@ struct History {
   std::string test;  ///< its name
   Span span = Span::shear;
   HistoryAxis axis;
-  /// q, pore pressure (volumetric strain where none was measured) and, along time, axial strain:
-  /// those that were measured at all.
+  /// q, pore pressure (volumetric strain where none was measured) and axial strain: those that
+  /// were measured at all.
   std::vector<HistoryCurve> curves;
   /// Within the span; nothing where the test has no second-order work at all.
   std::optional<std::vector<HistoryWork>> work;

@@ -15,7 +15,7 @@ constexpr double kBeforeOnset = 0.03;
 constexpr double kAfterOnset = 0.05;
 
 double value_of(const lab::State& state, bool along_time) {
-  return along_time ? state.time_s : state.strain.axial;
+  return along_time ? state.time_s : static_cast<double>(state.reading);
 }
 
 bool in_shear(const lab::RecordHeader& header, const lab::State& state, bool shear_known) {
@@ -25,17 +25,19 @@ bool in_shear(const lab::RecordHeader& header, const lab::State& state, bool she
 
 /// False where nothing is left to show.
 bool narrow_to_onset(HistoryAxis& axis, const std::optional<lab::Instant>& onset) {
-  const auto at = !onset ? std::nullopt : axis.along_time ? onset->time_s : onset->axial_strain;
-  if (!at) return false;
+  if (!onset) return false;
+  const double at =
+      axis.along_time ? onset->time_s.value_or(lab::kMissing) : static_cast<double>(onset->reading);
+  if (std::isnan(at)) return false;
   const double length = axis.end - axis.begin;
-  axis.begin = std::max(axis.begin, *at - kBeforeOnset * length);
-  axis.end = std::min(axis.end, *at + kAfterOnset * length);
+  axis.begin = std::max(axis.begin, at - kBeforeOnset * length);
+  axis.end = std::min(axis.end, at + kAfterOnset * length);
   return axis.end > axis.begin;
 }
 
 /// From 0 of the axis, not from where a close view begins: it has the unit of the whole.
 double unit_for(const HistoryAxis& axis) {
-  if (!axis.along_time) return 0.01;
+  if (!axis.along_time) return 1;
   const double longest_s = axis.end - axis.origin;
   return longest_s <= 3600 ? 1 : longest_s <= 6 * 3600 ? 60 : 3600;
 }

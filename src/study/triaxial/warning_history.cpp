@@ -13,21 +13,15 @@ namespace {
 constexpr double kBehindOnset = 0.15,
                  kBehindLoss = 0.03;  ///< of the way from the start to the onset
 
-/// Positions of readings along an axis, in SI.
-class Along {
- public:
-  Along(const Curves& curves, bool time) : curves_(curves), time_(time) {}
-  double at(std::int64_t reading, const std::optional<double>& time_s) const {
-    return time_ ? time_s.value_or(lab::kMissing) : strain_at(curves_, reading);
-  }
-  double at(const lab::Instant& instant) const {
-    return (time_ ? instant.time_s : instant.axial_strain).value_or(lab::kMissing);
-  }
-  double at(const lab::State& state) const { return time_ ? state.time_s : state.strain.axial; }
+/// Positions along an axis: times in s, or numbers of readings.
+struct Along {
+  bool time = true;
 
- private:
-  const Curves& curves_;
-  bool time_;
+  double at(std::int64_t reading, const std::optional<double>& time_s) const {
+    return time ? time_s.value_or(lab::kMissing) : static_cast<double>(reading);
+  }
+  double at(const lab::Instant& instant) const { return at(instant.reading, instant.time_s); }
+  double at(const lab::State& state) const { return at(state.reading, state.time_s); }
 };
 
 struct Found {
@@ -59,7 +53,9 @@ std::vector<Found> marks_found(const TestResult& test, const Along& along) {
     found.push_back({along.at(*onset), WarningMarkKind::onset});
   if (const auto failure = failure_onset(test.stored))
     found.push_back({along.at(*failure), WarningMarkKind::failure});
-  if (const auto& truth = test.stored.summary.truth; truth && truth->lost_sustainability)
+  // The truth knows its time only.
+  const auto& truth = test.stored.summary.truth;
+  if (along.time && truth && truth->lost_sustainability)
     found.push_back({along.at(true_instant(*truth)), WarningMarkKind::true_onset});
   return found;
 }
@@ -137,7 +133,7 @@ std::vector<std::vector<ForecastPoint>> runs_of(const Curves& curves, const Alon
 std::optional<WarningHistory> warning_history(const TestResult& test) {
   const auto shear = history_axis(test, Span::shear);
   if (!shear || test.curves.forecasts.empty()) return std::nullopt;
-  const Along along(test.curves, shear->along_time);
+  const Along along{shear->along_time};
   const auto marks = marks_found(test, along);
   WarningHistory found;
   found.test = test.stored.header.name;

@@ -101,7 +101,7 @@ std::string caption(const study::History& history) {
   auto text =
       fmt::format("{} of test {} along {}.",
                   history.span == study::Span::onset ? "The same around the onset" : "Histories",
-                  history.test, history.axis.along_time ? "time" : "axial strain");
+                  history.test, history.axis.along_time ? "time" : "its readings");
   if (history.span == study::Span::shear)
     text += " The band around the normalised second-order work is one standard error.";
   return text;

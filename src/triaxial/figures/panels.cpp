@@ -12,7 +12,7 @@ constexpr int kMarkNameHeight = 16;
 constexpr int kOffBox = 3;
 
 std::string axis_title(const study::HistoryAxis& axis) {
-  if (!axis.along_time) return "axial strain ε₁ (%), no time in the record";
+  if (!axis.along_time) return "reading (no time in the record)";
   return fmt::format("time since start of {} ({})", axis.from_shear ? "shear" : "record",
                      axis.unit == 1    ? "s"
                      : axis.unit == 60 ? "min"

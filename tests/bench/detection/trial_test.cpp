@@ -39,6 +39,11 @@ TEST_CASE("what a seed varies stays within what the header promises, and is the 
 TEST_CASE("a trial of a loose specimen: truth, the monitor and the naive methods beside it") {
   const bench::TrialResult r = bench::run_trial(icu(), 1);
   REQUIRE(r.truth_lost);
+  CHECK(r.programme == icu().programme.name);
+  CHECK(r.type == icu().programme.type);
+  CHECK(r.material == icu().programme.material.name);
+  CHECK(r.seed == 1);
+  CHECK(r.collapses);
   CHECK(r.comparable());
   const double reading = r.truth_time_s / icu().programme.logging.interval_s;
   CHECK(double(r.truth_reading) >= reading);

@@ -5,6 +5,7 @@
 
 #include "db/connection.hpp"
 #include "db/recording/lease.hpp"
+#include "db/summary_writer.hpp"
 #include "db/test_writer.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"

@@ -24,7 +24,7 @@ TEST_CASE("along time an axis begins with shear, in the unit that suits its leng
   CHECK(axis->origin == 1000);
   CHECK(*axis->position(1600, 0) == Approx(10));
   CHECK_FALSE(axis->position(999, 0));
-  CHECK_FALSE(axis->position(lab::kMissing, 0.01));
+  CHECK_FALSE(axis->position(lab::kMissing, 600));
 }
 
 TEST_CASE("a test that lasts a day has its axis in hours, also around its onset") {
@@ -33,6 +33,15 @@ TEST_CASE("a test that lasts a day has its axis in hours, also around its onset"
   test.stored.summary.collapse.onset->time_s = 0.9 * 86400;
   CHECK(history_axis(test, Span::shear)->unit == 3600);
   CHECK(history_axis(test, Span::onset)->unit == 3600);
+}
+
+TEST_CASE("around the onset an axis without time shows as many readings as one with time") {
+  auto test = sample::flow_test();
+  test.stored.header.has_time = false;
+  const auto axis = history_axis(test, Span::onset);
+  REQUIRE(axis);
+  CHECK(axis->begin == Approx(300 - 0.03 * 900));
+  CHECK(axis->end == Approx(300 + 0.05 * 900));
 }
 
 TEST_CASE("around the onset an axis shows little before and after it") {
@@ -44,13 +53,15 @@ TEST_CASE("around the onset an axis shows little before and after it") {
   CHECK_FALSE(history_axis(sample::stable_test(), Span::onset));
 }
 
-TEST_CASE(
-    "without time an axis goes along the axial strain; other stages than shear are left out") {
-  const auto strain = history_axis(sample::stable_test(), Span::shear);
-  REQUIRE(strain);
-  CHECK_FALSE(strain->along_time);
-  CHECK_FALSE(strain->from_shear);
-  CHECK(*strain->position(lab::kMissing, 0.05) == Approx(5));
+TEST_CASE("without time an axis goes along the readings; other stages than shear are left out") {
+  const auto readings = history_axis(sample::stable_test(), Span::shear);
+  REQUIRE(readings);
+  CHECK_FALSE(readings->along_time);
+  CHECK_FALSE(readings->from_shear);
+  CHECK(readings->begin == 0);
+  CHECK(readings->end == 500);
+  CHECK(*readings->position(lab::kMissing, 167) == 167);
+  CHECK_FALSE(readings->position(lab::kMissing, 501));
   auto test = sample::flow_test();
   test.stored.header.stages.push_back(
       {.number = 2, .name = "c", .role = lab::StageRole::consolidation});

@@ -31,7 +31,7 @@ TEST_CASE("a history has q, pore pressure and axial strain, volumetric strain in
   for (auto& state : test.curves.states) state.volumetric_strain = lab::kMissing;
   CHECK(quantities_of(*history(test, Span::shear)) == std::vector{q, axial_strain});
   CHECK(quantities_of(*history(sample::stable_test(), Span::shear)) ==
-        std::vector{q, volumetric_strain});
+        std::vector{q, volumetric_strain, axial_strain});
 }
 
 TEST_CASE("curves hold the span, their extremes the whole test") {
@@ -48,17 +48,40 @@ TEST_CASE("curves hold the span, their extremes the whole test") {
   CHECK(q.largest == Approx(60e3));
 }
 
-TEST_CASE("second-order work is placed by time, without time by the strain of its reading") {
+TEST_CASE("second-order work is placed by time, without time by its reading") {
   const auto timed = history(sample::flow_test(), Span::shear);
   REQUIRE(timed->work);
   CHECK(timed->work->front().at == Approx(1.5));
   CHECK(timed->work->front().error == 0.05);
   auto test = sample::stable_test();
-  std::erase_if(test.curves.states, [](const auto& s) { return s.reading % 10 != 0; });
-  const auto along_strain = history(test, Span::shear);
-  CHECK(along_strain->work->front().at == Approx(100 * 0.15 * 15 / 500));  // between 10 and 20
+  CHECK(history(test, Span::shear)->work->front().at == 15);
   test.curves.work.clear();
   CHECK_FALSE(history(test, Span::shear)->work);
+}
+
+TEST_CASE("without time what is unloaded and loaded again is drawn in its order") {
+  auto test = sample::stable_test();
+  for (auto& state : test.curves.states)  // to ε₁ = 7.5 % and back
+    if (state.reading > 250) state.strain.axial = 3e-4 * static_cast<double>(500 - state.reading);
+  const auto found = history(test, Span::shear);
+  REQUIRE(found);
+  for (const auto& curve : found->curves) {
+    REQUIRE(curve.points.size() == 501);
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+      REQUIRE(curve.points[i].at == static_cast<double>(i));
+  }
+  const auto& strain = found->curves.back();
+  CHECK(strain.points[250].value == Approx(0.075));
+  CHECK(strain.points[500].value == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a truth, which knows its time only, is not marked along readings") {
+  auto test = sample::simulated_test();
+  test.stored.header.has_time = false;
+  const auto found = history(test, Span::shear);
+  REQUIRE(found->marks.size() == 1);
+  CHECK(found->marks[0].kind == HistoryMarkKind::onset);
+  CHECK(found->marks[0].at == 300);
 }
 
 TEST_CASE("onset, true onset and failure are marked where they lie in the span") {
@@ -83,6 +106,7 @@ TEST_CASE("a test without states or without anything measured has no history") {
   for (auto& state : nothing.curves.states) {
     state.q = lab::kMissing;
     state.volumetric_strain = lab::kMissing;
+    state.strain.axial = lab::kMissing;
   }
   nothing.curves.work.clear();
   CHECK_FALSE(history(nothing, Span::shear));

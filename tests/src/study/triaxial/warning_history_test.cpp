@@ -55,16 +55,16 @@ TEST_CASE("what was forecast lies over the time of the stage, up to what became 
   CHECK(found->q.size() > 300);
 }
 
-TEST_CASE("along the strain of a record without time, too") {
+TEST_CASE("along the readings of a record without time, too") {
   auto test = foretold();
   test.stored.header.has_time = false;
   for (auto& o : test.curves.forecasts) o.time_s.reset();
   const auto found = warning_history(test);
   REQUIRE(found);
   CHECK_FALSE(found->axis.along_time);
-  CHECK(found->axis.unit == 0.01);
-  CHECK(found->forecasts[0].front().at == Approx(0.5 * 0.2 * 0.2));  // ε₁ of reading 60, %
-  CHECK(has_mark(*found, WarningMarkKind::onset, 0.5));
+  CHECK(found->axis.unit == 1);
+  CHECK(found->forecasts[0].front().at == 60);
+  CHECK(has_mark(*found, WarningMarkKind::onset, 300));
 }
 
 TEST_CASE("marks are bounded, the last stand; without a forecast there is nothing to show") {

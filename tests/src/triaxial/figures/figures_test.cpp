@@ -67,6 +67,21 @@ TEST_CASE("histories have four panels on one axis; a path without points is not 
   CHECK_FALSE(stress_path_figure({}).plot);
 }
 
+TEST_CASE("without time histories go along the readings, and the axis says so") {
+  auto test = test::stable_test();
+  for (auto& state : test.curves.states)  // to ε₁ = 7.5 % and back
+    if (state.reading > 250) state.strain.axial = 3e-4 * static_cast<double>(500 - state.reading);
+  const Drawing history = history_figure(*study::history(test, Span::shear));
+  REQUIRE(history.plot);
+  CHECK(history.plot->axisRectCount() == 4);
+  const auto* bottom = history.plot->axisRect(3)->axis(QCPAxis::atBottom);
+  CHECK(bottom->label() == "reading (no time in the record)");
+  CHECK(bottom->range() == QCPRange(0, 500));
+  CHECK(drawn_at(*history.plot, 250, 7.5, 1e-6));  // ε₁ in %, where it was unloaded
+  CHECK(drawn_at(*history.plot, 500, 0, 1e-6));
+  CHECK_THAT(history.caption, Catch::Contains("along its readings"));
+}
+
 TEST_CASE(
     "what the alarm forecast is drawn with its band, cut at the axes, below the marks' names") {
   auto told = test::flow_test();

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/triaxial/facts/collapse_fact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lab/measured/instant.hpp"
+#include "lab/warning/warning_words.hpp"
+#include "src/output/words.hpp"
+#include "src/study/triaxial/test_result.hpp"
+#include "src/triaxial/facts/cyclic_fact.hpp"
+#include "src/triaxial/facts/guard_fact.hpp"
+#include "src/triaxial/facts/run_away_fact.hpp"
+#include "src/triaxial/facts/verdict_fact.hpp"
+
+namespace triax::src {
+namespace {
+
+std::string limit_line(const db::StoredTest& test) {
+  const lab::Collapse& collapse = test.summary.collapse;
+  if (!collapse.limit_stress_ratio) return "unknown; --set specimen.limit_friction_angle_deg=...";
+  auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
+  const bool of_the_law = test.header.origin == lab::Origin::simulated &&
+                          test.header.specimen.limit_friction_angle_rad.has_value();
+  if (of_the_law)
+    line += " (friction angle from the law)";
+  else if (!collapse.limit_source.empty())
+    line += fmt::format(" ({})", collapse.limit_source);
+  return line;
+}
+
+std::string work_line(const lab::Collapse& collapse) {
+  auto line = number(collapse.second_order_work_normalised, 3);
+  if (collapse.second_order_work_error) line += " ± " + number(collapse.second_order_work_error, 3);
+  return line + " where it is first significant (normalised, between −1 and 1)";
+}
+
+std::string interval_line(const lab::StressInterval& at) {
+  const auto kPa = [](const lab::Interval& of) {
+    return fmt::format("{} to {} kPa", in_kPa(of.low), in_kPa(of.high));
+  };
+  return fmt::format("with 95 %: η {} to {}, q {}, p′ {}", number(at.eta.low, 3),
+                     number(at.eta.high, 3), kPa(at.q_pa), kPa(at.p_eff_pa));
+}
+
+std::string noticed_line(const db::StoredTest& test) {
+  const lab::Collapse& collapse = test.summary.collapse;
+  if (!collapse.noticed) return "not before the record ended";
+  std::string line = fmt::format("at reading {}", collapse.noticed->reading);
+  if (collapse.noticed->time_s) line += ", " + duration(collapse.noticed->time_s);
+  if (!collapse.onset) return line;
+  const std::int64_t after = collapse.noticed->reading - collapse.onset->reading;
+  return line + (after == 1 ? std::string("; one reading after the onset")
+                            : fmt::format("; {} readings after the onset", after));
+}
+
+/// What the alarm said first and did not take back.
+std::vector<std::string> warning_lines(const lab::Collapse& collapse) {
+  std::vector<std::string> lines;
+  const auto add = [&](const char* level, const std::optional<lab::Outlook>& outlook) {
+    if (!outlook) return;
+    std::string line = fmt::format("{} at reading {}", level, outlook->reading);
+    if (outlook->time_s) line += ", " + duration(outlook->time_s);
+    lines.push_back(line + ": " + lab::describe(*outlook));
+  };
+  add("approaching", collapse.approaching);
+  add("imminent", collapse.imminent);
+  return lines;
+}
+
+/// The onset lies between readings, its values are fitted: the reading's own stand below.
+std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Instant& onset) {
+  std::vector<std::string> lines = {instant(onset)};
+  if (onset.interval) lines.push_back(interval_line(*onset.interval));
+  if (test.state_at_onset)
+    lines.push_back("that reading itself: " +
+                    stress_and_strain(lab::instant_of(*test.state_at_onset, false)));
+  return lines;
+}
+
+}  // namespace
+
+std::string truth_line(const lab::Truth& truth) {
+  if (!truth.lost_sustainability) return "the simulated specimen remained stable";
+  const lab::Instant at = study::true_instant(truth);
+  std::vector<std::string> parts;
+  if (truth.time_s) parts.push_back(duration(truth.time_s));
+  if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
+  if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
+  if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
+  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
+  const bool fell = std::ranges::any_of(truth.run_aways, [&](const lab::RunAwayTruth& run_away) {
+    return run_away.start_s == truth.time_s;
+  });
+  return fmt::format(
+      "the simulated specimen {} at {}",
+      fell ? "lost its equilibrium (runaway, W₂ still positive)" : "became unstable (W₂ < 0)",
+      fmt::join(parts, ", "));
+}
+
+void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
+  const auto& collapse = test.summary.collapse;
+  facts.push_back({"Collapse", {verdict_line(test)}});
+  if (test.summary.guard) facts.push_back({"Guard", guard_lines(*test.summary.guard)});
+  if (!study::has_verdict(test)) return;
+  if (const auto onset = study::collapse_onset(test))
+    facts.push_back({"Onset", onset_lines(test, *onset)});
+  if (const auto lines = warning_lines(collapse); !lines.empty()) facts.push_back({"Alarm", lines});
+  if (collapse.detected()) facts.push_back({"Noticed", {noticed_line(test)}});
+  if (const auto failure = study::failure_onset(test))
+    facts.push_back({"Failure", onset_lines(test, *failure)});
+  facts.push_back(
+      {"Peak of q", {test.summary.peak ? instant(*test.summary.peak) : std::string(kUnknown)}});
+  if (test.summary.cyclic) facts.push_back({"Cycles", cyclic_lines(*test.summary.cyclic)});
+  if (collapse.detected()) facts.push_back({"Second-order work", {work_line(collapse)}});
+  facts.push_back({"Limit surface", {limit_line(test)}});
+  if (test.summary.truth)
+    facts.push_back({"True onset (model)", {truth_line(*test.summary.truth)}});
+  if (test.summary.truth && !test.summary.truth->run_aways.empty())
+    facts.push_back({"Runaway", run_away_lines(test.summary.truth->run_aways)});
+}
+
+}  // namespace triax::src
