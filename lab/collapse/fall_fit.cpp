@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/collapse/fall_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "lab/collapse/last_readings.hpp"
+#include "lab/collapse/servo_search.hpp"
 #include "lab/collapse/stress_span.hpp"
 
 namespace triax::lab {
@@ -14,56 +16,11 @@ namespace {
 using Signal = PathSample::Signal;
 constexpr std::size_t kLeast = 8;
 constexpr std::size_t kOfLast = 12;  ///< readings that give values and rates at the last one
-constexpr double kYields = 4;        ///< readings at held q before it falls
-constexpr double kPassed = 3;        ///< standard errors by which q has passed its peak
+constexpr std::size_t kOfModulus = 24;
+constexpr double kNext = 1.5;  ///< readings ahead of the last, a mean over its interval
+constexpr double kYields = 4;  ///< readings at held q before it falls
 
 double ratio_of(const PathSample& s) { return s.signal[Signal::q] / s.signal[Signal::p_eff]; }
-
-/// Least squares of y over three terms.
-struct ThreeTerms {
-  Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  ThreeTerms(const std::vector<Eigen::Vector3d>& terms, const std::vector<double>& y) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      normal += terms[i] * terms[i].transpose();
-      right += y[i] * terms[i];
-    }
-    const Eigen::Matrix3d inverse = normal.ldlt().solve(Eigen::Matrix3d::Identity());
-    c = inverse * right;
-    double square = 0;
-    for (std::size_t i = 0; i < y.size(); ++i) square += std::pow(y[i] - c.dot(terms[i]), 2);
-    covariance = inverse * (square / static_cast<double>(y.size() - 3));
-  }
-};
-
-/// A quantity at the last reading, and its change from one reading to the next there.
-struct AtLast {
-  double value = 0, rate = 0, bend = 0, value_error = 0, rate_error = 0;
-  /// Back along the readings.
-  double before(double readings) const { return value + readings * (rate + readings * bend); }
-};
-
-template <class Value>
-AtLast at_last(std::span<const PathSample> samples, const Value& value) {
-  const auto newest = samples.last(std::min(samples.size(), kOfLast));
-  const double last = newest.back().signal[Signal::reading], origin = value(newest.back());
-  std::vector<Eigen::Vector3d> terms;
-  std::vector<double> y;
-  for (const PathSample& s : newest) {
-    const double x = s.signal[Signal::reading] - last;
-    terms.emplace_back(1, x, x * x);
-    y.push_back(value(s) - origin);
-  }
-  const ThreeTerms fit(terms, y);
-  return {origin + fit.c[0], fit.c[1], fit.c[2], std::sqrt(fit.covariance(0, 0)),
-          std::sqrt(fit.covariance(1, 1))};
-}
-
-AtLast at_last(std::span<const PathSample> samples, Signal signal) {
-  return at_last(samples, [signal](const PathSample& s) { return s.signal[signal]; });
-}
 
 struct Estimate {
   double value = 0, error = 0;
@@ -92,27 +49,6 @@ std::optional<Estimate> root_of_modulus(std::span<const PathSample> samples) {
   return Estimate{fit.c[1] / slope, std::sqrt(gradient.dot(fit.covariance * gradient))};
 }
 
-/// η where a parabola of q over ε₁ has its vertex.
-std::optional<Estimate> vertex_of_q(std::span<const PathSample> samples) {
-  const double last = samples.back().signal[Signal::axial_strain];
-  const double scale = last - samples.front().signal[Signal::axial_strain];
-  std::vector<Eigen::Vector3d> terms;
-  std::vector<double> q, ratio;
-  for (const PathSample& s : samples) {
-    const double x = (s.signal[Signal::axial_strain] - last) / scale;
-    terms.emplace_back(1, x, x * x);
-    q.push_back(s.signal[Signal::q] - samples.back().signal[Signal::q]);
-    ratio.push_back(ratio_of(s));
-  }
-  const ThreeTerms of_q(terms, q), of_ratio(terms, ratio);
-  const double bend = of_q.c[2], x = -of_q.c[1] / (2 * bend);
-  if (!(samples.back().signal[Signal::q] * bend < 0) || !(x > -1 && x < 1)) return std::nullopt;
-  const Eigen::Vector3d gradient(0, -1 / (2 * bend), of_q.c[1] / (2 * bend * bend));
-  const double slope = of_ratio.c[1] + 2 * x * of_ratio.c[2];
-  return Estimate{of_ratio.c.dot(Eigen::Vector3d(1, x, x * x)),
-                  std::fabs(slope) * std::sqrt(gradient.dot(of_q.covariance * gradient))};
-}
-
 /// Of two ways of looking: what they differ by is an error of both.
 Estimate both(const Estimate& a, const Estimate& b) {
   const double of_a = 1 / (a.error * a.error), of_b = 1 / (b.error * b.error);
@@ -124,41 +60,66 @@ Estimate both(const Estimate& a, const Estimate& b) {
 /// All of the path near its last reading.
 class Ending {
  public:
-  explicit Ending(std::span<const PathSample> samples)
+  explicit Ending(std::span<const PathSample> samples, std::size_t readings = kOfLast)
       : samples_(samples),
+        readings_(readings),
         reading_(samples.back().signal[Signal::reading]),
-        q_(at_last(samples, Signal::q)),
-        p_(at_last(samples, Signal::p_eff)),
-        ratio_(at_last(samples, ratio_of)) {}
+        q_(at_last(samples, Signal::q, readings)),
+        p_(at_last(samples, Signal::p_eff, readings)),
+        ratio_(at_last(samples, ratio_of, readings)) {}
 
   const AtLast& ratio() const { return ratio_; }
-  bool has_passed_peak() const {
-    return std::copysign(1.0, q_.value) * q_.rate < -kPassed * q_.rate_error;
-  }
   /// q where the ratio is η: on the way to the peak, or back along the readings.
   double q_at(double eta) const {
     const double ahead = (eta - ratio_.value) / ratio_.rate;
-    return ahead > 0 ? q_.value + q_.rate * ahead / 2 : q_.before(ahead);
+    return ahead > 0 ? q_.value + q_.rate * time_left(ahead) : q_.before(ahead);
   }
   PathPoint point_at(double eta) const;
+  /// Until the fall, which the next reading shows.
+  static double time_left(double ahead) { return std::min(ahead / 2, 1.0); }
+  /// q at the next reading, had the specimen carried the load on.
+  double q_next() const { return q_.value + q_.rate; }
+  /// Of the parabola of q between two places.
+  double largest_q(double first, double last) const {
+    const double top = q_.bend != 0 ? -q_.rate / (2 * q_.bend) : first;
+    return q_along(q_.value * q_.bend < 0 ? std::clamp(top, first, last) : last);
+  }
+  /// At held q: from where on the second-order work of the trend is smaller than that of a search
+  /// as large as q scatters, see end_of_search(), before the volume turned.
+  double start_of_search(const Turned& volume) const;
+  double ratio_at(double readings) const { return ratio_.before(readings); }
+  double q_along(double readings) const { return q_.before(readings); }
+  StressError error_at(double readings) const {
+    return {q_.error_at(readings), p_.error_at(readings), ratio_.error_at(readings)};
+  }
   StressError error() const { return {q_.value_error, p_.value_error, ratio_.value_error}; }
 
  private:
   std::span<const PathSample> samples_;
+  std::size_t readings_;
   double reading_;
   AtLast q_, p_, ratio_;
 };
 
+double Ending::start_of_search(const Turned& volume) const {
+  const AtLast strain = at_last(samples_, Signal::volumetric_strain, readings_);
+  const double of_search = kSwelling * work_of_search(q_.scatter, p_.value);
+  double x = volume.first;
+  const double first = 1 - static_cast<double>(readings_);
+  while (x > first && std::fabs(p_.rate_at(x) * strain.rate_at(x)) < of_search) --x;
+  return std::max(x, first);
+}
+
 PathPoint Ending::point_at(double eta) const {
   const double ahead = ratio_.rate != 0 ? (eta - ratio_.value) / ratio_.rate : 0;
   const auto along = [&](Signal signal, double readings) {
-    const AtLast at = at_last(samples_, signal);
+    const AtLast at = at_last(samples_, signal, readings_);
     return readings > 0 ? at.value + at.rate * readings : at.before(readings);
   };
-  const double time_left = ahead > 0 ? ahead / 2 : ahead;
+  const double time = ahead > 0 ? time_left(ahead) : ahead;
   PathPoint p;
-  p.reading = reading_ + std::min(std::round(time_left), 0.0);
-  p.progress = along(Signal::progress, time_left);
+  p.reading = reading_ + std::min(std::round(time), 0.0);
+  p.progress = along(Signal::progress, time);
   p.q = q_at(eta);
   p.p_eff = p.q / eta;
   p.axial_strain = along(Signal::axial_strain, ahead);
@@ -167,45 +128,83 @@ PathPoint Ending::point_at(double eta) const {
   return p;
 }
 
-}  // namespace
-
-std::optional<FallFit> fit_fall(std::span<const PathSample> samples, bool held_q) {
-  if (samples.size() < kLeast) return std::nullopt;
+/// The specimen yields by itself before it falls.
+FallFit at_held_q(std::span<const PathSample> all) {
+  const auto samples = all.last(std::min(all.size(), kOfModulus));
   const Ending ending(samples);
-  const AtLast& ratio = ending.ratio();
+  const Turned volume = may_have_turned(all, Signal::volumetric_strain);
   FallFit fit;
-  if (held_q) {
-    fit.point = ending.point_at(ratio.value);
-    StressSpan span(fit.point.q, fit.point.p_eff);
-    for (const double readings : {-kYields, 1.0}) {
-      const double eta = ratio.value + readings * ratio.rate;
-      span.reach(fit.point.q, fit.point.q / eta);
-    }
-    fit.interval = span.interval(ending.error());
-    return fit;
+  fit.point = ending.point_at(ending.ratio().value);
+  StressSpan span(fit.point.q, fit.point.p_eff);
+  for (const double readings : {-kYields, kNext})
+    span.reach(fit.point.q, fit.point.q / ending.ratio_at(readings));
+  if (volume.anywhere()) {
+    const Ending longer(all, volume.of);
+    span.reach(fit.point.q, fit.point.q / longer.ratio_at(longer.start_of_search(volume)));
   }
-  const double sense = std::copysign(1.0, ratio.value);
-  if (!(sense * ratio.rate > 0)) return std::nullopt;
-  const auto root = root_of_modulus(samples);
+  const double last = ratio_of(samples.back());
+  const double pace = last - ratio_of(samples[samples.size() - 2]);
+  if (pace * ending.ratio().rate > 0) span.reach(fit.point.q, fit.point.q / (last + kNext * pace));
+  fit.interval = span.interval(ending.error_at(kNext));
+  return fit;
+}
+
+/// A spring let q pass its peak.
+FallFit after_peak(const Ending& ending, const Turned& turned,
+                   const std::optional<Estimate>& root) {
+  const auto [least, most] =
+      std::minmax({ending.ratio_at(turned.first), ending.ratio_at(turned.last)});
+  const double middle = ending.ratio_at((turned.first + turned.last) / 2);
+  const double eta = std::clamp(root ? root->value : middle, least, most);
+  FallFit fit;
+  fit.point = ending.point_at(eta);
+  StressSpan span(fit.point.q, fit.point.p_eff);
+  for (const double there : {turned.first, turned.last})
+    span.reach(ending.q_along(there), ending.q_along(there) / ending.ratio_at(there));
+  span.reach_q(ending.largest_q(turned.first, turned.last));
+  fit.interval = span.interval(ending.error());
+  return fit;
+}
+
+/// The load carried the specimen over its peak within the next interval.
+FallFit under_load(const Ending& ending, const std::optional<Estimate>& root) {
+  const AtLast& ratio = ending.ratio();
   Estimate eta{ratio.value + ratio.rate,
                std::hypot(ratio.rate / std::sqrt(3.0), ratio.value_error, ratio.rate_error)};
-  if (ending.has_passed_peak()) {
-    const auto vertex = vertex_of_q(samples);
-    if (root && vertex)
-      eta = both(*root, *vertex);
-    else if (root || vertex)
-      eta = root ? *root : *vertex;
-  } else if (root) {
-    eta = both(*root, eta);
-  }
+  if (root) eta = both(*root, eta);
+  FallFit fit;
   fit.point = ending.point_at(eta.value);
   StressSpan span(fit.point.q, fit.point.p_eff);
   for (const double end : {-1.0, 1.0}) {
     const double there = eta.value + end * StressSpan::kOf95 * eta.error;
     span.reach(ending.q_at(there), ending.q_at(there) / there);
   }
+  for (const double q : {ending.q_along(0), ending.q_next()}) span.reach(q, q / eta.value);
   fit.interval = span.interval(ending.error());
   return fit;
+}
+
+}  // namespace
+
+std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q,
+                                double rate_of_stage) {
+  if (all.size() < kLeast) return std::nullopt;
+  const auto samples = all.last(std::min(all.size(), kOfModulus));
+  const Ending ending(samples);
+  const AtLast& ratio = ending.ratio();
+  if (held_q) return at_held_q(all);
+  const double sense = std::copysign(1.0, ratio.value);
+  if (!(sense * ratio.rate > 0)) return std::nullopt;
+  const auto root = root_of_modulus(samples);
+  if (!grows_steadily(all, rate_of_stage)) {
+    const Turned turned = may_have_turned(samples, Signal::q);
+    if (turned.anywhere()) {
+      FallFit fit = after_peak(Ending(samples, turned.of), turned, root);
+      if (turned.last >= 1) fit.interval = hull(fit.interval, under_load(ending, root).interval);
+      return fit;
+    }
+  }
+  return under_load(ending, root);
 }
 
 }  // namespace triax::lab

@@ -16,6 +16,7 @@
 #include "lab/collapse/onset_interval.hpp"
 #include "lab/collapse/onset_refiner.hpp"
 #include "lab/collapse/second_order_work.hpp"
+#include "lab/collapse/servo_search.hpp"
 #include "lab/collapse/verdict.hpp"
 #include "lab/measured/axis_rest.hpp"
 #include "lab/measured/instant.hpp"
@@ -31,7 +32,7 @@ namespace {
 bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
   if (!fit || !found.shortest_window()) return fit.has_value();
   const double noise = 3 * found.stress_variance;  // the value at the centre has a third of it
-  return fit->stress_scatter < 8 * noise;
+  return fit->stress_scatter < 3 * noise;
 }
 
 /// The interval of the one widened to hold the other.
@@ -65,8 +66,9 @@ struct CollapseMonitor::Impl {
   void place_burst(const Finding& burst);
   void place_fall(const Instant& at, PlacedBurst& burst);
   void reach_turn_of_volume(double last, Instant& fall) const;
-  /// Readings after which the trend of the volume is stronger than any search of a servo.
-  static constexpr double kSearch = 32;
+  double last_of_path() const;
+  void reach_unmeasured_volume(Instant& at) const;
+  void bound_search();
   void place_turn(const OnsetFit& turn);
   void bound_turn(double reading);
   void place_descent(const Descent& descent);
@@ -105,7 +107,16 @@ struct CollapseMonitor::Impl {
   std::optional<int> stage;
   bool drained = false;         ///< in the stage under way
   bool held_q = false;          ///< in the stage under way
-  bool held_undrained = false;  ///< in any stage so far
+  bool loop_of_volume = false;  ///< a strain path is prescribed, in the stage under way
+  /// The turn of the pore pressure at held q, and the readings between which it is.
+  struct PlacedTurn {
+    Instant at;
+    PathPoint point;
+    double low = 0, high = 0;
+  };
+  std::optional<PlacedTurn> turn_of_pressure;  ///< of the stage under way
+  std::optional<StageStart> start;             ///< of the stage under way
+  bool held_undrained = false;                 ///< in any stage so far
   std::int64_t watched_states = 0, points = 0;
   std::optional<std::int64_t> first_state;
   std::optional<Nearest> nearest;
@@ -143,6 +154,9 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   drained = info && info->drainage == Drainage::open;
   // What is consolidated again begins its cycles anew.
   if (!is_watched(info) && !cycles.has_liquefied()) cycles = CycleCounter(header.has_time);
+  start.reset();
+  turn_of_pressure.reset();
+  loop_of_volume = info && info->strain_path_R;
   held_q = info && info->control == AxialControl::constant_q;
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
@@ -160,6 +174,7 @@ void CollapseMonitor::Impl::watch(const State& s, const std::optional<Moment>& n
 
   const auto sample = sampler.sample(s);
   if (!sample) return;
+  if (!start) start = StageStart{s.q, s.p_eff, s.pore_pressure};
   history.add(*sample);
   rates.add(*sample);
   sharpen();
@@ -177,13 +192,26 @@ void CollapseMonitor::Impl::sharpen() {
     descent_onset.follow(history);
   }
   const auto& burst = control.found();
-  if (burst && !placed(*burst)) place_burst(*burst);
+  if (burst && !placed(*burst)) {
+    place_burst(*burst);
+    bound_search();
+  }
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
   const bool sought =
       std::exchange(descent_revision, descent_onset.revision()) != descent_onset.revision();
   if (sought && descent && is_sharper(descent_onset.onset(), descent->onset)) {
     const PathPoint onset = within_measured(descent_onset.onset()->point, history);
-    work.sharpen(onset, interval_of(*descent_onset.onset(), onset));
+    auto interval = interval_of(*descent_onset.onset(), onset);
+    // A loop that moves the volume after the displacement that it reads makes increments of its
+    // own: until second-order work is surely negative the specimen may have followed those.
+    if (loop_of_volume && interval && !descent->onset.shortest_window()) {
+      const double proof =
+          descent->evidence.reading + static_cast<double>(descent->evidence.window_readings) / 4;
+      const auto seen = interval_over(
+          history, onset, {descent->onset_low, std::max(descent->onset_high, proof)}, false);
+      if (seen) interval = hull(*interval, *seen);
+    }
+    work.sharpen(onset, interval);
   }
 
   const auto& turn = control_peak.turn_of_pore_pressure();
@@ -201,31 +229,62 @@ void CollapseMonitor::Impl::sharpen() {
 
 /// A turn that no fit shows, by what the windows saw.
 void CollapseMonitor::Impl::bound_turn(double reading) {
-  Instant at = control_peak.finding()->instant;
+  const Instant at = control_peak.finding()->instant;
   PathPoint point;
   point.reading = reading;
   point.q = at.q_pa.value_or(kMissing);
   point.p_eff = at.p_eff_pa.value_or(kMissing);
-  at.interval = interval_over(history, point, reading - kSearch, history.last_reading(), false);
-  control_peak.sharpen_turn(at);
+  turn_of_pressure = {at, point, reading, reading};
+  bound_search();
 }
 
 /// At held q the volume turns before equilibrium is lost; whose increments the specimen follows in
 /// between, those of the slow trend or of a servo that searches, nobody can read.
 void CollapseMonitor::Impl::place_turn(const OnsetFit& turn) {
-  Instant at = instant_of(turn.point, header.has_time);
-  const auto& burst = control.found();
-  const double last = burst ? static_cast<double>(burst->instant.reading) : history.last_reading();
-  const double reach = StressSpan::kOf95 * turn.error;
-  at.interval = interval_over(history, turn.point, turn.point.reading - reach,
-                              std::min(turn.point.reading + std::max(reach, kSearch), last), false);
+  // A reading is a mean over its interval, in which the loop works on.
+  const double reach = StressSpan::kOf95 * std::hypot(turn.error, 1);
+  turn_of_pressure = {instant_of(turn.point, header.has_time), turn.point,
+                      turn.point.reading - reach, turn.point.reading + reach};
+  bound_search();
+}
+
+/// Anew with all that is known by now of what came after the turn.
+void CollapseMonitor::Impl::bound_search() {
+  if (!turn_of_pressure) return;
+  auto [at, point, low, high] = *turn_of_pressure;
+  const double last = last_of_path();
+  const double end = end_of_search(history, *start, std::min(high, last), last);
+  at.interval = interval_over(history, point, {low, end, last}, false);
+  reach_unmeasured_volume(at);
+  const PlacedBurst* burst = control.found() ? placed(*control.found()) : nullptr;
+  if (burst && end >= last) {
+    Instant fall = at;
+    fall.interval = burst->fall ? burst->fall->interval : burst->interval;
+    reach(at, fall);
+  }
   control_peak.sharpen_turn(at);
+}
+
+/// A closed specimen swells as p′ falls, into what water and lines give way, and its area is taken
+/// to stay: q is less than it seems, by the share of its volume.
+void CollapseMonitor::Impl::reach_unmeasured_volume(Instant& at) const {
+  const double swelling = kSwelling * std::log(start->p_eff / *at.p_eff_pa);
+  if (!(swelling > 0) || !at.interval) return;
+  Instant swollen = at;
+  swollen.q_pa = *at.q_pa * (1 - swelling);
+  swollen.interval.reset();
+  reach(at, swollen);
+}
+
+double CollapseMonitor::Impl::last_of_path() const {
+  const auto& burst = control.found();
+  return burst ? static_cast<double>(burst->instant.reading) : history.last_reading();
 }
 
 /// Where the windows see it, before any fit.
 void CollapseMonitor::Impl::place_descent(const Descent& descent) {
   const PathPoint onset = peak_of_readings(within_measured(descent.onset, history), history);
-  work.sharpen(onset, interval_over(history, onset, descent.onset_low, descent.onset_high,
+  work.sharpen(onset, interval_over(history, onset, {descent.onset_low, descent.onset_high},
                                     onset.shortest_window()));
 }
 
@@ -233,10 +292,9 @@ void CollapseMonitor::Impl::place_descent(const Descent& descent) {
 std::optional<StressInterval> CollapseMonitor::Impl::interval_of(const OnsetFit& fit,
                                                                  const PathPoint& onset) const {
   const double reach = StressSpan::kOf95 * fit.error;
-  const auto& burst = control.found();
-  const double last = burst ? static_cast<double>(burst->instant.reading) : history.last_reading();
-  return interval_over(history, onset, fit.point.reading - reach,
-                       std::min(fit.point.reading + reach, last), false);
+  return interval_over(history, onset,
+                       {fit.point.reading - reach, fit.point.reading + reach, last_of_path()},
+                       false);
 }
 
 void CollapseMonitor::Impl::place_burst(const Finding& burst) {
@@ -255,11 +313,15 @@ auto CollapseMonitor::Impl::placed(const Finding& burst) const -> const PlacedBu
 }
 
 void CollapseMonitor::Impl::place_fall(const Instant& at, PlacedBurst& burst) {
-  constexpr double kBefore = 24;  // readings
+  constexpr double kBefore = 60;  // readings
   burst.fall = at;
   burst.fall->interval = burst.interval;
   const auto last = static_cast<double>(burst.of);
-  const auto fit = fit_fall(history.between(last - kBefore, last), held_q);
+  const auto rate_of_stage = [&] {
+    const double q = at.q_pa.value_or(0) - start->q;
+    return q / std::max(last - history.first_reading(), 1.0);
+  };
+  const auto fit = fit_fall(history.between(last - kBefore, last), held_q, rate_of_stage());
   if (fit) {
     burst.fall = instant_of(fit->point, header.has_time);
     burst.fall->interval = fit->interval;
@@ -285,7 +347,7 @@ std::optional<StressInterval> CollapseMonitor::Impl::interval_of_burst(const Fin
   at.q = burst.instant.q_pa.value_or(kMissing);
   at.p_eff = burst.instant.p_eff_pa.value_or(kMissing);
   const auto reading = static_cast<double>(burst.instant.reading);
-  return interval_over(history, at, reading - 1, reading + 1, true);
+  return interval_over(history, at, {reading - 1, reading + 1}, true);
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -295,6 +357,7 @@ void CollapseMonitor::Impl::end_stage() {
   descent_onset.finish(history, history.last_reading());
   pore_turn.finish(history, history.last_reading());
   sharpen();
+  bound_search();
   history.clear();
 }
 

@@ -184,7 +184,14 @@ std::optional<OnsetFit> fit_onset(std::span<const PathSample> blocks, Witness wi
 StressFit stress_at(std::span<const PathSample> blocks, double reading) {
   const Fit first(blocks);
   const double x = first.x_of(reading);
-  StressFit at{.q = first[Signal::q].value(x), .p_eff = first[Signal::p_eff].value(x), .error = {}};
+  StressFit at{.q = first[Signal::q].value(x),
+               .p_eff = first[Signal::p_eff].value(x),
+               .error = {},
+               .pore_pressure = first[Signal::pore_pressure].value(x),
+               .p_rate = first[Signal::p_eff].slope(x) / first.half(),
+               .pore_rate = first[Signal::pore_pressure].slope(x) / first.half(),
+               .q_scatter = std::sqrt(first[Signal::q].variance),
+               .pore_scatter = std::sqrt(first[Signal::pore_pressure].variance)};
   const double eta = at.q / at.p_eff;
   std::vector<PathSample> combined(blocks.begin(), blocks.end());
   for (PathSample& block : combined)

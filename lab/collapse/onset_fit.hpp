@@ -36,6 +36,9 @@ std::optional<OnsetFit> fit_onset(std::span<const PathSample> blocks, Witness wi
 struct StressFit {
   double q = 0, p_eff = 0;
   StressError error;
+  double pore_pressure = 0;
+  double p_rate = 0, pore_rate = 0;        ///< a reading
+  double q_scatter = 0, pore_scatter = 0;  ///< standard deviation of a block about the cubic
 };
 /// Pre-condition: at least eight blocks, the reading among them.
 StressFit stress_at(std::span<const PathSample> blocks, double reading);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kAroundState = 12;  ///< readings on each side that give a state
 constexpr std::size_t kLeastForCubic = 8;
-constexpr int kStretch = 4;  ///< parts of the stretch between whose ends states are taken
+constexpr double kOfWindow = 3;  ///< readings of the shortest window before its middle
+constexpr int kStretch = 4;      ///< parts of the stretch between whose ends states are taken
 
 /// Between the two samples around a reading, or at the last one on that side.
 std::pair<double, double> read_at(const std::vector<PathSample>& samples, double reading) {
@@ -29,6 +30,36 @@ std::pair<double, double> read_at(const std::vector<PathSample>& samples, double
   return {std::lerp(qa, qb, share), std::lerp(pa, pb, share)};
 }
 
+/// The most that a concave |q| may have been between two readings, from the two before and the two
+/// after: where the lines through them meet. Steps need not be equal.
+double crossing(const std::vector<PathSample>& samples, std::size_t first) {
+  const auto at = [&](std::size_t i) {
+    return std::pair(samples[i].signal[PathSample::reading], samples[i].signal[PathSample::q]);
+  };
+  const auto [x0, q0] = at(first);
+  const auto [x1, q1] = at(first + 1);
+  double q = std::fabs(q0) > std::fabs(q1) ? q0 : q1;
+  const double sense = std::copysign(1.0, q);
+  const double length = x1 - x0;
+  std::optional<double> rise, fall;  // of |q|, along the line before and the line after
+  if (first > 0) rise = sense * (q0 - at(first - 1).second) / (x0 - at(first - 1).first);
+  if (first + 2 < samples.size())
+    fall = sense * (q1 - at(first + 2).second) / (at(first + 2).first - x1);
+  if (!rise || !(*rise > 0)) return q;
+  if (!fall) return sense * std::max(std::fabs(q), std::fabs(q0) + *rise * length);
+  if (!(*rise + *fall > 0)) return q;
+  const double x = (std::fabs(q1) - std::fabs(q0) + *fall * length) / (*rise + *fall);
+  if (!(x > 0 && x < length)) return q;
+  return sense * (std::fabs(q0) + *rise * x);
+}
+
+/// The reading before that of the largest |q|: what falls from there on may have turned there.
+double before_largest(const std::vector<PathSample>& samples) {
+  const auto largest = std::ranges::max_element(
+      samples, {}, [](const PathSample& s) { return std::fabs(s.signal[PathSample::q]); });
+  return (largest == samples.begin() ? largest : largest - 1)->signal[PathSample::reading];
+}
+
 /// Over single readings: those in between and, at both ends, what lies between two of them.
 StressInterval over_readings(const std::vector<PathSample>& samples, const PathPoint& onset,
                              double low, double high) {
@@ -40,6 +71,10 @@ StressInterval over_readings(const std::vector<PathSample>& samples, const PathP
   for (const PathSample& s : samples)
     if (s.signal[PathSample::reading] > low && s.signal[PathSample::reading] < high)
       span.reach(s.signal[PathSample::q], s.signal[PathSample::p_eff]);
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+    if (samples[i].signal[PathSample::reading] >= low &&
+        samples[i + 1].signal[PathSample::reading] <= high)
+      span.reach_q(crossing(samples, i));
   return span.interval(error_of_readings(onset.stress_variance, onset.q, onset.p_eff));
 }
 
@@ -72,29 +107,31 @@ PathPoint peak_of_readings(PathPoint onset, const PathHistory& history) {
   return onset;
 }
 
+std::optional<StressFit> stress_near(const PathHistory& history, double reading, double last) {
+  const double length = history.last_reading() - history.first_reading();
+  for (double reach = kAroundState; reach < 2 * kAroundState + length; reach *= 2) {
+    const auto blocks = history.between(reading - reach, std::min(reading + reach, last));
+    if (blocks.size() >= kLeastForCubic) return stress_at(blocks, reading);
+  }
+  return std::nullopt;
+}
+
 std::optional<StressInterval> interval_over(const PathHistory& history, const PathPoint& onset,
-                                            double low, double high, bool single) {
-  low = std::clamp(low, history.first_reading(), history.last_reading());
-  high = std::clamp(high, low, history.last_reading());
+                                            const Stretch& stretch, bool single) {
+  const double last = std::min(history.last_reading(), stretch.until);
+  const double low = std::clamp(stretch.low, history.first_reading(), last);
+  const double high = std::clamp(stretch.high, low, last);
   if (single) {
-    const auto samples = history.between(std::floor(low), std::ceil(high));
+    const auto samples = history.between(std::floor(low) - kOfWindow, std::ceil(high) + 1);
     if (samples.empty()) return std::nullopt;
-    return over_readings(samples, onset, low, high);
+    return over_readings(samples, onset, std::min(low, before_largest(samples)), high);
   }
   StressSpan span(onset.q, onset.p_eff);
-  const double length = history.last_reading() - history.first_reading();
-  const auto fit_at = [&](double reading) -> std::optional<StressFit> {
-    // Long ago the path is known in blocks of many readings.
-    for (double reach = kAroundState; reach < 2 * kAroundState + length; reach *= 2) {
-      const auto blocks = history.between(reading - reach, reading + reach);
-      if (blocks.size() >= kLeastForCubic) return stress_at(blocks, reading);
-    }
-    return std::nullopt;
-  };
-  const auto here = fit_at(std::clamp(onset.reading, low, high));
+  const auto here = stress_near(history, std::clamp(onset.reading, low, high), last);
   if (!here) return std::nullopt;
   for (int i = 0; i <= kStretch; ++i)
-    if (const auto fit = fit_at(std::lerp(low, high, static_cast<double>(i) / kStretch)))
+    if (const auto fit =
+            stress_near(history, std::lerp(low, high, static_cast<double>(i) / kStretch), last))
       span.reach(fit->q, fit->p_eff);
   return span.interval(here->error);
 }

@@ -45,6 +45,10 @@ void StressSpan::reach(double q, double p_eff) {
   widen(reached_.eta, stress_ratio(q, p_eff));
 }
 
+void StressSpan::reach_q(double q) {
+  if (std::isfinite(q)) widen(reached_.q_pa, q);
+}
+
 StressInterval StressSpan::interval(const StressError& error) const {
   return {beside(q_, reached_.q_pa, error.q), beside(p_, reached_.p_eff_pa, error.p_eff),
           beside(eta_, reached_.eta, error.eta)};

@@ -29,6 +29,8 @@ class StressSpan {
   StressSpan(double q, double p_eff);
   /// A state, Pa, that may be the onset's.
   void reach(double q, double p_eff);
+  /// A q that may be the onset's, whatever p′ was then.
+  void reach_q(double q);
   StressInterval interval(const StressError& error) const;
 
  private:

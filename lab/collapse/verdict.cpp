@@ -129,6 +129,8 @@ Instant onset_of(const BackboneFall& fall, bool has_time) {
   StressSpan span(*at.q_pa, *at.p_eff_pa);
   for (const State* state : {&fall.before_peak, &fall.peak, &fall.first_low})
     span.reach(state->q, state->p_eff);
+  // Had it risen on as before, up to the next reading.
+  span.reach_q(fall.peak.q + (fall.peak.q - fall.before_peak.q));
   at.interval = span.interval(error_of_readings(deviation * deviation, *at.q_pa, *at.p_eff_pa));
   return at;
 }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kEta = 0.6;     ///< η_c
 constexpr double kQ = 60e3;      ///< q there
+constexpr double kRate = 200;    ///< of q, a reading, over the stage
 constexpr double kFall = 100.6;  ///< reading of it, under a load that grows steadily
 
 /// dq/dε₁ = k (η_c − η) with η linear in ε₁ and q in time: η_c − η = √((q_c − q)/b).
@@ -23,7 +24,7 @@ std::vector<PathSample> under_load(double noise = 0, std::uint64_t seed = 3, dou
   for (int i = 76; i <= 100; ++i) {
     PathSample sample;
     auto& s = sample.signal;
-    const double q = kQ - 200 * (fall - i), eta = kEta - std::sqrt((kQ - q) / b);
+    const double q = kQ - kRate * (fall - i), eta = kEta - std::sqrt((kQ - q) / b);
     s[PathSample::reading] = i;
     s[PathSample::progress] = 2.0 * i;
     s[PathSample::axial_strain] = 0.02 * eta;
@@ -37,9 +38,9 @@ std::vector<PathSample> under_load(double noise = 0, std::uint64_t seed = 3, dou
 }
 
 /// A spring lets q pass its peak nine readings before the fall: η grows steadily.
-std::vector<PathSample> past_peak(double noise = 0) {
+std::vector<PathSample> past_peak(double noise = 0, std::uint64_t seed = 5) {
   auto samples = under_load();
-  std::mt19937_64 rng(5);
+  std::mt19937_64 rng(seed);
   std::normal_distribution<double> unit(0, 1);
   for (PathSample& sample : samples) {
     auto& s = sample.signal;
@@ -51,10 +52,25 @@ std::vector<PathSample> past_peak(double noise = 0) {
   return samples;
 }
 
+/// q is held, p′ falls, and the volume turns at reading 90.
+std::vector<PathSample> at_held_q(double search) {
+  auto samples = under_load();
+  std::mt19937_64 rng(7);
+  std::normal_distribution<double> unit(0, 1);
+  for (PathSample& sample : samples) {
+    auto& s = sample.signal;
+    const double x = s[PathSample::reading] - 90;
+    s[PathSample::q] = kQ + (std::fmod(x, 2) == 0 ? search : -search);
+    s[PathSample::p_eff] = 100e3 - 200 * x;
+    s[PathSample::volumetric_strain] = 1e-6 * x * x + 2e-6 * unit(rng);
+  }
+  return samples;
+}
+
 }  // namespace
 
 TEST_CASE("the limit point of a load is the root of the tangent modulus, beyond the last reading") {
-  const auto fit = fit_fall(under_load(), false);
+  const auto fit = fit_fall(under_load(), false, kRate);
   REQUIRE(fit);
   // At the last reading η is 0.592; the parabola of twelve readings does not follow its rate.
   CHECK(fit->point.eta() == Approx(kEta).margin(2e-3));
@@ -73,7 +89,7 @@ TEST_CASE("coarse readings: the root lies where no reading came near, and the in
     if (std::fmod(s.signal[PathSample::reading], 3) == 0) coarse.push_back(s);
   REQUIRE(coarse.size() == 8);
   for (PathSample& s : coarse) s.signal[PathSample::reading] /= 3;
-  const auto fit = fit_fall(coarse, false);
+  const auto fit = fit_fall(coarse, false, kRate);
   REQUIRE(fit);
   CHECK(fit->point.eta() == Approx(kEta).margin(5e-3));
   CHECK(fit->interval.eta.holds(kEta));
@@ -83,19 +99,59 @@ TEST_CASE("in noise the interval of the fall holds the truth") {
   int held = 0;
   constexpr int kTimes = 200;
   for (int seed = 1; seed <= kTimes; ++seed) {
-    const auto fit = fit_fall(under_load(150, static_cast<std::uint64_t>(seed)), false);
+    const auto fit = fit_fall(under_load(150, static_cast<std::uint64_t>(seed)), false, kRate);
     if (fit) held += fit->interval.eta.holds(kEta);
   }
   CHECK(held > 0.78 * kTimes);  // the last readings bend away from the parabola through twelve
 }
 
+TEST_CASE("under a load q at the fall lies between the last reading and what the next would be") {
+  const auto samples = under_load();
+  const auto fit = fit_fall(samples, false, kRate);
+  REQUIRE(fit);
+  const double last = samples.back().signal[PathSample::q];
+  CHECK(fit->interval.q_pa.low <= Approx(last));
+  CHECK(fit->interval.q_pa.high >= Approx(last + kRate));
+  CHECK(fit->point.q < last + 1.05 * kRate);
+  CHECK(fit->interval.q_pa.high < last + 1.2 * kRate);
+}
+
+TEST_CASE("a spring's peak that noise hides lies where the slope of q may be zero, not ahead") {
+  int held = 0;
+  double widest = 0;
+  constexpr int kTimes = 200;
+  for (int seed = 1; seed <= kTimes; ++seed) {
+    const auto fit = fit_fall(past_peak(200, static_cast<std::uint64_t>(seed)), false, kRate);
+    if (!fit) continue;
+    held += fit->interval.eta.holds(kEta);
+    widest = std::max(widest, fit->interval.eta.high - fit->interval.eta.low);
+  }
+  CHECK(held > 0.93 * kTimes);
+  CHECK(widest < 0.02);
+}
+
+TEST_CASE("at held q the interval reaches back to where the volume turned, and over a search") {
+  auto samples = at_held_q(0);
+  const auto eta_at = [&](std::size_t i) {
+    return samples[i].signal[PathSample::q] / samples[i].signal[PathSample::p_eff];
+  };
+  const auto quiet = fit_fall(samples, true, 0);
+  REQUIRE(quiet);
+  CHECK(quiet->interval.eta.low < eta_at(15));  // it turned ten readings before the last
+  CHECK(quiet->interval.eta.low > eta_at(10));
+  CHECK(quiet->interval.eta.high > eta_at(24) + (eta_at(24) - eta_at(23)));
+  const auto searching = fit_fall(at_held_q(300), true, 0);
+  REQUIRE(searching);
+  CHECK(searching->interval.eta.low < eta_at(8));
+}
+
 TEST_CASE("a peak of q before the fall is the onset, unless q was held") {
-  const auto fit = fit_fall(past_peak(), false);
+  const auto fit = fit_fall(past_peak(), false, kRate);
   REQUIRE(fit);
   CHECK(fit->point.eta() == Approx(kEta).margin(1e-4));
   CHECK(fit->point.q == Approx(kQ).epsilon(5e-3));
   CHECK(fit->point.reading == Approx(91).margin(1));
-  const auto noisy = fit_fall(past_peak(50), false);
+  const auto noisy = fit_fall(past_peak(50), false, kRate);
   REQUIRE(noisy);
   CHECK(noisy->point.eta() == Approx(kEta).margin(0.005));
   CHECK(noisy->interval.eta.holds(kEta));
@@ -103,7 +159,7 @@ TEST_CASE("a peak of q before the fall is the onset, unless q was held") {
 
 TEST_CASE("at held q the last reading counts") {
   const auto samples = under_load();
-  const auto fit = fit_fall(samples, true);
+  const auto fit = fit_fall(samples, true, kRate);
   REQUIRE(fit);
   const auto& last = samples.back().signal;
   CHECK(fit->point.reading == 100);
@@ -115,8 +171,8 @@ TEST_CASE("at held q the last reading counts") {
 
 TEST_CASE("too few readings, or a ratio that does not grow, tell nothing") {
   const auto samples = under_load();
-  CHECK_FALSE(fit_fall(std::span(samples).last(7), false));
+  CHECK_FALSE(fit_fall(std::span(samples).last(7), false, kRate));
   auto back = samples;
   for (auto& s : back) s.signal[PathSample::p_eff] *= s.signal[PathSample::reading] - 70;
-  CHECK_FALSE(fit_fall(back, false));
+  CHECK_FALSE(fit_fall(back, false, kRate));
 }

@@ -42,7 +42,7 @@ PathPoint onset_at(double reading) {
 }  // namespace
 
 TEST_CASE("the interval is as wide as the path is long over the readings of the onset") {
-  const auto at = interval_over(history_of(200, 100, 0, 0), onset_at(100), 80, 130, false);
+  const auto at = interval_over(history_of(200, 100, 0, 0), onset_at(100), {80, 130}, false);
   REQUIRE(at);
   CHECK(at->p_eff_pa.low == Approx(97e3));
   CHECK(at->p_eff_pa.high == Approx(102e3));
@@ -57,7 +57,7 @@ TEST_CASE("in white noise 95 % of the intervals hold the state that was") {
   for (int seed = 1; seed <= kTimes; ++seed) {
     const auto history = history_of(200, 100, 0.1, kNoise, static_cast<std::uint64_t>(seed));
     const PathPoint onset = values_at(history.between(88, 112), 100);
-    const auto at = interval_over(history, onset, 100, 100, false);
+    const auto at = interval_over(history, onset, {100, 100}, false);
     REQUIRE(at);
     q += at->q_pa.holds(60e3);
     p += at->p_eff_pa.holds(100e3);
@@ -74,26 +74,58 @@ TEST_CASE("between single readings the interval is that gap") {
   PathPoint onset = onset_at(10);
   onset.q = 60e3 - 1000 * 0.16;
   onset.p_eff = 100e3 + 40;
-  const auto at = interval_over(history, onset, 9, 11, true);
+  const auto at = interval_over(history, onset, {9, 11}, true);
   REQUIRE(at);
   CHECK(at->q_pa.low == Approx(60e3 - 1000 * 1.96));
-  CHECK(at->q_pa.high == Approx(onset.q));
+  // Lines through the two readings before and the two after meet there.
+  CHECK(at->q_pa.high == Approx(60e3 + 740));
   CHECK(at->p_eff_pa.low == Approx(100e3 - 60));
+  CHECK(at->p_eff_pa.high == Approx(100e3 + 140));
+}
+
+TEST_CASE("no curve is laid across the fall that ends the path") {
+  PathHistory history = history_of(100, 90, 0, 0);
+  PathSample fallen;
+  for (int i = 100; i < 106; ++i) {
+    fallen.signal = {static_cast<double>(i), static_cast<double>(i), 5e3, 2e3, 0.1, 0, 0};
+    history.add(fallen);
+  }
+  const auto at = interval_over(history, onset_at(95), {92, 99, 99}, false);
+  REQUIRE(at);
+  CHECK(at->q_pa.high - at->q_pa.low < 1);
+  CHECK(at->p_eff_pa.low == Approx(99.1e3));
+  CHECK(at->p_eff_pa.high == Approx(100e3));
+}
+
+TEST_CASE("the peak of a concave q between two readings lies below the lines before and after") {
+  PathHistory history = history_of(20, 10.5, 1000, 0);
+  PathPoint onset = onset_at(10);
+  onset.q = 60e3 - 1000 * 0.25;
+  const auto at = interval_over(history, onset, {10, 11}, true);
+  REQUIRE(at);
+  CHECK(at->q_pa.holds(60e3));
+  CHECK(at->q_pa.high < 61e3);
+}
+
+TEST_CASE("of readings that fall from a largest one on, that one may have hidden the turn") {
+  PathHistory history = history_of(20, 9.4, 1000, 0);
+  const auto at = interval_over(history, onset_at(10), {10, 12}, true);
+  REQUIRE(at);
   CHECK(at->p_eff_pa.high == Approx(100e3 + 140));
 }
 
 TEST_CASE("an onset long ago, known in blocks of many readings, has an interval, too") {
   const auto history = history_of(5000, 100, 0, 200);
   REQUIRE(history.between(88, 112).size() < 8);
-  const auto at = interval_over(history, onset_at(100), 80, 130, false);
+  const auto at = interval_over(history, onset_at(100), {80, 130}, false);
   REQUIRE(at);
   CHECK(at->p_eff_pa.holds(100e3));
   CHECK(at->p_eff_pa.high - at->p_eff_pa.low > 4e3);
 }
 
 TEST_CASE("what the history does not reach has no interval") {
-  CHECK_FALSE(interval_over(PathHistory(), onset_at(10), 5, 15, false));
-  CHECK_FALSE(interval_over(history_of(5, 2, 1, 0), onset_at(2), 1, 3, false));
+  CHECK_FALSE(interval_over(PathHistory(), onset_at(10), {5, 15}, false));
+  CHECK_FALSE(interval_over(history_of(5, 2, 1, 0), onset_at(2), {1, 3}, false));
 }
 
 TEST_CASE("of three readings the parabola's vertex is the onset, with all values there") {

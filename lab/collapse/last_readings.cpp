@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/collapse/last_readings.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "lab/collapse/stress_span.hpp"
+
+namespace triax::lab {
+
+using Signal = PathSample::Signal;
+
+ThreeTerms::ThreeTerms(const std::vector<Eigen::Vector3d>& terms, const std::vector<double>& y) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    normal += terms[i] * terms[i].transpose();
+    right += y[i] * terms[i];
+  }
+  const Eigen::Matrix3d inverse = normal.ldlt().solve(Eigen::Matrix3d::Identity());
+  c = inverse * right;
+  double square = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) square += std::pow(y[i] - c.dot(terms[i]), 2);
+  scatter = std::sqrt(square / static_cast<double>(y.size() - 3));
+  covariance = inverse * (scatter * scatter);
+}
+
+double AtLast::error_at(double readings) const {
+  const Eigen::Vector3d terms(1, readings, readings * readings);
+  return std::sqrt(terms.dot(covariance * terms));
+}
+
+double AtLast::rate_error_at(double readings) const {
+  const Eigen::Vector3d terms(0, 1, 2 * readings);
+  return std::sqrt(terms.dot(covariance * terms));
+}
+
+AtLast at_last(std::span<const PathSample> samples,
+               const std::function<double(const PathSample&)>& value, std::size_t readings) {
+  const auto newest = samples.last(std::min(samples.size(), readings));
+  const double last = newest.back().signal[Signal::reading], origin = value(newest.back());
+  std::vector<Eigen::Vector3d> terms;
+  std::vector<double> y;
+  for (const PathSample& s : newest) {
+    const double x = s.signal[Signal::reading] - last;
+    terms.emplace_back(1, x, x * x);
+    y.push_back(value(s) - origin);
+  }
+  const ThreeTerms fit(terms, y);
+  return {origin + fit.c[0],
+          fit.c[1],
+          fit.c[2],
+          std::sqrt(fit.covariance(0, 0)),
+          std::sqrt(fit.covariance(1, 1)),
+          fit.covariance,
+          fit.scatter};
+}
+
+AtLast at_last(std::span<const PathSample> samples, Signal signal, std::size_t readings) {
+  return at_last(
+      samples, [signal](const PathSample& s) { return s.signal[signal]; }, readings);
+}
+
+Turned may_have_turned(std::span<const PathSample> samples, Signal signal) {
+  std::optional<AtLast> best;
+  Turned turned;
+  for (const std::size_t readings : {6U, 8U, 12U, 16U, 24U, 36U, 60U}) {
+    if (readings > samples.size()) break;
+    const AtLast at = at_last(samples, signal, readings);
+    if (best && at.rate_error >= best->rate_error) continue;
+    best = at;
+    turned.of = readings;
+  }
+  if (!best) return turned;
+  constexpr double kStep = 0.25;                                             // readings
+  for (double x = 1 - static_cast<double>(turned.of); x <= 1; x += kStep) {  // NOLINT: exact
+    if (std::fabs(best->rate_at(x)) > StressSpan::kOf95 * best->rate_error_at(x)) continue;
+    if (!turned.anywhere()) turned.first = x;
+    turned.last = x;
+  }
+  return turned;
+}
+
+namespace {
+
+/// Slope of q over readings, and its standard error.
+std::pair<double, double> mean_rate(std::span<const PathSample> part) {
+  const auto n = static_cast<double>(part.size());
+  double x = 0, q = 0;
+  for (const PathSample& s : part) {
+    x += s.signal[Signal::reading] / n;
+    q += s.signal[Signal::q] / n;
+  }
+  double xx = 0, xq = 0, qq = 0;
+  for (const PathSample& s : part) {
+    const double dx = s.signal[Signal::reading] - x, dq = s.signal[Signal::q] - q;
+    xx += dx * dx;
+    xq += dx * dq;
+    qq += dq * dq;
+  }
+  return {xq / xx, std::sqrt(std::max(qq - xq * xq / xx, 0.0) / ((n - 2) * xx))};
+}
+
+}  // namespace
+
+bool grows_steadily(std::span<const PathSample> samples, double rate_of_stage) {
+  constexpr double kShare = 0.7, kKnown = 1.0 / 3;
+  constexpr std::size_t kFewest = 6;
+  for (std::size_t readings = kFewest;; readings += readings / 2) {
+    const bool all = readings >= samples.size();
+    const auto [rate, error] = mean_rate(all ? samples : samples.last(readings));
+    if (all || error < kKnown * std::fabs(rate_of_stage)) return rate / rate_of_stage > kShare;
+  }
+}
+
+}  // namespace triax::lab
