@@ -11,8 +11,6 @@
 
 namespace triax::lab {
 
-using Signal = PathSample::Signal;
-
 ThreeTerms::ThreeTerms(const std::vector<Eigen::Vector3d>& terms, const std::vector<double>& y) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -41,11 +39,12 @@ double AtLast::rate_error_at(double readings) const {
 AtLast at_last(std::span<const PathSample> samples,
                const std::function<double(const PathSample&)>& value, std::size_t readings) {
   const auto newest = samples.last(std::min(samples.size(), readings));
-  const double last = newest.back().signal[Signal::reading], origin = value(newest.back());
+  const double last = newest.back().signal[PathSample::Signal::reading],
+               origin = value(newest.back());
   std::vector<Eigen::Vector3d> terms;
   std::vector<double> y;
   for (const PathSample& s : newest) {
-    const double x = s.signal[Signal::reading] - last;
+    const double x = s.signal[PathSample::Signal::reading] - last;
     terms.emplace_back(1, x, x * x);
     y.push_back(value(s) - origin);
   }
@@ -59,12 +58,13 @@ AtLast at_last(std::span<const PathSample> samples,
           fit.scatter};
 }
 
-AtLast at_last(std::span<const PathSample> samples, Signal signal, std::size_t readings) {
+AtLast at_last(std::span<const PathSample> samples, PathSample::Signal signal,
+               std::size_t readings) {
   return at_last(
       samples, [signal](const PathSample& s) { return s.signal[signal]; }, readings);
 }
 
-Turned may_have_turned(std::span<const PathSample> samples, Signal signal) {
+Turned may_have_turned(std::span<const PathSample> samples, PathSample::Signal signal) {
   std::optional<AtLast> best;
   Turned turned;
   for (const std::size_t readings : {6U, 8U, 12U, 16U, 24U, 36U, 60U}) {
@@ -91,12 +91,13 @@ std::pair<double, double> mean_rate(std::span<const PathSample> part) {
   const auto n = static_cast<double>(part.size());
   double x = 0, q = 0;
   for (const PathSample& s : part) {
-    x += s.signal[Signal::reading] / n;
-    q += s.signal[Signal::q] / n;
+    x += s.signal[PathSample::Signal::reading] / n;
+    q += s.signal[PathSample::Signal::q] / n;
   }
   double xx = 0, xq = 0, qq = 0;
   for (const PathSample& s : part) {
-    const double dx = s.signal[Signal::reading] - x, dq = s.signal[Signal::q] - q;
+    const double dx = s.signal[PathSample::Signal::reading] - x,
+                 dq = s.signal[PathSample::Signal::q] - q;
     xx += dx * dx;
     xq += dx * dq;
     qq += dq * dq;
