@@ -31,14 +31,13 @@ namespace triax::lab {
 /// before that while a loop that searches outdid the trend (servo_search.hpp); until the next
 /// reading at the latest, one and a half after the middle of the interval whose mean is the last.
 ///
-/// `samples`: single readings, oldest first, the last one that before the fall; 60 of them tell a
+/// `all`: single readings, oldest first, the last one that before the fall; 60 of them tell a
 /// load from a spring. `rate_of_stage`: of q, Pa a reading, over the stage. Empty for fewer than 8
 /// of them, or where the ratio does not grow towards a fall of the modulus.
 struct FallFit {
   PathPoint point;
   StressInterval interval;
 };
-std::optional<FallFit> fit_fall(std::span<const PathSample> samples, bool held_q,
-                                double rate_of_stage);
+std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q, double rate_of_stage);
 
 }  // namespace triax::lab

@@ -109,8 +109,8 @@ PathPoint peak_of_readings(PathPoint onset, const PathHistory& history) {
 
 std::optional<StressFit> stress_near(const PathHistory& history, double reading, double last) {
   const double length = history.last_reading() - history.first_reading();
-  for (double reach = kAroundState; reach < 2 * kAroundState + length; reach *= 2) {
-    const auto blocks = history.between(reading - reach, std::min(reading + reach, last));
+  for (double r = kAroundState; r < 2 * kAroundState + length; r *= 2) {  // NOLINT: lengths
+    const auto blocks = history.between(reading - r, std::min(reading + r, last));
     if (blocks.size() >= kLeastForCubic) return stress_at(blocks, reading);
   }
   return std::nullopt;

@@ -17,9 +17,9 @@ double work_of_search(double q_scatter, double p_eff) {
 
 double end_of_search(const PathHistory& history, const StageStart& start, double turn,
                      double last) {
-  constexpr double kTells = 10;      // times its scatter a fall of u
-  std::optional<double> compliance;  // times K/p′
-  for (double end = turn; end < last; ++end) {
+  constexpr double kTells = 10;                 // times its scatter a fall of u
+  std::optional<double> compliance;             // times K/p′
+  for (double end = turn; end < last; ++end) {  // NOLINT: exact
     const auto fit = stress_near(history, end, last);
     if (!fit) continue;
     const double fallen = start.pore_pressure - fit->pore_pressure;

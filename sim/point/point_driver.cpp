@@ -77,7 +77,7 @@ PointRate<Space> PointDriver<Space>::respond(const PointState<Space>& state, con
   if (const Vector<Space> turned = fraction * bend;
       turned.squaredNorm() < 0.01 * guess_.squaredNorm())
     guess_ += turned;
-  const PointRate<Space> rate = respond(state, branch);
+  PointRate<Space> rate = respond(state, branch);
   if (rate.controllable) bend = (rate.stress - first.stress) / fraction;
   return rate;
 }

@@ -127,7 +127,7 @@ Drawing history_figure(const study::History& history) {
   }
   if (history.work)
     fill_work_panel(*add_panel(*plot, margins, "W₂ normalised (–)"), *history.work, history.span);
-  finish_rows(*plot, axis, {}, names_height);
+  finish_rows(*plot, axis, {}, names_height);  // NOLINT: the plot owns its margins
   note_below(*plot, origin_note(history.origin));
   draw_marks(*plot, marks);
   return {std::move(plot), caption(history)};
