@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/warning/onset_forecast.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "lab/warning/driven_fit.hpp"
 
 namespace triax::lab {
 namespace {
@@ -11,123 +12,12 @@ namespace {
 constexpr std::size_t kLeast = 8;                  ///< means in a fit
 constexpr double kLongest = 0.5, kShortest = 0.1;  ///< distance that rules the window, of η
 constexpr double kReach = 2.5, kReachShut = 5;
-constexpr double kBehind = 0.3;  ///< of the distance, over which normalised work is continued
-
 constexpr double kDown = 0.02;  ///< of the largest y, by which it has come down
 constexpr double kApart = 2;    ///< of the way ahead, between two witnesses that are believed both
 constexpr double kModel = 0.27, kModelOpen = 0.25, kModelShut = 0.3;  ///< errors, of the distance
 constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64, kLooksNear = 256;  ///< a look each so many-th part of the readings
 constexpr double kLooksFrom = 0.2;  ///< share of η left, from which it is the latter
-
-using Columns = Eigen::Matrix<double, 4, 1>;
-
-/// y, and beside it p′ along a strain path and ε₁ at held q, fitted to the driven path near `now`.
-struct Fit {
-  double now = 0, distance = 0;
-  Columns y = Columns::Zero(), beside = Columns::Zero();  ///< constant, f₀, f₁, f₂
-  Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();
-
-  static double at(const Columns& c, double xi) { return c[1] + xi * (c[2] + xi * c[3]); }
-  /// The root of dy/dx nearest to now at which it falls.
-  std::optional<double> root() const;
-  std::optional<double> root_of_slope() const;
-  double normalised_work(double xi) const;
-  double work_along_path(double ratio, double sign) const;
-  std::optional<double> root_of_work() const;
-  double error(double xi) const;
-};
-
-std::optional<double> Fit::root() const {
-  const double a = y[3], b = y[2], c = y[1];
-  std::optional<double> best;
-  const auto take = [&](double xi) {
-    if (!(b + 2 * a * xi < 0) || !(xi > -1)) return;
-    if (!best || std::fabs(xi) < std::fabs(*best)) best = xi;
-  };
-  if (std::fabs(a) * std::fabs(c) < 1e-12 * b * b) {
-    take(-c / b);
-    return best;
-  }
-  const double under = b * b - 4 * a * c;
-  if (under < 0) return std::nullopt;
-  const double s = -0.5 * (b + std::copysign(std::sqrt(under), b));
-  take(s / a);
-  if (s != 0) take(c / s);
-  return best;
-}
-
-/// Of −(dy/dp′) √η along a strain path, by its tangent; empty where p′ does not fall or y does.
-std::optional<double> Fit::root_of_slope() const {
-  if (!(y[1] > 0) || !(beside[1] < 0)) return std::nullopt;
-  const double falls = y[2] / y[1] - beside[2] / beside[1] + 0.5 * distance / now;
-  return falls < 0 ? std::optional(-1 / falls) : std::nullopt;
-}
-
-/// At held q, the drainage open: dp′dε_v/(|dσ′||dε|).
-double Fit::normalised_work(double xi) const {
-  const double volume = at(y, xi), shear = at(beside, xi) + volume / 3;
-  return volume / std::sqrt(volume * volume + 4.5 * shear * shear);
-}
-
-/// Now, where dε₁ + 2R dε₃ = 0 is kept: dy dε₁/(|dσ′||dε|), y = σ₁′ − σ₃′/R.
-double Fit::work_along_path(double ratio, double sign) const {
-  const double radial = (3 * beside[1] - sign * y[1]) / (2 + 1 / ratio);
-  const double axial = sign * y[1] + radial / ratio;
-  return y[1] / std::sqrt((1 + 0.5 / (ratio * ratio)) * (axial * axial + 2 * radial * radial));
-}
-
-/// Of normalised work, which falls along a straight line over p′ = q/η.
-std::optional<double> Fit::root_of_work() const {
-  const double here = normalised_work(0), behind = normalised_work(-kBehind);
-  const double p = 1 / now, p_behind = 1 / (now - kBehind * distance);
-  const double slope = (behind - here) / (p_behind - p);
-  const double p_there = p - here / slope;
-  if (!(slope > 0) || !(p_there > 0)) return std::nullopt;
-  return (1 / p_there - now) / distance;
-}
-
-double Fit::error(double xi) const {
-  const Columns g{0, 1, xi, xi * xi};
-  const double slope = y[2] + 2 * y[3] * xi;
-  return distance * std::sqrt(std::max(0.0, g.dot(variance * g))) / std::fabs(slope);
-}
-
-/// Least squares over the means from `first` on, weighted by their readings.
-std::optional<Fit> fit(const std::vector<PathMean>& means, std::size_t first, double now,
-                       double distance, int terms) {
-  Fit f{.now = now, .distance = distance};
-  const auto count = static_cast<Eigen::Index>(means.size() - first);
-  if (count < terms + 2) return std::nullopt;
-  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, 128, 4> a(count, 4);
-  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, 128, 2> b(count, 2);
-  const PathMean& from = means[first];
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const PathMean& m = means[first + static_cast<std::size_t>(i)];
-    const double w = std::sqrt(m.readings);
-    const double j0 = m.weighted[0] - from.weighted[0], j1 = m.weighted[1] - from.weighted[1],
-                 j2 = m.weighted[2] - from.weighted[2];
-    a.row(i) << w, w * j0, w * (j1 - now * j0) / distance,
-        w * (j2 - now * (2 * j1 - now * j0)) / (distance * distance);
-    b.row(i) << w * (m.y - from.y), w * (m.beside - from.beside);
-  }
-  Columns scale = a.colwise().norm();
-  for (int k = 0; k < terms; ++k)
-    if (!(scale[k] > 0)) return std::nullopt;
-  const auto used = (a.leftCols(terms) * scale.head(terms).cwiseInverse().asDiagonal()).eval();
-  const Eigen::LDLT<Eigen::MatrixXd> normal(used.transpose() * used);
-  if (!(normal.rcond() > 1e-13)) return std::nullopt;
-  const Eigen::MatrixXd solution = normal.solve(used.transpose() * b);
-  const double rest = (b.col(0) - used * solution.col(0)).squaredNorm();
-  const Eigen::MatrixXd inverse = normal.solve(Eigen::MatrixXd::Identity(terms, terms)) *
-                                  (rest / static_cast<double>(count - terms));
-  for (int k = 0; k < terms; ++k) {
-    f.y[k] = solution(k, 0) / scale[k];
-    f.beside[k] = solution(k, 1) / scale[k];
-    for (int l = 0; l < terms; ++l) f.variance(k, l) = inverse(k, l) / (scale[k] * scale[l]);
-  }
-  return f;
-}
 
 std::size_t first_within(const std::vector<PathMean>& means, double from) {
   const auto at = std::ranges::find_if(means, [&](const PathMean& m) { return m.eta >= from; });
@@ -136,7 +26,7 @@ std::size_t first_within(const std::vector<PathMean>& means, double from) {
 }
 
 struct FitToRoot {
-  std::optional<Fit> fit;
+  std::optional<DrivenFit> fit;
   std::optional<double> xi;
 };
 
@@ -148,7 +38,8 @@ FitToRoot fit_to_root(const std::vector<PathMean>& means, DrivenPath::Control co
   const int terms = control == DrivenPath::Control::strain_path ? 3 : 4;
   for (int round = 0; round < 4; ++round) {
     distance = std::clamp(distance, kShortest * now, kLongest * now);
-    r.fit = fit(means, first_within(means, now - (reach - 1) * distance), now, distance, terms);
+    r.fit =
+        fit_driven(means, first_within(means, now - (reach - 1) * distance), now, distance, terms);
     if (!r.fit) return {};
     r.xi = control == DrivenPath::Control::held_q_open ? r.fit->root_of_work() : r.fit->root();
     if (!r.xi) break;
@@ -175,7 +66,7 @@ PathMean latest(const std::vector<PathMean>& means, std::size_t count) {
 }
 
 /// Where the onset will be, and how well that is known.
-void foresee(const Fit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
+void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
   const bool open = control == DrivenPath::Control::held_q_open;
   double ahead = xi * f.distance, between = 0;
   if (const auto slope = f.root_of_slope(); control == DrivenPath::Control::strain_path && slope &&
@@ -193,11 +84,11 @@ void foresee(const Fit& f, double xi, DrivenPath::Control control, EtaForecast& 
 }
 
 /// What the path does there: dη/dx, and whether p′ still falls.
-void path_at_onset(const Fit& f, double xi, const PathMean& here, EtaForecast& made) {
+void path_at_onset(const DrivenFit& f, double xi, const PathMean& here, EtaForecast& made) {
   const double weight = std::sqrt(here.p);
   made.slope = weight * (f.y[1] - here.eta * f.beside[1]) / here.p;
-  made.slope_there = -weight * made.eta * Fit::at(f.beside, xi) / here.p;
-  made.fall = f.beside[1] < 0 ? Fit::at(f.beside, xi) / f.beside[1] : 0;
+  made.slope_there = -weight * made.eta * DrivenFit::at(f.beside, xi) / here.p;
+  made.fall = f.beside[1] < 0 ? DrivenFit::at(f.beside, xi) / f.beside[1] : 0;
 }
 
 /// What single readings scatter by: from how far each of the latest lies off the middle of its

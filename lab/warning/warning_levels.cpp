@@ -148,7 +148,7 @@ bool WarningLevels::look(std::optional<bool> inside) {
     level_ = WarningLevel::approaching;
   // Past the onset nothing is ahead any more, and nothing is taken back.
   if (inside == false || far_ >= kFarLooks) level_ = WarningLevel::none;
-  if (soon_ >= kSoonLooks) level_ = WarningLevel::imminent;
+  if (points && soon_ >= kSoonLooks) level_ = WarningLevel::imminent;
   return level_ != was;
 }
 
