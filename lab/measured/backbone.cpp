@@ -16,6 +16,9 @@ constexpr double kRegain = 1.1;     ///< of p′, from one stage to the next: co
 // A leap of the strain within which most of q went is no outlier of a load cell.
 constexpr double kLeap = 0.01, kLeapOfSteps = 3, kGone = 0.5;
 
+constexpr double kNothing = 0.1;  ///< of the peak: strength that came to nothing
+constexpr double kClear = 6;  ///< of BendNoise, 3.5 standard deviations: a peak that is none of it
+
 PathStep step_between(const State& from, const State& to) {
   return {to.q - from.q, to.p_eff - from.p_eff, to.strain.axial - from.strain.axial,
           to.volumetric_strain - from.volumetric_strain};
@@ -61,8 +64,12 @@ void Backbone::Side::begin(const State& state) {
   any = true;
 }
 
+/// A loop between sparse readings bends the path as noise does; what came to nothing is gone
+/// whatever bent.
 bool Backbone::Side::gone(const State& state) const {
-  return strength(state) < (1 - kWorth) * strength(fall.peak) - kNoises * fall.noise;
+  const double now = strength(state), peak = strength(fall.peak);
+  return now < (1 - kWorth) * peak - kNoises * fall.noise ||
+         (now < kNothing * peak && peak > kClear * fall.noise);
 }
 
 void Backbone::Side::descend(const State& state, double step, bool drained) {

@@ -185,3 +185,19 @@ TEST_CASE("a fall after a long creep at slowly falling q is seen: what was long 
   CHECK(fall->last_high.reading == 400);
   CHECK(fall->confirmed);
 }
+
+TEST_CASE(
+    "a fall to nothing after a loop between few readings is a fall: the loop's bends are no "
+    "noise") {
+  const std::vector<Row> rows = {
+      {0, 1, 149},     {0.1, 17, 138},  {0.22, 42, 125}, {0.31, 31, 107}, {0.18, 20, 93},
+      {0.7, 40, 57},   {1.25, 30, 33},  {1.65, 22, 22},  {2.1, 16, 15},   {2.65, 10, 9},
+      {3.3, 5, 5},     {3.8, 2, 2.6},   {4.5, 1.5, 1.4}, {5.1, 0.6, 0.8}, {5.7, 0.3, 0.7},
+      {6.3, 0.4, 0.7}, {6.9, 0.3, 0.8}, {7.5, 0.3, 0.7}, {8.1, 0.2, 0.7}, {8.7, 0.1, 0.8}};
+  const auto fall = fall_of(rows);
+  REQUIRE(fall);
+  CHECK(fall->peak.q == Approx(40e3));
+  CHECK(fall->loss() > 0.9);
+  const Collapse verdict = verdict_on(rows);
+  CHECK(verdict.kind == CollapseKind::flow);
+}
