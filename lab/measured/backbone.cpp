@@ -9,15 +9,11 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kStep = 1e-5;      ///< axial strain that is larger than before
-constexpr double kTurn = 2e-4;      ///< back from the farthest: unloading, not noise
-constexpr double kNearFront = 0.9;  ///< of the largest strain: it did not go back
-constexpr double kRegain = 1.1;     ///< of p′, from one stage to the next: consolidated anew
+constexpr double kStep = 1e-5;   ///< axial strain that is larger than before
+constexpr double kTurn = 2e-4;   ///< back from the farthest: unloading, not noise
+constexpr double kRegain = 1.1;  ///< of p′, from one stage to the next: consolidated anew
 // A leap of the strain within which most of q went is no outlier of a load cell.
 constexpr double kLeap = 0.01, kLeapOfSteps = 3, kGone = 0.5;
-
-constexpr double kNothing = 0.1;  ///< of the peak: strength that came to nothing
-constexpr double kClear = 6;  ///< of BendNoise, 3.5 standard deviations: a peak that is none of it
 
 PathStep step_between(const State& from, const State& to) {
   return {to.q - from.q, to.p_eff - from.p_eff, to.strain.axial - from.strain.axial,
@@ -64,12 +60,8 @@ void Backbone::Side::begin(const State& state) {
   any = true;
 }
 
-/// A loop between sparse readings bends the path as noise does; what came to nothing is gone
-/// whatever bent.
 bool Backbone::Side::gone(const State& state) const {
-  const double now = strength(state), peak = strength(fall.peak);
-  return now < (1 - kWorth) * peak - kNoises * fall.noise ||
-         (now < kNothing * peak && peak > kClear * fall.noise);
+  return strength(state) < (1 - kWorth) * strength(fall.peak) - kNoises * fall.noise;
 }
 
 void Backbone::Side::descend(const State& state, double step, bool drained) {
@@ -118,11 +110,16 @@ void Backbone::Side::add(const State& state, double way, bool drained) {
   if (worst) worst->regained = std::max(worst->regained, strength(state));
   if (!onward) {
     // At the end of its travel the strain stands, and the strength is still gone.
-    if (fall.readings > 0 && gone(state) && way > kNearFront * front) fall.confirmed = true;
+    if (fall.readings > 0 && gone(state) && !turned) fall.confirmed = true;
     fall.regained = std::max(fall.regained, strength(state));
     return;
   }
   farthest = way;
+  // One state behind: the last before an unloading may be of the loop, which bends as noise does.
+  if (turned)
+    noise.interrupt();
+  else if (!recent.empty())
+    noise.add(strength(recent.back()));
   forget(state);
   if (!any || turned || strength(state) > strength(fall.peak)) {
     if (turned) recent.clear();
@@ -133,7 +130,6 @@ void Backbone::Side::add(const State& state, double way, bool drained) {
     fall.regained = std::max(fall.regained, strength(state));
   }
   largest_step = std::max(largest_step, step);
-  noise.add(strength(state));
   recent.push_back(state);
 }
 

@@ -16,20 +16,22 @@ class BendNoise {
 
   void add(double value) {
     const double bend = last_[1] - (last_[0] + value) / 2;
-    if (++seen_ > 3) {
+    if (++in_row_ > 3) {
       const bool to_and_fro = bend * bend_ < 0;
       const double noise = to_and_fro ? std::min(std::fabs(bend), std::fabs(bend_)) : 0;
-      mean_ += (noise - mean_) / (seen_ - 3);
+      mean_ += (noise - mean_) / ++pairs_;
     }
-    bend_ = seen_ > 2 ? bend : 0;
+    bend_ = in_row_ > 2 ? bend : 0;
     last_ = {last_[1], value};
   }
+  /// The next value is no neighbour of the last: what was learnt stands, no bend goes across.
+  void interrupt() { in_row_ = 0; }
   double value() const { return mean_; }
 
  private:
   std::array<double, 2> last_{};
   double bend_ = 0, mean_ = 0;
-  int seen_ = 0;
+  int in_row_ = 0, pairs_ = 0;
 };
 
 }  // namespace triax::lab

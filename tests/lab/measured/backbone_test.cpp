@@ -201,3 +201,12 @@ TEST_CASE(
   const Collapse verdict = verdict_on(rows);
   CHECK(verdict.kind == CollapseKind::flow);
 }
+
+TEST_CASE("what the first reading of an unloading took is no fall: the strain goes back after it") {
+  const std::vector<Row> rows = {
+      {0, 2, 144},     {0.1, 34, 136},  {0.29, 56, 117},  {0.49, 58, 101}, {0.38, 30, 91},
+      {0.26, 18, 76},  {0.5, 40, 62},   {1.09, 50, 50},   {1.7, 63, 54},   {1.95, 56, 55},
+      {1.85, 33, 40},  {1.93, 29, 27},  {2.46, 46, 35},   {2.89, 64, 48},  {3.28, 84, 61},
+      {3.62, 105, 76}, {3.94, 126, 90}, {4.27, 149, 107}, {4.53, 170, 121}};
+  CHECK_FALSE(fall_of(rows));
+}

@@ -31,3 +31,20 @@ TEST_CASE("of three values nothing is known") {
   for (const double q : {0.0, 10.0, 0.0}) noise.add(q);
   CHECK(noise.value() == 0);
 }
+
+TEST_CASE("across an interruption nothing bends, and what was learnt before stands") {
+  BendNoise noise;
+  for (std::uint64_t i = 0; i < 2000; ++i) noise.add(standard_normal(3, 1, i));
+  const double learnt = noise.value();
+  noise.interrupt();
+  for (const double q : {500.0, 600.0, 700.0, 800.0}) noise.add(q);
+  CHECK(noise.value() == Approx(learnt).epsilon(0.001));
+  BendNoise through;
+  for (const double q : {0.0, 10.0, 0.0, 500.0, 600.0, 700.0, 800.0}) through.add(q);
+  BendNoise apart;
+  for (const double q : {0.0, 10.0, 0.0}) apart.add(q);
+  apart.interrupt();
+  for (const double q : {500.0, 600.0, 700.0, 800.0}) apart.add(q);
+  CHECK(through.value() > 0);
+  CHECK(apart.value() == 0);
+}
