@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "lab/measured/path_rates.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {
@@ -23,7 +22,6 @@ class LimitSurface {
 
   /// q and p' (Pa) as measured at a reading; passed over where one of them is NaN.
   void add(double reading, double q_pa, double p_eff_pa);
-  void add(const PathPoint& at) { add(at.reading, at.q, at.p_eff); }
   /// M in compression: of the angle that was given, else of the largest that was mobilised; empty
   /// while nothing is known.
   std::optional<double> stress_ratio() const;

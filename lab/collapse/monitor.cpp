@@ -376,7 +376,7 @@ void CollapseMonitor::Impl::take(const PathPoint& point) {
 void CollapseMonitor::Impl::judge(const PathPoint& point) {
   if (!control.found()) before_fall = point;
   look_nearer(point);
-  limit.add(point);
+  limit.add(point.reading, point.q, point.p_eff);
   criteria.add_point(point, header.has_time);
   tell_of_descent();
 }

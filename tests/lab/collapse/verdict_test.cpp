@@ -96,7 +96,7 @@ TEST_CASE("a burst on a limit that only the burst shows is a collapse") {
   PathPoint last;
   last.q = 60e3;
   last.p_eff = 90e3;
-  own.add(last);
+  own.add(last.reading, last.q, last.p_eff);
   const Finding burst{.instant = {.reading = 20, .q_pa = 60e3, .p_eff_pa = 90e3},
                       .evidence = "ran"};
   const Collapse c = verdict({.loss_of_control = burst, .points = 50, .limit = own});
@@ -217,7 +217,7 @@ TEST_CASE("a limit of the test's own excuses no undrained loss of most of the st
     p.reading = i;
     p.q = 1e3 * i;
     p.p_eff = 20e3 + p.q / 3;
-    walked.add(p);
+    walked.add(p.reading, p.q, p.p_eff);
   }
   auto fall = descent(100e3, 53.3e3, 90e3, 11e3);
   fall.onset.reading = 101;
