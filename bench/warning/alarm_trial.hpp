@@ -51,7 +51,7 @@ struct AlarmTrial : TrialHeader {
 
 /// What the seed chooses beside varied(): the stress level (× 0.5 to 2), instruments (as they are,
 /// or noise and steps as of a logger of 12 bits), time between readings in shear (× 1/4 to 16, from
-/// 0.1 to 60 s), air in the pores (a quarter of the seeds, B of about 0.8 to 0.93), a rest or a
+/// 0.1 to 60 s), air in the pores (of some seeds: saturation of 97.5 to 99 %), a rest or a
 /// loop on the way (interruption.hpp).
 lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
                                 Instruments& instruments);
