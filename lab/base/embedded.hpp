@@ -19,5 +19,7 @@ extern const std::span<const EmbeddedFile> kShippedDialects;
 extern const std::span<const EmbeddedFile> kShippedMaterials;
 /// lab/devices/instruments/*.toml (sets of instruments for the rig of a programme)
 extern const std::span<const EmbeddedFile> kShippedInstruments;
+/// lab/wire/personalities/*.toml (how instruments on the wire are asked and set)
+extern const std::span<const EmbeddedFile> kShippedPersonalities;
 
 }  // namespace triax::lab
