@@ -2,15 +2,27 @@
 #include "lab/rig/instruments.hpp"
 
 namespace triax::lab {
+namespace {
+
+std::vector<Fault> faults_of(const std::vector<Fault>& all, std::string_view device) {
+  std::vector<Fault> own;
+  for (const Fault& fault : all)
+    if (fault.device == device) own.push_back(fault);
+  return own;
+}
+
+}  // namespace
 
 Instruments::Instruments(const Programme& programme, std::uint64_t seed)
     : fitted_(programme.fitted), transducers_(programme.transducers), seed_(seed) {
-  for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
-    std::vector<Fault> own;
-    for (const Fault& fault : programme.faults)
-      if (fault.device == quantities()[i].name) own.push_back(fault);
-    faults_.emplace_back(std::move(own), transducers_[i], seed, i);
-  }
+  for (std::size_t i = 0; i < kRawQuantityCount; ++i)
+    faults_.emplace_back(faults_of(programme.faults, quantities()[i].name), transducers_[i], seed,
+                         i);
+}
+
+void Instruments::set_faults(const std::vector<Fault>& faults) {
+  for (std::size_t i = 0; i < kRawQuantityCount; ++i)
+    faults_[i].set_faults(faults_of(faults, quantities()[i].name));
 }
 
 void Instruments::look(const Plant& plant, double time_s, Reading& reading) {

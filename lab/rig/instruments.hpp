@@ -16,6 +16,8 @@ class Instruments {
  public:
   Instruments(const Programme& programme, std::uint64_t seed);
 
+  /// In place of those of the programme; of all devices. What was read before stays remembered.
+  void set_faults(const std::vector<Fault>& faults);
   /// Fills the raw channels of `reading` with what they say at `time_s` (never decreasing). Noise
   /// depends on seed, channel and number of the sample only.
   void look(const Plant& plant, double time_s, Reading& reading);

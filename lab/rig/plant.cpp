@@ -146,12 +146,6 @@ const sim::SpecimenStep& Plant::advance(const PlantDemand& demand, double time_s
   return step_;
 }
 
-double Plant::next_cell_pa(const PressureDemand& demand, double dt_s) const {
-  ControllerState next = state_.cell;
-  triax::lab::advance(cell_controller_, next, demand, 0, dt_s, {});
-  return next.asked_pa;
-}
-
 double Plant::true_value(Quantity channel) const {
   const auto& s = state_.specimen;
   if (const auto of_specimen = info(channel).raw.of_specimen)

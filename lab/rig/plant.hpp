@@ -6,6 +6,7 @@
 // Within a tick pressures and forces run linearly from their value at its start to that at its end;
 // the controllers take in what the specimen gave them in the tick before.
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lab/devices/fault.hpp"
@@ -50,14 +51,14 @@ class Plant {
   /// Throws std::invalid_argument where the specimen refuses its properties.
   explicit Plant(const Programme& programme);
 
+  /// In place of those of the programme.
+  void set_faults(std::vector<Fault> faults) { faults_ = std::move(faults); }
   const sim::Specimen& specimen() const { return specimen_; }
   const PlantState& state() const { return state_; }
   /// The last tick, with its work; empty before the first.
   const sim::SpecimenStep& last_step() const { return step_; }
   /// Moves on by dt; the state stays as it was if the step failed or lost control.
   const sim::SpecimenStep& advance(const PlantDemand& demand, double time_s, double dt_s);
-  /// The cell pressure that its controller is asked for dt later.
-  double next_cell_pa(const PressureDemand& demand, double dt_s) const;
   /// What a perfect instrument would say of the present state; SI.
   double true_value(Quantity channel) const;
 

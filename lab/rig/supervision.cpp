@@ -88,18 +88,17 @@ void Supervision::begin_stage(const Stage& stage) {
     health_[i].may_rest(quantities()[i].raw.counts_water && !drained);
 }
 
-bool Supervision::can_tell(EndQuantity quantity, const Reading& raw,
-                           const Instruments& instruments) {
+bool Supervision::can_tell(EndQuantity quantity, const Reading& raw, const DeviceStates& devices) {
   return std::ranges::none_of(channels_of(quantity), [&](Quantity channel) {
-    return std::isnan(raw[channel]) || instruments.saturated(channel);
+    return std::isnan(raw[channel]) || devices.saturated[index(channel)];
   });
 }
 
 std::vector<std::string> Supervision::notes() { return std::exchange(notes_, {}); }
 
 std::optional<std::string> Supervision::look(const Reading& raw, const Seen& seen,
-                                             const Asked& asked, const Instruments& instruments,
-                                             const PlantState& devices, double dt_s) {
+                                             const Asked& asked, const DeviceStates& devices,
+                                             double dt_s) {
   const double force = seen[Quantity::axial_force];
   // Twice, so that a spike stops nothing.
   const bool above = load_limit_n_ > 0 && std::fabs(force) > load_limit_n_;
@@ -108,7 +107,7 @@ std::optional<std::string> Supervision::look(const Reading& raw, const Seen& see
                        force, load_limit_n_);
   above_limit_ = above;
   if (auto reason = full_or_empty(devices)) return reason;
-  if (auto reason = deaf(raw, instruments, dt_s)) return reason;
+  if (auto reason = deaf(raw, devices, dt_s)) return reason;
   if (auto reason = stuck(raw)) return reason;
   if (auto reason = astray(seen, asked, dt_s)) return reason;
   watch_closed_valve(seen, asked, dt_s);
@@ -118,7 +117,7 @@ std::optional<std::string> Supervision::look(const Reading& raw, const Seen& see
   return standing(seen, asked, dt_s);
 }
 
-std::optional<std::string> Supervision::full_or_empty(const PlantState& devices) const {
+std::optional<std::string> Supervision::full_or_empty(const DeviceStates& devices) const {
   for (const auto& [name, state] :
        {std::pair{"cell", &devices.cell}, std::pair{"back", &devices.back}})
     if (state->full || state->empty)
@@ -126,13 +125,13 @@ std::optional<std::string> Supervision::full_or_empty(const PlantState& devices)
   return std::nullopt;
 }
 
-std::optional<std::string> Supervision::deaf(const Reading& raw, const Instruments& instruments,
+std::optional<std::string> Supervision::deaf(const Reading& raw, const DeviceStates& devices,
                                              double dt_s) {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i) {
     if (!fitted_[i]) continue;
     const Quantity channel = quantities()[i].quantity;
     const bool missing = std::isnan(raw[channel]);
-    if (!missing && !instruments.saturated(channel)) {
+    if (!missing && !devices.saturated[index(channel)]) {
       silent_s_[i] = 0;
       told_[i] = false;
       continue;

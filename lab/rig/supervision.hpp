@@ -23,7 +23,8 @@
 #include <vector>
 
 #include "lab/health/channel_health.hpp"
-#include "lab/rig/instruments.hpp"
+#include "lab/programmes/programme.hpp"
+#include "lab/rig/device_states.hpp"
 #include "lab/rig/seen.hpp"
 
 namespace triax::lab {
@@ -47,17 +48,16 @@ class Supervision {
   void begin_stage(const Stage& stage);
   /// The reason for the safe state; empty while the test may go on. `raw` may hold gaps.
   std::optional<std::string> look(const Reading& raw, const Seen& seen, const Asked& asked,
-                                  const Instruments& instruments, const PlantState& devices,
-                                  double dt_s);
+                                  const DeviceStates& devices, double dt_s);
   /// Whether the channels behind the quantity give readings within their ranges.
-  static bool can_tell(EndQuantity quantity, const Reading& raw, const Instruments& instruments);
+  static bool can_tell(EndQuantity quantity, const Reading& raw, const DeviceStates& devices);
   /// What was noticed since the last call and does not stop the test.
   std::vector<std::string> notes();
 
  private:
   bool needs(Quantity channel) const { return needed_[index(channel)]; }
-  std::optional<std::string> deaf(const Reading& raw, const Instruments& instruments, double dt_s);
-  std::optional<std::string> full_or_empty(const PlantState& devices) const;
+  std::optional<std::string> deaf(const Reading& raw, const DeviceStates& devices, double dt_s);
+  std::optional<std::string> full_or_empty(const DeviceStates& devices) const;
   std::optional<std::string> astray(const Seen& seen, const Asked& asked, double dt_s);
   std::optional<std::string> stuck(const Reading& raw);
   std::optional<std::string> force_astray(const Seen& seen, const Asked& asked, double dt_s);

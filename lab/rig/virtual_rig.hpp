@@ -1,73 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The rig with a specimen from sim/ instead of instruments on a bench: plant, instruments, and the
-// software that runs the stages, which knows readings only (seen.hpp).
-//
-// Between scans the plant is advanced in ticks of at most kTick_s. At the start of each the
-// instruments are looked at, the supervision has its say, the loops ask for what the stage wants.
-// A stage ends at a scan; the reading at which an end is met is the last of its stage. Time is
-// number × interval. Everything is held in a few values: memory does not grow with the test.
-//
-// Channels: axial displacement and volumes count from the start of the test; axial force is that of
-// an internal load cell, above the cell pressure; volumes are what the controllers' pistons pushed
-// out, into specimen and cell.
-//
-// Held or in its safe state the rig locks the crosshead and holds both pressures, in a stage of its
-// own (the last of the header) of which nothing is judged. After a hold the test goes on where it
-// was; the guard's hold ends it (guard.hpp); the safe state ends it after kSafeReadings. So many
-// readings follow, in the same stage, after a cap that ran away has come to lie on the stop at the
-// end of its travel.
+// The rig with a specimen from sim/ instead of instruments on a bench. Time is number × interval.
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "lab/programmes/programme.hpp"
-#include "lab/rig/back_end.hpp"
-#include "lab/rig/plant.hpp"
+#include "lab/rig/rig_software.hpp"
+#include "lab/rig/virtual_apparatus.hpp"
 
 namespace triax::lab {
 
-class VirtualRig : public BackEnd {
+class VirtualRig : public RigSoftware {
  public:
-  static constexpr double kTick_s = 0.25;
-  static constexpr int kSafeReadings = 10;
-
   /// `seed` replaces the programme's own. Throws BadInput if the programme was built by hand with
-  /// values that its reader would refuse.
+  /// values that its reader would refuse. A state that the law cannot describe ends the test, or
+  /// next() throws WorkFailed before the second reading.
   explicit VirtualRig(const Programme& programme, std::optional<std::uint64_t> seed = {});
-  ~VirtualRig() override;
-
-  const RecordHeader& header() const override;
-  /// A stage that does not reach its end, the end of the travel and a control that the specimen
-  /// does not allow end the test with a warning in the header; a device that fails leads to the
-  /// safe state. A state that the law cannot describe ends it too, or throws WorkFailed before the
-  /// second reading.
-  bool next(Reading& reading) override;
-  double progress() const override;
-  /// See TruthWatch and RunAwayLog. Where the cap fell before second-order work turned, the
-  /// specimen lost its equilibrium where that began.
-  std::optional<Truth> truth() const override;
-  /// What happened to the rig since the last call.
-  std::vector<Event> events() override;
-
-  /// Pauses, goes on, or leads to the safe state, from the next tick on.
-  void hold();
-  void resume();
-  bool abort(const std::string& reason) override;
-  /// The guard of the programme acts in a stage that it guards, from the next tick on; a stage that
-  /// would begin while its level stands is not left to its load for a tick.
-  void heed(WarningLevel level) override;
-  std::optional<std::string> guarded() override;
 
   /// True state of the specimen at the last reading, which no instrument sees.
-  const sim::SpecimenState& specimen_state() const;
+  const sim::SpecimenState& specimen_state() const { return plant().state().specimen; }
   /// The physical side, at the end of the last tick: for balances of energy and water.
   const Plant& plant() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  VirtualRig(const Programme& given, const GuardedProgramme& used, std::uint64_t seed);
 };
 
 }  // namespace triax::lab

@@ -7,7 +7,9 @@
 
 #include "lab/devices/noise.hpp"
 #include "lab/programmes/programme_reader.hpp"
+#include "lab/rig/instruments.hpp"
 #include "lab/rig/rig_header.hpp"
+#include "lab/rig/virtual_apparatus.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
 
 using namespace triax::lab;
@@ -37,7 +39,7 @@ class Watch {
     for (int i = 0; i < times; ++i) {
       reading.time_s += 1;
       seen_.take(reading);
-      const auto reason = supervision_.look(reading, seen_, asked, instruments_, devices, 1);
+      const auto reason = supervision_.look(reading, seen_, asked, devices, 1);
       for (auto& note : supervision_.notes()) notes += note + "\n";
       if (reason) return *reason;
     }
@@ -46,7 +48,7 @@ class Watch {
 
   Reading reading;
   Asked asked;
-  PlantState devices;
+  DeviceStates devices;
   std::string notes;
 
  private:
@@ -205,12 +207,13 @@ TEST_CASE("a cell that takes water at rest, and a valve that does not open") {
 TEST_CASE("a channel at the end of its range or silent ends no stage") {
   Programme p = read_programme(test::programme_text(), "p.toml");
   p.faults = {{"axial_displacement", FaultKind::drop_out, 1, {}, 0}};
-  Instruments instruments(p, 1);
-  const Plant plant(p);
+  VirtualApparatus rig(p, 1);
   Reading reading;
-  instruments.look(plant, 0, reading);
-  CHECK(Supervision::can_tell(EndQuantity::axial_strain, reading, instruments));
-  instruments.look(plant, 1, reading);
-  CHECK_FALSE(Supervision::can_tell(EndQuantity::axial_strain, reading, instruments));
-  CHECK(Supervision::can_tell(EndQuantity::time, reading, instruments));
+  reading.time_s = 0;
+  rig.look(reading);
+  CHECK(Supervision::can_tell(EndQuantity::axial_strain, reading, rig.devices()));
+  reading.time_s = 1;
+  rig.look(reading);
+  CHECK_FALSE(Supervision::can_tell(EndQuantity::axial_strain, reading, rig.devices()));
+  CHECK(Supervision::can_tell(EndQuantity::time, reading, rig.devices()));
 }
