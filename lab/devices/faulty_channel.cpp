@@ -20,13 +20,18 @@ constexpr std::uint64_t kSpikeEvery = 32;
 
 FaultyChannel::FaultyChannel(std::vector<Fault> faults, const Transducer& transducer,
                              std::uint64_t seed, std::uint64_t stream)
-    : faults_(std::move(faults)),
-      unit_(transducer.unit),
+    : unit_(transducer.unit),
       step_(transducer.calibration.empty() ? transducer.step : 0),
       lowest_si_(std::min(end_of_range_si(transducer, -1), end_of_range_si(transducer))),
       highest_si_(std::max(end_of_range_si(transducer, -1), end_of_range_si(transducer))),
       seed_(seed),
       stream_(stream) {
+  set_faults(std::move(faults));
+}
+
+void FaultyChannel::set_faults(std::vector<Fault> faults) {
+  faults_ = std::move(faults);
+  longest_latency_s_ = 0;
   for (const Fault& fault : faults_)
     if (fault.kind == FaultKind::latency)
       longest_latency_s_ = std::max(longest_latency_s_, fault.size);

@@ -45,6 +45,8 @@ class FaultyChannel {
   FaultyChannel(std::vector<Fault> faults, const Transducer& transducer, std::uint64_t seed,
                 std::uint64_t stream);
 
+  /// Other faults of this channel from now on; what it remembers stays.
+  void set_faults(std::vector<Fault> faults);
   /// The next reading; `time_s` never decreases. Pre-condition: a finite value.
   double pass(double si, double time_s);
   /// Whether the last reading was at an end of the range.
