@@ -185,11 +185,8 @@ class TextQuestions : public Questions {
         throw BadInput(
             fmt::format("{} has no channel {}; expected 1 to {}", personality_.title, at, count));
     }
-    // What comes unasked may begin in the middle of a line: all before the first end is left out.
-    const bool unasked = scan.ask.empty();
-    Exchange exchange = asking(with_channels(scan.ask, asked), scan.lines + (unasked ? 1 : 0));
-    exchange.values = [=, end = personality_.terminator.back()](std::string_view answer) {
-      if (unasked) answer.remove_prefix(answer.find(end) + 1);
+    Exchange exchange = asking(with_channels(scan.ask, asked), scan.lines);
+    exchange.values = [picks, count](std::string_view answer) {
       const auto numbers = spoken_numbers(answer, static_cast<std::size_t>(count));
       std::vector<double> values;
       for (const std::size_t pick : picks) values.push_back(numbers[pick]);
