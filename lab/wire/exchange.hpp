@@ -18,13 +18,15 @@ class Malformed : public std::runtime_error {
 };
 
 struct Exchange {
-  std::string request;  ///< bytes to be sent; empty where the instrument speaks unasked
+  /// Bytes to be sent. Empty where the instrument speaks unasked: the first answer after the line
+  /// was opened may then be a part of one, and is not to be taken.
+  std::string request;
   /// Length of the whole answer at the front of what came so far; 0: more is to come. 0 at once
   /// where no answer is expected. Throws Malformed as soon as it cannot become one.
   std::function<std::size_t(std::string_view received)> whole;
   bool answered = true;  ///< false: nothing is to come back
   /// What a whole answer says, in the order of what was asked; NaN where the instrument says that
-  /// it has no value. Throws Malformed.
+  /// it has no value, ±infinity where it is beyond the end of its range. Throws Malformed.
   std::function<std::vector<double>(std::string_view answer)> values;
   /// For an identity: the answer as a text; empty where values are asked for.
   std::function<std::string(std::string_view answer)> text;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a controller asks and sets on one instrument, as exchanges in the instrument's own language.
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/wire/exchange.hpp"
+#include "lab/wire/personality.hpp"
+
+namespace triax::lab {
+
+/// One value of an instrument: by its name, or by the number of its channel; neither: the only one.
+struct AskedValue {
+  std::string point;  ///< "pressure_kPa"
+  std::optional<int> at;
+};
+
+struct PointSetting {
+  std::string point;
+  double value = 0;
+};
+
+/// values[i] of the exchange belongs to asked[places[i]].
+struct Question {
+  Exchange exchange;
+  std::vector<std::size_t> places;
+};
+
+/// Values are as the instrument says them, in its units: NaN where it has none, ±infinity where it
+/// is beyond the end of its range (SCPI ±9.9E37).
+class Questions {
+ public:
+  virtual ~Questions() = default;
+  Questions() = default;
+  Questions(const Questions&) = delete;
+  Questions& operator=(const Questions&) = delete;
+
+  /// Sent one after the other once a link stands, for what will be asked; may be empty.
+  virtual std::vector<Exchange> prepare(const std::vector<AskedValue>& asked) = 0;
+  /// Its `text` is for Personality::complaint_about; empty: the instrument does not say who it is.
+  virtual std::optional<Exchange> identify() = 0;
+  /// As few questions as the instrument allows. Throws BadInput for a value that it has not.
+  virtual std::vector<Question> read(const std::vector<AskedValue>& asked) = 0;
+  /// In the order of the personality, whatever the order here. Throws BadInput for a value that
+  /// cannot be set or that its registers cannot hold. What the instrument refuses is Malformed.
+  virtual std::vector<Exchange> set(const std::vector<PointSetting>& settings) = 0;
+};
+
+/// The personality lives longer. Pre-condition: it speaks the protocol, SCPI or lines.
+std::unique_ptr<Questions> text_questions(const Personality& personality);
+
+}  // namespace triax::lab

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Answers that are lines of text.
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace triax::lab {
+
+/// A number as SCPI writes it: "+1.25E+01"; 9.9E37 is +infinity, −9.9E37 −infinity, 9.91E37 NaN.
+/// Throws Malformed for anything else.
+double spoken_number(std::string_view text);
+/// The numbers of a text, apart by commas, semicolons or line ends. Throws Malformed unless there
+/// are `count`.
+std::vector<double> spoken_numbers(std::string_view text, std::size_t count);
+/// Length of so many lines, each ended by `end`, at the front; 0: more is to come. Throws Malformed
+/// for a control character or for more than 64 KB without their end.
+std::size_t whole_lines(std::string_view received, int lines, char end);
+
+}  // namespace triax::lab
