@@ -51,6 +51,8 @@ class Apparatus {
   virtual const DeviceStates& devices() const = 0;
   /// Demands this for one tick and lets it pass. Throws WorkFailed where nothing can be kept.
   virtual Ticked tick(const PlantDemand& demand, const Tick& tick) = 0;
+  /// The test is over, or broken off: brings what moves to a stand. Throws nothing.
+  virtual void rest() {}
   /// The first shear stage begins; returns warnings for the record.
   virtual std::vector<std::string> begin_shear() { return {}; }
   /// See BackEnd::truth.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <string>
 
 #include "lab/results/quantity.hpp"
 
@@ -14,6 +15,7 @@ struct DeviceStates {
   };
   Controller cell, back;
   double piston_force_n = 0;  ///< that stands on the cap now, compression +
+  std::string fault;          ///< why a device does not do what it is told to; empty: it does
   /// Whether a raw channel stood at an end of its range at the last look.
   std::array<bool, kRawQuantityCount> saturated{};
 };

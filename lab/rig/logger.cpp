@@ -56,7 +56,9 @@ Reading Logger::record(const Reading& look) {
       reading.si[i] = sim::to_si(sound_mean(looks_[i], steps_[i]), units_[i]);
     looks_[i].clear();
   }
-  ++recorded_;
+  // A reading that comes late stands for those that were missed.
+  const double intervals = (look.time_s - began_s_) / logging_.interval_s;
+  recorded_ = std::max(recorded_ + 1, static_cast<std::int64_t>(std::floor(intervals + 1e-6)));
   return reading;
 }
 

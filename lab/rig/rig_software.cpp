@@ -77,6 +77,7 @@ struct RigSoftware::Impl {
   std::int64_t number = -1;  ///< of the last scan
   std::size_t stage_index = 0;
   Mode mode = Mode::running;
+  double late_s = 0;  ///< by how much the last tick was longer than it was meant to be
   int safe_readings = 0;
   std::size_t next_action = 0;
   std::optional<double> held_until_s;  ///< by the guard
@@ -223,7 +224,7 @@ void RigSoftware::Impl::supervise(double dt_s) {
 bool RigSoftware::Impl::tick(double dt_s) {
   if (mode != Mode::fallen) {
     act_as_operator();
-    supervise(dt_s);
+    supervise(dt_s + late_s);
     before = demand(dt_s);
   }
   const Ticked done = apparatus->tick(before, {.stage = stage(),
@@ -233,6 +234,7 @@ bool RigSoftware::Impl::tick(double dt_s) {
                                                .readings = number + 1});
   if (mode == Mode::running) seen.add_stage_time(done.passed_s);
   time_s += done.passed_s;
+  late_s = std::max(0.0, done.passed_s - dt_s);
   for (const std::string& warning : done.warnings) warn(warning);
   for (const Event& event : done.events) tell(event.kind, event.detail);
   if (done.end == Ticked::End::none) return true;
@@ -242,6 +244,7 @@ bool RigSoftware::Impl::tick(double dt_s) {
 }
 
 bool RigSoftware::Impl::advance_to_next_scan() {
+  constexpr double kRoundOff_s = 1e-6;
   const double due = logger.due_s();
   const double interval = stage().logging.interval_s;
   const auto ticks = static_cast<int>(std::ceil(interval / kTick_s - 1e-9));
@@ -251,8 +254,8 @@ bool RigSoftware::Impl::advance_to_next_scan() {
       logger.add(reading);
     }
     if (!tick(interval / ticks)) return false;
+    if (time_s > due + kRoundOff_s) break;  // late: readings were missed
   }
-  constexpr double kRoundOff_s = 1e-6;
   if (std::fabs(time_s - due) < kRoundOff_s) time_s = due;
   return true;
 }
@@ -283,7 +286,9 @@ std::vector<Event> RigSoftware::events() { return std::exchange(impl_->events, {
 void RigSoftware::hold() { impl_->go(Impl::Mode::held, EventKind::held, "from outside"); }
 void RigSoftware::resume() { impl_->go(Impl::Mode::running, EventKind::resumed, "from outside"); }
 bool RigSoftware::abort(const std::string& reason) {
-  return impl_->go(Impl::Mode::safe, EventKind::aborted, reason);
+  const bool done = impl_->go(Impl::Mode::safe, EventKind::aborted, reason);
+  impl_->apparatus->rest();
+  return done;
 }
 
 void RigSoftware::heed(WarningLevel level) {
@@ -297,7 +302,10 @@ bool RigSoftware::next(Reading& reading) {
   if (rig.finished) return false;
   if (rig.number >= 0) {
     rig.finished = rig.stage_over() || !rig.advance_to_next_scan();
-    if (rig.finished) return false;
+    if (rig.finished) {
+      rig.apparatus->rest();
+      return false;
+    }
   }
   ++rig.number;
   rig.look();

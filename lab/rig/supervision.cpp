@@ -106,6 +106,7 @@ std::optional<std::string> Supervision::look(const Reading& raw, const Seen& see
     return fmt::format("emergency stop: the load of {:.1f} N is above the frame's limit of {:g} N",
                        force, load_limit_n_);
   above_limit_ = above;
+  if (!devices.fault.empty()) return devices.fault;
   if (auto reason = full_or_empty(devices)) return reason;
   if (auto reason = deaf(raw, devices, dt_s)) return reason;
   if (auto reason = stuck(raw)) return reason;

@@ -12,8 +12,8 @@
 //   moves);
 // - a pressure that stays away from what its controller was asked for;
 // - a crosshead that was asked to move and a displacement that does not, twice in a row;
-// - a controller that is full or empty; a load above the frame's limit (emergency stop);
-// and, only reported:
+// - a device that says of itself that it failed; a controller that is full or empty; a load above
+// the frame's limit (emergency stop); and, only reported:
 // - water that flows from or to the back controller although the valve is closed, or that the cell
 //   takes although valve and pressures rest;
 // - a pore pressure away from the back pressure and no water that flows although the valve is open.

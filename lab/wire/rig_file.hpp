@@ -26,6 +26,7 @@ struct RigChannel {
   double scale = 1;                  ///< one unit is so many SI units; 1 where unknown
   AskedValue asked;                  ///< where it stands in the instrument
   Calibration calibration;
+  bool from_start = false;  ///< counts from what it says at the first reading of a test
   std::int64_t line = 0;
 };
 

@@ -21,6 +21,7 @@ struct AskedValue {
 struct PointSetting {
   std::string point;
   double value = 0;
+  bool operator==(const PointSetting&) const = default;
 };
 
 /// values[i] of the exchange belongs to asked[places[i]].

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One instrument of a rig on the controller's side: its line, who it says that it is, what it is
+// asked and set. Nothing is invented: what did not come is missing, with the cause in words.
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/wire/line/line.hpp"
+#include "lab/wire/rig_file.hpp"
+
+namespace triax::lab {
+
+class WireInstrument {
+ public:
+  /// A link is taken up again after a pause that doubles from the first to the longest.
+  static constexpr double kFirstPause_s = 0.25, kLongestPause_s = 8;
+
+  /// `also`: points that are read with the channels at every scan ("state"). All outlive it. Throws
+  /// BadInput where the instrument does not have one of them.
+  WireInstrument(LineLoop& loop, const RigInstrument& described, std::vector<std::string> also);
+
+  /// Begins to open the line; from here on it sees to itself, from the loop.
+  void start();
+  const RigInstrument& described() const { return described_; }
+  /// Linked, known by its identity and prepared.
+  bool ready() const { return state_ == State::ready; }
+  /// Empty while it has never said who it is.
+  const std::string& identity() const { return identity_; }
+  /// Why it is not ready or what was wrong with its last answer; empty: nothing.
+  const std::string& trouble() const { return trouble_; }
+  /// Times that it became ready.
+  int links() const { return links_; }
+
+  struct Scan {
+    std::vector<CalibratedValue> channels;  ///< in the order of the description; NaN: missing
+    std::vector<double> also;               ///< NaN: missing
+    double sent_s = 0, answered_s = 0;      ///< on the loop's clock; 0: not asked
+  };
+  /// Asks for everything at once; `done` is called once, from the loop. An instrument that is not
+  /// ready gives a scan without values.
+  void scan(std::function<void(const Scan&)> done);
+  /// Sets the points; `done` gets an empty text, or why not.
+  void set(const std::vector<PointSetting>& settings, std::function<void(const std::string&)> done);
+
+ private:
+  enum class State { down, opening, greeting, ready };
+  struct Round;
+
+  void open();
+  void greet();
+  void prepare(std::vector<Exchange> rest);
+  void fail(const std::string& why);
+  void take(Round& round, const Question& question, const Asked& asked);
+
+  LineLoop& loop_;
+  const RigInstrument& described_;
+  std::vector<AskedValue> asked_;
+  std::unique_ptr<Questions> questions_;
+  std::vector<Question> round_;  ///< of one scan
+  std::size_t channels_ = 0;
+  Line line_;
+  LineTimer again_;
+  State state_ = State::down;
+  double pause_s_ = kFirstPause_s;
+  std::string identity_, trouble_;
+  int links_ = 0;
+};
+
+}  // namespace triax::lab
