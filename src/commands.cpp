@@ -11,6 +11,8 @@
 #include "src/triaxial/report.hpp"
 #include "src/triaxial/simulate.hpp"
 #include "src/triaxial/tests.hpp"
+#include "src/wire/run.hpp"
+#include "src/wire/serve.hpp"
 
 namespace triax::src {
 
@@ -18,7 +20,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all = {simulate_command(),  replay_command(), report_command(),
                                            query_command(),     tests_command(),  element_command(),
                                            materials_command(), probe_command(),  domain_command(),
-                                           grains_command()};
+                                           grains_command(),    serve_command(),  run_command()};
   return all;
 }
 

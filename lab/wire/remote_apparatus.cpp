@@ -132,7 +132,13 @@ void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said)
     return;
   }
   auto& one = role == RigRole::cell ? devices_.cell : devices_.back;
-  one = {.asked_pa = said[0] * 1e3, .full = said[1] == 1, .empty = said[1] == 2};
+  // The digits of the wire are fewer than those of a ramp that ends at its target exactly.
+  constexpr double kDigits = 1e-6;
+  const double asked_pa = said[0] * 1e3;
+  if (std::fabs(asked_pa - one.asked_pa) > kDigits * std::max(1e3, asked_pa))
+    one.asked_pa = asked_pa;
+  one.full = said[1] == 1;
+  one.empty = said[1] == 2;
   if (said[2] == 1)
     devices_.fault = fmt::format("the {}-pressure controller held by its watchdog", to_text(role));
 }
@@ -188,9 +194,17 @@ Ticked RemoteApparatus::tick(const PlantDemand& demand, const Tick& tick) {
   await([this] { return orders_ == 0; }, kOrderPatience_s);
   Ticked done;
   done.passed_s = pass(tick);
+  follow_ramps(demand, done.passed_s);
   tell_gaps(done);
   end_by_state(tick, done);
   return done;
+}
+
+/// Where the set points are by now, until they are read.
+void RemoteApparatus::follow_ramps(const PlantDemand& demand, double dt_s) {
+  double &cell_pa = devices_.cell.asked_pa, &back_pa = devices_.back.asked_pa;
+  cell_pa = process(programme_.cell_controller, cell_pa, demand.cell, dt_s);
+  back_pa = process(programme_.back_controller, back_pa, demand.back, dt_s);
 }
 
 /// Each link's trouble once, and its end.

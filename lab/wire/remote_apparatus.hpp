@@ -51,6 +51,7 @@ class RemoteApparatus : public Apparatus {
   void drive(RigRole role, const DriveSettings& settings);
   void await(const std::function<bool()>& done, double within_s);
   double pass(const Tick& tick);
+  void follow_ramps(const PlantDemand& demand, double dt_s);
   void tell_gaps(Ticked& done);
   void end_by_state(const Tick& tick, Ticked& done);
 

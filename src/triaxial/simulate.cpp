@@ -6,11 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/records/record_writer.hpp"
 #include "lab/rig/virtual_rig.hpp"
 #include "lab/rig/without_guard.hpp"
 #include "src/cli/interruption.hpp"
@@ -18,10 +16,10 @@
 #include "src/cli/shared_options.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
-#include "src/output/written_files.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
 #include "src/triaxial/shown_on.hpp"
+#include "src/triaxial/stored_record.hpp"
 #include "src/triaxial/sweep_command.hpp"
 
 namespace triax::src {
@@ -56,23 +54,13 @@ lab::Programme changed_programme(const SimulateOptions& o) {
   return programme;
 }
 
-/// From what was stored: a disk that takes no record ends no test.
-void write_record(lab::RecordWriter& writer, const lab::VirtualRig& rig, const std::string& db,
-                  std::int64_t id) {
-  db::Store(db).for_each_scan(
-      id, 1, [&writer](const lab::Reading& reading, const lab::State&) { writer.write(reading); });
-  writer.finish(rig.header(), rig.truth());
-}
-
 void run_test_of(const SimulateOptions& o) {
   const lab::Programme programme = changed_programme(o);
   refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
   refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
   lab::VirtualRig rig(programme, o.seed);
-  std::optional<lab::RecordWriter> writer;
-  const WrittenFile record(o.record);
-  if (!o.record.empty()) writer.emplace(o.record, rig.header());
+  StoredRecord record(o.record, rig.header());
   const Interruption interruption;
   ProgressBar bar(rig.header().name);
   const auto stop = [&interruption] { return interruption.requested(); };
@@ -82,13 +70,7 @@ void run_test_of(const SimulateOptions& o) {
                                    .stop = stop,
                                    .without_guard = lab::without_guard(programme, o.seed, stop)},
                                   o.db, {shown_on(bar)}, {.say = notify, .stop = stop});
-  std::string unwritten;
-  if (writer) try {
-      write_record(*writer, rig, o.db, id);
-      record.is_there();
-    } catch (const lab::WorkFailed& failure) {
-      unwritten = fmt::format("{}; the test itself is stored", failure.what());
-    }
+  const std::string unwritten = record.write(rig, o.db, id);
   print_tests(o.db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   if (interruption.requested())

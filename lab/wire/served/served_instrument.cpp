@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/wire/served/served_instrument.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/wire/instruments/multimeter_34401a.hpp"
+#include "lab/wire/instruments/number_logger.hpp"
+#include "lab/wire/instruments/scanner_34970a.hpp"
+#include "lab/wire/instruments/serial_pad.hpp"
+#include "lab/wire/modbus/modbus_conversation.hpp"
+#include "lab/wire/scpi/scpi_conversation.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr int kFirstOfScanner = 101;
+
+std::vector<ScpiHeader> headers_of(const Personality& personality, const WireDevice& device) {
+  std::vector<ScpiHeader> headers;
+  for (const PersonalityPoint& point : personality.points)
+    if (!point.scpi.empty() && device.find(point.name))
+      headers.push_back({.point = point.name,
+                         .pattern = point.scpi,
+                         .readable = point.readable,
+                         .writable = point.writable,
+                         .help = point.help});
+  return headers;
+}
+
+/// Where a channel stands among the points of its device; the only one is the first.
+std::size_t place_of(const RigInstrument& one, const RigChannel& channel) {
+  const int first = one.personality.name == "34970A" ? kFirstOfScanner : 1;
+  const int at = channel.asked.at.value_or(first);
+  if (at < first || at >= first + 20)
+    throw BadInput(
+        fmt::format("{}: channel {} is none of {} to {}", one.name, at, first, first + 19));
+  return static_cast<std::size_t>(at - first);
+}
+
+std::string identity_of(const RigInstrument& one) {
+  return fmt::format("triax,{},{},1", one.personality.name, kSimulatedWord);
+}
+
+}  // namespace
+
+ServedInstrument::ServedInstrument(const RigInstrument& described, const ServedPlant& plant,
+                                   ServedDrives& drives)
+    : described_(described) {
+  switch (described.role) {
+    case RigRole::frame:
+      device_ = drives.frame();
+      break;
+    case RigRole::cell:
+      device_ = drives.cell_controller();
+      break;
+    case RigRole::back:
+      device_ = drives.back_controller();
+      break;
+    case RigRole::reads:
+      read_channels(plant);
+  }
+  device_.name = described.name;
+  identity_ = device_.identity;
+  make_conversation(described.link.is_modbus());
+}
+
+/// Points as its channels stand in it, in the instrument's own unit.
+void ServedInstrument::read_channels(const ServedPlant& plant) {
+  device_.identity = identity_of(described_);
+  for (const RigChannel& channel : described_.channels) {
+    if (!channel.quantity) continue;
+    const std::size_t place = place_of(described_, channel);
+    while (device_.points.size() <= place)
+      device_.points.push_back({.name = fmt::format("channel {}", device_.points.size() + 1),
+                                .read = [] { return std::numeric_limits<double>::quiet_NaN(); },
+                                .write = {}});
+    device_.points[place].read = [&plant, &channel] {
+      const double si = plant.reading()[*channel.quantity];
+      return channel.calibration.raw_of(
+          std::isnan(si) ? si : sim::to_field(si, {.name = {}, .scale = channel.scale}));
+    };
+  }
+}
+
+void ServedInstrument::make_conversation(bool modbus) {
+  const Personality& personality = described_.personality;
+  const WireDevice& device = device_;
+  if (modbus) {
+    const auto map = std::make_shared<RegisterMap>(personality);
+    const std::vector<ModbusUnit> units{{described_.link.unit, map.get(), &device}};
+    speaker_ = map;
+    const bool tcp = !described_.link.is_serial();
+    talk_ = [this, units, tcp]() -> std::unique_ptr<Conversation> {
+      std::unique_ptr<Conversation> talk;
+      if (tcp)
+        talk = std::make_unique<ModbusTcpConversation>(units);
+      else
+        talk = std::make_unique<ModbusRtuConversation>(units, described_.link.baud);
+      return std::make_unique<SpoiltConversation>(std::move(talk), tcp, fault_);
+    };
+    return;
+  }
+  const auto scpi = [this, &device](const ScpiTable& table) {
+    talk_ = [&table, &device] { return std::make_unique<ScpiConversation>(table, device); };
+  };
+  if (described_.role != RigRole::reads) {
+    const auto table =
+        std::make_shared<ScpiTable>(scpi_table_of(device, headers_of(personality, device)));
+    speaker_ = table;
+    scpi(*table);
+  } else if (personality.name == "34401A") {
+    const auto meter = std::make_shared<Multimeter34401A>(device);
+    speaker_ = meter;
+    scpi(meter->table());
+  } else if (personality.name == "34970A") {
+    const auto scanner = std::make_shared<Scanner34970A>(device, 0);
+    speaker_ = scanner;
+    process_ = [scanner = scanner.get()](double time_s) { scanner->process(time_s); };
+    scpi(scanner->table());
+  } else if (personality.name == "pad") {
+    talk_ = [&device] { return std::make_unique<SerialPad>(device); };
+  } else if (personality.name == "number-a-line") {
+    talk_ = [&device] { return std::make_unique<NumberLogger>(device, 1); };
+  } else {
+    throw BadInput(fmt::format(
+        "{}: {} is not served: 34401A, 34970A, pad and number-a-line are, and what drives the rig",
+        described_.name, personality.name));
+  }
+}
+
+std::unique_ptr<Conversation> ServedInstrument::conversation() const { return talk_(); }
+
+void ServedInstrument::process(double time_s) const {
+  if (process_) process_(time_s);
+}
+
+void ServedInstrument::pretend(bool other) {
+  device_.identity = other ? "somebody,else,0,0" : identity_;
+}
+
+}  // namespace triax::lab
