@@ -18,7 +18,8 @@ class Conversation {
 
   /// The next bytes of the client. Never throws for what a client sent; what it keeps is bounded.
   virtual void take(std::string_view bytes, std::string& reply) = 0;
-  /// After how long a silence silent() is to be called, once, s; empty: what was taken is whole.
+  /// After how long a silence silent() is to be called, s; empty: what was taken is whole. It is
+  /// asked at the beginning, after take() and after silent(): who speaks unasked always gives one.
   virtual std::optional<double> waits_s() const { return std::nullopt; }
   /// The line was silent for so long: what came without a terminator counts as whole, or is
   /// dropped.

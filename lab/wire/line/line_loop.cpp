@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/wire/line/line_loop.hpp"
+
+#include <algorithm>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cmath>
+
+namespace triax::lab {
+namespace {
+using LoopClock = std::chrono::steady_clock;
+constexpr double kLongestWait_s = 1e9;
+
+LoopClock::duration loop_duration(double seconds) {
+  return std::chrono::duration_cast<LoopClock::duration>(
+      std::chrono::duration<double>(std::clamp(seconds, 0.0, kLongestWait_s)));
+}
+}  // namespace
+
+struct LineTimer::State {
+  explicit State(boost::asio::io_context& context) : timer(context) {}
+  boost::asio::steady_timer timer;
+  std::function<void()> what;
+};
+
+LineTimer& LineTimer::operator=(LineTimer&& other) noexcept {
+  if (this != &other) {
+    cancel();
+    state_ = std::move(other.state_);
+  }
+  return *this;
+}
+
+LineTimer::~LineTimer() { cancel(); }
+
+void LineTimer::cancel() {
+  if (!state_) return;
+  state_->what = nullptr;
+  state_->timer.cancel();
+  state_.reset();
+}
+
+bool LineTimer::waits() const { return state_ && state_->what; }
+
+struct LineLoop::Impl {
+  // One thread: no locks inside.
+  boost::asio::io_context context{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{
+      context.get_executor()};
+  LoopClock::time_point start = LoopClock::now();
+};
+
+LineLoop::LineLoop() : impl_(std::make_unique<Impl>()) {}
+LineLoop::~LineLoop() = default;
+
+double LineLoop::now_s() const {
+  return std::chrono::duration<double>(LoopClock::now() - impl_->start).count();
+}
+
+LineTimer LineLoop::at(double when_s, std::function<void()> what) {
+  LineTimer timer;
+  timer.state_ = std::make_shared<LineTimer::State>(impl_->context);
+  timer.state_->what = std::move(what);
+  timer.state_->timer.expires_at(impl_->start + loop_duration(when_s));
+  timer.state_->timer.async_wait([state = timer.state_](const boost::system::error_code&) {
+    // It may be cancelled after it was due and before its turn; and it may put another in its
+    // place.
+    if (const auto due = std::exchange(state->what, nullptr)) due();
+  });
+  return timer;
+}
+
+void LineLoop::soon(std::function<void()> what) {
+  boost::asio::post(impl_->context, std::move(what));
+}
+
+void LineLoop::poll() {
+  // Handlers make handlers: under a flood there would be no end.
+  for (int done = 0; done < 1000 && impl_->context.poll_one() > 0; ++done) {
+  }
+}
+
+void LineLoop::run_for(double seconds) { impl_->context.run_for(loop_duration(seconds)); }
+
+bool LineLoop::run_until(const std::function<bool()>& reached, double deadline_s) {
+  constexpr double kLook_s = 0.05;
+  for (;;) {
+    if (reached()) return true;
+    const double left_s = deadline_s - now_s();
+    if (!(left_s > 0)) {
+      // Once more what is ready, so that a loop of short deadlines moves on.
+      poll();
+      return reached();
+    }
+    impl_->context.run_one_for(loop_duration(std::min(left_s, kLook_s)));
+  }
+}
+
+boost::asio::io_context& LineLoop::context() { return impl_->context; }
+
+}  // namespace triax::lab
