@@ -11,16 +11,18 @@
 #include "src/triaxial/report.hpp"
 #include "src/triaxial/simulate.hpp"
 #include "src/triaxial/tests.hpp"
+#include "src/wire/record.hpp"
+#include "src/wire/rig.hpp"
 #include "src/wire/run.hpp"
 #include "src/wire/serve.hpp"
 
 namespace triax::src {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {simulate_command(),  replay_command(), report_command(),
-                                           query_command(),     tests_command(),  element_command(),
-                                           materials_command(), probe_command(),  domain_command(),
-                                           grains_command(),    serve_command(),  run_command()};
+  static const std::vector<Command> all = {
+      simulate_command(), replay_command(),    report_command(), query_command(),  tests_command(),
+      element_command(),  materials_command(), probe_command(),  domain_command(), grains_command(),
+      serve_command(),    run_command(),       record_command(), rig_command()};
   return all;
 }
 

@@ -17,9 +17,9 @@ namespace triax::lab {
 namespace {
 
 /// What is read of a drive beside its channels.
-std::vector<std::string> states_of(RigRole role) {
-  if (role == RigRole::frame) return {"state", "piston_force_N"};
-  if (role == RigRole::reads) return {};
+std::vector<std::string> states_of(const RigInstrument& one) {
+  if (one.role == RigRole::frame) return {"state", "piston_force_N"};
+  if (one.role == RigRole::reads) return {};
   return {"set_point_kPa", "piston", "watchdog"};
 }
 
@@ -45,12 +45,12 @@ Ticked::End end_of(FrameState state) {
 
 RemoteApparatus::RemoteApparatus(LineLoop& loop, const RigFile& rig, const Programme& programme,
                                  std::function<bool()> stop)
-    : loop_(loop), rig_(rig), programme_(programme), stop_(std::move(stop)) {
+    : loop_(loop),
+      rig_(rig),
+      programme_(programme),
+      stop_(std::move(stop)),
+      instruments_(loop, rig, states_of) {
   check_complete(rig, programme);
-  for (const RigInstrument& one : rig.instruments) {
-    instruments_.push_back(std::make_unique<WireInstrument>(loop, one, states_of(one.role)));
-    if (one.role != RigRole::reads) drives_[one.role] = instruments_.back().get();
-  }
 }
 
 RemoteApparatus::~RemoteApparatus() { rest(); }
@@ -60,44 +60,13 @@ void RemoteApparatus::await(const std::function<bool()>& done, double within_s) 
 }
 
 void RemoteApparatus::connect(double within_s) {
-  for (const auto& one : instruments_) one->start();
-  const auto ready = [](const auto& one) { return one->ready(); };
-  await([&] { return std::ranges::all_of(instruments_, ready); }, within_s);
-  std::string missing;
-  for (const auto& one : instruments_)
-    if (!one->ready())
-      missing +=
-          fmt::format("\n  {} at {}: {}", one->described().name, to_text(one->described().link),
-                      one->trouble().empty() ? "does not answer" : one->trouble());
+  const std::string missing = instruments_.connect(within_s, stop_);
   if (!missing.empty())
     throw WorkFailed(fmt::format("{}: not all instruments are there:{}", rig_.file, missing));
   if (rig_.plant && rig_.plant->control) {
     control_ = std::make_unique<ControlLine>(loop_, *rig_.plant->control);
     time_ = control_->ask_time();
   }
-}
-
-bool RemoteApparatus::simulated() const {
-  return std::ranges::any_of(instruments_, [](const auto& one) {
-    return one->identity().find(kSimulatedWord) != std::string::npos;
-  });
-}
-
-std::vector<std::string> RemoteApparatus::identities() const {
-  std::vector<std::string> lines;
-  for (const auto& one : instruments_) {
-    std::vector<std::pair<std::string, Calibration>> channels;
-    for (const RigChannel& channel : one->described().channels)
-      channels.emplace_back(channel.name, channel.calibration);
-    std::string line =
-        fmt::format("instrument {}: {}; digest {}", one->described().name,
-                    one->identity().empty() ? "does not say who it is" : one->identity(),
-                    instrument_digest(one->identity(), channels));
-    for (const auto& [name, calibration] : channels)
-      line += fmt::format("; {}: {}", name, calibration.text());
-    lines.push_back(std::move(line));
-  }
-  return lines;
 }
 
 void RemoteApparatus::take(const WireInstrument& one, const WireInstrument::Scan& scan,
@@ -144,25 +113,18 @@ void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said)
 }
 
 void RemoteApparatus::look(Reading& reading) {
-  const double asked_s = loop_.now_s();
-  if (!start_s_) start_s_ = asked_s - reading.time_s / time_.speed;
-  if (!time_.lock_step) reading.time_s = (asked_s - *start_s_) * time_.speed;
   devices_.fault.clear();
-  std::size_t open = instruments_.size();
-  double longest_s = 0;
-  for (const auto& one : instruments_) {
-    longest_s = std::max(longest_s, one->described().personality.deadline_s);
-    one->scan([this, &open, &reading, &one](const WireInstrument::Scan& scan) {
-      take(*one, scan, reading);
-      --open;
-    });
-  }
-  // Every question is answered by its deadline, one way or another.
-  loop_.run_until([&open] { return open == 0; }, asked_s + longest_s + 1);
+  const double nominal_s = reading.time_s;
+  const double asked_s = instruments_.scan(
+      [this, &reading](const WireInstrument& one, const WireInstrument::Scan& scan) {
+        take(one, scan, reading);
+      });
+  if (!start_s_) start_s_ = asked_s - nominal_s / time_.speed;
+  if (!time_.lock_step) reading.time_s = (asked_s - *start_s_) * time_.speed;
 }
 
 void RemoteApparatus::drive(RigRole role, const DriveSettings& settings) {
-  WireInstrument& one = *drives_.at(role);
+  WireInstrument& one = *instruments_.with(role);
   Sent& sent = sent_[role];
   const bool changed = sent.link != one.links() || sent.settings != settings;
   if (!changed || !one.ready()) return;
@@ -210,7 +172,7 @@ void RemoteApparatus::follow_ramps(const PlantDemand& demand, double dt_s) {
 /// Each link's trouble once, and its end.
 void RemoteApparatus::tell_gaps(Ticked& done) {
   const double now_s = (loop_.now_s() - *start_s_) * time_.speed;
-  for (const auto& one : instruments_) {
+  for (const auto& one : instruments_.all()) {
     const std::string& name = one->described().name;
     const std::string& trouble = one->trouble();
     const auto known = gaps_.find(one.get());
@@ -244,8 +206,8 @@ void RemoteApparatus::end_by_state(const Tick& tick, Ticked& done) {
 }
 
 void RemoteApparatus::rest() {
-  for (const auto& [role, one] : drives_)
-    drive(role, role == RigRole::frame ? stopped_frame() : held_pressure());
+  drive(RigRole::frame, stopped_frame());
+  for (const RigRole role : {RigRole::cell, RigRole::back}) drive(role, held_pressure());
   loop_.run_until([this] { return orders_ == 0; }, loop_.now_s() + kOrderPatience_s);
 }
 

@@ -17,7 +17,7 @@
 #include "lab/rig/apparatus.hpp"
 #include "lab/wire/control_line.hpp"
 #include "lab/wire/drive_settings.hpp"
-#include "lab/wire/wire_instrument.hpp"
+#include "lab/wire/wire_instruments.hpp"
 
 namespace triax::lab {
 
@@ -32,10 +32,7 @@ class RemoteApparatus : public Apparatus {
   void connect(double within_s);
   ~RemoteApparatus() override;
   const RigTime& time() const { return time_; }
-  /// Whether any instrument says that what it measures is simulated.
-  bool simulated() const;
-  /// Each instrument's identity and calibrations, with their digest, a line each.
-  std::vector<std::string> identities() const;
+  const WireInstruments& instruments() const { return instruments_; }
 
   void look(Reading& reading) override;
   const DeviceStates& devices() const override { return devices_; }
@@ -68,8 +65,7 @@ class RemoteApparatus : public Apparatus {
   const RigFile& rig_;
   Programme programme_;
   std::function<bool()> stop_;
-  std::vector<std::unique_ptr<WireInstrument>> instruments_;
-  std::map<RigRole, WireInstrument*> drives_;
+  WireInstruments instruments_;
   std::unique_ptr<ControlLine> control_;
   RigTime time_;
   std::optional<double> start_s_;  ///< of the test, on the loop's clock

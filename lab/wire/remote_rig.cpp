@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/wire/remote_rig.hpp"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <utility>
 
@@ -15,12 +13,12 @@ namespace {
 RecordHeader remote_header(const Programme& programme, const RigFile& rig,
                            const RemoteApparatus& apparatus) {
   RecordHeader header = rig_header(programme, programme.seed);
-  header.warnings.push_back({0, fmt::format("read over the wire from rig {}", rig.name)});
-  if (!apparatus.simulated()) {
+  header.notes = apparatus.instruments().identities();
+  header.notes.insert(header.notes.begin(), {.label = "rig", .text = rig.name});
+  if (!apparatus.instruments().simulated()) {
     header.origin = Origin::recorded;
     header.seed.reset();
   }
-  for (const std::string& line : apparatus.identities()) header.warnings.push_back({0, line});
   return header;
 }
 
