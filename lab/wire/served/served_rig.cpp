@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "lab/programmes/fault_reader.hpp"
-#include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/rig_software.hpp"
 #include "lab/wire/scpi/scpi_conversation.hpp"
 
@@ -20,9 +18,7 @@ namespace {
 
 const RigPlant& plant_of(const RigFile& rig) {
   if (rig.plant) return *rig.plant;
-  throw BadInput(rig.file, 0,
-                 "only a rig with a [plant] can be served: programme = \"...\" says what stands "
-                 "behind its instruments");
+  throw BadInput(rig.file, 0, "only a rig with a [plant] can be served");
 }
 
 constexpr std::pair<const char*, WireFault> kLineFaults[] = {
@@ -46,11 +42,12 @@ auto kind_of(const std::string& word, const Kinds& kinds) {
 }  // namespace
 
 struct ServedRig::Impl {
-  Impl(LineLoop& waiting, const RigFile& described, const ServingOptions& wanted)
+  Impl(LineLoop& waiting, const RigFile& described, const Programme& programme,
+       const ServingOptions& wanted)
       : loop(waiting),
         rig(described),
         options(wanted),
-        plant(load_programme(plant_of(rig).programme), seed_of(rig)),
+        plant(programme, plant_of(rig).seed.value_or(programme.seed)),
         drives(plant, options.lock_step ? 0 : rig.plant->watchdog_s,
                [this] { return loop.now_s(); }),
         server(loop) {
@@ -69,10 +66,6 @@ struct ServedRig::Impl {
       listen("control", *rig.plant->control,
              [this] { return std::make_unique<ScpiConversation>(table, control); });
     if (!options.lock_step) begin_clock();
-  }
-
-  static std::uint64_t seed_of(const RigFile& rig) {
-    return rig.plant->seed.value_or(load_programme(rig.plant->programme).seed);
   }
 
   void listen(const std::string& name, LinkAddress link, WireServer::Factory talk) {
@@ -202,18 +195,15 @@ void ServedRig::Impl::add_line_faults() {
             });
 }
 
-ServedRig::ServedRig(LineLoop& loop, const RigFile& rig, const ServingOptions& options)
-    : impl_(std::make_unique<Impl>(loop, rig, options)) {}
+ServedRig::ServedRig(LineLoop& loop, const RigFile& rig, const Programme& programme,
+                     const ServingOptions& options)
+    : impl_(std::make_unique<Impl>(loop, rig, programme, options)) {}
 ServedRig::~ServedRig() = default;
 
 const std::vector<ServedRig::Open>& ServedRig::open() const { return impl_->open; }
 const ServedPlant& ServedRig::plant() const { return impl_->plant; }
 double ServedRig::lost_s() const { return impl_->lost_s; }
 
-std::vector<std::string> ServedRig::control_help() const {
-  std::vector<std::string> rows;
-  for (const ScpiRow& row : impl_->table.rows()) rows.push_back(row.help);
-  return rows;
-}
+const ScpiTable& ServedRig::control() const { return impl_->table; }
 
 }  // namespace triax::lab

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lab/wire/line/wire_server.hpp"
+#include "lab/wire/scpi/table.hpp"
 #include "lab/wire/served/served_instrument.hpp"
 
 namespace triax::lab {
@@ -29,10 +30,11 @@ class ServedRig {
   static constexpr double kTick_s = 0.02;
   static constexpr double kMostLate_s = 1;
 
-  /// Listens at once; nothing is answered before the loop runs. `rig` and the loop outlive it.
-  /// Throws BadInput where the rig has no [plant] or an instrument cannot be served, WorkFailed
-  /// where an address is taken.
-  ServedRig(LineLoop& loop, const RigFile& rig, const ServingOptions& options);
+  /// Listens at once; nothing is answered before the loop runs. `programme` is that of the rig's
+  /// [plant], whose seed replaces its own; rig and loop outlive this. Throws BadInput where the rig
+  /// has no [plant] or an instrument cannot be served, WorkFailed where an address is taken.
+  ServedRig(LineLoop& loop, const RigFile& rig, const Programme& programme,
+            const ServingOptions& options);
   ~ServedRig();
   ServedRig(const ServedRig&) = delete;
   ServedRig& operator=(const ServedRig&) = delete;
@@ -46,9 +48,8 @@ class ServedRig {
   const ServedPlant& plant() const;
   /// Of the clock's time that the plant was too slow for, s.
   double lost_s() const;
-
-  /// The whole control tree, a row "COMMAND  help" each.
-  std::vector<std::string> control_help() const;
+  /// The control tree.
+  const ScpiTable& control() const;
 
  private:
   struct Impl;
