@@ -202,7 +202,10 @@ void Scanner34970A::process(double now_s) {
 
 void Scanner34970A::take(std::size_t count, ScpiCall& call, bool keep, bool block) {
   std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? "," : "") + text_of(memory_[i]);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += ',';
+    text += text_of(memory_[i]);
+  }
   if (!keep) memory_.erase(memory_.begin(), memory_.begin() + std::ptrdiff_t(count));
   call.reply = block ? as_block(text) : text;
 }
