@@ -19,7 +19,7 @@ TEST_CASE("a device's points are asked for and set by their headers") {
   CHECK(asked.ask("SOUR:PRES:TARG 123.5 kPa") == "");
   CHECK(asked.target_kPa == 123.5);
   CHECK(asked.ask(":PRES:TARG?") == "123.5");
-  CHECK(asked.heard == 5);
+  CHECK(asked.heard == 6);
   CHECK(asked.ask("SYST:ERR?") == "0,\"No error\"");
 }
 
@@ -75,9 +75,10 @@ TEST_CASE("a line feed in a block is data, a semicolon in a text parts nothing")
   AskedDevice asked;
   std::string got;
   asked.table.add("DATA", 2, "", [&](ScpiCall& call) {
-    got = call.parameters.block() + "|" + call.parameters.text();
+    got = call.parameters.block();
+    got += "|" + call.parameters.text();
   });
-  CHECK(asked.ask("DATA #212a\nb;c\"#15x\n,d ,'e;f';*OPC?") == "1");
+  CHECK(asked.ask("DATA #213a\nb;c\"#15x\n,d ,'e;f';*OPC?") == "1");
   CHECK(got == "a\nb;c\"#15x\n,d|e;f");
   // A text without its end does not wait for one.
   CHECK(asked.ask("DATA #11a,'e") == "");
@@ -94,8 +95,8 @@ TEST_CASE("a message that is too long is thrown away whole, and costs no memory"
   CHECK(asked.target_kPa == 100);
   CHECK(asked.ask("SYST:ERR?") == "-363,\"Input buffer overrun\"");
   CHECK(asked.ask("SYST:ERR?") == "0,\"No error\"");
-  CHECK(asked.ask(std::string(ScpiConversation::kLongestMessage - 5, ' ') + "*OPC?") == "1");
-  CHECK(asked.error_of(std::string(ScpiConversation::kLongestMessage - 4, ' ') + "*OPC?")
+  CHECK(asked.ask(fmt::format("{:>{}}", "*OPC?", ScpiConversation::kLongestMessage)) == "1");
+  CHECK(asked.error_of(fmt::format("{:>{}}", "*OPC?", ScpiConversation::kLongestMessage + 1))
             .starts_with("-363"));
   // A block that says it is long waits for no end of it.
   asked.client.take("DATA #9999999999\n", reply);

@@ -40,7 +40,7 @@ TEST_CASE("errors set the event of their class, which the status byte sums up") 
   CHECK(asked.resets == 1);
   CHECK(asked.ask("SYST:ERR:COUN?") == "3");
   asked.ask("*CLS");
-  CHECK(asked.ask("SYST:ERR:COUN?;*STB?") == "0;16");
+  CHECK(asked.ask("SYST:ERR:COUN?;*STB?") == "0;80");
   CHECK(asked.ask("*ESE?") == "1");
 }
 
