@@ -51,7 +51,9 @@ void check_lock_step(const Programme& programme, const std::string& link) {
   CHECK(remote.header().cut_short == direct.header().cut_short);
 }
 
-const char* const kStandard = "back_pressure_kPa = 300.0\ninstruments = \"standard\"\n";
+const char* const kStandard =
+    "back_pressure_kPa = 300.0\ninstruments = \"standard\"\n"
+    "drainage_resistance_kPa_s_per_mm3 = 0.5\n";
 
 /// Pressures, valve and force are all driven: a B check, drained shear, constant q.
 const char* const kConstantQ = R"(

@@ -47,7 +47,7 @@ TEST_CASE("what a rig's file must not say is refused with its line") {
   CHECK_THAT(instead("role = \"frame\"", "role = \"frme\""), Contains("frame") && Contains(":"));
   CHECK_THAT(instead("role = \"back\"", "role = \"cell\""), Contains("another instrument is the"));
   CHECK_THAT(instead("name = \"frame\"", "name = \"scanner\""), Contains("another instrument is"));
-  CHECK_THAT(instead("quantity = \"cell_pressure\"", "quantity = \"axial_force\""),
+  CHECK_THAT(instead("quantity = \"cell_volume\"", "quantity = \"back_volume\""),
              Contains("measured twice"));
   CHECK_THAT(instead("unit = \"N\"", "unit = \"mm\""), Contains("is no unit of axial_force"));
   CHECK_THAT(instead("at = \"volume_mm3\"", "at = \"volume\""), Contains("volume"));
