@@ -18,6 +18,7 @@
 #include "lab/records/dialect.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/rig/recorded.hpp"
+#include "lab/wire/personality.hpp"
 
 using namespace triax::lab;
 using Catch::Contains;
@@ -211,5 +212,28 @@ TEST_CASE("the page of grains prints a programme, and names every action") {
   for (const auto& action : grain_actions()) {
     INFO(action);
     CHECK(named.count(action) == 1);
+  }
+}
+
+TEST_CASE("the page of personalities prints two, and has every key and every shipped one") {
+  const std::string page = "docs/wire-personalities.md";
+  const auto old =
+      parse_personality(joined(printed(page, "title = \"old controller\""), "\n"), page);
+  CHECK(old.points.size() == 4);
+  CHECK(old.at("pressure_kPa").registers[0].form == RegisterForm::float32_low_first);
+  const auto balance = parse_personality(joined(printed(page, "title = \"balance\""), "\n"), page);
+  CHECK(balance.scan->ask == "P");
+  const auto text = read_text_file(page);
+  const std::function<void(const TomlTable&)> keys_of = [&](const TomlTable& table) {
+    for (const auto& key : table.keys()) {
+      const bool name = table.name() == "points";
+      if (!name)
+        CHECK_THAT(text, Contains(fmt::format("`{}`", key)) || Contains(fmt::format("`[{}", key)));
+      if (table.is_table(key)) keys_of(*table.table(key));
+    }
+  };
+  for (const EmbeddedFile& file : kShippedPersonalities) {
+    CHECK_THAT(text, Contains(fmt::format("[`{0}`](personalities/{0}.md)", file.name)));
+    keys_of(TomlTable::parse(file.text, std::string(file.name)));
   }
 }

@@ -13,6 +13,8 @@
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/rig/recorded.hpp"
+#include "lab/wire/modbus/frames.hpp"
+#include "lab/wire/modbus/pdu.hpp"
 
 using namespace triax::lab;
 
@@ -38,6 +40,16 @@ TEST_CASE("the fuzzers' seeds are accepted") {
     CHECK_NOTHROW(parse_dialect(read_text_file(path), path));
   for (const auto& path : seeds("ags_fuzz"))
     CHECK_FALSE(read_triaxial_results(*open_file(path)).results.empty());
+  for (const auto& path : seeds("modbus_fuzz")) {
+    INFO(path);
+    const auto frame = read_text_file(path).substr(1);
+    const bool tcp = path.find("_tcp_") != std::string::npos,
+               asked = path.find("asked_") != std::string::npos;
+    const auto pdu = tcp ? frame.substr(kTcpHeader) : frame.substr(1, frame.size() - kRtuAround);
+    if (!tcp) CHECK(crc_holds(frame));
+    if (!path.ends_with("unknown"))
+      CHECK((asked ? request_length(pdu) : answer_length(pdu)) == pdu.size());
+  }
   std::vector<std::string> dialects;
   for (const auto& path : seeds("record_fuzz")) {
     INFO(path);

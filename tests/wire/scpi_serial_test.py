@@ -2,11 +2,10 @@
 """Our serial port serves and asks over a pair of pseudo-terminals that socat makes."""
 import os
 import subprocess
-import sys
 import tempfile
 import time
 
-from wire_tools import Served, expect, run, skip_without
+from wire_tools import STATION, Served, expect, run, skip_without
 
 skip_without("socat")
 with tempfile.TemporaryDirectory() as folder:
@@ -25,7 +24,7 @@ with tempfile.TemporaryDirectory() as folder:
                     came += os.read(terminal, 100)
                 expect(came.decode().split(), counts, f"{request!r} over the pair")
             os.close(terminal)
-            asked = run(sys.argv[1], "--ask", f"serial://{theirs}?baud=19200", "SS")
+            asked = run(STATION, "--ask", f"serial://{theirs}?baud=19200", "SS")
             expect(asked.split(), counts[:1], "our line asks over the pair")
     finally:
         pair.terminate()

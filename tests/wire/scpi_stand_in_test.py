@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Our line asks an instrument that is written in Python with its own socket server."""
 import socketserver
-import sys
 import threading
 import time
 
-from wire_tools import expect, run
+from wire_tools import STATION, expect, run
 
 
 class StandIn(socketserver.StreamRequestHandler):
@@ -32,10 +31,10 @@ server = socketserver.ThreadingTCPServer(("127.0.0.1", 0), StandIn)
 server.daemon_threads = True
 threading.Thread(target=server.serve_forever, daemon=True).start()
 link = f"tcp://127.0.0.1:{server.server_address[1]}"
-said = run(sys.argv[1], "--ask", link, "*IDN?", "TARG 12.5", "TARG?", "*IDN?")
+said = run(STATION, "--ask", link, "*IDN?", "TARG 12.5", "TARG?", "*IDN?")
 expect(said.split(), ["stand-in,1,2,3", "12.5", "stand-in,1,2,3"], "answers, one in pieces, in their order")
 try:
-    run(sys.argv[1], "--ask", link, "*IDN?", "BYE?", "TARG?")
+    run(STATION, "--ask", link, "*IDN?", "BYE?", "TARG?")
 except SystemExit as ended:
     expect(str(ended).splitlines()[1:], ["stand-in,1,2,3"] + 2 * ["closed by the other side"], "a server that goes")
 else:

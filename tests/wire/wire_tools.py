@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the scripts of this folder share: our served instruments, tools of others, and what is expected of them."""
+import os
 import shutil
 import subprocess
 import sys
 
 SKIPPED = 77
+STATION = os.path.join(os.environ["WIRE_PROGRAMS"], "scpi_station")
 
 
 def skip_without(*tools):
@@ -19,7 +21,7 @@ class Served:
     """Our instruments at free ports: `ports["34401A"]`. They end with this script at the latest."""
 
     def __init__(self, *arguments):
-        self.process = subprocess.Popen([sys.argv[1], *arguments], stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen([STATION, *arguments], stdout=subprocess.PIPE, text=True)
         self.ports = {}
         for line in self.process.stdout:
             if line == "ready\n":

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab/wire/exchange.hpp"
+#include "lab/wire/link_address.hpp"
 #include "lab/wire/personality.hpp"
 
 namespace triax::lab {
@@ -50,7 +51,10 @@ class Questions {
   virtual std::vector<Exchange> set(const std::vector<PointSetting>& settings) = 0;
 };
 
-/// The personality lives longer. Pre-condition: it speaks the protocol, SCPI or lines.
+/// In the protocol of the link. The personality lives longer. Throws BadInput where it does not
+/// speak that.
+std::unique_ptr<Questions> questions_for(const Personality& personality, const LinkAddress& link);
+/// By SCPI or lines. Pre-condition: the personality speaks that.
 std::unique_ptr<Questions> text_questions(const Personality& personality);
 
 }  // namespace triax::lab

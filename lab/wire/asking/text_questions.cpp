@@ -82,7 +82,7 @@ class TextQuestions : public Questions {
     for (const auto& one : asked)
       if (one.point.empty()) channels.push_back(channel(one));
     std::ranges::sort(channels);
-    channels.erase(std::ranges::unique(channels).begin(), channels.end());
+    channels.erase(std::unique(channels.begin(), channels.end()), channels.end());
     return channels;
   }
 

@@ -133,3 +133,12 @@ TEST_CASE("RTU: what goes on without a silence is not kept", "[modbus]") {
   CHECK(after_silence(conversation).empty());
   CHECK(said(conversation, rtu_frame(2, hex("04 0004 0001"))) == rtu_frame(2, hex("04 02 0002")));
 }
+
+TEST_CASE("RTU: no frame is longer than 256 bytes", "[modbus]") {
+  TwoTanks tanks;
+  ModbusRtuConversation conversation(tanks.units, 9600);
+  for (const std::size_t length : {256U, 257U}) {
+    CHECK(said(conversation, rtu_frame(2, std::string(length - kRtuAround, '\x2b'))).empty());
+    CHECK(after_silence(conversation) == (length > 256 ? "" : rtu_frame(2, hex("AB 01"))));
+  }
+}

@@ -24,9 +24,12 @@ TEST_CASE("registers are read by functions 3 and 4, floats with the high word fi
   served.tank.values = {{"level_mm", 1.5}, {"force_N", -2}, {"state", 7}};
   CHECK(served.ask("03 0000 0005") == hex("03 0A 3FC00000 C0000000 0007"));
   CHECK(served.ask("04 0000 0005") == hex("04 0A 3FC00000 C0000000 0007"));
-  CHECK(served.ask("04 0064 0001") == hex("04 02 0003"));       // 1.5 in steps of 0.5
+  CHECK(served.ask("04 0064 0001") == hex("04 02 0003"));  // 1.5 in steps of 0.5
+  served.tank.values["level_mm"] = 1.3;
+  CHECK(served.ask("04 0064 0001") == hex("04 02 0003"));  // 2.6 steps
+  served.tank.values["level_mm"] = 1.5;
   CHECK(served.ask("04 0001 0002") == hex("04 04 0000 C000"));  // halves may be read
-  CHECK(served.tank.heard == 4);
+  CHECK(served.tank.heard == 5);
 }
 
 TEST_CASE("no value is NaN, 8000 or FFFF; a scaled integer stays at its end", "[modbus]") {
@@ -102,6 +105,15 @@ TEST_CASE("what a device lacks is not there", "[modbus]") {
   std::erase_if(served.tank.device.points, [](auto& p) { return p.name == "force_N"; });
   CHECK(served.ask("03 0002 0002") == hex("83 02"));
   CHECK(served.ask("03 0000 0002") == hex("03 04 00000000"));
+}
+
+TEST_CASE("what the personality only reads is not written, whatever the device could", "[modbus]") {
+  ServedTank served;
+  bool written = false;
+  for (auto& point : served.tank.device.points)
+    if (point.name == "state") point.write = [&](double) { written = true; };
+  CHECK(served.ask("06 0004 0001") == hex("86 02"));
+  CHECK_FALSE(written);
 }
 
 TEST_CASE("the identity stands in registers, filled up", "[modbus]") {

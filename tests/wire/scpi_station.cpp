@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // For the scripts of this folder.
-//     served_instruments                      serves instruments at free ports, a line "NAME
-//     HOST:PORT" each served_instruments --serial PATH        serves the serial pad there too
-//     served_instruments --ask LINK TEXT...   asks with our own line: what came, or what became of
+//     scpi_station                      serves instruments at free ports, a line "NAME
+//     HOST:PORT" each scpi_station --serial PATH        serves the serial pad there too
+//     scpi_station --ask LINK TEXT...   asks with our own line: what came, or what became of
 //     it
 // The server ends with who started it.
 #include <unistd.h>
