@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::bench {

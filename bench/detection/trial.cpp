@@ -7,7 +7,7 @@
 #include "bench/detection/naive_methods.hpp"
 #include "lab/measured/path_sampler.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 namespace triax::bench {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "lab/measured/path_sampler.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 namespace triax::bench {
 

@@ -6,7 +6,7 @@
 
 #include "bench/detection/trial.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 namespace triax::bench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "lab/records/record_writer.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 namespace triax::bench {
 namespace {

@@ -71,7 +71,7 @@ struct RawChannel {
   /// What no triaxial apparatus measures, in the unit of the column.
   double absurd = std::numeric_limits<double>::infinity();
   /// What an instrument on a virtual specimen has to measure, SI, from its state now and as built;
-  /// null where devices tell it (lab/rig/plant.cpp) or a model specimen does not have it.
+  /// null where devices tell it (lab/rig/simulated/plant.cpp) or a model specimen does not have it.
   double (*of_specimen)(const sim::SpecimenState& now, const sim::SpecimenState& built) = nullptr;
 };
 

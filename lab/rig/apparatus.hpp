@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "lab/programmes/programme.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/summary.hpp"
+#include "lab/rig/demand.hpp"
 #include "lab/rig/device_states.hpp"
-#include "lab/rig/plant.hpp"
 
 namespace triax::lab {
 

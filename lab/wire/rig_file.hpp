@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lab/results/quantity.hpp"
-#include "lab/wire/asking/questions.hpp"
+#include "lab/wire/asked_value.hpp"
 #include "lab/wire/calibration.hpp"
 #include "lab/wire/link_address.hpp"
 #include "lab/wire/personality.hpp"

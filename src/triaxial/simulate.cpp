@@ -9,17 +9,18 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/rig/virtual_rig.hpp"
-#include "lab/rig/without_guard.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
+#include "lab/rig/simulated/without_guard.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
+#include "src/output/written_files.hpp"
+#include "src/study/triaxial/stored_record.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
 #include "src/triaxial/shown_on.hpp"
-#include "src/triaxial/stored_record.hpp"
 #include "src/triaxial/sweep_command.hpp"
 
 namespace triax::src {
@@ -60,7 +61,8 @@ void run_test_of(const SimulateOptions& o) {
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
   refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
   lab::VirtualRig rig(programme, o.seed);
-  StoredRecord record(o.record, rig.header());
+  const WrittenFile file(o.record);
+  study::StoredRecord record(o.record, rig.header());
   const Interruption interruption;
   ProgressBar bar(rig.header().name);
   const auto stop = [&interruption] { return interruption.requested(); };
@@ -71,6 +73,7 @@ void run_test_of(const SimulateOptions& o) {
                                    .without_guard = lab::without_guard(programme, o.seed, stop)},
                                   o.db, {shown_on(bar)}, {.say = notify, .stop = stop});
   const std::string unwritten = record.write(rig, o.db, id);
+  if (unwritten.empty()) file.is_there();
   print_tests(o.db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   if (interruption.requested())

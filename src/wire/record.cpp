@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
-#include "lab/wire/rig_log.hpp"
+#include "lab/wire/remote/rig_log.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"

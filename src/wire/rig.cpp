@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
-#include "lab/wire/rig_check.hpp"
+#include "lab/wire/remote/rig_check.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/output/table.hpp"
 

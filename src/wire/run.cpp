@@ -7,17 +7,17 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/wire/remote_rig.hpp"
+#include "lab/wire/remote/remote_rig.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/written_files.hpp"
+#include "src/study/triaxial/stored_record.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
 #include "src/triaxial/shown_on.hpp"
-#include "src/triaxial/stored_record.hpp"
 
 namespace triax::src {
 namespace {
@@ -37,11 +37,13 @@ void run_programme(const RunOptions& o) {
   const auto stop = [&interruption] { return interruption.requested(); };
   lab::LineLoop loop;
   lab::RemoteRig rig(loop, rig_file, programme, stop);
-  StoredRecord record(o.record, rig.header());
+  const WrittenFile file(o.record);
+  study::StoredRecord record(o.record, rig.header());
   ProgressBar bar(rig.header().name);
   const auto id = study::run_test(rig, {.reduction = {}, .stop = stop}, o.db, {shown_on(bar)},
                                   {.say = notify, .stop = stop});
   const std::string unwritten = record.write(rig, o.db, id);
+  if (unwritten.empty()) file.is_there();
   print_tests(o.db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   if (interruption.requested())

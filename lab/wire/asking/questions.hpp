@@ -7,17 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "lab/wire/asked_value.hpp"
 #include "lab/wire/exchange.hpp"
 #include "lab/wire/link_address.hpp"
 #include "lab/wire/personality.hpp"
 
 namespace triax::lab {
-
-/// One value of an instrument: by its name, or by the number of its channel; neither: the only one.
-struct AskedValue {
-  std::string point;  ///< "pressure_kPa"
-  std::optional<int> at;
-};
 
 struct PointSetting {
   std::string point;

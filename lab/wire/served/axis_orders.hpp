@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a loading frame on the wire was ordered to do, as demands on the plant tick by tick.
-#include "lab/rig/plant.hpp"
+#include "lab/rig/demand.hpp"
+#include "lab/wire/device_modes.hpp"
 
 namespace triax::lab {
-
-/// Modes of a loading frame on the wire, as numbers of its point `mode`.
-enum class FrameMode { stop, crosshead, force, dead_load, stress, free };
-inline constexpr int kFrameModes = 6;
 
 /// The set points of a frame, SI. A change of `mode` puts all of them into force at once.
 struct FrameSettings {

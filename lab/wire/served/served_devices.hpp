@@ -12,9 +12,6 @@
 
 namespace triax::lab {
 
-/// The word that every identity of a served instrument holds: what it measures is simulated.
-inline constexpr std::string_view kSimulatedWord = "simulated";
-
 /// Seconds on a clock that never goes back, for watchdogs.
 using ClockSeconds = std::function<double()>;
 

@@ -7,14 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "lab/rig/virtual_apparatus.hpp"
+#include "lab/rig/simulated/virtual_apparatus.hpp"
 #include "lab/wire/served/axis_orders.hpp"
 
 namespace triax::lab {
-
-/// Modes of a pressure/volume controller on the wire, as numbers of its point `mode`.
-enum class ControllerMode { hold, ramp, ramp_to_target, flow };
-inline constexpr int kControllerModes = 4;
 
 /// The set points of a controller, SI.
 struct ControllerSettings {
@@ -23,9 +19,6 @@ struct ControllerSettings {
   double rate_pa_per_s = 0;  ///< of any sign
   double flow_m3_per_s = 0;  ///< out of the specimen
 };
-
-/// What a loading frame says of itself, as numbers of its point `state`.
-enum class FrameState { ready, on_stop, end_of_travel, emergency_stop, watchdog, cannot_follow };
 
 class ServedPlant {
  public:

@@ -15,8 +15,8 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
-#include "lab/rig/without_guard.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
+#include "lab/rig/simulated/without_guard.hpp"
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {

@@ -12,7 +12,7 @@
 #include "lab/devices/fault.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 namespace triax::lab::testing {
 

@@ -10,7 +10,7 @@
 
 #include "lab/reduction/reduction.hpp"
 #include "lab/rig/rig_header.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 #include "sim/point/point_driver.hpp"
 #include "tests/lab/rig/rig_text.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 using namespace triax::lab;
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 
 // Short programmes for tests of the virtual rig, and their readings.
 namespace triax::lab::test {

@@ -13,7 +13,7 @@
 #include "lab/records/record_writer.hpp"
 #include "lab/rig/recorded.hpp"
 #include "lab/rig/session.hpp"
-#include "lab/rig/virtual_rig.hpp"
+#include "lab/rig/simulated/virtual_rig.hpp"
 #include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax;

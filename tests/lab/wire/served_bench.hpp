@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/wire/control_line.hpp"
+#include "lab/wire/remote/control_line.hpp"
 #include "lab/wire/rig_file.hpp"
 #include "lab/wire/served/served_rig.hpp"
 #include "tests/lab/programmes/programme_text.hpp"

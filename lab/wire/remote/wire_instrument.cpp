@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/wire/remote/wire_instrument.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "lab/base/text.hpp"
+#include "lab/wire/asking/modbus_questions.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+std::unique_ptr<Questions> questions_of(const RigInstrument& one) {
+  if (!one.link.is_modbus()) return text_questions(one.personality);
+  return modbus_questions(one.personality,
+                          one.link.is_serial() ? ModbusFraming::rtu : ModbusFraming::tcp,
+                          one.link.unit);
+}
+
+LineTimes times_of(const RigInstrument& one) {
+  return {.pause_s = one.personality.pause_s, .owed_s = one.personality.deadline_s};
+}
+
+std::string trouble_of(const Asked& asked, double deadline_s) {
+  switch (asked.kind) {
+    case Asked::Kind::answered:
+      return {};
+    case Asked::Kind::late:
+      return fmt::format("no answer within {:g} s", deadline_s);
+    case Asked::Kind::malformed:
+      return "answered wrongly: " + asked.why;
+    case Asked::Kind::closed:
+      return "the link is down: " + asked.why;
+  }
+  return {};
+}
+
+}  // namespace
+
+/// A scan whose answers are awaited.
+struct WireInstrument::Round {
+  Scan scan;
+  std::vector<double> raw;
+  std::size_t open = 0;
+  std::function<void(const Scan&)> done;
+};
+
+WireInstrument::WireInstrument(LineLoop& loop, const RigInstrument& described,
+                               std::vector<std::string> also)
+    : loop_(loop),
+      described_(described),
+      questions_(questions_of(described)),
+      channels_(described.channels.size()),
+      line_(loop, described.link, times_of(described)) {
+  for (const RigChannel& channel : described.channels) asked_.push_back(channel.asked);
+  for (std::string& point : also) asked_.push_back({.point = std::move(point), .at = {}});
+  if (!asked_.empty()) round_ = questions_->read(asked_);
+  line_.on_lost([this](const std::string& why) { fail("the link is down: " + why); });
+}
+
+void WireInstrument::start() { open(); }
+
+void WireInstrument::open() {
+  state_ = State::opening;
+  line_.open(loop_.now_s() + described_.personality.deadline_s + 1, [this](const std::string& why) {
+    why.empty() ? greet() : fail("cannot be reached: " + why);
+  });
+}
+
+void WireInstrument::greet() {
+  state_ = State::greeting;
+  const double deadline_s = described_.personality.deadline_s;
+  auto exchange = questions_->identify();
+  if (!exchange) return prepare(questions_->prepare(asked_));
+  line_.ask(std::move(*exchange), loop_.now_s() + deadline_s, [this, deadline_s](const Asked& a) {
+    if (a.kind != Asked::Kind::answered) return fail(trouble_of(a, deadline_s));
+    std::string complaint = described_.personality.complaint_about(a.text);
+    if (complaint.empty() && !identity_.empty() && identity_ != a.text)
+      complaint = fmt::format("is another instrument than before: {} instead of {}",
+                              excerpt(a.text), excerpt(identity_));
+    if (!complaint.empty()) return fail(complaint);
+    identity_ = a.text;
+    prepare(questions_->prepare(asked_));
+  });
+}
+
+void WireInstrument::prepare(std::vector<Exchange> rest) {
+  if (rest.empty()) {
+    state_ = State::ready;
+    trouble_.clear();
+    pause_s_ = kFirstPause_s;
+    ++links_;
+    return;
+  }
+  Exchange first = std::move(rest.front());
+  rest.erase(rest.begin());
+  const double deadline_s = described_.personality.deadline_s;
+  line_.ask(std::move(first), loop_.now_s() + deadline_s,
+            [this, deadline_s, left = std::move(rest)](const Asked& a) mutable {
+              if (a.kind != Asked::Kind::answered) return fail(trouble_of(a, deadline_s));
+              prepare(std::move(left));
+            });
+}
+
+/// The line is closed and taken up again after a pause.
+void WireInstrument::fail(const std::string& why) {
+  if (state_ == State::down) return;
+  state_ = State::down;
+  trouble_ = why;
+  again_ = loop_.at(loop_.now_s() + pause_s_, [this] { open(); });
+  pause_s_ = std::min(2 * pause_s_, kLongestPause_s);
+  line_.close(why);
+}
+
+void WireInstrument::scan(std::function<void(const Scan&)> done) {
+  const auto round = std::make_shared<Round>();
+  round->scan.channels.assign(channels_, {.value = kNothing});
+  round->raw.assign(asked_.size(), kNothing);
+  round->done = std::move(done);
+  if (!ready() || round_.empty()) {
+    round->scan.also.assign(asked_.size() - channels_, kNothing);
+    loop_.soon([round] { round->done(round->scan); });
+    return;
+  }
+  round->open = round_.size();
+  const double deadline_s = loop_.now_s() + described_.personality.deadline_s;
+  for (const Question& question : round_)
+    line_.ask(question.exchange, deadline_s,
+              [this, round, &question](const Asked& a) { take(*round, question, a); });
+}
+
+void WireInstrument::take(Round& round, const Question& question, const Asked& asked) {
+  if (asked.kind == Asked::Kind::answered)
+    for (std::size_t i = 0; i < question.places.size() && i < asked.values.size(); ++i)
+      round.raw[question.places[i]] = asked.values[i];
+  else if (state_ == State::ready)
+    trouble_ = trouble_of(asked, described_.personality.deadline_s);
+  if (asked.kind == Asked::Kind::answered && round.open == 1 && state_ == State::ready)
+    trouble_.clear();
+  if (round.scan.sent_s == 0) round.scan.sent_s = asked.sent_s;
+  round.scan.answered_s = std::max(round.scan.answered_s, asked.answered_s);
+  if (--round.open > 0) return;
+  for (std::size_t i = 0; i < channels_; ++i)
+    round.scan.channels[i] = described_.channels[i].calibration.value_of(round.raw[i]);
+  round.scan.also.assign(round.raw.begin() + static_cast<std::ptrdiff_t>(channels_),
+                         round.raw.end());
+  round.done(round.scan);
+}
+
+void WireInstrument::set(const std::vector<PointSetting>& settings,
+                         std::function<void(const std::string&)> done) {
+  if (!ready()) {
+    loop_.soon(
+        [done = std::move(done), why = trouble_] { done(why.empty() ? "not linked" : why); });
+    return;
+  }
+  const double deadline_s = described_.personality.deadline_s;
+  std::vector<Exchange> exchanges = questions_->set(settings);
+  const auto all = std::make_shared<std::pair<std::size_t, std::string>>(exchanges.size(), "");
+  for (Exchange& exchange : exchanges)
+    line_.ask(std::move(exchange), loop_.now_s() + deadline_s,
+              [this, all, done, deadline_s](const Asked& a) {
+                if (all->second.empty()) all->second = trouble_of(a, deadline_s);
+                if (--all->first > 0) return;
+                if (state_ == State::ready) trouble_ = all->second;
+                done(all->second);
+              });
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/wire/remote/wire_instruments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "lab/wire/device_modes.hpp"
+
+namespace triax::lab {
+
+WireInstruments::WireInstruments(
+    LineLoop& loop, const RigFile& rig,
+    const std::function<std::vector<std::string>(const RigInstrument&)>& also_of)
+    : loop_(loop) {
+  for (const RigInstrument& one : rig.instruments)
+    all_.push_back(std::make_unique<WireInstrument>(loop, one, also_of(one)));
+}
+
+std::string WireInstruments::connect(double within_s, const std::function<bool()>& stop) {
+  for (const auto& one : all_) one->start();
+  const auto ready = [](const auto& one) { return one->ready(); };
+  loop_.run_until([&] { return std::ranges::all_of(all_, ready) || (stop && stop()); },
+                  loop_.now_s() + within_s);
+  std::string missing;
+  for (const auto& one : all_)
+    if (!one->ready())
+      missing +=
+          fmt::format("\n  {} at {}: {}", one->described().name, to_text(one->described().link),
+                      one->trouble().empty() ? "does not answer" : one->trouble());
+  return missing;
+}
+
+double WireInstruments::scan(
+    const std::function<void(const WireInstrument&, const WireInstrument::Scan&)>& take) const {
+  const double asked_s = loop_.now_s();
+  std::size_t open = all_.size();
+  double longest_s = 0;
+  for (const auto& one : all_) {
+    longest_s = std::max(longest_s, one->described().personality.deadline_s);
+    one->scan([&take, &open, &one](const WireInstrument::Scan& scan) {
+      take(*one, scan);
+      --open;
+    });
+  }
+  // Every question ends by its deadline, one way or another.
+  loop_.run_until([&open] { return open == 0; }, asked_s + longest_s + 1);
+  return asked_s;
+}
+
+WireInstrument* WireInstruments::with(RigRole role) const {
+  const auto found =
+      std::ranges::find_if(all_, [role](const auto& one) { return one->described().role == role; });
+  return found == all_.end() ? nullptr : found->get();
+}
+
+bool WireInstruments::simulated() const {
+  return std::ranges::any_of(all_, [](const auto& one) {
+    return one->identity().find(kSimulatedWord) != std::string::npos;
+  });
+}
+
+std::vector<Note> WireInstruments::identities() const {
+  std::vector<Note> notes;
+  for (const auto& one : all_) {
+    std::vector<std::pair<std::string, Calibration>> channels;
+    for (const RigChannel& channel : one->described().channels)
+      channels.emplace_back(channel.name, channel.calibration);
+    std::string text = fmt::format(
+        "{} at {}", one->identity().empty() ? "does not say who it is" : one->identity(),
+        to_text(one->described().link));
+    for (const auto& [name, calibration] : channels)
+      text += fmt::format("; {}: {}", name, calibration.text());
+    text +=
+        "; SHA-256 of identity and calibrations " + instrument_digest(one->identity(), channels);
+    notes.push_back({.label = "instrument " + one->described().name, .text = std::move(text)});
+  }
+  return notes;
+}
+
+}  // namespace triax::lab

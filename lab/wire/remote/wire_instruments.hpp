@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// All instruments of a rig, on the controller's side.
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/results/record_header.hpp"
+#include "lab/wire/remote/wire_instrument.hpp"
+
+namespace triax::lab {
+
+class WireInstruments {
+ public:
+  /// `also_of`: the points that are read of an instrument beside its channels. Loop and rig outlive
+  /// it. Throws BadInput where an instrument does not have what it is to be asked.
+  WireInstruments(LineLoop& loop, const RigFile& rig,
+                  const std::function<std::vector<std::string>(const RigInstrument&)>& also_of);
+
+  /// Opens all links and waits until every instrument is ready, or `stop` says so. Gives a line for
+  /// each that is not, with the cause; empty: all are.
+  std::string connect(double within_s, const std::function<bool()>& stop);
+  /// Asks all at one instant and waits for all answers, which come or are late. Gives that instant
+  /// on the loop's clock.
+  double scan(
+      const std::function<void(const WireInstrument&, const WireInstrument::Scan&)>& take) const;
+
+  const std::vector<std::unique_ptr<WireInstrument>>& all() const { return all_; }
+  WireInstrument* with(RigRole role) const;
+  /// Whether any says that what it measures is simulated.
+  bool simulated() const;
+  /// Who they are, as of now, with calibrations and their digest: a note each for the record.
+  std::vector<Note> identities() const;
+
+ private:
+  LineLoop& loop_;
+  std::vector<std::unique_ptr<WireInstrument>> all_;
+};
+
+}  // namespace triax::lab
