@@ -150,8 +150,7 @@ void Scanner34970A::set_scan_list(ScpiCall& call) {
   std::vector<int> list = call.parameters.channels();
   for (const int channel : list) point(channel);
   std::ranges::sort(list);
-  const auto twice = std::ranges::unique(list);
-  list.erase(twice.begin(), twice.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
   stop();
   memory_.clear();
   list_ = std::move(list);
