@@ -14,6 +14,7 @@
 // trim are slow on purpose: what of the readings' noise goes into the force wobbles the specimen.
 // An ideal servo does not wait for the next look: within the tick it follows the area itself, and q
 // or η is held at every instant.
+#include "lab/programmes/programme.hpp"
 #include "lab/rig/demand.hpp"
 #include "lab/rig/seen.hpp"
 #include "lab/rig/trend_filter.hpp"

@@ -97,7 +97,7 @@ class LinkParser {
 
   void set(std::string_view key, std::string_view value) {
     std::vector<std::string> known{"baud", "parity", "bits", "stop"};
-    if (link_.is_modbus()) known.push_back("unit");
+    if (link_.is_modbus()) known.emplace_back("unit");
     if (key == "baud") {
       link_.baud = number(key, value, 50, 4'000'000);
     } else if (key == "bits") {

@@ -73,8 +73,9 @@ int serve(const char* serial) {
   Scanner34970A scanner(scanner_device, epoch_s);
   LineLoop loop;
   WireServer server(loop);
+  const WireLimits limits{.clients = 2000};
   const auto listen = [&](const char* name, const auto& conversation) {
-    const LinkAddress link = server.listen(parse_link("tcp://127.0.0.1:0"), conversation);
+    const LinkAddress link = server.listen(parse_link("tcp://127.0.0.1:0"), conversation, limits);
     std::printf("%s %s:%d\n", name, link.host.c_str(), link.port);
   };
   listen("34401A", [&] { return std::make_unique<ScpiConversation>(meter.table(), meter_device); });

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::int64_t kScansWithoutEnd = std::numeric_limits<std::int64_t>::max();
 constexpr int kChannelsOfSlot = 20;
-constexpr std::pair<const char*, int> kTriggerSources[] = {
-    {"IMM", 0}, {"IMMEDIATE", 0}, {"TIM", 1}, {"TIMER", 1}, {"BUS", 2}};
+constexpr std::array<std::pair<const char*, int>, 5> kTriggerSources{
+    {{"IMM", 0}, {"IMMEDIATE", 0}, {"TIM", 1}, {"TIMER", 1}, {"BUS", 2}}};
 
 /// "(@101,102)"
 std::string channel_list(const std::vector<int>& channels) {
@@ -89,10 +90,10 @@ void Scanner34970A::add_settings() {
 }
 
 void Scanner34970A::add_formats() {
-  const std::pair<const char*, bool Scanner34970A::*> flags[] = {
-      {"FORMat:READing:TIME", &Scanner34970A::with_time_},
-      {"FORMat:READing:CHANnel", &Scanner34970A::with_channel_},
-      {"FORMat:READing:UNIT", &Scanner34970A::with_unit_}};
+  const std::array<std::pair<const char*, bool Scanner34970A::*>, 3> flags{
+      {{"FORMat:READing:TIME", &Scanner34970A::with_time_},
+       {"FORMat:READing:CHANnel", &Scanner34970A::with_channel_},
+       {"FORMat:READing:UNIT", &Scanner34970A::with_unit_}}};
   for (const auto& [pattern, flag] : flags) {
     table_.add(pattern, 1, "whether readings have it: ON or OFF",
                [this, f = flag](ScpiCall& call) { this->*f = call.parameters.flag(); });
@@ -150,8 +151,7 @@ void Scanner34970A::set_scan_list(ScpiCall& call) {
   std::vector<int> list = call.parameters.channels();
   for (const int channel : list) point(channel);
   std::ranges::sort(list);
-  const auto twice = std::ranges::unique(list);
-  list.erase(twice.begin(), twice.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
   stop();
   memory_.clear();
   list_ = std::move(list);

@@ -97,23 +97,23 @@ LinkAddress WireServer::listen(const LinkAddress& link, Factory conversation,
   return listener.link;
 }
 
-void WireServer::set_fault(const LinkAddress& link, WireFault fault, double slow_s) {
-  Listener& listener = impl_->at(link);
-  listener.fault = {fault, slow_s};
-  if (!listener.tcp) return;
+void WireServer::set_fault(const LinkAddress& listener, WireFault fault, double slow_s) {
+  Listener& at = impl_->at(listener);
+  at.fault = {fault, slow_s};
+  if (!at.tcp) return;
   if (fault == WireFault::refuse) {
-    for (const auto& client : listener.clients) client->reset();
-    listener.clients.clear();
+    for (const auto& client : at.clients) client->reset();
+    at.clients.clear();
   }
-  listener.tcp->listen(fault != WireFault::refuse);
+  at.tcp->listen(fault != WireFault::refuse);
 }
 
-std::size_t WireServer::clients(const LinkAddress& link) const {
-  return impl_->at(link).clients.size();
+std::size_t WireServer::clients(const LinkAddress& listener) const {
+  return impl_->at(listener).clients.size();
 }
 
-std::uint64_t WireServer::turned_away(const LinkAddress& link) const {
-  return impl_->at(link).turned_away;
+std::uint64_t WireServer::turned_away(const LinkAddress& listener) const {
+  return impl_->at(listener).turned_away;
 }
 
 }  // namespace triax::lab

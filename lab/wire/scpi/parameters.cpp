@@ -131,8 +131,9 @@ std::vector<int> ScpiParameters::channels() {
     rest = part.size() == rest.size() ? "" : rest.substr(part.size() + 1);
     const std::size_t colon = part.find(':');
     const auto first = whole_text_as<int>(trimmed(part.substr(0, colon)));
-    const auto last =
-        colon == part.npos ? first : whole_text_as<int>(trimmed(part.substr(colon + 1)));
+    const auto last = colon == std::string_view::npos
+                          ? first
+                          : whole_text_as<int>(trimmed(part.substr(colon + 1)));
     if (!first || !last || *first < 0 || *last < 0)
       throw ScpiError(-102, "no channels: " + excerpt(part));
     const int step = *last < *first ? -1 : 1;
