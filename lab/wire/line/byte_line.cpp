@@ -10,6 +10,7 @@
 #include <boost/asio/serial_port.hpp>
 #include <boost/asio/write.hpp>
 #include <deque>
+#include <utility>
 
 #include "lab/base/bad_input.hpp"
 

@@ -2,6 +2,7 @@
 #include "lab/wire/line/line.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/wire/line/byte_line.hpp"

@@ -40,7 +40,8 @@ struct LineTimes {
 };
 
 /// One instrument's line. No answer is ever taken for that to another question:
-/// - what came before a question is thrown away when it is asked;
+/// - what came before a question is thrown away when it is asked. (What an instrument says to a
+///   message of which `answered` denies it may still come behind the next question.)
 /// - an answer that is late is awaited for owed_s more and thrown away, and questions wait
 /// meanwhile
 ///   (their own deadlines run). If it does not come, a TCP line is closed; a serial line, which has

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/wire/line/served_line.hpp"
 
+#include <utility>
+
 namespace triax::lab {
 
 ServedLine::ServedLine(LineLoop& loop, std::unique_ptr<ByteLine> line,
