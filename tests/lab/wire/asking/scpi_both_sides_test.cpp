@@ -49,16 +49,19 @@ TEST_CASE("what is asked and set by SCPI reaches a device made from the same per
     for (std::size_t i = 0; i < asked.size(); ++i) CHECK(values[i] == tank.values[asked[i].point]);
 
     const auto exchanges = questions->set({settings.rbegin(), settings.rend()});
-    REQUIRE(exchanges.size() == 1);
-    CHECK(exchanges[0].values(answer(exchanges[0])).empty());
+    REQUIRE(exchanges.size() == 2);
+    for (const auto& one : exchanges) CHECK(one.values(answer(one)).empty());
     REQUIRE(tank.written.size() == settings.size());
     for (std::size_t i = 0; i < settings.size(); ++i) {
       CHECK(tank.written[i].first == settings[i].point);
       CHECK(tank.written[i].second == settings[i].value);
     }
 
-    const auto refused = questions->set({{settings[1].point, 2000}});
+    // Refused before mode is sent.
+    tank.written.clear();
+    const auto refused = questions->set({{settings[1].point, 2000}, {"mode", 1}});
     CHECK_THROWS_WITH(refused[0].values(answer(refused[0])), Contains("it refuses: -222"));
+    CHECK(tank.written.empty());
     // Nothing of it is left for the next setting.
     const auto again = questions->set({{settings[1].point, 20}});
     CHECK(again[0].values(answer(again[0])).empty());
