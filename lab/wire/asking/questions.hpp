@@ -42,7 +42,8 @@ class Questions {
   /// As few questions as the instrument allows. Throws BadInput for a value that it has not.
   virtual std::vector<Question> read(const std::vector<AskedValue>& asked) = 0;
   /// In the order of the personality, whatever the order here. Throws BadInput for a value that
-  /// cannot be set or that its registers cannot hold. What the instrument refuses is Malformed.
+  /// cannot be set or that its registers cannot hold. What the instrument refuses is Malformed; the
+  /// exchanges behind it are then not to be asked, so that what takes effect by the last does not.
   virtual std::vector<Exchange> set(const std::vector<PointSetting>& settings) = 0;
 };
 

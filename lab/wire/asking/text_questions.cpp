@@ -58,18 +58,26 @@ class TextQuestions : public Questions {
   }
 
   std::vector<Exchange> set(const std::vector<PointSetting>& settings) override {
+    const bool checked = !personality_.set_check.empty();
+    std::vector<Exchange> exchanges;
     std::vector<std::string> messages;
-    for (const PointSetting& one : in_order(settings)) {
+    const auto send = [&] {
+      if (messages.empty()) return;
+      if (checked) add(messages, short_header(personality_.set_check) + "?");
+      for (const auto& message : messages) exchanges.push_back(telling(message));
+      if (checked) exchanges.back() = checking(messages.back());
+      messages.clear();
+    };
+    const auto ordered = in_order(settings);
+    for (const PointSetting& one : ordered) {
       const auto& point = by_scpi(one.point);
       if (!point.writable) throw BadInput(fmt::format("{} is only read", point.name));
+      // IEEE 488.2 goes on behind a refusal: the last, by which the others take effect, waits for
+      // the answer to those.
+      if (checked && &one == &ordered.back()) send();
       add(messages, fmt::format("{} {}", short_header(point.scpi), one.value));
     }
-    if (messages.empty()) return {};
-    const bool checked = !personality_.set_check.empty();
-    if (checked) add(messages, short_header(personality_.set_check) + "?");
-    std::vector<Exchange> exchanges;
-    for (const auto& message : messages) exchanges.push_back(telling(message));
-    if (checked) exchanges.back() = checking(messages.back());
+    send();
     return exchanges;
   }
 

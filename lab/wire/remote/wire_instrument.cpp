@@ -8,19 +8,11 @@
 #include <utility>
 
 #include "lab/base/text.hpp"
-#include "lab/wire/asking/modbus_questions.hpp"
 
 namespace triax::lab {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-std::unique_ptr<Questions> questions_of(const RigInstrument& one) {
-  if (!one.link.is_modbus()) return text_questions(one.personality);
-  return modbus_questions(one.personality,
-                          one.link.is_serial() ? ModbusFraming::rtu : ModbusFraming::tcp,
-                          one.link.unit);
-}
 
 LineTimes times_of(const RigInstrument& one) {
   return {.pause_s = one.personality.pause_s, .owed_s = one.personality.deadline_s};
@@ -54,7 +46,7 @@ WireInstrument::WireInstrument(LineLoop& loop, const RigInstrument& described,
                                std::vector<std::string> also)
     : loop_(loop),
       described_(described),
-      questions_(questions_of(described)),
+      questions_(questions_for(described.personality, described.link)),
       channels_(described.channels.size()),
       line_(loop, described.link, times_of(described)) {
   for (const RigChannel& channel : described.channels) asked_.push_back(channel.asked);
@@ -159,17 +151,25 @@ void WireInstrument::set(const std::vector<PointSetting>& settings,
         [done = std::move(done), why = trouble_] { done(why.empty() ? "not linked" : why); });
     return;
   }
+  set_next(questions_->set(settings), std::move(done));
+}
+
+/// One after the other: behind one that fails nothing is set, so that what takes effect by the last
+/// does not.
+void WireInstrument::set_next(std::vector<Exchange> rest,
+                              std::function<void(const std::string&)> done) {
+  if (rest.empty()) return done({});
+  Exchange first = std::move(rest.front());
+  rest.erase(rest.begin());
   const double deadline_s = described_.personality.deadline_s;
-  std::vector<Exchange> exchanges = questions_->set(settings);
-  const auto all = std::make_shared<std::pair<std::size_t, std::string>>(exchanges.size(), "");
-  for (Exchange& exchange : exchanges)
-    line_.ask(std::move(exchange), loop_.now_s() + deadline_s,
-              [this, all, done, deadline_s](const Asked& a) {
-                if (all->second.empty()) all->second = trouble_of(a, deadline_s);
-                if (--all->first > 0) return;
-                if (state_ == State::ready) trouble_ = all->second;
-                done(all->second);
-              });
+  line_.ask(
+      std::move(first), loop_.now_s() + deadline_s,
+      [this, deadline_s, left = std::move(rest), done = std::move(done)](const Asked& a) mutable {
+        if (a.kind == Asked::Kind::answered) return set_next(std::move(left), std::move(done));
+        const std::string why = trouble_of(a, deadline_s);
+        if (state_ == State::ready) trouble_ = why;
+        done(why);
+      });
 }
 
 }  // namespace triax::lab

@@ -52,6 +52,7 @@ class WireInstrument {
   void open();
   void greet();
   void prepare(std::vector<Exchange> rest);
+  void set_next(std::vector<Exchange> rest, std::function<void(const std::string&)> done);
   void fail(const std::string& why);
   void take(Round& round, const Question& question, const Asked& asked);
 

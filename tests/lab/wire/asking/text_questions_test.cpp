@@ -39,7 +39,8 @@ TEST_CASE("values are set by SCPI in the personality's order and checked", "[ask
   auto tank = tank_personality();
   const std::vector<PointSetting> settings{{"mode", 2}, {"rate_mm_per_s", 0.1}, {"target_mm", 100}};
   const auto together = text_questions(tank)->set(settings);
-  CHECK(requests(together) == Texts{":SOUR:TARG 100;:SOUR:RATE 0.1;:SOUR:MODE 2;:SYST:ERR?\n"});
+  CHECK(requests(together) ==
+        Texts{":SOUR:TARG 100;:SOUR:RATE 0.1;:SYST:ERR?\n", ":SOUR:MODE 2;:SYST:ERR?\n"});
   CHECK(together[0].answered);
   CHECK(together[0].values("0,\"No error\"\n").empty());
   CHECK(together[0].values("+0,\"No error\"\n").empty());
@@ -48,10 +49,9 @@ TEST_CASE("values are set by SCPI in the personality's order and checked", "[ask
   CHECK_THROWS_AS(together[0].values("\n"), Malformed);
   tank.compound = false;
   const auto apart = text_questions(tank)->set(settings);
-  CHECK(requests(apart) ==
-        Texts{":SOUR:TARG 100\n", ":SOUR:RATE 0.1\n", ":SOUR:MODE 2\n", ":SYST:ERR?\n"});
-  CHECK_FALSE(apart[2].answered);
-  CHECK(apart[3].answered);
+  CHECK(requests(apart) == Texts{":SOUR:TARG 100\n", ":SOUR:RATE 0.1\n", ":SYST:ERR?\n",
+                                 ":SOUR:MODE 2\n", ":SYST:ERR?\n"});
+  for (std::size_t i = 0; i < apart.size(); ++i) CHECK(apart[i].answered == (i == 2 || i == 4));
   CHECK(text_questions(tank)->set({}).empty());
   tank.set_check.clear();
   CHECK_FALSE(text_questions(tank)->set(settings).back().answered);
