@@ -114,6 +114,10 @@ void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said)
 
 void RemoteApparatus::look(Reading& reading) {
   devices_.fault.clear();
+  for (const auto& [role, times] : refusals_)
+    if (times >= kRefusals)
+      devices_.fault = fmt::format("{} does not take what it is told: {}",
+                                   instruments_.with(role)->described().name, refused_);
   const double nominal_s = reading.time_s;
   const double asked_s = instruments_.scan(
       [this, &reading](const WireInstrument& one, const WireInstrument::Scan& scan) {
@@ -132,7 +136,10 @@ void RemoteApparatus::drive(RigRole role, const DriveSettings& settings) {
   ++orders_;
   one.set(settings, [this, role](const std::string& why) {
     --orders_;
-    if (!why.empty()) sent_.erase(role);
+    refusals_[role] = why.empty() ? 0 : refusals_[role] + 1;
+    if (why.empty()) return;
+    sent_.erase(role);
+    refused_ = why;
   });
 }
 

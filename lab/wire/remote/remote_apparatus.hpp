@@ -41,6 +41,7 @@ class RemoteApparatus : public Apparatus {
   void rest() override;
 
  private:
+  static constexpr int kRefusals = 3;  ///< of one order in a row, before the rig is unsafe
   static constexpr double kOrderPatience_s = 2;  ///< until an order is taken, or given again
 
   void take(const WireInstrument& one, const WireInstrument::Scan& scan, Reading& reading);
@@ -75,6 +76,8 @@ class RemoteApparatus : public Apparatus {
   Ticked::End told_end_ = Ticked::End::none;
   std::map<RigRole, Sent> sent_;
   std::size_t orders_ = 0;             ///< under way
+  std::map<RigRole, int> refusals_;    ///< in a row
+  std::string refused_;                ///< why, the last
   std::map<Quantity, double> starts_;  ///< of channels that count from the start of the test
   std::map<const WireInstrument*, Gap> gaps_;
 };

@@ -8,7 +8,7 @@
 
 namespace triax::study {
 
-StoredRecord::StoredRecord(const std::string& path, const lab::RecordHeader& header) : file_(path) {
+StoredRecord::StoredRecord(const std::string& path, const lab::RecordHeader& header) {
   if (!path.empty()) writer_.emplace(path, header);
 }
 
