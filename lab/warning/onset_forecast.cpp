@@ -31,9 +31,10 @@ struct FitToRoot {
 };
 
 /// The root, and the window that its distance rules.
-FitToRoot fit_to_root(const std::vector<PathMean>& means, DrivenPath::Control control, double now,
-                      double distance) {
+FitToRoot fit_to_root(const DrivenPath& path, double now, double distance, double weight) {
   FitToRoot r;
+  const auto& means = path.means();
+  const DrivenPath::Control control = path.control();
   const double reach = control == DrivenPath::Control::held_q_shut ? kReachShut : kReach;
   const int terms = control == DrivenPath::Control::strain_path ? 3 : 4;
   for (int round = 0; round < 4; ++round) {
@@ -41,6 +42,8 @@ FitToRoot fit_to_root(const std::vector<PathMean>& means, DrivenPath::Control co
     r.fit =
         fit_driven(means, first_within(means, now - (reach - 1) * distance), now, distance, terms);
     if (!r.fit) return {};
+    if (control == DrivenPath::Control::strain_path)
+      r.fit->give_way(path.compliance() * weight, path.ratio(), path.in_extension() ? -1 : 1);
     r.xi = control == DrivenPath::Control::held_q_open ? r.fit->root_of_work() : r.fit->root();
     if (!r.xi) break;
     // Halfway, so that two windows do not call for each other for ever.
@@ -127,9 +130,9 @@ double EtaForecast::way_to(double at) const {
   return ahead / (slope + 0.5 * share * (slope_there - slope));
 }
 
-void OnsetForecast::start_stage(const StageInfo* stage, bool has_time) {
+void OnsetForecast::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
   *this = OnsetForecast();
-  path_.start_stage(stage, has_time);
+  path_.start_stage(stage, has_time, fluid);
   if (stage) by_ = stage->control;
 }
 
@@ -152,11 +155,12 @@ std::optional<EtaForecast> OnsetForecast::made() {
   if (means.size() < kLeast) return std::nullopt;
   const std::size_t count = latest_of(means, path_.readings());
   const PathMean here = latest(means, count);
-  const auto [f, xi] = fit_to_root(means, path_.control(), here.eta,
-                                   forecast_ ? forecast_->eta - here.eta : here.eta);
-  if (!f) return std::nullopt;
   const bool on_path = path_.control() == DrivenPath::Control::strain_path;
-  const double weight = on_path ? std::sqrt(here.p) : 1, error = std::sqrt(f->variance(1, 1));
+  const double weight = on_path ? std::sqrt(here.p) : 1;
+  const auto [f, xi] =
+      fit_to_root(path_, here.eta, forecast_ ? forecast_->eta - here.eta : here.eta, weight);
+  if (!f) return std::nullopt;
+  const double error = std::sqrt(f->variance(1, 1));
   stiffest_ = std::max(stiffest_, f->y[1] * weight);
   clear_ = f->y[1] > 3 * error;
   EtaForecast made{.now = here.eta};

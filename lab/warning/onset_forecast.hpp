@@ -56,7 +56,7 @@ struct EtaForecast {
 class OnsetForecast {
  public:
   /// A stage begins, and all is forgotten.
-  void start_stage(const StageInfo* stage, bool has_time);
+  void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   /// The next reading in shear; true where the forecast was made anew. Pre-condition:
   /// complete(state).
   bool add(const State& state);
