@@ -52,8 +52,7 @@ void DrivenFit::give_way(double c_g, double ratio, double sign) {
 double DrivenFit::work_along_path(double ratio, double sign) const {
   const double axial = sign * (y[1] + fluid * radial * radial) + radial / ratio;
   const double strain = -0.5 * (1 / ratio + fluid * radial);
-  return y[1] /
-         std::sqrt((1 + 2 * strain * strain) * (axial * axial + 2 * radial * radial));
+  return y[1] / std::sqrt((1 + 2 * strain * strain) * (axial * axial + 2 * radial * radial));
 }
 
 std::optional<double> DrivenFit::root_of_work() const {

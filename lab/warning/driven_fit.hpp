@@ -8,8 +8,8 @@
 // path, ε₁ at held q (PathMean::beside). Signs and units as in DrivenPath.
 //
 // With a pore fluid of compliance c the volume goes with u along a strain path: dε_v = −dε₁/R + dε₁
-// + c du, du = −dσ₃′ where the cell pressure stands still. Second-order work is then dy dε₁ − c du²,
-// and what vanishes with it dy/dx − c (dσ₃′/dx)². give_way() puts that in the place of dy/dx.
+// + c du, du = −dσ₃′ where the cell pressure stands still. Second-order work is then dy dε₁ − c
+// du², and what vanishes with it dy/dx − c (dσ₃′/dx)². give_way() puts that in the place of dy/dx.
 #include <Eigen/Dense>
 #include <optional>
 #include <vector>
@@ -20,7 +20,7 @@ namespace triax::lab {
 
 struct DrivenFit {
   using Columns = Eigen::Matrix<double, 4, 1>;
-  double now = 0, distance = 0;                           ///< η, and of η
+  double now = 0, distance = 0;  ///< η, and of η
   double fluid = 0, radial = 0;  ///< c g, and dσ₃′/(g dx) now (give_way)
   Columns y = Columns::Zero(), beside = Columns::Zero();  ///< c, f₀, f₁, f₂
   Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();     ///< of y's

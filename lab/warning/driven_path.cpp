@@ -59,9 +59,8 @@ PathMean DrivenPath::sample(const State& s) const {
     m.y = sign * (s.p_eff + 2 * s.q / 3 - (s.p_eff - s.q / 3) / ratio_);
   else
     m.y = control_ == Control::held_q_shut ? -s.pore_pressure
-          : std::isfinite(s.pore_pressure)
-              ? -s.volumetric_strain - fluid_.strain(s.pore_pressure)
-              : -s.volumetric_strain;
+          : std::isfinite(s.pore_pressure) ? -s.volumetric_strain - fluid_.strain(s.pore_pressure)
+                                           : -s.volumetric_strain;
   return m;
 }
 

@@ -50,7 +50,7 @@ class DrivenPath {
   /// Of all readings of the stage that are in means().
   std::int64_t readings() const { return readings_; }
   bool in_extension() const { return in_extension_; }
-  double ratio() const { return ratio_; }  ///< R of a strain path
+  double ratio() const { return ratio_; }            ///< R of a strain path
   double compliance() const { return compliance_; }  ///< of the pore fluid at present, 1/Pa
 
  private:

@@ -14,7 +14,9 @@ constexpr double kLongest = 0.5, kShortest = 0.1;  ///< distance that rules the 
 constexpr double kReach = 2.5, kReachShut = 5;
 constexpr double kDown = 0.02;  ///< of the largest y, by which it has come down
 constexpr double kApart = 2;    ///< of the way ahead, between two witnesses that are believed both
-constexpr double kModel = 0.27, kModelOpen = 0.25, kModelShut = 0.3;  ///< errors, of the distance
+/// Errors, of the distance: without drift; a unit of drift, which counts to kMostDrift; and of the
+/// standard error of the drift.
+constexpr double kModel = 0.25, kDrift = 0.4, kMostDrift = 1.5, kDriftUnsure = 0.3;
 constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64, kLooksNear = 256;  ///< a look each so many-th part of the readings
 constexpr double kLooksFrom = 0.2;  ///< share of η left, from which it is the latter
@@ -69,7 +71,8 @@ PathMean latest(const std::vector<PathMean>& means, std::size_t count) {
 }
 
 /// Where the onset will be, and how well that is known.
-void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
+void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, ForecastDrift& drift,
+             EtaForecast& made) {
   const bool open = control == DrivenPath::Control::held_q_open;
   double ahead = xi * f.distance, between = 0;
   if (const auto slope = f.root_of_slope(); control == DrivenPath::Control::strain_path && slope &&
@@ -77,11 +80,12 @@ void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaFore
     between = 0.5 * (*slope - xi) * f.distance;
     ahead += between;
   }
-  const double model = control == DrivenPath::Control::strain_path ? kModel
-                       : open                                      ? kModelOpen
-                                                                   : kModelShut;
   const double of_fit =
       open ? 2 * std::fabs(ahead) * std::sqrt(f.variance(1, 1)) / std::fabs(f.y[1]) : f.error(xi);
+  drift.add(made.now, ahead, of_fit);
+  const auto slope = drift.slope();
+  const double drifts = std::min(std::fabs(slope.value), kMostDrift);
+  const double model = std::hypot(kModel, kDrift * drifts, kDriftUnsure * slope.error);
   made.eta = made.now + ahead;
   made.error = std::hypot(of_fit, between, model * std::max(ahead, 0.0));
 }
@@ -176,7 +180,7 @@ std::optional<EtaForecast> OnsetForecast::made() {
   if (path_.control() == DrivenPath::Control::held_q_open) made.work = f->normalised_work(0);
   if (made.work < 1) made.work_error = error * std::fabs(made.work / f->y[1]);
   if (xi) {
-    foresee(*f, *xi, path_.control(), made);
+    foresee(*f, *xi, path_.control(), drift_, made);
     if (on_path) path_at_onset(*f, *xi, here, made);
   } else if (!on_path || !look_back(means, count, made)) {
     return std::nullopt;

@@ -24,6 +24,7 @@
 
 #include "lab/results/outlook.hpp"
 #include "lab/warning/driven_path.hpp"
+#include "lab/warning/forecast_drift.hpp"
 
 namespace triax::lab {
 
@@ -78,6 +79,7 @@ class OnsetForecast {
   std::optional<EtaForecast> forecast_;
   bool clear_ = false;
   double stiffest_ = 0;
+  ForecastDrift drift_;
   std::int64_t looked_ = 0;  ///< readings at the last look
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAtmosphere = 101.325e3;  ///< Pa
 constexpr double kLeastStep = 5e3;         ///< Pa of u in a B check
-constexpr double kLeastOfEach = 3;               ///< readings of each
+constexpr double kLeastOfEach = 3;         ///< readings of each
 
 }  // namespace
 

@@ -34,7 +34,7 @@ class PoreFluid {
   double a() const;
 
   std::optional<int> stage_;
-  double checked_from_ = 0, checked_ = 0;  ///< u over the B check, Pa
+  double checked_from_ = 0, checked_ = 0;    ///< u over the B check, Pa
   double drained_ = 0, drained_before_ = 0;  ///< ε_v of consolidation, before the stage
   Line b_check_, consolidation_;             ///< √p′ over −1/P, ε_v over √p′
 };
