@@ -39,8 +39,9 @@ FitToRoot fit_to_root(const DrivenPath& path, double now, double distance, doubl
   const DrivenPath::Control control = path.control();
   const double reach = control == DrivenPath::Control::held_q_shut ? kReachShut : kReach;
   const int terms = control == DrivenPath::Control::strain_path ? 3 : 4;
+  bool was_longer = false;
+  distance = std::clamp(distance, kShortest * now, kLongest * now);
   for (int round = 0; round < 4; ++round) {
-    distance = std::clamp(distance, kShortest * now, kLongest * now);
     r.fit =
         fit_driven(means, first_within(means, now - (reach - 1) * distance), now, distance, terms);
     if (!r.fit) return {};
@@ -48,8 +49,12 @@ FitToRoot fit_to_root(const DrivenPath& path, double now, double distance, doubl
       r.fit->give_way(path.compliance() * weight, path.ratio(), path.in_extension() ? -1 : 1);
     r.xi = control == DrivenPath::Control::held_q_open ? r.fit->root_of_work() : r.fit->root();
     if (!r.xi) break;
-    // Halfway, so that two windows do not call for each other for ever.
-    distance = 0.5 * (*r.xi + 1) * r.fit->distance;
+    // Halfway. Where two windows call for each other the shorter one is believed: the other bends
+    // over it.
+    const double next = std::clamp(0.5 * (*r.xi + 1) * distance, kShortest * now, kLongest * now);
+    if (next >= distance && was_longer) break;
+    was_longer = next < distance;
+    distance = next;
   }
   return r;
 }
