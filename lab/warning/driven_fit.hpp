@@ -21,7 +21,7 @@ namespace triax::lab {
 struct DrivenFit {
   using Columns = Eigen::Matrix<double, 4, 1>;
   double now = 0, distance = 0;  ///< η, and of η
-  double fluid = 0, radial = 0;  ///< c g, and dσ₃′/(g dx) now (give_way)
+  double fluid = 0, taken = 0;   ///< c g, and what it took of f₀ (give_way)
   Columns y = Columns::Zero(), beside = Columns::Zero();  ///< c, f₀, f₁, f₂
   Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();     ///< of y's
 
@@ -38,7 +38,7 @@ struct DrivenFit {
   double error(double xi) const;
   /// d²W/(|dσ′||dε|) at held q, the drainage open, where it is dp′dε_v.
   double normalised_work(double xi) const;
-  /// Along a strain path, once: the pore fluid takes its part of y. `fluid`: c g, `sign`: −1 in
+  /// Along a strain path, once: the pore fluid takes its part of y. `c_g`: c g, `sign`: −1 in
   /// extension.
   void give_way(double c_g, double ratio, double sign);
   /// Normalised work now, where dε₁ + 2R dε₃ = c du is kept. `sign`: −1 in extension.
