@@ -105,7 +105,7 @@ TEST_CASE("in extension a path is what it is in compression, mirrored") {
 TEST_CASE(
     "at held q with the drainage open the volume is what flows out and what the fluid gives way") {
   PoreFluid fluid;
-  const StageInfo check{.number = 1, .name = {}, .role = StageRole::b_check};
+  const StageInfo b_check{.number = 1, .name = {}, .role = StageRole::b_check};
   const StageInfo drained{
       .number = 2, .name = {}, .role = StageRole::consolidation, .drainage = Drainage::open};
   State s;
@@ -113,7 +113,7 @@ TEST_CASE(
   s.strain = {0, 0};
   for (int i = 0; i <= 20; ++i) {
     s.stage = 1, s.p_eff = 2e4 + 2e3 * i, s.pore_pressure = 3e5 + 4e3 * i;
-    fluid.add(s, &check);
+    fluid.add(s, &b_check);
   }
   for (int i = 0; i <= 20; ++i) {
     s.stage = 2, s.p_eff = 2e4 + 4e3 * i, s.volumetric_strain = 3e-5 * std::sqrt(s.p_eff);
