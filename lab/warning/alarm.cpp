@@ -16,14 +16,14 @@ Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners)
 void Alarm::start_stage(const State& state) {
   take_back(state, "its stage ended");
   stage_ = state.stage;
-  levels_.start_stage(header_.stage(state.stage));
+  levels_.start_stage(header_.stage(state.stage), fluid_);
 }
 
 void Alarm::watch(const State& state) {
   if (!complete(state)) return;
   if (stage_ != state.stage) start_stage(state);
   latest_ = state;
-  if (!is_watched(header_.stage(state.stage))) return;
+  if (!is_watched(header_.stage(state.stage))) return fluid_.add(state, header_.stage(state.stage));
   const bool is_new = levels_.add(state);
   if (is_new) limit_.add(static_cast<double>(state.reading), state.q, state.p_eff);
   const auto eta = levels_.eta_forecast();

@@ -51,6 +51,7 @@ class Alarm {
   const RecordHeader header_;
   const AlarmListeners listeners_;
   LimitSurface limit_;
+  PoreFluid fluid_;
   WarningLevels levels_;
   std::optional<int> stage_;
   std::optional<State> latest_;

@@ -40,10 +40,21 @@ double DrivenFit::normalised_work(double xi) const {
   return volume / std::sqrt(volume * volume + 4.5 * shear * shear);
 }
 
+void DrivenFit::give_way(double c_g, double ratio, double sign) {
+  const DrivenFit::Columns lateral = (3 * beside - sign * y) / (2 + 1 / ratio);
+  fluid = c_g;
+  taken = c_g * lateral[1] * lateral[1];
+  y[1] -= taken;
+  y[2] -= 2 * c_g * lateral[1] * lateral[2];
+  y[3] -= c_g * lateral[2] * lateral[2];
+}
+
 double DrivenFit::work_along_path(double ratio, double sign) const {
-  const double radial = (3 * beside[1] - sign * y[1]) / (2 + 1 / ratio);
-  const double axial = sign * y[1] + radial / ratio;
-  return y[1] / std::sqrt((1 + 0.5 / (ratio * ratio)) * (axial * axial + 2 * radial * radial));
+  const double answer = sign * (y[1] + taken);
+  const double radial = (3 * beside[1] - answer) / (2 + 1 / ratio);
+  const double axial = answer + radial / ratio;
+  const double strain = -0.5 * (sign / ratio + fluid * radial);
+  return y[1] / std::sqrt((1 + 2 * strain * strain) * (axial * axial + 2 * radial * radial));
 }
 
 std::optional<double> DrivenFit::root_of_work() const {

@@ -6,6 +6,10 @@
 //
 // so that dy/dx = g (f₀ + f₁ξ + f₂ξ²) and nothing is differentiated; likewise p′ along a strain
 // path, ε₁ at held q (PathMean::beside). Signs and units as in DrivenPath.
+//
+// With a pore fluid of compliance c the volume goes with u along a strain path: dε_v = −dε₁/R + dε₁
+// + c du, du = −dσ₃′ where the cell pressure stands still. Second-order work is then dy dε₁ − c
+// du², and what vanishes with it dy/dx − c (dσ₃′/dx)². give_way() puts that in the place of dy/dx.
 #include <Eigen/Dense>
 #include <optional>
 #include <vector>
@@ -16,7 +20,8 @@ namespace triax::lab {
 
 struct DrivenFit {
   using Columns = Eigen::Matrix<double, 4, 1>;
-  double now = 0, distance = 0;                           ///< η, and of η
+  double now = 0, distance = 0;  ///< η, and of η
+  double fluid = 0, taken = 0;   ///< c g, and what it took of f₀ (give_way)
   Columns y = Columns::Zero(), beside = Columns::Zero();  ///< c, f₀, f₁, f₂
   Eigen::Matrix4d variance = Eigen::Matrix4d::Zero();     ///< of y's
 
@@ -33,8 +38,10 @@ struct DrivenFit {
   double error(double xi) const;
   /// d²W/(|dσ′||dε|) at held q, the drainage open, where it is dp′dε_v.
   double normalised_work(double xi) const;
-  /// The same now, where dε₁ + 2R dε₃ = 0 is kept: dy dε₁, y = σ₁′ − σ₃′/R. `sign`: −1 in
+  /// Along a strain path, once: the pore fluid takes its part of y. `c_g`: c g, `sign`: −1 in
   /// extension.
+  void give_way(double c_g, double ratio, double sign);
+  /// Normalised work now, where dε₁ + 2R dε₃ = c du is kept. `sign`: −1 in extension.
   double work_along_path(double ratio, double sign) const;
 };
 

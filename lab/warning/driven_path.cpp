@@ -37,8 +37,9 @@ DrivenPath::Control DrivenPath::control_of(const StageInfo* stage) {
   return Control::strain_path;
 }
 
-void DrivenPath::start_stage(const StageInfo* stage, bool has_time) {
+void DrivenPath::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
   *this = DrivenPath();
+  fluid_ = fluid;
   control_ = control_of(stage);
   has_time_ = has_time;
   if (stage && stage->strain_path_R) ratio_ = *stage->strain_path_R;
@@ -57,7 +58,9 @@ PathMean DrivenPath::sample(const State& s) const {
   if (control_ == Control::strain_path)
     m.y = sign * (s.p_eff + 2 * s.q / 3 - (s.p_eff - s.q / 3) / ratio_);
   else
-    m.y = control_ == Control::held_q_open ? -s.volumetric_strain : -s.pore_pressure;
+    m.y = control_ == Control::held_q_shut ? -s.pore_pressure
+          : std::isfinite(s.pore_pressure) ? -s.volumetric_strain - fluid_.strain(s.pore_pressure)
+                                           : -s.volumetric_strain;
   return m;
 }
 
@@ -93,6 +96,7 @@ void DrivenPath::add(const State& state) {
   left_out_ = false;
   before_ = now;
   ++readings_;
+  if (std::isfinite(state.pore_pressure)) compliance_ = fluid_.compliance(state.pore_pressure);
   if (means_.size() == kMost) merge();
   means_.push_back(now);
 }

@@ -9,6 +9,7 @@
 
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
+#include "lab/warning/pore_fluid.hpp"
 
 namespace triax::lab {
 
@@ -16,7 +17,8 @@ namespace triax::lab {
 /// with: sustainability is lost where dy/dx falls to zero.
 ///
 ///   strain_path   x = ε₁, y = σ₁′ − σ₃′/R (q where R = 1): ε₁ + 2Rε₃ = 0 is kept, Eq. (28)
-///   held_q_open   x = −p′, y = −ε_v: q is held, the drainage open
+///   held_q_open   x = −p′, y = −ε_v: q is held, the drainage open; with what the pore fluid
+///                 gives way
 ///   held_q_shut   x = −p′, y = −u: q is held, the valve closed, and the volume moves with u
 struct PathMean {
   double readings = 0;  ///< how many it is of
@@ -37,7 +39,7 @@ class DrivenPath {
 
   /// None where q alone is no sign of a loss: the drainage open under prescribed displacement.
   static Control control_of(const StageInfo* stage);
-  void start_stage(const StageInfo* stage, bool has_time);
+  void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   Control control() const { return control_; }
 
   /// The next reading in shear. What lies below the largest η so far (a rest, a loop of unloading)
@@ -48,7 +50,8 @@ class DrivenPath {
   /// Of all readings of the stage that are in means().
   std::int64_t readings() const { return readings_; }
   bool in_extension() const { return in_extension_; }
-  double ratio() const { return ratio_; }  ///< R of a strain path
+  double ratio() const { return ratio_; }            ///< R of a strain path
+  double compliance() const { return compliance_; }  ///< of the pore fluid at present, 1/Pa
 
  private:
   PathMean sample(const State& state) const;
@@ -56,6 +59,8 @@ class DrivenPath {
 
   Control control_ = Control::none;
   double ratio_ = 1;  ///< R
+  PoreFluid fluid_;
+  double compliance_ = 0;
   bool has_time_ = true, in_extension_ = false, left_out_ = false;
   std::int64_t readings_ = 0;
   double highest_ = 0;              ///< η, of two neighbours the lower

@@ -14,7 +14,9 @@ constexpr double kLongest = 0.5, kShortest = 0.1;  ///< distance that rules the 
 constexpr double kReach = 2.5, kReachShut = 5;
 constexpr double kDown = 0.02;  ///< of the largest y, by which it has come down
 constexpr double kApart = 2;    ///< of the way ahead, between two witnesses that are believed both
-constexpr double kModel = 0.27, kModelOpen = 0.25, kModelShut = 0.3;  ///< errors, of the distance
+/// Errors, of the distance: without drift; a unit of drift, which counts to kMostDrift; and of the
+/// standard error of the drift.
+constexpr double kModel = 0.25, kDrift = 0.4, kMostDrift = 1.5, kDriftUnsure = 0.3;
 constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64, kLooksNear = 256;  ///< a look each so many-th part of the readings
 constexpr double kLooksFrom = 0.2;  ///< share of η left, from which it is the latter
@@ -31,20 +33,28 @@ struct FitToRoot {
 };
 
 /// The root, and the window that its distance rules.
-FitToRoot fit_to_root(const std::vector<PathMean>& means, DrivenPath::Control control, double now,
-                      double distance) {
+FitToRoot fit_to_root(const DrivenPath& path, double now, double distance, double weight) {
   FitToRoot r;
+  const auto& means = path.means();
+  const DrivenPath::Control control = path.control();
   const double reach = control == DrivenPath::Control::held_q_shut ? kReachShut : kReach;
   const int terms = control == DrivenPath::Control::strain_path ? 3 : 4;
+  bool was_longer = false;
+  distance = std::clamp(distance, kShortest * now, kLongest * now);
   for (int round = 0; round < 4; ++round) {
-    distance = std::clamp(distance, kShortest * now, kLongest * now);
     r.fit =
         fit_driven(means, first_within(means, now - (reach - 1) * distance), now, distance, terms);
     if (!r.fit) return {};
+    if (control == DrivenPath::Control::strain_path)
+      r.fit->give_way(path.compliance() * weight, path.ratio(), path.in_extension() ? -1 : 1);
     r.xi = control == DrivenPath::Control::held_q_open ? r.fit->root_of_work() : r.fit->root();
     if (!r.xi) break;
-    // Halfway, so that two windows do not call for each other for ever.
-    distance = 0.5 * (*r.xi + 1) * r.fit->distance;
+    // Halfway. Where two windows call for each other the shorter one is believed: the other bends
+    // over it.
+    const double next = std::clamp(0.5 * (*r.xi + 1) * distance, kShortest * now, kLongest * now);
+    if (next >= distance && was_longer) break;
+    was_longer = next < distance;
+    distance = next;
   }
   return r;
 }
@@ -66,7 +76,8 @@ PathMean latest(const std::vector<PathMean>& means, std::size_t count) {
 }
 
 /// Where the onset will be, and how well that is known.
-void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
+void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, ForecastDrift& drift,
+             EtaForecast& made) {
   const bool open = control == DrivenPath::Control::held_q_open;
   double ahead = xi * f.distance, between = 0;
   if (const auto slope = f.root_of_slope(); control == DrivenPath::Control::strain_path && slope &&
@@ -74,11 +85,12 @@ void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaFore
     between = 0.5 * (*slope - xi) * f.distance;
     ahead += between;
   }
-  const double model = control == DrivenPath::Control::strain_path ? kModel
-                       : open                                      ? kModelOpen
-                                                                   : kModelShut;
   const double of_fit =
       open ? 2 * std::fabs(ahead) * std::sqrt(f.variance(1, 1)) / std::fabs(f.y[1]) : f.error(xi);
+  drift.add(made.now, ahead, of_fit);
+  const auto slope = drift.slope();
+  const double drifts = std::min(std::fabs(slope.value), kMostDrift);
+  const double model = std::hypot(kModel, kDrift * drifts, kDriftUnsure * slope.error);
   made.eta = made.now + ahead;
   made.error = std::hypot(of_fit, between, model * std::max(ahead, 0.0));
 }
@@ -127,9 +139,9 @@ double EtaForecast::way_to(double at) const {
   return ahead / (slope + 0.5 * share * (slope_there - slope));
 }
 
-void OnsetForecast::start_stage(const StageInfo* stage, bool has_time) {
+void OnsetForecast::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
   *this = OnsetForecast();
-  path_.start_stage(stage, has_time);
+  path_.start_stage(stage, has_time, fluid);
   if (stage) by_ = stage->control;
 }
 
@@ -152,11 +164,12 @@ std::optional<EtaForecast> OnsetForecast::made() {
   if (means.size() < kLeast) return std::nullopt;
   const std::size_t count = latest_of(means, path_.readings());
   const PathMean here = latest(means, count);
-  const auto [f, xi] = fit_to_root(means, path_.control(), here.eta,
-                                   forecast_ ? forecast_->eta - here.eta : here.eta);
-  if (!f) return std::nullopt;
   const bool on_path = path_.control() == DrivenPath::Control::strain_path;
-  const double weight = on_path ? std::sqrt(here.p) : 1, error = std::sqrt(f->variance(1, 1));
+  const double weight = on_path ? std::sqrt(here.p) : 1;
+  const auto [f, xi] =
+      fit_to_root(path_, here.eta, forecast_ ? forecast_->eta - here.eta : here.eta, weight);
+  if (!f) return std::nullopt;
+  const double error = std::sqrt(f->variance(1, 1));
   stiffest_ = std::max(stiffest_, f->y[1] * weight);
   clear_ = f->y[1] > 3 * error;
   EtaForecast made{.now = here.eta};
@@ -172,7 +185,7 @@ std::optional<EtaForecast> OnsetForecast::made() {
   if (path_.control() == DrivenPath::Control::held_q_open) made.work = f->normalised_work(0);
   if (made.work < 1) made.work_error = error * std::fabs(made.work / f->y[1]);
   if (xi) {
-    foresee(*f, *xi, path_.control(), made);
+    foresee(*f, *xi, path_.control(), drift_, made);
     if (on_path) path_at_onset(*f, *xi, here, made);
   } else if (!on_path || !look_back(means, count, made)) {
     return std::nullopt;

@@ -16,7 +16,10 @@
 // and half of what lies between them is a part of its error. Measured on the laws of triax
 // (bench/warning): stiffness is straight in INL2; bent in SANISAND and hypoplasticity, where it
 // comes out early; octolinear has a knee, which no witness sees before it is reached. All err by a
-// share of the distance: the error holds such a share beside that of the fit.
+// share of the distance: the error holds such a share beside that of the fit, and what the forecasts
+// of this test have drifted by (ForecastDrift).
+//
+// Where pore fluid and lines give way (PoreFluid) work is taken with that strain.
 //
 // Past the onset, where y comes down for certain, the forecast is the η of the largest y.
 #include <optional>
@@ -24,6 +27,7 @@
 
 #include "lab/results/outlook.hpp"
 #include "lab/warning/driven_path.hpp"
+#include "lab/warning/forecast_drift.hpp"
 
 namespace triax::lab {
 
@@ -56,7 +60,7 @@ struct EtaForecast {
 class OnsetForecast {
  public:
   /// A stage begins, and all is forgotten.
-  void start_stage(const StageInfo* stage, bool has_time);
+  void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   /// The next reading in shear; true where the forecast was made anew. Pre-condition:
   /// complete(state).
   bool add(const State& state);
@@ -78,6 +82,7 @@ class OnsetForecast {
   std::optional<EtaForecast> forecast_;
   bool clear_ = false;
   double stiffest_ = 0;
+  ForecastDrift drift_;
   std::int64_t looked_ = 0;  ///< readings at the last look
 };
 

@@ -38,9 +38,9 @@ double lapse(const LeftToOnset& left) { return left.time_s.value_or(left.value);
 
 }  // namespace
 
-void WarningLevels::start_stage(const StageInfo* stage) {
+void WarningLevels::start_stage(const StageInfo* stage, const PoreFluid& fluid) {
   *this = WarningLevels(has_time_);
-  forecast_.start_stage(stage, has_time_);
+  forecast_.start_stage(stage, has_time_, fluid);
 }
 
 bool WarningLevels::add(const State& state) {

@@ -34,7 +34,7 @@ class WarningLevels {
  public:
   explicit WarningLevels(bool has_time) : has_time_(has_time) {}
 
-  void start_stage(const StageInfo* stage);
+  void start_stage(const StageInfo* stage, const PoreFluid& fluid = {});
   /// The next state in shear; true where the forecast was made anew. Pre-condition:
   /// complete(state).
   bool add(const State& state);

@@ -68,3 +68,26 @@ TEST_CASE("normalised work of an undrained increment, and in extension the same"
   // R = 0.5, dσ₁′ = 1, dσ₃′ = −1: y = σ₁′ − 2σ₃′, dε₃ = −dε₁; 3/(√3 √3)
   CHECK(with({0, 3, 0, 0}, {0, -1.0 / 3, 0, 0}).work_along_path(0.5, 1) == Approx(1));
 }
+
+TEST_CASE("a pore fluid that gives way takes its part of the work along a path") {
+  // dq = 3, dp′ = −4: dσ₁′ = −2, dσ₃′ = −5, du = 5; c = 0.01: dε_v = 0.05, dε₃ = −0.475.
+  // In extension dq = −3 over dε₁ = −1: dσ₁′ = −6, dσ₃′ = −3, du = 3: dε_v = 0.03, dε₃ = 0.515.
+  struct Way {
+    double sign, axial, radial, strain;
+  };
+  for (const Way& w : {Way{1, -2, -5, -0.475}, Way{-1, -6, -3, 0.515}}) {
+    DrivenFit fit = with({0, 3, -2, 0}, {0, -4, -1, 0});
+    fit.give_way(0.01, 1, w.sign);
+    const double work = w.sign * w.axial + 2 * w.radial * w.strain;
+    CHECK(fit.y[1] == Approx(work));
+    const double later = (-3 + 2 * w.sign) / 3;  // of dσ₃′, a unit of ξ
+    CHECK(fit.y[2] == Approx(-2 - 2 * 0.01 * w.radial * later));
+    CHECK(fit.y[3] == Approx(-0.01 * later * later));
+    CHECK(fit.work_along_path(1, w.sign) ==
+          Approx(work / std::sqrt((w.axial * w.axial + 2 * w.radial * w.radial) *
+                                  (1 + 2 * w.strain * w.strain))));
+  }
+  DrivenFit tight = with({0, 3, -2, 0}, {0, -4, -1, 0});
+  tight.give_way(0, 1, 1);
+  CHECK(tight.y == DrivenFit::Columns(0, 3, -2, 0));
+}

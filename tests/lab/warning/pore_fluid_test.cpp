@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/warning/pore_fluid.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace triax::lab;
+
+namespace {
+
+constexpr double kAir = 8000;       ///< a, Pa
+constexpr double kSkeleton = 3e-5;  ///< dε_v/d√p′, Pa^−½
+constexpr double kAtmosphericPa = 101325;
+
+const StageInfo kCheck{.number = 1, .name = {}, .role = StageRole::b_check};
+const StageInfo kDrained{
+    .number = 2, .name = {}, .role = StageRole::consolidation, .drainage = Drainage::open};
+
+State before_shear(int stage, double p_eff, double u, double volume) {
+  State s;
+  s.stage = stage;
+  s.p_eff = p_eff;
+  s.q = 0;
+  s.pore_pressure = u;
+  s.volumetric_strain = volume;
+  s.strain = {volume / 3, volume / 3};
+  return s;
+}
+
+/// Undrained, from p′ = 20 kPa and u = 300 kPa: a d(−1/P) = k d√p′.
+void check(PoreFluid& fluid, double step_pa) {
+  for (int i = 0; i <= 20; ++i) {
+    const double u = 3e5 + step_pa * i / 20;
+    const double root =
+        std::sqrt(2e4) + kAir / kSkeleton * (1 / (3e5 + kAtmosphericPa) - 1 / (u + kAtmosphericPa));
+    fluid.add(before_shear(1, root * root, u, 0), &kCheck);
+  }
+}
+
+/// In two stages, each with strains of its own.
+void consolidate(PoreFluid& fluid) {
+  for (int stage = 2; stage <= 3; ++stage) {
+    const double from = stage == 2 ? 2e4 : 6e4;
+    for (int i = 0; i <= 20; ++i) {
+      const double p = from + 2e3 * i;
+      fluid.add(before_shear(stage, p, 3e5, kSkeleton * (std::sqrt(p) - std::sqrt(from))),
+                &kDrained);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what the pore fluid gives way comes back from B check and consolidation") {
+  PoreFluid fluid;
+  check(fluid, 8e4);
+  consolidate(fluid);
+  const double p = 4.4e5;
+  CHECK(fluid.compliance(p - kAtmosphericPa) == Approx(kAir / (p * p)).epsilon(1e-3));
+  CHECK(fluid.strain(p - kAtmosphericPa) - fluid.strain(3e5) ==
+        Approx(kAir * (1 / (3e5 + kAtmosphericPa) - 1 / p)).epsilon(1e-3));
+}
+
+TEST_CASE("a pore fluid of which a test shows nothing gives no way") {
+  PoreFluid unchecked, unconsolidated, small;
+  consolidate(unchecked);
+  check(unconsolidated, 8e4);
+  check(small, 2e3);
+  consolidate(small);
+  for (const PoreFluid& fluid : {unchecked, unconsolidated, small}) {
+    CHECK(fluid.compliance(3e5) == 0);
+    CHECK(fluid.strain(4e5) == fluid.strain(3e5));
+  }
+}
