@@ -34,6 +34,15 @@ LinkAddress read_link(const TomlTable& table) {
   return at_key(table, "link", [&] { return parse_link(text); });
 }
 
+std::optional<LinkAddress> read_served_at(const TomlTable& table, const LinkAddress& link) {
+  const auto text = table.text("served_at");
+  if (!text) return std::nullopt;
+  const LinkAddress end = at_key(table, "served_at", [&] { return parse_link(*text); });
+  if (end.kind != link.kind)
+    table.fail("served_at", "is the other end of the link, of the same kind");
+  return end;
+}
+
 AskedValue read_place(const TomlTable& table, const RigInstrument& instrument) {
   const auto text = table.scalar("at");
   if (!text) return {};
@@ -107,6 +116,7 @@ RigInstrument read_instrument(const TomlTable& table) {
   one.line = table.line();
   one.name = table.required_text("name");
   one.link = read_link(table);
+  one.served_at = read_served_at(table, one.link);
   one.personality = read_personality(table);
   one.role = read_role(table);
   check_protocol(table, one);

@@ -37,6 +37,8 @@ std::string_view to_text(RigRole role);
 struct RigInstrument {
   std::string name;
   LinkAddress link;
+  /// Where `triax serve` puts it, if not there: a serial line has two ends.
+  std::optional<LinkAddress> served_at;
   Personality personality;
   RigRole role = RigRole::reads;
   std::vector<RigChannel> channels;

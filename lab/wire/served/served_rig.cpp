@@ -53,7 +53,7 @@ struct ServedRig::Impl {
         server(loop) {
     for (const RigInstrument& one : rig.instruments) {
       instruments.push_back(std::make_unique<ServedInstrument>(one, plant, drives));
-      listen(one.name, one.link,
+      listen(one.name, one.served_at.value_or(one.link),
              [served = instruments.back().get()] { return served->conversation(); });
     }
     control.name = "control";
