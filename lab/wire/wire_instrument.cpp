@@ -63,7 +63,10 @@ WireInstrument::WireInstrument(LineLoop& loop, const RigInstrument& described,
   line_.on_lost([this](const std::string& why) { fail("the link is down: " + why); });
 }
 
-void WireInstrument::start() { open(); }
+void WireInstrument::start() {
+  lost_s_ = loop_.now_s();
+  open();
+}
 
 void WireInstrument::open() {
   state_ = State::opening;
@@ -93,7 +96,6 @@ void WireInstrument::prepare(std::vector<Exchange> rest) {
   if (rest.empty()) {
     state_ = State::ready;
     trouble_.clear();
-    pause_s_ = kFirstPause_s;
     ++links_;
     return;
   }
@@ -110,10 +112,14 @@ void WireInstrument::prepare(std::vector<Exchange> rest) {
 /// The line is closed and taken up again after a pause.
 void WireInstrument::fail(const std::string& why) {
   if (state_ == State::down) return;
+  const double now_s = loop_.now_s();
+  if (state_ == State::ready) lost_s_ = now_s;
   state_ = State::down;
   trouble_ = why;
-  again_ = loop_.at(loop_.now_s() + pause_s_, [this] { open(); });
-  pause_s_ = std::min(2 * pause_s_, kLongestPause_s);
+  const double away_s = now_s - lost_s_;
+  const double pause_s =
+      away_s < kHurry_s ? std::max(kFirstPause_s, kPauseOfAway * away_s) : kLongestPause_s;
+  again_ = loop_.at(now_s + pause_s, [this] { open(); });
   line_.close(why);
 }
 
@@ -124,6 +130,7 @@ void WireInstrument::scan(std::function<void(const Scan&)> done) {
   round->done = std::move(done);
   if (!ready() || round_.empty()) {
     round->scan.also.assign(asked_.size() - channels_, kNothing);
+    if (!ready()) round->scan.why = trouble_.empty() ? "it is not linked yet" : trouble_;
     loop_.soon([round] { round->done(round->scan); });
     return;
   }
@@ -138,10 +145,10 @@ void WireInstrument::take(Round& round, const Question& question, const Asked& a
   if (asked.kind == Asked::Kind::answered)
     for (std::size_t i = 0; i < question.places.size() && i < asked.values.size(); ++i)
       round.raw[question.places[i]] = asked.values[i];
-  else if (state_ == State::ready)
-    trouble_ = trouble_of(asked, described_.personality.deadline_s);
-  if (asked.kind == Asked::Kind::answered && round.open == 1 && state_ == State::ready)
-    trouble_.clear();
+  else
+    round.scan.why = trouble_of(asked, described_.personality.deadline_s);
+  if (!round.scan.why.empty() && state_ == State::ready) trouble_ = round.scan.why;
+  if (round.scan.why.empty() && round.open == 1 && state_ == State::ready) trouble_.clear();
   if (round.scan.sent_s == 0) round.scan.sent_s = asked.sent_s;
   round.scan.answered_s = std::max(round.scan.answered_s, asked.answered_s);
   if (--round.open > 0) return;

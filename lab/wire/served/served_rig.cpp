@@ -30,9 +30,8 @@ constexpr std::pair<const char*, FrameFault> kFrameFaults[] = {{"NONE", FrameFau
                                                                {"UNIT", FrameFault::wrong_unit},
                                                                {"CHECK", FrameFault::wrong_check}};
 
-constexpr std::pair<const char*, Pretence> kPretences[] = {{"ON", Pretence::other_make},
-                                                           {"TWIN", Pretence::twin},
-                                                           {"OFF", Pretence::itself}};
+constexpr std::pair<const char*, Pretence> kPretences[] = {
+    {"ON", Pretence::other_make}, {"TWIN", Pretence::twin}, {"OFF", Pretence::itself}};
 
 template <class Kinds>
 auto kind_of(const std::string& word, const Kinds& kinds) {

@@ -99,8 +99,9 @@ int main(int count, char** words) {
   const Options options = options_of(count, words);
   std::vector<TrialPlan> plans;
   for (const TrialPlan& plan : all_trials())
-    if (options.trial >= 0 ? plan.number == options.trial
-                           : static_cast<std::size_t>(plan.number) % options.every == options.every / 2)
+    if (options.trial >= 0
+            ? plan.number == options.trial
+            : static_cast<std::size_t>(plan.number) % options.every == options.every / 2)
       plans.push_back(plan);
   Counts counts;
   std::mutex mutex;

@@ -42,7 +42,7 @@ back_rate_kPa_per_min = 20.0
 time_limit_min = 60.0
 end = [{quantity = "q_kPa", above = 5000.0}]
 )"),
-                                 "scan_interval_s = 1.0", "scan_interval_s = 0.25"),
+                                 "scan_interval_s = 1.0", "scan_interval_s = 0.5"),
                         "p.toml");
 }
 
@@ -53,7 +53,8 @@ class TrialServer {
       : log_(log) {
     std::promise<std::vector<ServedRig::Open>> open;
     auto opened = open.get_future();
-    thread_ = std::thread([this, &plan, &rig, &programme, &open] { serve(plan, rig, programme, open); });
+    thread_ =
+        std::thread([this, &plan, &rig, &programme, &open] { serve(plan, rig, programme, open); });
     links = opened.get();
   }
   ~TrialServer() { end(); }
@@ -191,9 +192,9 @@ void drive(const TrialPlan& plan, const RigFile& rig, const Programme& programme
     }
     const double now_s = trial_now_s();
     if (log.safe_s > 0 && rested_s == 0) rested_s = now_s;
-    // The longest outages are over for the client when it is safe; others see their end.
-    if (rested_s > 0 && now_s > rested_s + 1.5) break;
-    if (now_s > began_s + last_s + 2.2) break;
+    // A device that cannot be told to stop does so by its watchdog.
+    if (rested_s > 0 && now_s > rested_s + kWatchdog_s + 1) break;
+    if (rested_s == 0 && now_s > began_s + last_s + 2.2) break;
   }
 }
 

@@ -16,10 +16,10 @@ struct Wrong {
   std::string kind;        ///< for the counts: "silent"
   std::string instrument;  ///< "scanner"
   std::vector<std::string> on, off;
-  double from_s = 0, for_s = 0;      ///< since the trial began
-  std::vector<std::string> causes;   ///< one of these is told; empty: it need not be noticed
-  bool cuts = true;                  ///< no answer can be taken while it lasts
-  std::string not_taken_with = {};   ///< once this was told, no value until it is over
+  double from_s = 0, for_s = 0;     ///< since the trial began
+  std::vector<std::string> causes;  ///< one of these is told; empty: it need not be noticed
+  bool cuts = true;                 ///< no answer can be taken while it lasts
+  std::string not_taken_with = {};  ///< once this was told, no value until it is over
 };
 
 struct TrialPlan {
@@ -50,14 +50,14 @@ struct Look {
 struct TrialLog {
   std::vector<PlantTick> plant;
   std::vector<Look> looks;
-  std::vector<Event> events;  ///< of the rig's software
+  std::vector<Event> events;                      ///< of the rig's software
   std::vector<std::pair<double, double>> lasted;  ///< of each wrong, by the clock
-  double safe_s = 0;          ///< when the rig first rested; 0: never
-  double stall_s = 0;         ///< the longest that the machine kept a thread waiting
-  std::string failed;         ///< what was thrown
+  double safe_s = 0;                              ///< when the rig first rested; 0: never
+  double stall_s = 0;  ///< the longest that the machine kept a thread waiting
+  std::string failed;  ///< what was thrown
 };
 
-inline constexpr double kDeadline_s = 0.3;
+inline constexpr double kDeadline_s = 0.3, kWatchdog_s = 3;
 
 /// Seconds on the clock of all logs.
 double trial_now_s();

@@ -95,8 +95,8 @@ std::vector<TrialPlan> all_trials() {
       }
   std::vector<TrialPlan> all;
   const auto add = [&all](bool by_modbus, std::vector<Wrong> wrongs) {
-    all.push_back({.number = static_cast<int>(all.size()), .modbus = by_modbus,
-                   .wrongs = std::move(wrongs)});
+    all.push_back(
+        {.number = static_cast<int>(all.size()), .modbus = by_modbus, .wrongs = std::move(wrongs)});
   };
   for (const bool by_modbus : {false, true})
     for (const char* const instrument : {"frame", "back"}) {
