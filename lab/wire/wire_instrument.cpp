@@ -63,10 +63,7 @@ WireInstrument::WireInstrument(LineLoop& loop, const RigInstrument& described,
   line_.on_lost([this](const std::string& why) { fail("the link is down: " + why); });
 }
 
-void WireInstrument::start() {
-  lost_s_ = loop_.now_s();
-  open();
-}
+void WireInstrument::start() { open(); }
 
 void WireInstrument::open() {
   state_ = State::opening;
@@ -113,10 +110,10 @@ void WireInstrument::prepare(std::vector<Exchange> rest) {
 void WireInstrument::fail(const std::string& why) {
   if (state_ == State::down) return;
   const double now_s = loop_.now_s();
-  if (state_ == State::ready) lost_s_ = now_s;
+  if (!wrong_s_) wrong_s_ = now_s;
   state_ = State::down;
   trouble_ = why;
-  const double away_s = now_s - lost_s_;
+  const double away_s = now_s - *wrong_s_;
   const double pause_s =
       away_s < kHurry_s ? std::max(kFirstPause_s, kPauseOfAway * away_s) : kLongestPause_s;
   again_ = loop_.at(now_s + pause_s, [this] { open(); });
@@ -131,6 +128,7 @@ void WireInstrument::scan(std::function<void(const Scan&)> done) {
   if (!ready() || round_.empty()) {
     round->scan.also.assign(asked_.size() - channels_, kNothing);
     if (!ready()) round->scan.why = trouble_.empty() ? "it is not linked yet" : trouble_;
+    if (ready()) wrong_s_.reset();
     loop_.soon([round] { round->done(round->scan); });
     return;
   }
@@ -147,8 +145,10 @@ void WireInstrument::take(Round& round, const Question& question, const Asked& a
       round.raw[question.places[i]] = asked.values[i];
   else
     round.scan.why = trouble_of(asked, described_.personality.deadline_s);
-  if (!round.scan.why.empty() && state_ == State::ready) trouble_ = round.scan.why;
-  if (round.scan.why.empty() && round.open == 1 && state_ == State::ready) trouble_.clear();
+  const bool whole = round.open == 1 && round.scan.why.empty();
+  if (whole) wrong_s_.reset();
+  if (!round.scan.why.empty() && !wrong_s_) wrong_s_ = loop_.now_s();
+  if (state_ == State::ready && (whole || !round.scan.why.empty())) trouble_ = round.scan.why;
   if (round.scan.sent_s == 0) round.scan.sent_s = asked.sent_s;
   round.scan.answered_s = std::max(round.scan.answered_s, asked.answered_s);
   if (--round.open > 0) return;

@@ -15,10 +15,10 @@ namespace triax::lab {
 
 class WireInstrument {
  public:
-  /// A link that is lost is taken up again after pauses that grow with the time that it is away, so
-  /// that one which is back within kHurry_s is found before a test has to end for it. Then it is
-  /// left alone for kLongestPause_s at a time: longer than the watchdogs of devices wait, so that
-  /// one that hears us and is not understood holds.
+  /// A link that is lost is taken up again after pauses that grow with the time since it was last
+  /// understood, so that one which is back within kHurry_s is found before a test has to end for
+  /// it. Then it is left alone for kLongestPause_s at a time: longer than the watchdogs of devices
+  /// wait, so that one that hears us and is not understood holds.
   static constexpr double kFirstPause_s = 0.1, kPauseOfAway = 0.125, kHurry_s = 3,
                           kLongestPause_s = 8;
 
@@ -69,7 +69,7 @@ class WireInstrument {
   Line line_;
   LineTimer again_;
   State state_ = State::down;
-  double lost_s_ = 0;  ///< since when it is not ready
+  std::optional<double> wrong_s_;  ///< since when no scan was whole
   std::string identity_, trouble_;
   int links_ = 0;
 };
