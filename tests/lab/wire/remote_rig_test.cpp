@@ -160,6 +160,25 @@ TEST_CASE("a channel that falls silent is missing, told, and leads to the safe s
   tell(control, "LINE:FAULT \"scanner\",NONE");
 }
 
+TEST_CASE("a drive that does not answer leads to the safe state, though it reads nothing") {
+  const Programme programme = read_programme(programme_text(), "p.toml");
+  const ServedBench bench(programme, replaced(rig_text(), "watchdog_s = 1.0", "watchdog_s = 3.0"),
+                          {});
+  LineLoop loop;
+  ControlLine control(loop, *bench.client.plant->control);
+  RigFile rig = bench.client;
+  for (RigInstrument& one : rig.instruments) one.personality.deadline_s = 0.3;
+  RemoteRig remote(loop, rig, programme);
+  Reading reading;
+  for (int i = 0; i < 2; ++i) REQUIRE(remote.next(reading));
+  tell(control, "LINE:FAULT \"frame\",SILENT");
+  const double silent_s = loop.now_s();
+  while (remote.header().cut_short.empty() && loop.now_s() < silent_s + 6 && remote.next(reading))
+    CHECK_FALSE(std::isnan(reading[Quantity::axial_displacement]));
+  CHECK_THAT(remote.header().cut_short,
+             Contains("frame has not answered rightly for 3 s: ") && Contains("no answer"));
+}
+
 TEST_CASE("drives hold by their watchdog when their controller is gone") {
   const Programme programme = read_programme(programme_text(), "p.toml");
   const ServedBench bench(programme, rig_text(), {});

@@ -13,6 +13,7 @@
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/rig/rig_header.hpp"
 #include "lab/rig/rig_software.hpp"
+#include "lab/rig/supervision.hpp"
 #include "lab/wire/remote_apparatus.hpp"
 #include "lab/wire/scpi/scpi_conversation.hpp"
 #include "lab/wire/served/served_rig.hpp"
@@ -191,10 +192,16 @@ void drive(const TrialPlan& plan, const RigFile& rig, const Programme& programme
   RigSoftware software(with_guard_stages(programme), rig_header(programme, programme.seed),
                        std::make_unique<WatchedApparatus>(std::move(remote), log, broken));
   server.begin();
-  double last_s = 0;
-  for (const Wrong& one : plan.wrongs) last_s = std::max(last_s, one.from_s + one.for_s);
+  double last_s = 0, begun_s = 0;
+  for (const Wrong& one : plan.wrongs) {
+    last_s = std::max(last_s, one.from_s + one.for_s);
+    begun_s = std::max(begun_s, one.from_s);
+  }
   const double began_s = trial_now_s();
-  double rested_s = 0;
+  // A device that cannot be told to stop does so by its watchdog, once it is left alone.
+  const auto held_s = [&] {
+    return std::max(log.safe_s, began_s + begun_s + Supervision::kDeaf_s) + kWatchdog_s + 1;
+  };
   Reading reading;
   while (software.next(reading)) {
     for (Event& event : software.events()) {
@@ -202,11 +209,10 @@ void drive(const TrialPlan& plan, const RigFile& rig, const Programme& programme
       log.events.push_back(std::move(event));
     }
     const double now_s = trial_now_s();
-    if (log.safe_s > 0 && rested_s == 0) rested_s = now_s;
-    // A device that cannot be told to stop does so by its watchdog.
-    if (rested_s > 0 && now_s > rested_s + kWatchdog_s + 1) break;
-    if (rested_s == 0 && now_s > began_s + last_s + 2.2) break;
+    if (log.safe_s > 0 ? now_s > held_s() : now_s > began_s + last_s + 2.2) return;
   }
+  if (log.safe_s > 0)
+    std::this_thread::sleep_for(std::chrono::duration<double>(held_s() - trial_now_s()));
 }
 
 }  // namespace
