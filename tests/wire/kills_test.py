@@ -114,6 +114,12 @@ class Trial:
                 if one:
                     one.wait()
 
+    def drives(self, after_s=0.0) -> list[list[float]]:
+        """What frame, cell and back say of themselves."""
+        time.sleep(after_s)
+        questions = (":STAT:FRAM?;:MEAS:DISP?", ":SOUR:PRES:NOW?", ":SOUR:PRES:NOW?")
+        return [ask(port, question) for port, question in zip(self.ports[1:], questions)]
+
     def listens(self) -> bool:
         try:
             socket.create_connection(("127.0.0.1", self.ports[4]), timeout=1).close()
@@ -128,8 +134,7 @@ class RunKilled(Trial):
         self.run.send_signal(signal.SIGKILL)
         self.run.wait()
         time.sleep(WATCHDOG_S + 1)
-        frame, cell, back = [[ask(port, question) for _ in (0, time.sleep(0.5))] for port, question in (
-            (self.ports[1], ":STAT:FRAM?;:MEAS:DISP?"), (self.ports[2], ":SOUR:PRES:NOW?"), (self.ports[3], ":SOUR:PRES:NOW?"))]
+        frame, cell, back = zip(self.drives(), self.drives(after_s=0.5))
         self.right("the frame stopped by its watchdog", frame[0][0] == 4 and frame[0] == frame[1], frame)
         self.right("the cell pressure holds", cell[0] == cell[1], cell)
         self.right("the back pressure holds", back[0] == back[1], back)
