@@ -209,7 +209,7 @@ void RigSoftware::Impl::supervise(double dt_s) {
     tell(EventKind::device_fault, note);
   }
   if (mode != Mode::running) return;
-  Asked asked;
+  Demanded asked;
   asked.force_n = axis.wanted_force_n();
   asked.valve_open = before.valve_open;
   asked.back_by_volume = before.outflow_m3_per_s.has_value();

@@ -97,7 +97,7 @@ bool Supervision::can_tell(EndQuantity quantity, const Reading& raw, const Devic
 std::vector<std::string> Supervision::notes() { return std::exchange(notes_, {}); }
 
 std::optional<std::string> Supervision::look(const Reading& raw, const Seen& seen,
-                                             const Asked& asked, const DeviceStates& devices,
+                                             const Demanded& asked, const DeviceStates& devices,
                                              double dt_s) {
   const double force = seen[Quantity::axial_force];
   // Twice, so that a spike stops nothing.
@@ -150,7 +150,8 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const DeviceSta
   return std::nullopt;
 }
 
-std::optional<std::string> Supervision::astray(const Seen& seen, const Asked& asked, double dt_s) {
+std::optional<std::string> Supervision::astray(const Seen& seen, const Demanded& asked,
+                                               double dt_s) {
   struct Loop {
     const char* name;
     double seen, asked;
@@ -188,7 +189,7 @@ std::optional<std::string> Supervision::stuck(const Reading& raw) {
   return reason;
 }
 
-std::optional<std::string> Supervision::force_astray(const Seen& seen, const Asked& asked,
+std::optional<std::string> Supervision::force_astray(const Seen& seen, const Demanded& asked,
                                                      double dt_s) {
   if (!asked.force_n) return std::nullopt;
   const double displacement = seen[Quantity::axial_displacement];
@@ -203,7 +204,7 @@ std::optional<std::string> Supervision::force_astray(const Seen& seen, const Ask
       seen[Quantity::axial_force], *asked.force_n);
 }
 
-std::optional<std::string> Supervision::standing(const Seen& seen, const Asked& asked,
+std::optional<std::string> Supervision::standing(const Seen& seen, const Demanded& asked,
                                                  double dt_s) {
   constexpr double kWay_m = 0.25e-3;
   const double displacement = seen[Quantity::axial_displacement];
@@ -238,7 +239,7 @@ std::optional<double> Supervision::RestingVolume::rests(double volume, double al
   return volume - start;
 }
 
-void Supervision::watch_closed_valve(const Seen& seen, const Asked& asked, double dt_s) {
+void Supervision::watch_closed_valve(const Seen& seen, const Demanded& asked, double dt_s) {
   constexpr double kShare = 5e-4;  // of the specimen's volume
   const double volume = seen[Quantity::back_volume];
   if (asked.valve_open) return back_water_.moves(volume);
@@ -249,7 +250,7 @@ void Supervision::watch_closed_valve(const Seen& seen, const Asked& asked, doubl
                     *flowed * 1e9));
 }
 
-void Supervision::watch_cell(const Seen& seen, const Asked& asked, double dt_s) {
+void Supervision::watch_cell(const Seen& seen, const Demanded& asked, double dt_s) {
   constexpr double kShare = 4e-3;  // of the specimen's volume; a membrane takes some of it
   const double volume = seen[Quantity::cell_volume];
   const bool ramps = std::exchange(cell_held_pa_, asked.cell_pa) != asked.cell_pa;
@@ -261,7 +262,7 @@ void Supervision::watch_cell(const Seen& seen, const Asked& asked, double dt_s) 
         *flowed * 1e9));
 }
 
-void Supervision::watch_open_valve(const Seen& seen, const Asked& asked, double dt_s) {
+void Supervision::watch_open_valve(const Seen& seen, const Demanded& asked, double dt_s) {
   constexpr double kLag_pa = 10e3, kShare = 2e-5;
   const double volume = seen[Quantity::back_volume];
   const double lag = seen[Quantity::pore_pressure] - seen[Quantity::back_pressure];

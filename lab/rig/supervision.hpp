@@ -30,7 +30,7 @@
 namespace triax::lab {
 
 /// What the rig asked for at a look, beside what it then saw.
-struct Asked {
+struct Demanded {
   std::optional<double> force_n;    ///< of servo or masses, as the load cell is to read it
   double crosshead_velocity = 0;    ///< m/s; only where nothing lies between crosshead and cap
   double cell_pa = 0, back_pa = 0;  ///< set points
@@ -47,7 +47,7 @@ class Supervision {
 
   void begin_stage(const Stage& stage);
   /// The reason for the safe state; empty while the test may go on. `raw` may hold gaps.
-  std::optional<std::string> look(const Reading& raw, const Seen& seen, const Asked& asked,
+  std::optional<std::string> look(const Reading& raw, const Seen& seen, const Demanded& asked,
                                   const DeviceStates& devices, double dt_s);
   /// Whether the channels behind the quantity give readings within their ranges.
   static bool can_tell(EndQuantity quantity, const Reading& raw, const DeviceStates& devices);
@@ -58,13 +58,13 @@ class Supervision {
   bool needs(Quantity channel) const { return needed_[index(channel)]; }
   std::optional<std::string> deaf(const Reading& raw, const DeviceStates& devices, double dt_s);
   std::optional<std::string> full_or_empty(const DeviceStates& devices) const;
-  std::optional<std::string> astray(const Seen& seen, const Asked& asked, double dt_s);
+  std::optional<std::string> astray(const Seen& seen, const Demanded& asked, double dt_s);
   std::optional<std::string> stuck(const Reading& raw);
-  std::optional<std::string> force_astray(const Seen& seen, const Asked& asked, double dt_s);
-  std::optional<std::string> standing(const Seen& seen, const Asked& asked, double dt_s);
-  void watch_closed_valve(const Seen& seen, const Asked& asked, double dt_s);
-  void watch_open_valve(const Seen& seen, const Asked& asked, double dt_s);
-  void watch_cell(const Seen& seen, const Asked& asked, double dt_s);
+  std::optional<std::string> force_astray(const Seen& seen, const Demanded& asked, double dt_s);
+  std::optional<std::string> standing(const Seen& seen, const Demanded& asked, double dt_s);
+  void watch_closed_valve(const Seen& seen, const Demanded& asked, double dt_s);
+  void watch_open_valve(const Seen& seen, const Demanded& asked, double dt_s);
+  void watch_cell(const Seen& seen, const Demanded& asked, double dt_s);
 
   /// A counter of water, that stays away from where it rested for kDeaf_s.
   struct RestingVolume {

@@ -9,6 +9,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/stage_words.hpp"
+#include "lab/rig/supervision.hpp"
 #include "lab/wire/device_modes.hpp"
 #include "lab/wire/remote/control_line.hpp"
 #include "lab/wire/remote/drive_settings.hpp"
@@ -71,6 +72,9 @@ void RemoteApparatus::connect(double within_s) {
 
 void RemoteApparatus::take(const WireInstrument& one, const WireInstrument::Scan& scan,
                            Reading& reading) {
+  Link& link = links_[&one];
+  link.trouble = scan.why;
+  if (scan.why.empty()) link.heard_s = loop_.now_s();
   const std::vector<RigChannel>& channels = one.described().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!channels[i].quantity) continue;
@@ -124,7 +128,21 @@ void RemoteApparatus::look(Reading& reading) {
         take(one, scan, reading);
       });
   if (!start_s_) start_s_ = asked_s - nominal_s / time_.speed;
+  look_for_deaf_drives();
   if (!time_.lock_step) reading.time_s = (asked_s - *start_s_) * time_.speed;
+}
+
+/// One that cannot be told what to do may do anything, whoever else measures it.
+void RemoteApparatus::look_for_deaf_drives() {
+  for (const RigRole role : {RigRole::frame, RigRole::cell, RigRole::back}) {
+    const WireInstrument* const one = instruments_.with(role);
+    const Link& link = links_[one];
+    const double since_s = std::max(link.heard_s, *start_s_);
+    if (link.trouble.empty() || (loop_.now_s() - since_s) * time_.speed < Supervision::kDeaf_s)
+      continue;
+    devices_.fault = fmt::format("{} has not answered rightly for {:g} s: {}",
+                                 one->described().name, Supervision::kDeaf_s, link.trouble);
+  }
 }
 
 void RemoteApparatus::drive(RigRole role, const DriveSettings& settings) {
@@ -134,12 +152,13 @@ void RemoteApparatus::drive(RigRole role, const DriveSettings& settings) {
   if (!changed || !one.ready()) return;
   sent = {one.links(), settings};
   ++orders_;
-  one.set(settings, [this, role](const std::string& why) {
+  one.set(settings, [this, role, link = &links_[&one]](const std::string& why) {
     --orders_;
     refusals_[role] = why.empty() ? 0 : refusals_[role] + 1;
     if (why.empty()) return;
     sent_.erase(role);
     refused_ = why;
+    link->trouble = why;
   });
 }
 
@@ -176,23 +195,24 @@ void RemoteApparatus::follow_ramps(const PlantDemand& demand, double dt_s) {
   back_pa = process(programme_.back_controller, back_pa, demand.back, dt_s);
 }
 
-/// Each link's trouble once, and its end.
+/// Each kind of trouble of a gap once, and the end of the gap.
 void RemoteApparatus::tell_gaps(Ticked& done) {
   const double now_s = (loop_.now_s() - *start_s_) * time_.speed;
+  const auto tell = [&done](std::string text) {
+    done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(text)});
+  };
   for (const auto& one : instruments_.all()) {
     const std::string& name = one->described().name;
-    const std::string& trouble = one->trouble();
-    const auto known = gaps_.find(one.get());
-    if (trouble.empty() && known != gaps_.end()) {
-      done.events.push_back({.kind = EventKind::device_fault,
-                             .detail = fmt::format("{} answers again after {:.1f} s", name,
-                                                   now_s - known->second.since_s)});
-      gaps_.erase(known);
-    } else if (!trouble.empty() && known == gaps_.end()) {
-      done.events.push_back({.kind = EventKind::device_fault,
-                             .detail = fmt::format("{} gives no readings: {}", name, trouble)});
-      gaps_.emplace(one.get(), Gap{trouble, now_s});
+    Link& link = links_[one.get()];
+    if (link.trouble.empty()) {
+      if (!link.told.empty())
+        tell(fmt::format("{} answers again after {:.1f} s", name, now_s - link.since_s));
+      link.told.clear();
+      continue;
     }
+    if (link.told.empty()) link.since_s = now_s;
+    if (link.told.insert(link.trouble.substr(0, link.trouble.find(':'))).second)
+      tell(fmt::format("{} gives no readings: {}", name, link.trouble));
   }
 }
 

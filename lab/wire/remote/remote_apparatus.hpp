@@ -4,13 +4,15 @@
 //
 // All instruments are asked at one instant and their answers awaited together. What is late or
 // wrong is a missing cell, and an event tells its cause and when it is over. What the software
-// demands is set where it has changed; a device whose link was lost is told again.
+// demands is set where it has changed; a device whose link was lost is told again. A device that
+// drives and gives no good answer for Supervision::kDeaf_s has failed, whatever else reads.
 //
 // Time is the clock's times `speed`, or, in lock step, turned by the client (served rigs only).
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,7 @@ class RemoteApparatus : public Apparatus {
 
   void take(const WireInstrument& one, const WireInstrument::Scan& scan, Reading& reading);
   void take_states(RigRole role, const std::vector<double>& said);
+  void look_for_deaf_drives();
   void drive(RigRole role, const DriveSettings& settings);
   void await(const std::function<bool()>& done, double within_s);
   double pass(const Tick& tick);
@@ -57,9 +60,12 @@ class RemoteApparatus : public Apparatus {
     int link = 0;  ///< over which it went
     DriveSettings settings;
   };
-  struct Gap {
-    std::string cause;
-    double since_s;
+  /// What an instrument is known by beside its values.
+  struct Link {
+    std::string trouble;           ///< of its last scan or order; empty: none
+    double heard_s = 0;            ///< its last whole scan, on the loop's clock
+    std::set<std::string> told{};  ///< kinds of trouble of the gap that is open
+    double since_s = 0;            ///< of that gap, test time
   };
 
   LineLoop& loop_;
@@ -79,7 +85,7 @@ class RemoteApparatus : public Apparatus {
   std::map<RigRole, int> refusals_;    ///< in a row
   std::string refused_;                ///< why, the last
   std::map<Quantity, double> starts_;  ///< of channels that count from the start of the test
-  std::map<const WireInstrument*, Gap> gaps_;
+  std::map<const WireInstrument*, Link> links_;
 };
 
 }  // namespace triax::lab

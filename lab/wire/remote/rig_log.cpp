@@ -95,20 +95,20 @@ std::string head_of(const RigFile& rig, const WireInstruments& instruments,
   return text + '\n';
 }
 
-/// What is away, and since when.
+/// What is away, and since when, by the scans themselves.
 class Absences {
  public:
+  void take(const WireInstrument& one, const std::string& why) { why_[&one] = why; }
   void look(const WireInstruments& instruments, double time_s,
             const std::function<void(const std::string&)>& say) {
     for (const auto& one : instruments.all()) {
       const auto known = since_.find(one.get());
       const std::string& name = one->described().name;
-      if (one->trouble().empty() == (known == since_.end())) continue;
+      const std::string& why = why_[one.get()];
+      if (why.empty() == (known == since_.end())) continue;
       if (known == since_.end()) {
         since_.emplace(one.get(), time_s);
-        if (say)
-          say(fmt::format("{} gives no readings from {:.1f} s on: {}", name, time_s,
-                          one->trouble()));
+        if (say) say(fmt::format("{} gives no readings from {:.1f} s on: {}", name, time_s, why));
       } else {
         if (say)
           say(fmt::format("{} answers again at {:.1f} s, after {:.1f} s", name, time_s,
@@ -120,6 +120,7 @@ class Absences {
 
  private:
   std::map<const WireInstrument*, double> since_;
+  std::map<const WireInstrument*, std::string> why_;
 };
 
 }  // namespace
@@ -145,8 +146,9 @@ RigLogged log_rig(const RigFile& rig, const std::string& path, const RigLogOptio
     loop.run_until(stopped, start_s + due_s);
     if (stopped()) break;
     std::map<std::string, double> values;
-    const double time_s = instruments.scan([&values](const WireInstrument& one,
-                                                     const WireInstrument::Scan& scan) {
+    const double time_s = instruments.scan([&](const WireInstrument& one,
+                                               const WireInstrument::Scan& scan) {
+      absences.take(one, scan.why);
       for (std::size_t i = 0; i < scan.channels.size(); ++i)
         values[one.described().channels[i].name] = scan.channels[i].value;
     }) - start_s;

@@ -85,7 +85,6 @@ void WireInstrument::prepare(std::vector<Exchange> rest) {
   if (rest.empty()) {
     state_ = State::ready;
     trouble_.clear();
-    pause_s_ = kFirstPause_s;
     ++links_;
     return;
   }
@@ -102,10 +101,14 @@ void WireInstrument::prepare(std::vector<Exchange> rest) {
 /// The line is closed and taken up again after a pause.
 void WireInstrument::fail(const std::string& why) {
   if (state_ == State::down) return;
+  const double now_s = loop_.now_s();
+  if (!wrong_s_) wrong_s_ = now_s;
   state_ = State::down;
   trouble_ = why;
-  again_ = loop_.at(loop_.now_s() + pause_s_, [this] { open(); });
-  pause_s_ = std::min(2 * pause_s_, kLongestPause_s);
+  const double away_s = now_s - *wrong_s_;
+  const double pause_s =
+      away_s < kHurry_s ? std::max(kFirstPause_s, kPauseOfAway * away_s) : kLongestPause_s;
+  again_ = loop_.at(now_s + pause_s, [this] { open(); });
   line_.close(why);
 }
 
@@ -116,6 +119,8 @@ void WireInstrument::scan(std::function<void(const Scan&)> done) {
   round->done = std::move(done);
   if (!ready() || round_.empty()) {
     round->scan.also.assign(asked_.size() - channels_, kNothing);
+    if (!ready()) round->scan.why = trouble_.empty() ? "it is not linked yet" : trouble_;
+    if (ready()) wrong_s_.reset();
     loop_.soon([round] { round->done(round->scan); });
     return;
   }
@@ -130,10 +135,12 @@ void WireInstrument::take(Round& round, const Question& question, const Asked& a
   if (asked.kind == Asked::Kind::answered)
     for (std::size_t i = 0; i < question.places.size() && i < asked.values.size(); ++i)
       round.raw[question.places[i]] = asked.values[i];
-  else if (state_ == State::ready)
-    trouble_ = trouble_of(asked, described_.personality.deadline_s);
-  if (asked.kind == Asked::Kind::answered && round.open == 1 && state_ == State::ready)
-    trouble_.clear();
+  else
+    round.scan.why = trouble_of(asked, described_.personality.deadline_s);
+  const bool whole = round.open == 1 && round.scan.why.empty();
+  if (whole) wrong_s_.reset();
+  if (!round.scan.why.empty() && !wrong_s_) wrong_s_ = loop_.now_s();
+  if (state_ == State::ready && (whole || !round.scan.why.empty())) trouble_ = round.scan.why;
   if (round.scan.sent_s == 0) round.scan.sent_s = asked.sent_s;
   round.scan.answered_s = std::max(round.scan.answered_s, asked.answered_s);
   if (--round.open > 0) return;

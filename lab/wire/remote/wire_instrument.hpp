@@ -15,8 +15,12 @@ namespace triax::lab {
 
 class WireInstrument {
  public:
-  /// A link is taken up again after a pause that doubles from the first to the longest.
-  static constexpr double kFirstPause_s = 0.25, kLongestPause_s = 8;
+  /// A link that is lost is taken up again after pauses that grow with the time since it was last
+  /// understood, so that one which is back within kHurry_s is found before a test has to end for
+  /// it. Then it is left alone for kLongestPause_s at a time: longer than the watchdogs of devices
+  /// wait, so that one that hears us and is not understood holds.
+  static constexpr double kFirstPause_s = 0.1, kPauseOfAway = 0.125, kHurry_s = 3,
+                          kLongestPause_s = 8;
 
   /// `also`: points that are read with the channels at every scan ("state"). All outlive it. Throws
   /// BadInput where the instrument does not have one of them.
@@ -38,6 +42,7 @@ class WireInstrument {
     std::vector<CalibratedValue> channels;  ///< in the order of the description; NaN: missing
     std::vector<double> also;               ///< NaN: missing
     double sent_s = 0, answered_s = 0;      ///< on the loop's clock; 0: not asked
+    std::string why;                        ///< what was wrong; empty: all was answered
   };
   /// Asks for everything at once; `done` is called once, from the loop. An instrument that is not
   /// ready gives a scan without values.
@@ -65,7 +70,7 @@ class WireInstrument {
   Line line_;
   LineTimer again_;
   State state_ = State::down;
-  double pause_s_ = kFirstPause_s;
+  std::optional<double> wrong_s_;  ///< since when no scan was whole
   std::string identity_, trouble_;
   int links_ = 0;
 };

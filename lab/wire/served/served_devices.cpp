@@ -119,7 +119,8 @@ WireDevice ServedDrives::controller(Controller& one, const PressureController& l
   ControllerSettings& s = one.asked;
   const double fastest = limits.rate_limit_pa_per_s;
   WireDevice device{.name = {},
-                    .identity = fmt::format("triax,pressure controller,{},1", kSimulatedWord),
+                    .identity = fmt::format("triax,pressure controller,{} {},1", kSimulatedWord,
+                                            pressure == Quantity::cell_pressure ? "cell" : "back"),
                     .points = {},
                     .heard = [this, &one] { one.watchdog.heard(clock_()); },
                     .reset = [&s] { s = {}; }};

@@ -139,8 +139,10 @@ void ServedInstrument::process(double time_s) const {
   if (process_) process_(time_s);
 }
 
-void ServedInstrument::pretend(bool other) {
-  device_.identity = other ? "somebody,else,0,0" : identity_;
+void ServedInstrument::pretend(Pretence as) {
+  device_.identity = as == Pretence::other_make ? "somebody,else,0,0"
+                     : as == Pretence::twin     ? identity_ + "1"
+                                                : identity_;
 }
 
 }  // namespace triax::lab

@@ -14,6 +14,8 @@
 
 namespace triax::lab {
 
+enum class Pretence { itself, other_make, twin };
+
 class ServedInstrument {
  public:
   /// `described` and `drives` outlive it. Throws BadInput for a personality that none of ours has.
@@ -27,8 +29,8 @@ class ServedInstrument {
   /// Moves a clock of its own on, where it has one.
   void process(double time_s) const;
 
-  /// It says that it is another one, or itself again.
-  void pretend(bool other);
+  /// It says from now on that it is of another make, another one of its make, or itself again.
+  void pretend(Pretence as);
   void set_frame_fault(FrameFault fault) { fault_ = fault; }
 
  private:

@@ -30,6 +30,9 @@ constexpr std::pair<const char*, FrameFault> kFrameFaults[] = {{"NONE", FrameFau
                                                                {"UNIT", FrameFault::wrong_unit},
                                                                {"CHECK", FrameFault::wrong_check}};
 
+constexpr std::pair<const char*, Pretence> kPretences[] = {
+    {"ON", Pretence::other_make}, {"TWIN", Pretence::twin}, {"OFF", Pretence::itself}};
+
 template <class Kinds>
 auto kind_of(const std::string& word, const Kinds& kinds) {
   for (const auto& [name, kind] : kinds)
@@ -188,10 +191,12 @@ void ServedRig::Impl::add_line_faults() {
               ServedInstrument& one = instrument(call.parameters.text());
               one.set_frame_fault(kind_of(call.parameters.word(), kFrameFaults));
             });
-  table.add("LINE:PRETend", 2, "\"NAME\",ON|OFF: it says that it is another instrument",
+  table.add("LINE:PRETend", 2,
+            "\"NAME\",ON|TWIN|OFF: it says that it is of another make, another one of its make, or "
+            "itself",
             [this](ScpiCall& call) {
               ServedInstrument& one = instrument(call.parameters.text());
-              one.pretend(call.parameters.flag());
+              one.pretend(kind_of(call.parameters.word(), kPretences));
             });
 }
 

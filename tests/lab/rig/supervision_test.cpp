@@ -47,7 +47,7 @@ class Watch {
   }
 
   Reading reading;
-  Asked asked;
+  Demanded asked;
   DeviceStates devices;
   std::string notes;
 

@@ -160,6 +160,42 @@ TEST_CASE("a channel that falls silent is missing, told, and leads to the safe s
   tell(control, "LINE:FAULT \"scanner\",NONE");
 }
 
+TEST_CASE("a drive that does not answer leads to the safe state, though it reads nothing") {
+  const Programme programme = read_programme(programme_text(), "p.toml");
+  const ServedBench bench(programme, replaced(rig_text(), "watchdog_s = 1.0", "watchdog_s = 3.0"),
+                          {});
+  LineLoop loop;
+  ControlLine control(loop, *bench.client.plant->control);
+  RigFile rig = bench.client;
+  for (RigInstrument& one : rig.instruments) one.personality.deadline_s = 0.3;
+  RemoteRig remote(loop, rig, programme);
+  Reading reading;
+  for (int i = 0; i < 2; ++i) REQUIRE(remote.next(reading));
+  tell(control, "LINE:FAULT \"frame\",SILENT");
+  const double silent_s = loop.now_s();
+  while (remote.header().cut_short.empty() && loop.now_s() < silent_s + 6 && remote.next(reading))
+    CHECK_FALSE(std::isnan(reading[Quantity::axial_displacement]));
+  CHECK_THAT(remote.header().cut_short,
+             Contains("frame has not answered rightly for 3 s: ") && Contains("no answer"));
+}
+
+TEST_CASE("a drive that refuses its order again and again leads to the safe state") {
+  const Programme slow = read_programme(programme_text(), "p.toml");
+  // The client's file says that the frame is faster than it is.
+  const Programme fast = read_programme(
+      replaced(programme_text(), "axial_rate_mm_per_min = 1.0", "axial_rate_mm_per_min = 20.0") +
+          "[rig.frame]\nfastest_mm_per_min = 100.0\n",
+      "p.toml");
+  const ServedBench bench(slow, rig_text(), {.lock_step = true});
+  LineLoop loop;
+  RemoteRig remote(loop, bench.client, fast);
+  const std::vector<Reading> readings = readings_of(remote);
+  CHECK(readings.size() < 20);
+  CHECK_THAT(remote.header().cut_short,
+             Contains("frame does not take what it is told") && Contains("-222"));
+  CHECK(std::fabs(readings.back()[Quantity::axial_displacement]) < 1e-9);
+}
+
 TEST_CASE("drives hold by their watchdog when their controller is gone") {
   const Programme programme = read_programme(programme_text(), "p.toml");
   const ServedBench bench(programme, rig_text(), {});
