@@ -53,6 +53,7 @@ struct PersonalityScan {
   std::string ask;                   ///< empty: it speaks unasked
   int lines = 1;                     ///< of one answer
   int columns = 1;                   ///< numbers of a line, apart by commas or semicolons
+  std::string no_value;              ///< its word for no value: "OPEN"; empty: it has none
   /// Channels are chosen by `prepare` or `ask` and answered in rising order, in one line; else all
   /// numbers come always, the first is channel 1.
   bool chooses() const;

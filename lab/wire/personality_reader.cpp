@@ -141,6 +141,7 @@ PersonalityScan read_scan(const TomlTable& table) {
   scan.ask = table.text("ask").value_or("");
   scan.lines = static_cast<int>(table.integer("lines", 1, kMost).value_or(1));
   scan.columns = static_cast<int>(table.integer("columns", 1, kMost).value_or(1));
+  scan.no_value = table.text("no_value").value_or("");
   if (scan.chooses() && (table.has("lines") || table.has("columns")))
     table.fail("",
                "where {at} chooses channels they are answered in one line; leave out lines and "

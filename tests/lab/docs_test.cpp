@@ -19,6 +19,7 @@
 #include "lab/records/metadata.hpp"
 #include "lab/rig/recorded.hpp"
 #include "lab/wire/personality.hpp"
+#include "lab/wire/rig_file.hpp"
 
 using namespace triax::lab;
 using Catch::Contains;
@@ -236,4 +237,17 @@ TEST_CASE("the page of personalities prints two, and has every key and every shi
     CHECK_THAT(text, Contains(fmt::format("[`{0}`](personalities/{0}.md)", file.name)));
     keys_of(TomlTable::parse(file.text, std::string(file.name)));
   }
+}
+
+TEST_CASE("the rig's file that the page of the wire prints is read, and so are the samples") {
+  std::string text;
+  for (const auto& line : printed("docs/wire.md", "[rig]", "socat")) text += line + "\n";
+  const RigFile rig = parse_rig_file(text, "docs/wire.md");
+  CHECK(rig.instruments.size() == 2);
+  CHECK(rig.channel(Quantity::pore_pressure)->calibration.range->second == 1000);
+  std::string plant;
+  for (const auto& line : printed("docs/wire.md", "[plant]")) plant += line + "\n";
+  CHECK(parse_rig_file(text + plant, "docs/wire.md").plant->watchdog_s == 5);
+  for (const char* name : {"icu_6", "csu_26", "serial_pad"})
+    CHECK(load_rig_file(fmt::format("samples/rigs/{}.toml", name)).with(RigRole::frame) != nullptr);
 }

@@ -24,12 +24,15 @@ double spoken_number(std::string_view text) {
   return *number;
 }
 
-std::vector<double> spoken_numbers(std::string_view text, std::size_t count) {
+std::vector<double> spoken_numbers(std::string_view text, std::size_t count,
+                                   std::string_view no_value) {
   std::vector<double> numbers;
   std::string_view rest = text.substr(0, text.find_last_not_of("\r\n") + 1);
   for (bool more = true; more;) {
     const auto end = rest.find_first_of(",;\r\n");
-    numbers.push_back(spoken_number(rest.substr(0, end)));
+    const auto word = trimmed(rest.substr(0, end));
+    const bool none = !no_value.empty() && word == no_value;
+    numbers.push_back(none ? std::numeric_limits<double>::quiet_NaN() : spoken_number(word));
     more = end != std::string_view::npos;
     if (more) rest.remove_prefix(end + (rest.substr(end).starts_with("\r\n") ? 2 : 1));
   }

@@ -12,8 +12,9 @@ namespace triax::lab {
 /// Throws Malformed for anything else.
 double spoken_number(std::string_view text);
 /// The numbers of a text, apart by commas, semicolons or line ends. Throws Malformed unless there
-/// are `count`.
-std::vector<double> spoken_numbers(std::string_view text, std::size_t count);
+/// are `count`. `no_value` is the instrument's word for no value, NaN here; empty: it has none.
+std::vector<double> spoken_numbers(std::string_view text, std::size_t count,
+                                   std::string_view no_value = {});
 /// Length of so many lines, each ended by `end`, at the front; 0: more is to come. Throws Malformed
 /// for a control character or for more than 64 KB without their end.
 std::size_t whole_lines(std::string_view received, int lines, char end);

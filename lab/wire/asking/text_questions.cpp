@@ -194,8 +194,8 @@ class TextQuestions : public Questions {
             fmt::format("{} has no channel {}; expected 1 to {}", personality_.title, at, count));
     }
     Exchange exchange = asking(with_channels(scan.ask, asked), scan.lines);
-    exchange.values = [picks, count](std::string_view answer) {
-      const auto numbers = spoken_numbers(answer, static_cast<std::size_t>(count));
+    exchange.values = [picks, count, no_value = scan.no_value](std::string_view answer) {
+      const auto numbers = spoken_numbers(answer, static_cast<std::size_t>(count), no_value);
       std::vector<double> values;
       for (const std::size_t pick : picks) values.push_back(numbers[pick]);
       return values;

@@ -28,6 +28,11 @@ TEST_CASE("lists of numbers", "[asking]") {
     CHECK_THROWS_AS(spoken_numbers(text, 3), Malformed);
   }
   CHECK_THROWS_AS(spoken_numbers("1,2,3", 2), Malformed);
+  const auto open = spoken_numbers("7\r\n OPEN\r\n", 2, "OPEN");
+  CHECK(open[0] == 7);
+  CHECK(std::isnan(open[1]));
+  CHECK_THROWS_AS(spoken_numbers("7\r\nOPEN\r\n", 2), Malformed);
+  CHECK_THROWS_AS(spoken_numbers("7\r\nOPENED\r\n", 2, "OPEN"), Malformed);
 }
 
 TEST_CASE("the length of some lines", "[asking]") {
