@@ -6,10 +6,10 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 requests=${1:-20000}
 rounds=${2:-5}
-[[ ${TRIAX_BUILT:-} ]] || tools/build release bench_bare_echo served_instruments >/dev/null
+[[ ${TRIAX_BUILT:-} ]] || tools/build release bench_bare_echo scpi_station >/dev/null
 work=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
-build/release/tests/wire/served_instruments >"$work/ours" &
+build/release/tests/wire/scpi_station >"$work/ours" &
 build/release/bench/bench_bare_echo >"$work/echo" &
 python3 bench/wire/stand_in.py >"$work/python" &
 until grep -q ready "$work/ours" && [[ -s $work/echo && -s $work/python ]]; do sleep 0.1; done
