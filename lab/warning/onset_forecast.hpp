@@ -16,8 +16,8 @@
 // and half of what lies between them is a part of its error. Measured on the laws of triax
 // (bench/warning): stiffness is straight in INL2; bent in SANISAND and hypoplasticity, where it
 // comes out early; octolinear has a knee, which no witness sees before it is reached. All err by a
-// share of the distance: the error holds such a share beside that of the fit, and what the forecasts
-// of this test have drifted by (ForecastDrift).
+// share of the distance: the error holds such a share beside that of the fit, and what the
+// forecasts of this test have drifted by (ForecastDrift).
 //
 // Where pore fluid and lines give way (PoreFluid) work is taken with that strain.
 //

@@ -7,8 +7,8 @@
 
 #include "lab/devices/noise.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "lab/rig/simulated/instruments.hpp"
 #include "lab/rig/rig_header.hpp"
+#include "lab/rig/simulated/instruments.hpp"
 #include "lab/rig/simulated/virtual_apparatus.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
 
