@@ -118,7 +118,7 @@ std::optional<std::string> Supervision::look(const Reading& raw, const Seen& see
   return standing(seen, asked, dt_s);
 }
 
-std::optional<std::string> Supervision::full_or_empty(const DeviceStates& devices) const {
+std::optional<std::string> Supervision::full_or_empty(const DeviceStates& devices) {
   for (const auto& [name, state] :
        {std::pair{"cell", &devices.cell}, std::pair{"back", &devices.back}})
     if (state->full || state->empty)

@@ -57,7 +57,7 @@ class Supervision {
  private:
   bool needs(Quantity channel) const { return needed_[index(channel)]; }
   std::optional<std::string> deaf(const Reading& raw, const DeviceStates& devices, double dt_s);
-  std::optional<std::string> full_or_empty(const DeviceStates& devices) const;
+  static std::optional<std::string> full_or_empty(const DeviceStates& devices);
   std::optional<std::string> astray(const Seen& seen, const Demanded& asked, double dt_s);
   std::optional<std::string> stuck(const Reading& raw);
   std::optional<std::string> force_astray(const Seen& seen, const Demanded& asked, double dt_s);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -14,11 +15,11 @@ namespace triax::lab {
 namespace {
 
 constexpr int kLastAddress = 65535;
-constexpr std::pair<std::string_view, RegisterForm> kForms[] = {
-    {"float32", RegisterForm::float32},
-    {"float32 low word first", RegisterForm::float32_low_first},
-    {"int16", RegisterForm::int16},
-    {"uint16", RegisterForm::uint16}};
+constexpr auto kForms = std::to_array<std::pair<std::string_view, RegisterForm>>(
+    {{"float32", RegisterForm::float32},
+     {"float32 low word first", RegisterForm::float32_low_first},
+     {"int16", RegisterForm::int16},
+     {"uint16", RegisterForm::uint16}});
 
 std::vector<Protocol> read_protocols(const TomlTable& document) {
   std::vector<Protocol> protocols;

@@ -30,7 +30,7 @@ class VirtualApparatus : public Apparatus {
  private:
   bool survived(const sim::SpecimenStep& step, const Tick& tick, Ticked& done);
   void keep_within_travel(const sim::SpecimenStep& step, const Tick& tick, Ticked& done);
-  void warn_once(bool& told, const std::string& text, Ticked& done);
+  static void warn_once(bool& told, const std::string& text, Ticked& done);
   void ask_devices();
 
   MaterialSet material_;

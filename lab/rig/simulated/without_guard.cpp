@@ -2,6 +2,7 @@
 #include "lab/rig/simulated/without_guard.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "lab/rig/session.hpp"
 #include "lab/rig/simulated/virtual_rig.hpp"
@@ -12,7 +13,7 @@ std::function<GuardOutcome::Without()> without_guard(const Programme& programme,
                                                      std::optional<std::uint64_t> seed,
                                                      std::function<bool()> stop) {
   if (!programme.guard) return {};
-  return [unguarded = programme, seed, stop]() mutable {
+  return [unguarded = programme, seed, stop = std::move(stop)]() mutable {
     unguarded.guard.reset();
     VirtualRig rig(unguarded, seed);
     GuardOutcome::Without without;

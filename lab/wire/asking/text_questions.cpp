@@ -35,6 +35,7 @@ class TextQuestions : public Questions {
       for (const auto& text : personality_.scan->prepare)
         texts.push_back(with_channels(text, asked));
     std::vector<Exchange> exchanges;
+    exchanges.reserve(texts.size());
     for (const auto& text : texts)
       exchanges.push_back(text.ends_with('?') ? asking_text(text) : telling(text));
     return exchanges;
@@ -53,7 +54,8 @@ class TextQuestions : public Questions {
     if (!numbered.empty()) questions.push_back(scan(asked, std::move(numbered)));
     const std::size_t together = personality_.compound ? named.size() : 1;
     for (std::size_t from = 0; from < named.size(); from += together)
-      questions.push_back(query(asked, {named.begin() + from, named.begin() + from + together}));
+      questions.push_back(
+          query(asked, std::vector(named.data() + from, named.data() + from + together)));
     return questions;
   }
 
@@ -197,6 +199,7 @@ class TextQuestions : public Questions {
     exchange.values = [picks, count, no_value = scan.no_value](std::string_view answer) {
       const auto numbers = spoken_numbers(answer, static_cast<std::size_t>(count), no_value);
       std::vector<double> values;
+      values.reserve(picks.size());
       for (const std::size_t pick : picks) values.push_back(numbers[pick]);
       return values;
     };

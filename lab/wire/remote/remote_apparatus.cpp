@@ -54,7 +54,7 @@ RemoteApparatus::RemoteApparatus(LineLoop& loop, const RigFile& rig, const Progr
   check_complete(rig, programme);
 }
 
-RemoteApparatus::~RemoteApparatus() { rest(); }
+RemoteApparatus::~RemoteApparatus() { RemoteApparatus::rest(); }
 
 void RemoteApparatus::await(const std::function<bool()>& done, double within_s) {
   loop_.run_until([&] { return done() || (stop_ && stop_()); }, loop_.now_s() + within_s);

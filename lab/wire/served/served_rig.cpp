@@ -21,17 +21,22 @@ const RigPlant& plant_of(const RigFile& rig) {
   throw BadInput(rig.file, 0, "only a rig with a [plant] can be served");
 }
 
-constexpr std::pair<const char*, WireFault> kLineFaults[] = {
-    {"NONE", WireFault::none},       {"SILENT", WireFault::silent},   {"SLOW", WireFault::slow},
-    {"HALF", WireFault::half_frame}, {"GARBAGE", WireFault::garbage}, {"RESET", WireFault::reset},
-    {"REFUSE", WireFault::refuse}};
+constexpr auto kLineFaults =
+    std::to_array<std::pair<const char*, WireFault>>({{"NONE", WireFault::none},
+                                                      {"SILENT", WireFault::silent},
+                                                      {"SLOW", WireFault::slow},
+                                                      {"HALF", WireFault::half_frame},
+                                                      {"GARBAGE", WireFault::garbage},
+                                                      {"RESET", WireFault::reset},
+                                                      {"REFUSE", WireFault::refuse}});
 
-constexpr std::pair<const char*, FrameFault> kFrameFaults[] = {{"NONE", FrameFault::none},
-                                                               {"UNIT", FrameFault::wrong_unit},
-                                                               {"CHECK", FrameFault::wrong_check}};
+constexpr auto kFrameFaults =
+    std::to_array<std::pair<const char*, FrameFault>>({{"NONE", FrameFault::none},
+                                                       {"UNIT", FrameFault::wrong_unit},
+                                                       {"CHECK", FrameFault::wrong_check}});
 
-constexpr std::pair<const char*, Pretence> kPretences[] = {
-    {"ON", Pretence::other_make}, {"TWIN", Pretence::twin}, {"OFF", Pretence::itself}};
+constexpr auto kPretences = std::to_array<std::pair<const char*, Pretence>>(
+    {{"ON", Pretence::other_make}, {"TWIN", Pretence::twin}, {"OFF", Pretence::itself}});
 
 template <class Kinds>
 auto kind_of(const std::string& word, const Kinds& kinds) {
@@ -46,10 +51,10 @@ auto kind_of(const std::string& word, const Kinds& kinds) {
 
 struct ServedRig::Impl {
   Impl(LineLoop& waiting, const RigFile& described, const Programme& programme,
-       const ServingOptions& wanted)
+       ServingOptions wanted)
       : loop(waiting),
         rig(described),
-        options(wanted),
+        options(std::move(wanted)),
         plant(programme, plant_of(rig).seed.value_or(programme.seed)),
         drives(plant, options.lock_step ? 0 : rig.plant->watchdog_s,
                [this] { return loop.now_s(); }),
