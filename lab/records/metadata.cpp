@@ -272,4 +272,14 @@ std::string metadata_toml(const RecordHeader& header) {
   return out;
 }
 
+std::string as_comment(std::string_view toml) {
+  std::string out;
+  while (!toml.empty()) {
+    const auto end = toml.find('\n');
+    out.append("# ").append(toml.substr(0, end)).append("\n");
+    toml.remove_prefix(end == std::string_view::npos ? toml.size() : end + 1);
+  }
+  return out;
+}
+
 }  // namespace triax::lab

@@ -35,6 +35,9 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
 /// The same but the ending as TOML text, known values only. Reading it back gives the same values.
 std::string metadata_toml(const RecordHeader& header);
 
+/// Lines of TOML as a record holds them, each behind "# ".
+std::string as_comment(std::string_view toml);
+
 /// What is known of a test only once it has ended, as TOML text; empty where there is nothing.
 std::string ending_toml(const RecordHeader& header);
 

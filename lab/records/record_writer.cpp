@@ -20,16 +20,6 @@ namespace {
 
 constexpr std::size_t kFlushAt = std::size_t{1} << 16;
 
-std::string as_comment(std::string_view toml) {
-  std::string out;
-  while (!toml.empty()) {
-    const auto end = toml.find('\n');
-    out.append("# ").append(toml.substr(0, end)).append("\n");
-    toml.remove_prefix(end == std::string_view::npos ? toml.size() : end + 1);
-  }
-  return out;
-}
-
 // How a simulation is repeated; empty for what came from a record.
 std::string origin_remark(const RecordHeader& header) {
   if (header.origin != Origin::simulated || !header.dialect.empty() || !header.seed) return {};

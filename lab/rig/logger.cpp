@@ -5,14 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "lab/base/statistics.hpp"
+
 namespace triax::lab {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 /// Mean of what stands out of the median by no more than kOutlier standard deviations, which the
 /// median deviation tells, or as many steps of the converter: a median alone would stand still

@@ -78,6 +78,7 @@ struct RigSoftware::Impl {
   std::size_t stage_index = 0;
   Mode mode = Mode::running;
   double late_s = 0;  ///< by how much the last tick was longer than it was meant to be
+  bool readings_missed = false;
   int safe_readings = 0;
   std::size_t next_action = 0;
   std::optional<double> held_until_s;  ///< by the guard
@@ -254,9 +255,15 @@ bool RigSoftware::Impl::advance_to_next_scan() {
       logger.add(reading);
     }
     if (!tick(interval / ticks)) return false;
-    if (time_s > due + kRoundOff_s) break;  // late: readings were missed
+    if (time_s > due - kRoundOff_s) break;
   }
   if (std::fabs(time_s - due) < kRoundOff_s) time_s = due;
+  const bool missed = time_s >= due + interval;
+  if (missed && !readings_missed)
+    tell(EventKind::device_fault,
+         fmt::format("readings are missed from {:.6g} s on: instruments or machine are too slow",
+                     due));
+  readings_missed = missed;
   return true;
 }
 

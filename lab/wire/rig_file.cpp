@@ -174,6 +174,13 @@ std::string_view to_text(RigRole role) {
   return {};
 }
 
+const RigPlant& RigFile::served() const {
+  if (plant) return *plant;
+  throw BadInput(file, 0,
+                 "only a rig with a [plant] can be served: its programme stands behind the "
+                 "instruments");
+}
+
 const RigInstrument* RigFile::find(std::string_view instrument) const {
   const auto found = std::ranges::find(instruments, instrument, &RigInstrument::name);
   return found == instruments.end() ? nullptr : &*found;

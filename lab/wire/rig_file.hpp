@@ -59,6 +59,8 @@ struct RigFile {
   std::optional<RigPlant> plant;
   double interval_s = 1;  ///< of `triax record`
 
+  /// What stands behind it. Throws BadInput where the rig is none that can be served.
+  const RigPlant& served() const;
   const RigInstrument* find(std::string_view instrument) const;
   const RigInstrument* with(RigRole role) const;
   /// The instrument and the channel that measure it; null: none does.

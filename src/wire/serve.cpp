@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/wire/served/served_rig.hpp"
 #include "src/cli/interruption.hpp"
@@ -33,12 +32,8 @@ void print_open(const lab::RigFile& rig, const lab::ServedRig& served,
 
 void run_serve(const ServeOptions& o) {
   const lab::RigFile rig = lab::load_rig_file(o.rig);
-  if (!rig.plant)
-    throw lab::BadInput(o.rig, 0,
-                        "only a rig with a [plant] can be served: its programme stands behind the "
-                        "instruments");
   lab::LineLoop loop;
-  const lab::ServedRig served(loop, rig, lab::load_programme(rig.plant->programme), o.serving);
+  const lab::ServedRig served(loop, rig, lab::load_programme(rig.served().programme), o.serving);
   print_open(rig, served, o.serving);
   for (const auto& one : served.open())
     if (!one.link.is_local())

@@ -20,6 +20,7 @@
 #include "lab/rig/recorded.hpp"
 #include "lab/wire/personality.hpp"
 #include "lab/wire/rig_file.hpp"
+#include "lab/wire/served/served_rig.hpp"
 
 using namespace triax::lab;
 using Catch::Contains;
@@ -250,4 +251,21 @@ TEST_CASE("the rig's file that the page of the wire prints is read, and so are t
   CHECK(parse_rig_file(text + plant, "docs/wire.md").plant->watchdog_s == 5);
   for (const char* name : {"icu_6", "csu_26", "serial_pad"})
     CHECK(load_rig_file(fmt::format("samples/rigs/{}.toml", name)).with(RigRole::frame) != nullptr);
+}
+
+TEST_CASE("the page of the wire tells every command of a served rig's control") {
+  RigFile rig = load_rig_file("samples/rigs/icu_6.toml");
+  for (RigInstrument& one : rig.instruments) one.link.port = 0;
+  rig.plant->control->port = 0;
+  LineLoop loop;
+  const ServedRig served(loop, rig, load_programme(rig.plant->programme), {.lock_step = true});
+  const std::string page = read_text_file("docs/wire.md");
+  int told = 0;
+  for (const ScpiRow& row : served.control().rows())
+    for (const char* tree : {"CLOCk", "PLANt", "FAULt", "LINE"})
+      if (row.pattern.text().starts_with(tree)) {
+        CHECK_THAT(page, Contains("`" + row.pattern.text()));
+        ++told;
+      }
+  CHECK(told == 10);
 }

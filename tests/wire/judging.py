@@ -11,6 +11,7 @@ import time
 
 PROGRAMS = pathlib.Path(os.environ.get("WIRE_PROGRAMS", "build/release/tests/wire"))
 SKIPPED = 77
+SCPI_STATION = str(PROGRAMS / "scpi_station")
 checks = failures = 0
 
 
@@ -109,3 +110,38 @@ class Station:
 
 def run(*words: str, seconds=20) -> subprocess.CompletedProcess:
     return subprocess.run(words, capture_output=True, text=True, timeout=seconds)
+
+
+class Served:
+    """Our instruments at free ports: `ports["34401A"]`. They end with this script at the latest."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([SCPI_STATION, *arguments], stdout=subprocess.PIPE, text=True)
+        self.ports = {}
+        for line in self.process.stdout:
+            if line == "ready\n":
+                return
+            name, address = line.split()
+            self.ports[name] = address.rsplit(":", 1)[1]
+        raise SystemExit("the instruments did not begin")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait()
+
+
+def output_of(*command, **more):
+    """The output of a command that must end well."""
+    done = subprocess.run(command, capture_output=True, text=True, timeout=30, **more)
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}: status {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def expect(found, wanted, what):
+    if found != wanted:
+        raise SystemExit(f"{what}: {found!r} instead of {wanted!r}")
+    print(f"ok: {what}")

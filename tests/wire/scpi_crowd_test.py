@@ -6,7 +6,7 @@ import resource
 import socket
 import time
 
-from wire_tools import Served, expect
+from judging import Served, expect
 
 resource.setrlimit(resource.RLIMIT_NOFILE, (resource.getrlimit(resource.RLIMIT_NOFILE)[1],) * 2)
 

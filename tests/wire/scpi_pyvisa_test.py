@@ -3,7 +3,7 @@
 import sys
 import time
 
-from wire_tools import SKIPPED, Served, expect
+from judging import SKIPPED, Served, expect
 
 sys.path.append("/usr/lib/python3/dist-packages")
 try:

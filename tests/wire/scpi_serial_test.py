@@ -5,9 +5,9 @@ import subprocess
 import tempfile
 import time
 
-from wire_tools import STATION, Served, expect, run, skip_without
+from judging import SCPI_STATION, Served, expect, needs, output_of
 
-skip_without("socat")
+needs("socat")
 with tempfile.TemporaryDirectory() as folder:
     ours, theirs = os.path.join(folder, "ours"), os.path.join(folder, "theirs")
     pair = subprocess.Popen(["socat", f"PTY,link={ours},rawer", f"PTY,link={theirs},rawer"])
@@ -24,7 +24,7 @@ with tempfile.TemporaryDirectory() as folder:
                     came += os.read(terminal, 100)
                 expect(came.decode().split(), counts, f"{request!r} over the pair")
             os.close(terminal)
-            asked = run(STATION, "--ask", f"serial://{theirs}?baud=19200", "SS")
+            asked = output_of(SCPI_STATION, "--ask", f"serial://{theirs}?baud=19200", "SS")
             expect(asked.split(), counts[:1], "our line asks over the pair")
     finally:
         pair.terminate()

@@ -2,12 +2,12 @@
 """sigrok-cli takes our 34401A for one and reads its volts."""
 import subprocess
 
-from wire_tools import Served, expect, run, skip_without
+from judging import Served, expect, needs, output_of
 
-skip_without("sigrok-cli")
+needs("sigrok-cli")
 with Served() as served:
     device = f"scpi-dmm:conn=tcp-raw/127.0.0.1/{served.ports['34401A']}"
-    scan = run("sigrok-cli", "-d", device, "--scan")
+    scan = output_of("sigrok-cli", "-d", device, "--scan")
     expect("34401A" in scan, True, "sigrok's scan names the model")
     # Its status is not looked at: Debian 12's ends in an assertion of its own after the last sample.
     samples = subprocess.run(["sigrok-cli", "-d", device, "--samples", "3", "-O", "analog"], capture_output=True,

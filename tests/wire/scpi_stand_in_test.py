@@ -4,7 +4,7 @@ import socketserver
 import threading
 import time
 
-from wire_tools import STATION, expect, run
+from judging import SCPI_STATION, expect, output_of
 
 
 class StandIn(socketserver.StreamRequestHandler):
@@ -31,10 +31,10 @@ server = socketserver.ThreadingTCPServer(("127.0.0.1", 0), StandIn)
 server.daemon_threads = True
 threading.Thread(target=server.serve_forever, daemon=True).start()
 link = f"tcp://127.0.0.1:{server.server_address[1]}"
-said = run(STATION, "--ask", link, "*IDN?", "TARG 12.5", "TARG?", "*IDN?")
+said = output_of(SCPI_STATION, "--ask", link, "*IDN?", "TARG 12.5", "TARG?", "*IDN?")
 expect(said.split(), ["stand-in,1,2,3", "12.5", "stand-in,1,2,3"], "answers, one in pieces, in their order")
 try:
-    run(STATION, "--ask", link, "*IDN?", "BYE?", "TARG?")
+    output_of(SCPI_STATION, "--ask", link, "*IDN?", "BYE?", "TARG?")
 except SystemExit as ended:
     expect(str(ended).splitlines()[1:], ["stand-in,1,2,3"] + 2 * ["closed by the other side"], "a server that goes")
 else:

@@ -72,9 +72,8 @@ void RemoteApparatus::connect(double within_s) {
 
 void RemoteApparatus::take(const WireInstrument& one, const WireInstrument::Scan& scan,
                            Reading& reading) {
-  Link& link = links_[&one];
-  link.trouble = scan.why;
-  if (scan.why.empty()) link.heard_s = loop_.now_s();
+  absences_.take(one, scan.why);
+  if (scan.why.empty()) heard_s_[&one] = loop_.now_s();
   const std::vector<RigChannel>& channels = one.described().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!channels[i].quantity) continue;
@@ -135,13 +134,12 @@ void RemoteApparatus::look(Reading& reading) {
 /// One that cannot be told what to do may do anything, whoever else measures it.
 void RemoteApparatus::look_for_deaf_drives() {
   for (const RigRole role : {RigRole::frame, RigRole::cell, RigRole::back}) {
-    const WireInstrument* const one = instruments_.with(role);
-    const Link& link = links_[one];
-    const double since_s = std::max(link.heard_s, *start_s_);
-    if (link.trouble.empty() || (loop_.now_s() - since_s) * time_.speed < Supervision::kDeaf_s)
-      continue;
-    devices_.fault = fmt::format("{} has not answered rightly for {:g} s: {}",
-                                 one->described().name, Supervision::kDeaf_s, link.trouble);
+    const WireInstrument& one = *instruments_.with(role);
+    const std::string& why = absences_.why(one);
+    const double since_s = std::max(heard_s_[&one], *start_s_);
+    if (why.empty() || (loop_.now_s() - since_s) * time_.speed < Supervision::kDeaf_s) continue;
+    devices_.fault = fmt::format("{} has not answered rightly for {:g} s: {}", one.described().name,
+                                 Supervision::kDeaf_s, why);
   }
 }
 
@@ -152,13 +150,13 @@ void RemoteApparatus::drive(RigRole role, const DriveSettings& settings) {
   if (!changed || !one.ready()) return;
   sent = {one.links(), settings};
   ++orders_;
-  one.set(settings, [this, role, link = &links_[&one]](const std::string& why) {
+  one.set(settings, [this, role, &one](const std::string& why) {
     --orders_;
     refusals_[role] = why.empty() ? 0 : refusals_[role] + 1;
     if (why.empty()) return;
     sent_.erase(role);
     refused_ = why;
-    link->trouble = why;
+    absences_.take(one, why);
   });
 }
 
@@ -183,7 +181,8 @@ Ticked RemoteApparatus::tick(const PlantDemand& demand, const Tick& tick) {
   Ticked done;
   done.passed_s = pass(tick);
   follow_ramps(demand, done.passed_s);
-  tell_gaps(done);
+  for (std::string& news : absences_.news((loop_.now_s() - *start_s_) * time_.speed))
+    done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(news)});
   end_by_state(tick, done);
   return done;
 }
@@ -193,27 +192,6 @@ void RemoteApparatus::follow_ramps(const PlantDemand& demand, double dt_s) {
   double &cell_pa = devices_.cell.asked_pa, &back_pa = devices_.back.asked_pa;
   cell_pa = process(programme_.cell_controller, cell_pa, demand.cell, dt_s);
   back_pa = process(programme_.back_controller, back_pa, demand.back, dt_s);
-}
-
-/// Each kind of trouble of a gap once, and the end of the gap.
-void RemoteApparatus::tell_gaps(Ticked& done) {
-  const double now_s = (loop_.now_s() - *start_s_) * time_.speed;
-  const auto tell = [&done](std::string text) {
-    done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(text)});
-  };
-  for (const auto& one : instruments_.all()) {
-    const std::string& name = one->described().name;
-    Link& link = links_[one.get()];
-    if (link.trouble.empty()) {
-      if (!link.told.empty())
-        tell(fmt::format("{} answers again after {:.1f} s", name, now_s - link.since_s));
-      link.told.clear();
-      continue;
-    }
-    if (link.told.empty()) link.since_s = now_s;
-    if (link.told.insert(link.trouble.substr(0, link.trouble.find(':'))).second)
-      tell(fmt::format("{} gives no readings: {}", name, link.trouble));
-  }
 }
 
 void RemoteApparatus::end_by_state(const Tick& tick, Ticked& done) {

@@ -12,11 +12,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "lab/rig/apparatus.hpp"
+#include "lab/wire/remote/absences.hpp"
 #include "lab/wire/remote/control_line.hpp"
 #include "lab/wire/remote/drive_settings.hpp"
 #include "lab/wire/remote/wire_instruments.hpp"
@@ -33,7 +33,6 @@ class RemoteApparatus : public Apparatus {
   /// Waits until every instrument is ready; throws WorkFailed with all that are not and why.
   void connect(double within_s);
   ~RemoteApparatus() override;
-  const RigTime& time() const { return time_; }
   const WireInstruments& instruments() const { return instruments_; }
 
   void look(Reading& reading) override;
@@ -53,21 +52,12 @@ class RemoteApparatus : public Apparatus {
   void await(const std::function<bool()>& done, double within_s);
   double pass(const Tick& tick);
   void follow_ramps(const PlantDemand& demand, double dt_s);
-  void tell_gaps(Ticked& done);
   void end_by_state(const Tick& tick, Ticked& done);
 
   struct Sent {
     int link = 0;  ///< over which it went
     DriveSettings settings;
   };
-  /// What an instrument is known by beside its values.
-  struct Link {
-    std::string trouble;           ///< of its last scan or order; empty: none
-    double heard_s = 0;            ///< its last whole scan, on the loop's clock
-    std::set<std::string> told{};  ///< kinds of trouble of the gap that is open
-    double since_s = 0;            ///< of that gap, test time
-  };
-
   LineLoop& loop_;
   const RigFile& rig_;
   Programme programme_;
@@ -85,7 +75,8 @@ class RemoteApparatus : public Apparatus {
   std::map<RigRole, int> refusals_;    ///< in a row
   std::string refused_;                ///< why, the last
   std::map<Quantity, double> starts_;  ///< of channels that count from the start of the test
-  std::map<const WireInstrument*, Link> links_;
+  Absences absences_;
+  std::map<const WireInstrument*, double> heard_s_;  ///< its last whole scan, on the loop's clock
 };
 
 }  // namespace triax::lab

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "lab/base/statistics.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/wire/device_modes.hpp"
 #include "lab/wire/remote/wire_instruments.hpp"
@@ -29,22 +29,6 @@ struct Said {
   double state = kMissing;  ///< of a drive
 };
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return kMissing;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-double deviation_of(const std::vector<double>& values) {
-  if (values.size() < 3) return kMissing;
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double sum = 0;
-  for (const double v : values) sum += (v - mean) * (v - mean);
-  return std::sqrt(sum / (n - 1));
-}
-
 ChannelCheck check_channel(const RigChannel& channel, std::size_t place, const Said& said) {
   ChannelCheck check{.name = channel.name,
                      .unit = channel.unit,
@@ -58,7 +42,7 @@ ChannelCheck check_channel(const RigChannel& channel, std::size_t place, const S
     if (!std::isnan(look[place].value)) values.push_back(look[place].value);
   }
   if (!values.empty()) check.value = values.front();
-  check.noise = deviation_of(values);
+  check.noise = standard_deviation(values);
   if (!in_range)
     check.trouble = "outside the range of its calibration, or at the end of the instrument's";
   else if (values.size() < said.channels.size())
@@ -98,7 +82,7 @@ InstrumentCheck check_instrument(const WireInstrument& one, const Said& said) {
       .name = one.described().name,
       .link = to_text(one.described().link),
       .identity = one.identity(),
-      .answer_s = median_of(said.answers_s),
+      .answer_s = median(said.answers_s),
       .trouble = one.ready() ? trouble_of_drive(one.described().role, said.state) : one.trouble(),
       .channels = {}};
   if (check.trouble.empty() && !one.ready()) check.trouble = "does not answer";

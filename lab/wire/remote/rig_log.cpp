@@ -16,6 +16,7 @@
 #include "lab/base/whole_file.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/results/reading.hpp"
+#include "lab/wire/remote/absences.hpp"
 #include "lab/wire/remote/wire_instruments.hpp"
 
 namespace triax::lab {
@@ -72,56 +73,18 @@ std::vector<LogColumn> columns_of(const RigFile& rig) {
   return columns;
 }
 
-std::string commented(const std::string& toml) {
-  std::string text = "# ";
-  for (const char c : toml) {
-    text += c;
-    if (c == '\n') text += "# ";
-  }
-  text.erase(text.find_last_not_of("# ") + 1);
-  return text.ends_with('\n') ? text : text + '\n';
-}
-
 std::string head_of(const RigFile& rig, const WireInstruments& instruments,
                     const std::vector<LogColumn>& columns) {
   RecordHeader header;
   header.name = rig.name;
   header.origin = instruments.simulated() ? Origin::simulated : Origin::recorded;
-  std::string text = commented(metadata_toml(header));
+  std::string text = as_comment(metadata_toml(header));
   for (const Note& note : instruments.identities())
     text += fmt::format("## {}: {}\n", note.label, note.text);
   text += "time_s,stage";
   for (const LogColumn& column : columns) text += "," + column.heading;
   return text + '\n';
 }
-
-/// What is away, and since when, by the scans themselves.
-class Absences {
- public:
-  void take(const WireInstrument& one, const std::string& why) { why_[&one] = why; }
-  void look(const WireInstruments& instruments, double time_s,
-            const std::function<void(const std::string&)>& say) {
-    for (const auto& one : instruments.all()) {
-      const auto known = since_.find(one.get());
-      const std::string& name = one->described().name;
-      const std::string& why = why_[one.get()];
-      if (why.empty() == (known == since_.end())) continue;
-      if (known == since_.end()) {
-        since_.emplace(one.get(), time_s);
-        if (say) say(fmt::format("{} gives no readings from {:.1f} s on: {}", name, time_s, why));
-      } else {
-        if (say)
-          say(fmt::format("{} answers again at {:.1f} s, after {:.1f} s", name, time_s,
-                          time_s - known->second));
-        since_.erase(known);
-      }
-    }
-  }
-
- private:
-  std::map<const WireInstrument*, double> since_;
-  std::map<const WireInstrument*, std::string> why_;
-};
 
 }  // namespace
 
@@ -160,7 +123,8 @@ RigLogged log_rig(const RigFile& rig, const std::string& path, const RigLogOptio
     }
     file.write(row + '\n');
     ++logged.readings;
-    absences.look(instruments, time_s, o.say);
+    for (const std::string& news : absences.news(time_s))
+      if (o.say) o.say(fmt::format("at {:.1f} s: {}", time_s, news));
     if (o.progressed) o.progressed(logged.readings, time_s);
     // Instants that went by while an answer was awaited are not made up for.
     const double now_s = loop.now_s() - start_s;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/wire/asking/questions.hpp"
 #include "lab/wire/line/line.hpp"
 #include "lab/wire/rig_file.hpp"
 

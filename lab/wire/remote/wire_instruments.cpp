@@ -13,7 +13,7 @@ namespace triax::lab {
 WireInstruments::WireInstruments(
     LineLoop& loop, const RigFile& rig,
     const std::function<std::vector<std::string>(const RigInstrument&)>& also_of)
-    : loop_(loop) {
+    : loop_(loop), rig_(rig) {
   for (const RigInstrument& one : rig.instruments)
     all_.push_back(std::make_unique<WireInstrument>(loop, one, also_of(one)));
 }
@@ -56,9 +56,9 @@ WireInstrument* WireInstruments::with(RigRole role) const {
 }
 
 bool WireInstruments::simulated() const {
-  return std::ranges::any_of(all_, [](const auto& one) {
-    return one->identity().find(kSimulatedWord) != std::string::npos;
-  });
+  return rig_.plant || std::ranges::any_of(all_, [](const auto& one) {
+           return one->identity().find(kSimulatedWord) != std::string::npos;
+         });
 }
 
 std::vector<Note> WireInstruments::identities() const {

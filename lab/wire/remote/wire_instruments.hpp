@@ -28,13 +28,15 @@ class WireInstruments {
 
   const std::vector<std::unique_ptr<WireInstrument>>& all() const { return all_; }
   WireInstrument* with(RigRole role) const;
-  /// Whether any says that what it measures is simulated.
+  /// Whether any says that what it measures is simulated, or the rig is one that is served: an
+  /// instrument need not say who it is.
   bool simulated() const;
   /// Who they are, as of now, with calibrations and their digest: a note each for the record.
   std::vector<Note> identities() const;
 
  private:
   LineLoop& loop_;
+  const RigFile& rig_;
   std::vector<std::unique_ptr<WireInstrument>> all_;
 };
 

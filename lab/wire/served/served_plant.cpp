@@ -63,21 +63,18 @@ void ServedPlant::tick(double dt_s) {
   const bool stands =
       frame_state_ == FrameState::cannot_follow || frame_state_ == FrameState::end_of_travel;
   if (!stands) {
-    const Ticked done = apparatus_.tick(demand, {.stage = stage_,
-                                                 .time_s = time_s_,
-                                                 .dt_s = dt_s,
-                                                 .running = by_force(),
-                                                 .readings = ticks_ + 2});
+    const Ticked done =
+        apparatus_.tick(demand, {.stage = stage_,
+                                 .time_s = time_s_,
+                                 .dt_s = dt_s,
+                                 .running = axis_.settings().mode != FrameMode::stop,
+                                 .readings = ticks_ + 2});
     frame_state_ = state_after(done.end, frame_state_);
     if (!done.why.empty()) why_ = done.why;
   }
   time_s_ += dt_s;
   ++ticks_;
   look();
-}
-
-bool ServedPlant::by_force() const {
-  return axis_.settings().mode != FrameMode::stop && axis_.settings().mode != FrameMode::crosshead;
 }
 
 void ServedPlant::add_fault(Fault fault) {

@@ -52,7 +52,6 @@ class ServedPlant {
 
  private:
   void look();
-  bool by_force() const;
 
   Programme programme_;
   std::uint64_t seed_;

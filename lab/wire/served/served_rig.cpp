@@ -16,11 +16,6 @@
 namespace triax::lab {
 namespace {
 
-const RigPlant& plant_of(const RigFile& rig) {
-  if (rig.plant) return *rig.plant;
-  throw BadInput(rig.file, 0, "only a rig with a [plant] can be served");
-}
-
 constexpr auto kLineFaults =
     std::to_array<std::pair<const char*, WireFault>>({{"NONE", WireFault::none},
                                                       {"SILENT", WireFault::silent},
@@ -55,8 +50,8 @@ struct ServedRig::Impl {
       : loop(waiting),
         rig(described),
         options(std::move(wanted)),
-        plant(programme, plant_of(rig).seed.value_or(programme.seed)),
-        drives(plant, options.lock_step ? 0 : rig.plant->watchdog_s,
+        plant(programme, rig.served().seed.value_or(programme.seed)),
+        drives(plant, options.lock_step ? 0 : rig.served().watchdog_s,
                [this] { return loop.now_s(); }),
         server(loop) {
     for (const RigInstrument& one : rig.instruments) {
@@ -70,8 +65,8 @@ struct ServedRig::Impl {
     add_faults();
     add_line_faults();
     add_common_commands(table, control);
-    if (rig.plant->control)
-      listen("control", *rig.plant->control,
+    if (rig.served().control)
+      listen("control", *rig.served().control,
              [this] { return std::make_unique<ScpiConversation>(table, control); });
     if (!options.lock_step) begin_clock();
   }
@@ -167,7 +162,7 @@ void ServedRig::Impl::add_faults() {
             "a fault from now on, as a programme describes it: \"device = 'pore_pressure', kind = "
             "'drift', drift_kPa_per_min = 2\"",
             [this](ScpiCall& call) {
-              const std::string text = "faults = [{" + call.parameters.text() + "}]";
+              const std::string text = "faults = [{from_s = 0, " + call.parameters.text() + "}]";
               try {
                 const TomlTable document = TomlTable::parse(text, "FAULt:ADD");
                 for (const TomlTable& one : document.tables("faults"))

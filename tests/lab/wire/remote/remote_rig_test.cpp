@@ -179,6 +179,27 @@ TEST_CASE("a drive that does not answer leads to the safe state, though it reads
              Contains("frame has not answered rightly for 3 s: ") && Contains("no answer"));
 }
 
+TEST_CASE("a channel may count from what it says when the test begins") {
+  const Programme programme = read_programme(programme_text(), "p.toml");
+  const ServedBench bench(programme, rig_text(), {.lock_step = true});
+  RigFile rig = bench.client;
+  for (RigChannel& channel : rig.instruments[0].channels)
+    channel.from_start = channel.quantity == Quantity::cell_pressure;
+  LineLoop loop;
+  RemoteApparatus apparatus(loop, rig, programme);
+  apparatus.connect(2);
+  ControlLine control(loop, *rig.plant->control);
+  Reading reading;
+  reading.time_s = 0;
+  apparatus.look(reading);
+  CHECK(reading[Quantity::cell_pressure] == 0);
+  CHECK(reading[Quantity::pore_pressure] == Approx(300e3));
+  tell(control, "FAULT:ADD \"device = 'cell_pressure', kind = 'drift', drift_kPa_per_min = 60\"");
+  for (int i = 0; i < 8; ++i) control.step(0.25);
+  apparatus.look(reading);
+  CHECK(reading[Quantity::cell_pressure] == Approx(2e3));
+}
+
 TEST_CASE("a drive that refuses its order again and again leads to the safe state") {
   const Programme slow = read_programme(programme_text(), "p.toml");
   // The client's file says that the frame is faster than it is.
