@@ -110,9 +110,8 @@ Command simulate_command() {
       .description =
           {"The specimen, its pore water, the frame, the pressure controllers and noisy "
            "transducers of limited resolution are simulated as the programme says; readings then "
-           "are processed like real ones. The test is marked as simulated wherever it appears, and "
-           "the "
-           "report adds the true onset (model): when the specimen itself became unstable.",
+           "are processed like real ones. The test is marked as simulated wherever it appears, "
+           "and the report adds the true onset (model): when the specimen itself became unstable.",
            "The same programme and seed give the same readings, to the bit. --record also writes "
            "them as a logger would; replaying that file gives the same states and the same "
            "verdict.",

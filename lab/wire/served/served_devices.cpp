@@ -20,7 +20,7 @@ struct Limits {
 };
 
 /// A set point that stands in `member`, SI, and is in force once the mode is set.
-Point set_point(std::string name, double scale, Limits limits, double& member) {
+Point set_point(const std::string& name, double scale, Limits limits, double& member) {
   return {.name = name,
           .read = [&member, scale] { return member / scale; },
           .write =
