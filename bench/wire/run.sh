@@ -12,6 +12,6 @@ trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
 build/release/tests/wire/scpi_station >"$work/ours" &
 build/release/bench/bench_bare_echo >"$work/echo" &
 python3 bench/wire/stand_in.py >"$work/python" &
-until grep -q ready "$work/ours" && [[ -s $work/echo && -s $work/python ]]; do sleep 0.1; done
+until grep -qs ready "$work/ours" && [[ -s $work/echo && -s $work/python ]]; do sleep 0.1; done
 python3 bench/wire/answers.py "$requests" "$rounds" 1000 ours="$(sed -n 's/34401A .*://p' "$work/ours")" \
   asio-echo="$(cat "$work/echo")" python="$(cat "$work/python")"

@@ -54,6 +54,9 @@ struct PersonalityScan {
   int lines = 1;                     ///< of one answer
   int columns = 1;                   ///< numbers of a line, apart by commas or semicolons
   std::string no_value;              ///< its word for no value: "OPEN"; empty: it has none
+  /// Behind every number stand year,month,day,hour,minute,second of its instant, by the
+  /// instrument's own clock.
+  bool stamped = false;
   /// Channels are chosen by `prepare` or `ask` and answered in rising order, in one line; else all
   /// numbers come always, the first is channel 1.
   bool chooses() const;

@@ -143,6 +143,7 @@ PersonalityScan read_scan(const TomlTable& table) {
   scan.lines = static_cast<int>(table.integer("lines", 1, kMost).value_or(1));
   scan.columns = static_cast<int>(table.integer("columns", 1, kMost).value_or(1));
   scan.no_value = table.text("no_value").value_or("");
+  scan.stamped = table.flag("stamped").value_or(false);
   if (scan.chooses() && (table.has("lines") || table.has("columns")))
     table.fail("",
                "where {at} chooses channels they are answered in one line; leave out lines and "

@@ -20,10 +20,12 @@ struct PointSetting {
   bool operator==(const PointSetting&) const = default;
 };
 
-/// values[i] of the exchange belongs to asked[places[i]].
+/// values[i] of the exchange belongs to asked[places[i]]; where it is stamped, one more value
+/// behind them is the instant by the instrument's own clock, s since 1970.
 struct Question {
   Exchange exchange;
   std::vector<std::size_t> places;
+  bool stamped = false;
 };
 
 /// Values are as the instrument says them, in its units: NaN where it has none, ±infinity where it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/wire/asking/text_answer.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,41 @@ std::vector<double> spoken_numbers(std::string_view text, std::size_t count,
     throw Malformed(
         fmt::format("{} numbers instead of {}: {}", numbers.size(), count, excerpt(text)));
   return numbers;
+}
+
+namespace {
+
+constexpr std::size_t kStampFields = 6;
+
+/// Seconds since 1970 of year, month, day, hour, minute, second.
+double calendar_s(const double* fields, std::string_view text) {
+  const auto whole = [&](std::size_t i, double least, double most) {
+    if (!(fields[i] >= least && fields[i] <= most) || std::floor(fields[i]) != fields[i])
+      throw Malformed(fmt::format("no instant of a calendar: {}", excerpt(text)));
+    return static_cast<unsigned>(fields[i]);
+  };
+  using namespace std::chrono;
+  const year_month_day date{year(static_cast<int>(whole(0, 1970, 9999))), month(whole(1, 1, 12)),
+                            day(whole(2, 1, 31))};
+  const double minutes = whole(3, 0, 23) * 60 + whole(4, 0, 59);
+  if (!date.ok() || !(fields[5] >= 0 && fields[5] < 61))
+    throw Malformed(fmt::format("no instant of a calendar: {}", excerpt(text)));
+  return duration<double>(sys_days(date).time_since_epoch()).count() + minutes * 60 + fields[5];
+}
+
+}  // namespace
+
+StampedNumbers stamped_numbers(std::string_view text, std::size_t count,
+                               std::string_view no_value) {
+  constexpr std::size_t kFields = 1 + kStampFields;
+  const std::vector<double> all = spoken_numbers(text, count * kFields, no_value);
+  StampedNumbers stamped;
+  for (std::size_t i = 0; i < all.size(); i += kFields) {
+    stamped.numbers.push_back(all[i]);
+    const double at_s = calendar_s(&all[i + 1], text);
+    if (i == 0) stamped.first_s = at_s;
+  }
+  return stamped;
 }
 
 std::size_t whole_lines(std::string_view received, int lines, char end) {

@@ -15,6 +15,15 @@ double spoken_number(std::string_view text);
 /// are `count`. `no_value` is the instrument's word for no value, NaN here; empty: it has none.
 std::vector<double> spoken_numbers(std::string_view text, std::size_t count,
                                    std::string_view no_value = {});
+/// Numbers that are followed by the instant of their reading each, as a 34970A writes it with
+/// FORM:READ:TIME ON and TYPE ABS: "+1.25E+01,2026,11,25,08,10,33.125". Throws Malformed unless
+/// there are `count`, each with an instant that a calendar has.
+struct StampedNumbers {
+  std::vector<double> numbers;
+  double first_s = 0;  ///< the first reading's instant, s since 1970 on the instrument's calendar
+};
+StampedNumbers stamped_numbers(std::string_view text, std::size_t count,
+                               std::string_view no_value = {});
 /// Length of so many lines, each ended by `end`, at the front; 0: more is to come. Throws Malformed
 /// for a control character or for more than 64 KB without their end.
 std::size_t whole_lines(std::string_view received, int lines, char end);

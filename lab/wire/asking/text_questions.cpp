@@ -196,14 +196,18 @@ class TextQuestions : public Questions {
             fmt::format("{} has no channel {}; expected 1 to {}", personality_.title, at, count));
     }
     Exchange exchange = asking(with_channels(scan.ask, asked), scan.lines);
-    exchange.values = [picks, count, no_value = scan.no_value](std::string_view answer) {
-      const auto numbers = spoken_numbers(answer, static_cast<std::size_t>(count), no_value);
+    exchange.values = [picks, numbers = static_cast<std::size_t>(count), stamped = scan.stamped,
+                       no_value = scan.no_value](std::string_view answer) {
+      const StampedNumbers said =
+          stamped ? stamped_numbers(answer, numbers, no_value)
+                  : StampedNumbers{.numbers = spoken_numbers(answer, numbers, no_value)};
       std::vector<double> values;
-      values.reserve(picks.size());
-      for (const std::size_t pick : picks) values.push_back(numbers[pick]);
+      values.reserve(picks.size() + 1);
+      for (const std::size_t pick : picks) values.push_back(said.numbers[pick]);
+      if (stamped) values.push_back(said.first_s);
       return values;
     };
-    return {exchange, std::move(places)};
+    return {exchange, std::move(places), scan.stamped};
   }
 
   const Personality& personality_;

@@ -27,6 +27,8 @@ class Scanner34970A {
   const ScpiTable& table() const { return table_; }
   /// Moves its clock on: at most one scan is taken, with the values of now.
   void process(double now_s);
+  /// Sets its calendar on, or back; the timer goes on as it was.
+  void shift_calendar(double by_s) { epoch_s_ += by_s; }
   /// When the timer's next scan is due; infinity where none is.
   double next_scan_s() const;
   std::size_t readings() const { return memory_.size(); }

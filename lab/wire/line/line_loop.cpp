@@ -51,6 +51,22 @@ struct LineLoop::Impl {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{
       context.get_executor()};
   LoopClock::time_point start = LoopClock::now();
+
+  /// Runs a handler that becomes ready within kSoon: who asks again as soon as it is answered does
+  /// so in less time than falling asleep and being woken takes. Where that was in vain it is not
+  /// tried for a while, so that a processor that others need is left to them.
+  bool came_soon() {
+    constexpr auto kSoon = std::chrono::microseconds(30);
+    constexpr int kLongestPause = 63;
+    if (pause_left > 0) return --pause_left, false;
+    const LoopClock::time_point until = LoopClock::now() + kSoon;
+    do {
+      if (context.poll_one() > 0) return pause = 0, true;
+    } while (LoopClock::now() < until);
+    pause_left = pause = std::min(2 * pause + 1, kLongestPause);
+    return false;
+  }
+  int pause = 0, pause_left = 0;  ///< waits without a try
 };
 
 LineLoop::LineLoop() : impl_(std::make_unique<Impl>()) {}
@@ -87,6 +103,7 @@ void LineLoop::run_for(double seconds) { impl_->context.run_for(loop_duration(se
 
 bool LineLoop::run_until(const std::function<bool()>& reached, double deadline_s) {
   constexpr double kLook_s = 0.05;
+  LineTimer wake;  // a wait alone ends up to 1 ms late, a timer does not
   for (;;) {
     if (reached()) return true;
     const double left_s = deadline_s - now_s();
@@ -95,7 +112,8 @@ bool LineLoop::run_until(const std::function<bool()>& reached, double deadline_s
       poll();
       return reached();
     }
-    impl_->context.run_one_for(loop_duration(std::min(left_s, kLook_s)));
+    if (left_s < kLook_s && !wake.waits()) wake = at(deadline_s, [] {});
+    if (!impl_->came_soon()) impl_->context.run_one_for(loop_duration(std::min(left_s, kLook_s)));
   }
 }
 

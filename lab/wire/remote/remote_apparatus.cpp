@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/rig/rig_software.hpp"
 #include "lab/rig/stage_words.hpp"
 #include "lab/rig/supervision.hpp"
 #include "lab/wire/device_modes.hpp"
@@ -68,12 +70,21 @@ void RemoteApparatus::connect(double within_s) {
     control_ = std::make_unique<ControlLine>(loop_, *rig_.plant->control);
     time_ = control_->ask_time();
   }
+  clocks_.emplace(kClockTolerance_s * time_.speed);
+}
+
+/// Of an instant on the loop's clock; in lock step that of the reading, since none passes between.
+double RemoteApparatus::test_time_s(double loop_s, const Reading& reading) const {
+  return time_.lock_step ? reading.time_s : loop_s * time_.speed;
 }
 
 void RemoteApparatus::take(const WireInstrument& one, const WireInstrument::Scan& scan,
                            Reading& reading) {
   absences_.take(one, scan.why);
   if (scan.why.empty()) heard_s_[&one] = loop_.now_s();
+  if (scan.stamp_s && clocks_)
+    clocks_->take(one.described().name, *scan.stamp_s, test_time_s(scan.sent_s, reading),
+                  test_time_s(scan.answered_s, reading));
   const std::vector<RigChannel>& channels = one.described().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!channels[i].quantity) continue;
@@ -125,10 +136,20 @@ void RemoteApparatus::look(Reading& reading) {
   const double asked_s = instruments_.scan(
       [this, &reading](const WireInstrument& one, const WireInstrument::Scan& scan) {
         take(one, scan, reading);
-      });
+      },
+      [this](const WireInstrument& one) { return awaited_until_s(one); });
   if (!start_s_) start_s_ = asked_s - nominal_s / time_.speed;
   look_for_deaf_drives();
   if (!time_.lock_step) reading.time_s = (asked_s - *start_s_) * time_.speed;
+}
+
+/// An instrument whose deadline is long is not waited for beyond the time after which it is deaf:
+/// then it is asked with little patience, so that the rig gets safe in time.
+double RemoteApparatus::awaited_until_s(const WireInstrument& one) const {
+  const auto heard = heard_s_.find(&one);
+  if (heard == heard_s_.end()) return std::numeric_limits<double>::infinity();
+  return std::max(heard->second + Supervision::kDeaf_s / time_.speed,
+                  loop_.now_s() + RigSoftware::kTick_s);
 }
 
 /// One that cannot be told what to do may do anything, whoever else measures it.
@@ -181,6 +202,8 @@ Ticked RemoteApparatus::tick(const PlantDemand& demand, const Tick& tick) {
   Ticked done;
   done.passed_s = pass(tick);
   follow_ramps(demand, done.passed_s);
+  for (std::string& news : clocks_->news())
+    done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(news)});
   for (std::string& news : absences_.news((loop_.now_s() - *start_s_) * time_.speed))
     done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(news)});
   end_by_state(tick, done);

@@ -19,6 +19,7 @@
 #include "lab/wire/remote/absences.hpp"
 #include "lab/wire/remote/control_line.hpp"
 #include "lab/wire/remote/drive_settings.hpp"
+#include "lab/wire/remote/instrument_clocks.hpp"
 #include "lab/wire/remote/wire_instruments.hpp"
 
 namespace triax::lab {
@@ -45,10 +46,14 @@ class RemoteApparatus : public Apparatus {
   static constexpr int kRefusals = 3;  ///< of one order in a row, before the rig is unsafe
   static constexpr double kOrderPatience_s = 2;  ///< until an order is taken, or given again
 
+  double test_time_s(double loop_s, const Reading& reading) const;
   void take(const WireInstrument& one, const WireInstrument::Scan& scan, Reading& reading);
   void take_states(RigRole role, const std::vector<double>& said);
+  double awaited_until_s(const WireInstrument& one) const;
   void look_for_deaf_drives();
   void drive(RigRole role, const DriveSettings& settings);
+  /// A served rig's plant catches up with what it was late within a second.
+  static constexpr double kClockTolerance_s = 1;
   void await(const std::function<bool()>& done, double within_s);
   double pass(const Tick& tick);
   void follow_ramps(const PlantDemand& demand, double dt_s);
@@ -76,6 +81,7 @@ class RemoteApparatus : public Apparatus {
   std::string refused_;                ///< why, the last
   std::map<Quantity, double> starts_;  ///< of channels that count from the start of the test
   Absences absences_;
+  std::optional<InstrumentClocks> clocks_;
   std::map<const WireInstrument*, double> heard_s_;  ///< its last whole scan, on the loop's clock
 };
 

@@ -17,12 +17,14 @@
 #include "lab/records/metadata.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/wire/remote/absences.hpp"
+#include "lab/wire/remote/instrument_clocks.hpp"
 #include "lab/wire/remote/wire_instruments.hpp"
 
 namespace triax::lab {
 namespace {
 
 constexpr double kConnect_s = 10;
+constexpr double kClockTolerance_s = 1;
 
 /// A file that grows by whole rows.
 class GrowingFile {
@@ -100,6 +102,7 @@ RigLogged log_rig(const RigFile& rig, const std::string& path, const RigLogOptio
   file.write(head_of(rig, instruments, columns));
   RigLogged logged{.simulated = instruments.simulated()};
   Absences absences;
+  InstrumentClocks clocks(kClockTolerance_s);
   const auto stopped = [&o] { return o.stop && o.stop(); };
   const double start_s = loop.now_s();
   for (std::int64_t due = 0; !stopped(); ++due) {
@@ -112,6 +115,8 @@ RigLogged log_rig(const RigFile& rig, const std::string& path, const RigLogOptio
     const double time_s = instruments.scan([&](const WireInstrument& one,
                                                const WireInstrument::Scan& scan) {
       absences.take(one, scan.why);
+      if (scan.stamp_s)
+        clocks.take(one.described().name, *scan.stamp_s, scan.sent_s, scan.answered_s);
       for (std::size_t i = 0; i < scan.channels.size(); ++i)
         values[one.described().channels[i].name] = scan.channels[i].value;
     }) - start_s;
@@ -123,8 +128,12 @@ RigLogged log_rig(const RigFile& rig, const std::string& path, const RigLogOptio
     }
     file.write(row + '\n');
     ++logged.readings;
-    for (const std::string& news : absences.news(time_s))
-      if (o.say) o.say(fmt::format("at {:.1f} s: {}", time_s, news));
+    const auto say = [&](const std::vector<std::string>& all) {
+      for (const std::string& news : all)
+        if (o.say) o.say(fmt::format("at {:.1f} s: {}", time_s, news));
+    };
+    say(clocks.news());
+    say(absences.news(time_s));
     if (o.progressed) o.progressed(logged.readings, time_s);
     // Instants that went by while an answer was awaited are not made up for.
     const double now_s = loop.now_s() - start_s;

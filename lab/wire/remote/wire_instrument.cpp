@@ -112,7 +112,7 @@ void WireInstrument::fail(const std::string& why) {
   line_.close(why);
 }
 
-void WireInstrument::scan(std::function<void(const Scan&)> done) {
+void WireInstrument::scan(std::function<void(const Scan&)> done, double latest_s) {
   const auto round = std::make_shared<Round>();
   round->scan.channels.assign(channels_, {.value = kNothing});
   round->raw.assign(asked_.size(), kNothing);
@@ -125,18 +125,20 @@ void WireInstrument::scan(std::function<void(const Scan&)> done) {
     return;
   }
   round->open = round_.size();
-  const double deadline_s = loop_.now_s() + described_.personality.deadline_s;
+  const double deadline_s = std::min(loop_.now_s() + described_.personality.deadline_s, latest_s);
   for (const Question& question : round_)
     line_.ask(question.exchange, deadline_s,
               [this, round, &question](const Asked& a) { take(*round, question, a); });
 }
 
 void WireInstrument::take(Round& round, const Question& question, const Asked& asked) {
-  if (asked.kind == Asked::Kind::answered)
+  if (asked.kind == Asked::Kind::answered) {
     for (std::size_t i = 0; i < question.places.size() && i < asked.values.size(); ++i)
       round.raw[question.places[i]] = asked.values[i];
-  else
+    if (question.stamped) round.scan.stamp_s = asked.values.back();
+  } else {
     round.scan.why = trouble_of(asked, described_.personality.deadline_s);
+  }
   const bool whole = round.open == 1 && round.scan.why.empty();
   if (whole) wrong_s_.reset();
   if (!round.scan.why.empty() && !wrong_s_) wrong_s_ = loop_.now_s();

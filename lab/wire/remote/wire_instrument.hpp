@@ -43,11 +43,13 @@ class WireInstrument {
     std::vector<CalibratedValue> channels;  ///< in the order of the description; NaN: missing
     std::vector<double> also;               ///< NaN: missing
     double sent_s = 0, answered_s = 0;      ///< on the loop's clock; 0: not asked
+    std::optional<double> stamp_s;          ///< by the instrument's own clock, where it says it
     std::string why;                        ///< what was wrong; empty: all was answered
   };
-  /// Asks for everything at once; `done` is called once, from the loop. An instrument that is not
-  /// ready gives a scan without values.
-  void scan(std::function<void(const Scan&)> done);
+  /// Asks for everything at once; `done` is called once, from the loop, by the instrument's
+  /// deadline or by `latest_s` on the loop's clock. An instrument that is not ready gives a scan
+  /// without values.
+  void scan(std::function<void(const Scan&)> done, double latest_s);
   /// Sets the points; `done` gets an empty text, or why not.
   void set(const std::vector<PointSetting>& settings, std::function<void(const std::string&)> done);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "lab/wire/device_modes.hpp"
@@ -32,17 +33,19 @@ std::string WireInstruments::connect(double within_s, const std::function<bool()
   return missing;
 }
 
-double WireInstruments::scan(
-    const std::function<void(const WireInstrument&, const WireInstrument::Scan&)>& take) const {
+double WireInstruments::scan(const Take& take,
+                             const std::function<double(const WireInstrument&)>& latest_s) const {
   const double asked_s = loop_.now_s();
   std::size_t open = all_.size();
   double longest_s = 0;
   for (const auto& one : all_) {
     longest_s = std::max(longest_s, one->described().personality.deadline_s);
-    one->scan([&take, &open, &one](const WireInstrument::Scan& scan) {
-      take(*one, scan);
-      --open;
-    });
+    one->scan(
+        [&take, &open, &one](const WireInstrument::Scan& scan) {
+          take(*one, scan);
+          --open;
+        },
+        latest_s ? latest_s(*one) : std::numeric_limits<double>::infinity());
   }
   // Every question ends by its deadline, one way or another.
   loop_.run_until([&open] { return open == 0; }, asked_s + longest_s + 1);

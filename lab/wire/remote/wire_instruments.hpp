@@ -21,10 +21,11 @@ class WireInstruments {
   /// Opens all links and waits until every instrument is ready, or `stop` says so. Gives a line for
   /// each that is not, with the cause; empty: all are.
   std::string connect(double within_s, const std::function<bool()>& stop);
-  /// Asks all at one instant and waits for all answers, which come or are late. Gives that instant
-  /// on the loop's clock.
-  double scan(
-      const std::function<void(const WireInstrument&, const WireInstrument::Scan&)>& take) const;
+  using Take = std::function<void(const WireInstrument&, const WireInstrument::Scan&)>;
+  /// Asks all at one instant and waits for all answers, which come or are late: by the deadline of
+  /// each, or by `latest_s` of it, on the loop's clock. Gives that instant.
+  double scan(const Take& take,
+              const std::function<double(const WireInstrument&)>& latest_s = {}) const;
 
   const std::vector<std::unique_ptr<WireInstrument>>& all() const { return all_; }
   WireInstrument* with(RigRole role) const;

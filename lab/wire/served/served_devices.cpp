@@ -76,7 +76,7 @@ WireDevice ServedDrives::frame() {
   WireDevice device{.name = "frame",
                     .identity = fmt::format("triax,loading frame,{},1", kSimulatedWord),
                     .points = {},
-                    .heard = [this] { frame_watchdog_.heard(clock_()); },
+                    .heard = [this] { frame_watchdog_.heard(clock_(), client_); },
                     .reset = [this] { frame_ = {}; }};
   const Limits speed{-limits.fastest_m_per_s, limits.fastest_m_per_s}, force{-load, load};
   device.points = {
@@ -102,7 +102,7 @@ WireDevice ServedDrives::frame() {
        .write =
            [this](double value) {
              frame_.mode = static_cast<FrameMode>(number_below(kFrameModes, value, "mode"));
-             frame_watchdog_.wake();
+             frame_watchdog_.ordered(clock_(), client_);
              plant_.order_axis(frame_);
            }}};
   return device;
@@ -122,7 +122,7 @@ WireDevice ServedDrives::controller(Controller& one, const PressureController& l
                     .identity = fmt::format("triax,pressure controller,{} {},1", kSimulatedWord,
                                             pressure == Quantity::cell_pressure ? "cell" : "back"),
                     .points = {},
-                    .heard = [this, &one] { one.watchdog.heard(clock_()); },
+                    .heard = [this, &one] { one.watchdog.heard(clock_(), client_); },
                     .reset = [&s] { s = {}; }};
   device.points = {
       said("pressure_kPa", channel_of(plant_, pressure)),
@@ -142,7 +142,7 @@ WireDevice ServedDrives::controller(Controller& one, const PressureController& l
            [this, &one](double value) {
              one.asked.mode =
                  static_cast<ControllerMode>(number_below(kControllerModes, value, "mode"));
-             one.watchdog.wake();
+             one.watchdog.ordered(clock_(), client_);
              (plant_.*one.order)(one.asked);
            }}};
   return device;

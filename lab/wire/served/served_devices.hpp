@@ -16,22 +16,30 @@ namespace triax::lab {
 using ClockSeconds = std::function<double()>;
 
 /// A device that holds what it drives once its controller has been silent for `watchdog_s` (0: it
-/// never does). It is told of time by look(); the next order wakes it.
+/// never does). Its controller is the client that ordered last: what others ask keeps nothing
+/// awake. It is told of time by look(); the next order wakes it.
 class Watchdog {
  public:
   explicit Watchdog(double watchdog_s) : limit_s(watchdog_s) {}
-  void heard(double now_s) { heard_s_ = now_s; }
+  void heard(double now_s, int client) {
+    if (!controller_ || *controller_ == client) heard_s_ = now_s;
+  }
+  void ordered(double now_s, int client) {
+    controller_ = client;
+    heard_s_ = now_s;
+    bitten_ = false;
+  }
   /// True at the look at which it bites.
   bool look(double now_s) {
     const bool late = limit_s > 0 && heard_s_ && now_s - *heard_s_ > limit_s;
     return late && !std::exchange(bitten_, true);
   }
   bool bitten() const { return bitten_; }
-  void wake() { bitten_ = false; }
 
   double limit_s;
 
  private:
+  std::optional<int> controller_;
   std::optional<double> heard_s_;
   bool bitten_ = false;
 };
@@ -46,6 +54,9 @@ class ServedDrives {
   /// With the drainage valve behind it.
   WireDevice back_controller();
 
+  /// What is asked and ordered from now on comes from this client.
+  void speaks(int client) { client_ = client; }
+  int new_client() { return ++clients_; }
   /// Lets the watchdogs look: a device whose controller is silent stops, or holds.
   void watch();
 
@@ -61,6 +72,7 @@ class ServedDrives {
 
   ServedPlant& plant_;
   ClockSeconds clock_;
+  int client_ = 0, clients_ = 0;
   FrameSettings frame_;
   Watchdog frame_watchdog_;
   Controller cell_, back_;

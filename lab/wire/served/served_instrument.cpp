@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "lab/wire/instruments/serial_pad.hpp"
 #include "lab/wire/modbus/modbus_conversation.hpp"
 #include "lab/wire/scpi/scpi_conversation.hpp"
+#include "lab/wire/served/numbered_conversation.hpp"
 
 namespace triax::lab {
 namespace {
@@ -46,11 +48,15 @@ std::string identity_of(const RigInstrument& one) {
   return fmt::format("triax,{},{},1", one.personality.name, kSimulatedWord);
 }
 
+double unix_now_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
 
 ServedInstrument::ServedInstrument(const RigInstrument& described, const ServedPlant& plant,
                                    ServedDrives& drives)
-    : described_(described) {
+    : described_(described), drives_(drives) {
   switch (described.role) {
     case RigRole::frame:
       device_ = drives.frame();
@@ -118,9 +124,10 @@ void ServedInstrument::make_conversation(bool modbus) {
     speaker_ = meter;
     scpi(meter->table());
   } else if (personality.name == "34970A") {
-    const auto scanner = std::make_shared<Scanner34970A>(device, 0);
+    const auto scanner = std::make_shared<Scanner34970A>(device, unix_now_s());
     speaker_ = scanner;
     process_ = [scanner = scanner.get()](double time_s) { scanner->process(time_s); };
+    shift_calendar_ = [scanner = scanner.get()](double by_s) { scanner->shift_calendar(by_s); };
     scpi(scanner->table());
   } else if (personality.name == "pad") {
     talk_ = [&device] { return std::make_unique<SerialPad>(device); };
@@ -133,10 +140,23 @@ void ServedInstrument::make_conversation(bool modbus) {
   }
 }
 
-std::unique_ptr<Conversation> ServedInstrument::conversation() const { return talk_(); }
+std::unique_ptr<Conversation> ServedInstrument::conversation() {
+  return std::make_unique<NumberedConversation>(talk_(), drives_);
+}
 
-void ServedInstrument::process(double time_s) const {
-  if (process_) process_(time_s);
+void ServedInstrument::process(double time_s) {
+  own_s_ += rate_ * (time_s - time_s_);
+  time_s_ = time_s;
+  if (process_) process_(own_s_);
+}
+
+void ServedInstrument::set_clock(double rate, double jump_s) {
+  if (!shift_calendar_)
+    throw Refused(Refused::Why::conflict, described_.name + " has no clock of its own");
+  if (!(rate > 0 && rate <= 1000 && std::fabs(jump_s) <= 1e9))
+    throw Refused(Refused::Why::out_of_range, "a clock runs above 0 and up to 1000 times as fast");
+  rate_ = rate;
+  shift_calendar_(jump_s);
 }
 
 void ServedInstrument::pretend(Pretence as) {

@@ -191,6 +191,13 @@ void ServedRig::Impl::add_line_faults() {
               ServedInstrument& one = instrument(call.parameters.text());
               one.set_frame_fault(kind_of(call.parameters.word(), kFrameFaults));
             });
+  table.add("LINE:CLOCk", 3,
+            "\"NAME\",RATE,JUMP_S: its own clock jumps by so many s and runs so many times as fast",
+            [this](ScpiCall& call) {
+              ServedInstrument& one = instrument(call.parameters.text());
+              const double rate = call.parameters.number(), jump_s = call.parameters.number("s");
+              one.set_clock(rate, jump_s);
+            });
   table.add("LINE:PRETend", 2,
             "\"NAME\",ON|TWIN|OFF: it says that it is of another make, another one of its make, or "
             "itself",

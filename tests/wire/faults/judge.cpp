@@ -80,7 +80,11 @@ class Judging {
   void take_news(const Look& look) {
     for (const Event& event : look.events) {
       const std::string name = event.detail.substr(0, event.detail.find(' '));
-      if (event.detail.find("answers again") != std::string::npos) {
+      if (event.detail.find("has a clock") != std::string::npos) {  // no gap
+        told_.emplace_back(name, event.detail);
+        if (!wrong_at(name) && log_.stall_s < 0.1)
+          complain("a clock that is right: " + event.detail);
+      } else if (event.detail.find("answers again") != std::string::npos) {
         if (open_.erase(name) == 0) complain("the end of no gap is told: " + event.detail);
         not_taken_.erase(name);
       } else {

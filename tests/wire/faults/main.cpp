@@ -41,6 +41,10 @@ Options options_of(int count, char** words) {
   return options;
 }
 
+const char* word_of(const TrialPlan& plan) {
+  return plan.serial ? "RTU" : plan.modbus ? "Modbus" : "SCPI";
+}
+
 struct Count {
   int trials = 0, held = 0, safe = 0;
 };
@@ -54,7 +58,7 @@ struct Counts {
   void add(const TrialPlan& plan, const TrialLog& log, const Verdict& verdict) {
     const bool held = verdict.complaints.empty();
     const std::string kind = plan.wrongs.size() > 1 ? "two instruments" : plan.wrongs[0].kind;
-    Count& count = by_kind[fmt::format("{:<7}{}", plan.modbus ? "Modbus" : "SCPI", kind)];
+    Count& count = by_kind[fmt::format("{:<7}{}", word_of(plan), kind)];
     ++count.trials;
     count.held += held;
     count.safe += verdict.safe;
@@ -69,8 +73,8 @@ struct Counts {
   static void tell(const TrialPlan& plan, const TrialLog& log, const Verdict& verdict) {
     fmt::print("broken: --trial {}", plan.number);
     for (const Wrong& one : plan.wrongs)
-      fmt::print("; {} {} {} from {:.2f} s for {} s", plan.modbus ? "Modbus" : "SCPI",
-                 one.instrument, one.kind, one.from_s, one.for_s);
+      fmt::print("; {} {} {} from {:.2f} s for {} s", word_of(plan), one.instrument, one.kind,
+                 one.from_s, one.for_s);
     fmt::print(" (stalled {:.2f} s)\n", log.stall_s);
     for (const std::string& text : verdict.complaints) fmt::print("  {}\n", text);
   }

@@ -19,6 +19,7 @@
 #include "lab/wire/served/served_rig.hpp"
 #include "tests/lab/programmes/programme_text.hpp"
 #include "tests/wire/faults/rig_of_trial.hpp"
+#include "tests/wire/faults/terminal_pairs.hpp"
 #include "tests/wire/faults/trial.hpp"
 
 namespace triax::lab::test {
@@ -220,12 +221,20 @@ void drive(const TrialPlan& plan, const RigFile& rig, const Programme& programme
 TrialLog run_trial(const TrialPlan& plan, Broken broken) {
   TrialLog log;
   const Programme programme = trial_programme();
-  const RigFile served = on_ports_of(plan, parse_rig_file(rig_of_trial(plan.modbus), "rig.toml"));
+  RigFile served = on_ports_of(plan, parse_rig_file(rig_of_trial(plan.modbus), "rig.toml"));
+  std::optional<TerminalPairs> lines;
+  if (plan.serial) {
+    lines.emplace(3, plan.number);
+    for (std::size_t i = 0; i < 3; ++i)
+      served.instruments[i + 1].link =
+          parse_link("modbus-rtu://" + lines->ends()[i].served + "?unit=3");
+  }
   TrialServer server(plan, served, programme, log);
   RigFile client = served;
   for (std::size_t i = 0; i < client.instruments.size(); ++i) {
     client.instruments[i].link = server.links[i].link;
-    client.instruments[i].personality.deadline_s = kDeadline_s;
+    if (lines && i > 0) client.instruments[i].link.path = lines->ends()[i - 1].client;
+    client.instruments[i].personality.deadline_s = plan.deadline_s;
   }
   client.plant->control = server.links.back().link;
   try {

@@ -22,9 +22,13 @@ struct Wrong {
   std::string not_taken_with = {};  ///< once this was told, no value until it is over
 };
 
+inline constexpr double kDeadline_s = 0.3, kWatchdog_s = 3;
+
 struct TrialPlan {
   int number = 0;
   bool modbus = false;
+  double deadline_s = kDeadline_s;  ///< of all instruments
+  bool serial = false;              ///< Modbus RTU, over pairs of pseudo-terminals
   std::vector<Wrong> wrongs;
 };
 
@@ -56,8 +60,6 @@ struct TrialLog {
   double stall_s = 0;  ///< the longest that the machine kept a thread waiting
   std::string failed;  ///< what was thrown
 };
-
-inline constexpr double kDeadline_s = 0.3, kWatchdog_s = 3;
 
 /// Seconds on the clock of all logs.
 double trial_now_s();

@@ -14,7 +14,7 @@ struct Kind {
   std::string name;
   std::vector<std::string> on, off;
   std::vector<std::string> causes;
-  bool modbus_only = false;
+  bool modbus_only = false, scanner_only = false;
   double shortest_s = 0;
   bool cuts = true;
   std::string not_taken_with = {};
@@ -56,6 +56,17 @@ std::vector<Kind> all_kinds() {
                      .causes = {told},
                      .shortest_s = 2,
                      .not_taken_with = told});
+  // Readings are taken all the same; that the clock is wrong is told.
+  for (const auto& [name, word, told] : {std::tuple{"its clock jumps", "1,7", "jumped by +7.0 s"},
+                                         {"its clock jumps back", "1,-7", "jumped by -7.0 s"},
+                                         {"its clock drifts", "2,0", "runs fast"}})
+    kinds.push_back({.name = name,
+                     .on = {std::string("LINE:CLOC \"{}\",") + word},
+                     .off = {"LINE:CLOC \"{}\",1,0"},
+                     .causes = {told},
+                     .scanner_only = true,
+                     .shortest_s = 2,
+                     .cuts = false});
   return kinds;
 }
 
@@ -89,8 +100,9 @@ std::vector<TrialPlan> all_trials() {
     for (const char* const instrument : {"scanner", "frame", "cell", "back"})
       for (const double for_s : {0.4, 2.0, 5.0}) {
         if (for_s < kind.shortest_s) continue;
+        if (kind.scanner_only && std::string(instrument) != "scanner") continue;
         if (!kind.modbus_only) tcp.push_back(wrong_of(kind, instrument, start_of(++stride), for_s));
-        if (std::string(instrument) != "scanner")
+        if (std::string(instrument) != "scanner" || kind.scanner_only)
           modbus.push_back(wrong_of(kind, instrument, start_of(++stride), for_s));
       }
   std::vector<TrialPlan> all;
@@ -104,6 +116,14 @@ std::vector<TrialPlan> all_trials() {
                               instrument, 1, 60);
       add(by_modbus, {minute});
     }
+  // A long deadline is no excuse for getting safe late.
+  for (const bool by_modbus : {false, true})
+    for (const char* const instrument : {"scanner", "frame", "cell", "back"}) {
+      const Wrong silent =
+          wrong_of(line_kind("silent", "SILENT", {"no answer"}), instrument, start_of(++stride), 5);
+      add(by_modbus, {silent});
+      all.back().deadline_s = 2;
+    }
   // Each alone, at two instants.
   for (int turn = 0; turn < 2; ++turn)
     for (const bool by_modbus : {false, true})
@@ -111,6 +131,15 @@ std::vector<TrialPlan> all_trials() {
         one.from_s = start_of(++stride);
         add(by_modbus, {one});
       }
+  // The same by serial lines, where no connection ends: what cuts is silence there.
+  for (Wrong one : modbus) {
+    if (one.kind.starts_with("another") || one.kind.starts_with("its clock")) continue;
+    if (one.kind == "reset" || one.kind == "cable out")
+      one.causes = {"no answer", "answered wrongly"};
+    one.from_s = start_of(++stride);
+    add(true, {one});
+    all.back().serial = true;
+  }
   // Pairs on two instruments.
   for (const bool by_modbus : {false, true}) {
     const std::vector<Wrong>& of_it = by_modbus ? modbus : tcp;

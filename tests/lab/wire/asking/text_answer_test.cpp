@@ -35,6 +35,20 @@ TEST_CASE("lists of numbers", "[asking]") {
   CHECK_THROWS_AS(spoken_numbers("7\r\nOPENED\r\n", 2, "OPEN"), Malformed);
 }
 
+TEST_CASE("numbers with the instants of their readings", "[asking]") {
+  const auto said =
+      stamped_numbers("+1.25E+00,1970,01,02,00,00,01.500,-2.5E+00,1970,01,02,00,00,02.750\n", 2);
+  CHECK(said.numbers == std::vector<double>{1.25, -2.5});
+  CHECK(said.first_s == 86'401.5);
+  // 10 957 days to the year 2000, and 29 February counts (date -u -d 2000-03-01 +%s).
+  CHECK(stamped_numbers("1,2000,03,01,00,00,00", 1).first_s == 951'868'800);
+  for (const char* const wrong :
+       {"1,2001,02,29,00,00,00", "1,2000,13,01,00,00,00", "1,2000,01,01,24,00,00",
+        "1,2000,01,01,00,60,00", "1,2000,01,01,00,00,61.0", "1,2000.5,01,01,00,00,00",
+        "1,2000,01,01,00,00", "1", "1,2000,01,01,00,00,00,2"})
+    CHECK_THROWS_AS(stamped_numbers(wrong, 1), Malformed);
+}
+
 TEST_CASE("the length of some lines", "[asking]") {
   CHECK(whole_lines("a\nb\nc", 2, '\n') == 4);
   CHECK(whole_lines("a\nb", 2, '\n') == 0);

@@ -62,12 +62,17 @@ TEST_CASE("a scanner gets its list once and answers in rising order", "[asking]"
   const auto questions = text_questions(scanner);
   const std::vector<AskedValue> asked{{"", 107}, {"", 101}, {"", 103}, {"", 101}};
   CHECK(requests(questions->prepare(asked)) ==
-        Texts{"*CLS\n", "ROUT:SCAN (@101,103,107)\n", "TRIG:SOUR IMM\n", "TRIG:COUN 1\n"});
+        Texts{"*CLS\n", "ROUT:SCAN (@101,103,107)\n", "TRIG:SOUR IMM\n", "TRIG:COUN 1\n",
+              "FORM:READ:UNIT OFF\n", "FORM:READ:CHAN OFF\n", "FORM:READ:TIME:TYPE ABS\n",
+              "FORM:READ:TIME ON\n"});
   const auto read = questions->read(asked);
   REQUIRE(read.size() == 1);
   CHECK(read[0].exchange.request == "READ?\n");
-  CHECK(read[0].exchange.values("+1.0E+00,+3.0E+00,+7.0E+00\n") == std::vector<double>{7, 1, 3, 1});
-  CHECK_THROWS_AS(read[0].exchange.values("1,2\n"), Malformed);
+  CHECK(read[0].stamped);
+  const std::string at = ",2000,03,01,00,00,01.500";
+  CHECK(read[0].exchange.values("+1.0E+00" + at + ",+3.0E+00" + at + ",+7.0E+00" + at + "\n") ==
+        std::vector<double>{7, 1, 3, 1, 951'868'801.5});
+  CHECK_THROWS_AS(read[0].exchange.values("1,2,3\n"), Malformed);
   const auto identify = questions->identify();
   REQUIRE(identify);
   CHECK(identify->request == "*IDN?\n");

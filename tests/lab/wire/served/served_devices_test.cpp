@@ -97,6 +97,27 @@ TEST_CASE("a device whose controller falls silent stops or holds, and the next o
   CHECK(Rig::value(rig.frame, "state") == 0);
 }
 
+TEST_CASE("a watchdog listens to the client that ordered last, not to whoever asks") {
+  Rig rig;
+  const int driver = rig.drives.new_client(), watcher = rig.drives.new_client();
+  const auto bites = [&](int who) {
+    rig.drives.speaks(driver);
+    rig.frame.heard();
+    Rig::set(rig.frame, "velocity_mm_per_min", 0.1);
+    Rig::set(rig.frame, "mode", 1);
+    for (int i = 0; i < 5; ++i) {
+      rig.now_s += 1;
+      rig.drives.speaks(who);
+      rig.frame.heard();
+      rig.drives.watch();
+    }
+    return Rig::value(rig.frame, "state") == static_cast<double>(FrameState::watchdog);
+  };
+  CHECK_FALSE(bites(driver));
+  CHECK(bites(watcher));
+  CHECK_FALSE(bites(driver));
+}
+
 TEST_CASE("a frame at the end of its travel says so and stands") {
   Programme programme = read_programme(test::programme_text(), "p.toml");
   programme.frame.travel_m = 1e-4;
