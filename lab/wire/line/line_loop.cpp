@@ -61,7 +61,10 @@ struct LineLoop::Impl {
     if (pause_left > 0) return --pause_left, false;
     const LoopClock::time_point until = LoopClock::now() + kSoon;
     do {
-      if (context.poll_one() > 0) return pause = 0, true;
+      if (context.poll_one() == 0) continue;
+      // Not where others had the processor meanwhile.
+      if (LoopClock::now() < until) pause = 0;
+      return true;
     } while (LoopClock::now() < until);
     pause_left = pause = std::min(2 * pause + 1, kLongestPause);
     return false;
