@@ -35,6 +35,11 @@ def apparatus(triax) -> str:
     return timed(triax, "bench/apparatus/run.sh")
 
 
+def wire(triax) -> str:
+    """On an otherwise quiet machine: it measures milliseconds."""
+    return timed(triax, "bench/wire/run.sh")
+
+
 def grains(triax) -> str:
     """On a packing that it makes itself; beside busy processes of its own, too."""
     return triax.output_of("bench/grains/run.sh")

@@ -149,7 +149,8 @@ class Judging {
       if (wrong.for_s > Supervision::kDeaf_s)
         due_s = std::min(due_s, log_.lasted[i].first + Supervision::kDeaf_s + kDeadline_s +
                                     RigSoftware::kTick_s + slack_s());
-      none_long = none_long && wrong.for_s <= 2;
+      // Up to a deadline later the first good answer comes.
+      none_long = none_long && wrong.for_s + plan_.deadline_s < Supervision::kDeaf_s - 0.5;
     }
     const bool safe = log_.safe_s > 0;
     double rest_s = 0;

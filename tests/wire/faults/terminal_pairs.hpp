@@ -48,8 +48,13 @@ class TerminalPairs {
     std::string name = "socat";
     char* words[] = {name.data(), first.data(), second.data(), nullptr};
     pid_t started = 0;
-    if (::posix_spawnp(&started, "socat", nullptr, nullptr, words, environ) != 0)
-      throw std::runtime_error("socat cannot be started");
+    // It would hold other trials' sockets open beyond their end.
+    posix_spawn_file_actions_t closing;
+    ::posix_spawn_file_actions_init(&closing);
+    ::posix_spawn_file_actions_addclosefrom_np(&closing, 3);
+    const int failed = ::posix_spawnp(&started, "socat", &closing, nullptr, words, environ);
+    ::posix_spawn_file_actions_destroy(&closing);
+    if (failed != 0) throw std::runtime_error("socat cannot be started");
     socats_.push_back(started);
   }
   static void await(const Ends& one) {
