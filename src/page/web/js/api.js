@@ -9,7 +9,7 @@ async function answer(response) {
   } catch {
     body = null;
   }
-  if (!response.ok) throw new Error(body?.error ?? (text.slice(0, 300) || `the server answered ${response.status}`));
+  if (!response.ok) throw Object.assign(new Error(body?.error ?? (text.slice(0, 300) || `the server answered ${response.status}`)), { status: response.status });
   return body;
 }
 
@@ -37,8 +37,9 @@ export function postRecord(file, answers) {
     { method: "POST", headers: { "X-Triax": "1", "Content-Type": "application/octet-stream" }, body: file });
 }
 
-export const windowPath = (id, columns, { from, to, pixels }) => {
+export const windowPath = (id, columns, { from, to, pixels, work = false }) => {
   const query = new URLSearchParams({ pixels: String(Math.max(50, Math.round(pixels))), columns: columns.join(",") });
+  if (work) query.set("work", "1");
   if (Number.isFinite(from)) query.set("from", String(Math.floor(from)));
   if (Number.isFinite(to)) query.set("to", String(Math.ceil(to)));
   return `/api/tests/${id}/window?${query}`;

@@ -4,12 +4,13 @@ import { postRecord } from "./api.js";
 import { el, field, fill } from "./dom.js";
 import { failed, leaveNotice } from "./notice.js";
 
+const recognisedAs = (r) => (!r || typeof r === "string" ? r : [r.dialect, r.programme, `${r.columns?.length ?? 0} columns`].filter(Boolean).join(", "));
 const guess = (g) => (typeof g === "string" ? g : `${g.what}: taken as ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`);
 
 function missingForm(answer, answers, send) {
-  const inputs = answer.missing.map(({ key, unit, why }) => {
+  const inputs = answer.missing.map(({ key, label, unit, why }) => {
     const input = el("input", { name: key, required: true, autocomplete: "off", value: answers[key] ?? "", inputmode: unit ? "decimal" : null });
-    return field(`${key}${unit ? ` (${unit})` : ""}`, input, why ? el("span", { class: "why" }, why) : null);
+    return field(`${label ?? key}${unit ? ` (${unit})` : ""}`, input, el("span", { class: "why" }, key), why ? el("span", { class: "why" }, why) : null);
   });
   const form = el("form", { class: "stack", on: { submit: (event) => {
     event.preventDefault();
@@ -32,12 +33,12 @@ export function dropZone(main) {
       const answer = await postRecord(file, answers);
       const guessed = (answer.guessed ?? []).map(guess);
       if (answer.test !== null && answer.test !== undefined) {
-        leaveNotice(`${file.name} was replayed${answer.recognised ? `, recognised as ${answer.recognised}` : ""}.`, guessed);
+        leaveNotice(`${file.name} was replayed${answer.recognised ? `, recognised as ${recognisedAs(answer.recognised)}` : ""}.`, guessed);
         location.hash = `#/test/${answer.test}`;
         return;
       }
       fill(result, el("section", { class: "panel stack", "aria-label": "What was found in the record" },
-        el("p", {}, el("strong", {}, file.name), answer.recognised ? `: recognised as ${answer.recognised}.` : "."),
+        el("p", {}, el("strong", {}, file.name), answer.recognised ? `: recognised as ${recognisedAs(answer.recognised)}.` : "."),
         guessed.length ? [el("h3", {}, "Guessed"), el("ul", {}, guessed.map((g) => el("li", {}, g)))] : null,
         answer.error ? failed(new Error(answer.error)) : null,
         answer.missing?.length ? missingForm(answer, answers, (more) => send(file, more)) : null));

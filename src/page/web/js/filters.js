@@ -37,8 +37,9 @@ export class Filters {
       return node;
     };
     const range = (title, key, step) => [field(`${title} from`, input("number", `${key}_low`, { step })), field("to", input("number", `${key}_high`, { step, "aria-label": `${title} to` }))];
-    this.node = el("div", { class: "filters", role: "search", "aria-label": "Filter tests" },
+    const asked = Object.values(values).some((v) => v);
+    this.node = el("details", { class: "filtering", open: innerWidth > 760 || asked }, el("summary", {}, "Filter"), el("div", { class: "filters", role: "search", "aria-label": "Filter tests" },
       field("Name, source or tag", input("search", "text", { autocomplete: "off" })), choice("Type", "type"), choice("Material", "material"),
-      choice("Collapse", "kind"), choice("Origin", "origin"), range("p′₀ (kPa)", "p", 10), range("e₀ (–)", "e", 0.01));
+      choice("Collapse", "kind"), choice("Origin", "origin"), range("p′₀ (kPa)", "p", 10), range("e₀ (–)", "e", 0.01)));
   }
 }

@@ -31,12 +31,12 @@ export const date = (iso) => (iso ? iso.slice(0, 16).replace("T", " ") : DASH);
 export const within = (value, low, high, places = 2) =>
   known(low) && known(high) ? `${fixed(value, places)} (${fixed(low, places)} to ${fixed(high, places)})` : fixed(value, places);
 
-const LEFT = { axial_strain: [100, "% of axial strain", 3], mean_effective_stress_kPa: [1, "kPa of p′", 1], q_kPa: [1, "kPa of q", 1],
-  volumetric_strain: [100, "% of volumetric strain", 3] };
+const LEFT = { axial_strain: [100, "%", "axial strain", 3], mean_effective_stress_kPa: [1, "kPa", "p′", 1], q_kPa: [1, "kPa", "q", 1],
+  volumetric_strain: [100, "%", "volumetric strain", 3] };
 
-/** What is left until a forecast onset, as [number, unit]. */
+/** What is left until a forecast onset: number, unit, of what. */
 export function left(amount) {
   if (!amount) return null;
-  const [factor, unit, places] = LEFT[amount.quantity] ?? [1, words(amount.quantity), 3];
-  return [fixed(amount.value * factor, places), unit];
+  const [factor, unit, of, places] = LEFT[amount.quantity] ?? [1, "", words(amount.quantity), 3];
+  return { value: fixed(amount.value * factor, places), unit, of };
 }

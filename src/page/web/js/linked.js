@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that share one window of readings and one cursor. Zooming and panning choose readings, so that each chart shows the
-// same part of the test, whatever stands on its axes.
+// Charts that share one window of readings and one cursor, which stands at a reading. Zooming and panning choose readings, so
+// that each chart shows the same part of the test, whatever stands on its axes.
+
+/** The place of the reading nearest to this one; readings rise. */
+export function placeOf(readings, reading) {
+  let [low, high] = [0, readings.length - 1];
+  if (high < 0) return null;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (readings[middle] < reading) low = middle + 1;
+    else high = middle;
+  }
+  return low > 0 && reading - readings[low - 1] < readings[low] - reading ? low - 1 : low;
+}
 
 export class Linked {
-  /** load(range) gives columns (with `reading`) for [from, to] of readings; changed(columns, range) draws; cursor(i) is told. */
-  constructor({ all, load, changed, cursor }) {
-    Object.assign(this, { all, load, changed, told: cursor, range: { ...all }, columns: { reading: [] }, at: null, panels: [], asked: null });
+  /** load(range, signal) gives what is shown of [from, to]; changed(data, range) draws; told(reading or null) of the cursor. */
+  constructor({ all, load, changed, told }) {
+    Object.assign(this, { all, load, changed, told, range: { ...all }, data: null, at: null, panels: [], asked: null });
   }
 
-  /** A chart with what stands on its axes: x(columns) and y(columns) give arrays. */
-  add(chart, x, y) {
-    this.panels.push({ chart, x, y });
+  /** A chart, and curve(data), which gives its {reading, x, y}. */
+  add(chart, curve) {
+    this.panels.push({ chart, curve, points: null });
   }
 
   async show(range) {
@@ -18,74 +30,59 @@ export class Linked {
     const from = Math.max(this.all.from, Math.min(Math.round(range.from), this.all.to - width));
     this.range = { from, to: Math.min(this.all.to, Math.round(from + width)) };
     this.asked?.abort();
-    this.asked = new AbortController();
-    const asked = this.asked;
+    const asked = (this.asked = new AbortController());
     try {
-      const columns = await this.load(this.range, asked.signal);
+      const data = await this.load(this.range, asked.signal);
       if (asked !== this.asked) return;
-      this.columns = columns;
-      this.changed(columns, this.range);
-      this.points = null;
-      requestAnimationFrame(() => this.place());
+      this.data = data;
+      for (const panel of this.panels) panel.points = panel.curve(data);
+      this.changed(data, this.range);
+      requestAnimationFrame(() => this.point(this.at));
     } catch (failure) {
       if (failure.name !== "AbortError") throw failure;
     }
   }
 
-  pointsOf(panel) {
-    this.points ??= new Map();
-    if (!this.points.has(panel)) this.points.set(panel, [panel.x(this.columns), panel.y(this.columns)]);
-    return this.points.get(panel);
+  pointsOf(chart) {
+    return this.panels.find((panel) => panel.chart === chart).points;
   }
 
-  /** The reading nearest to a point of this chart on the screen; along x alone where it is a history. */
+  /** The cursor goes to the point of this chart nearest on the screen; along x nearly alone where it is a history. */
   near(chart, x, y, scale) {
-    const panel = this.panels.find((p) => p.chart === chart);
-    const [xs, ys] = this.pointsOf(panel);
+    const points = this.pointsOf(chart);
+    if (!points) return;
     let best = null;
     let least = Infinity;
-    for (let i = 0; i < xs.length; ++i) {
-      if (xs[i] === null || ys[i] === null) continue;
-      const dx = (xs[i] - x) / scale.x;
-      const dy = (ys[i] - y) / scale.y;
+    for (let i = 0; i < points.x.length; ++i) {
+      if (points.x[i] === null || points.y[i] === null) continue;
+      const dx = (points.x[i] - x) / scale.x;
+      const dy = (points.y[i] - y) / scale.y;
       const distance = dx * dx + (chart.does.box ? dy * dy : 0.0004 * dy * dy);
       if (distance < least) [least, best] = [distance, i];
     }
-    this.point(best);
+    this.point(best === null ? null : points.reading[best]);
   }
 
-  point(index) {
-    this.at = index;
-    this.place();
-    this.told(index);
-  }
-
-  pointAtReading(reading) {
-    const { reading: readings } = this.columns;
-    let best = null;
-    readings.forEach((r, i) => {
-      if (best === null || Math.abs(r - reading) < Math.abs(readings[best] - reading)) best = i;
-    });
-    this.point(best);
-  }
-
-  place() {
-    for (const panel of this.panels) {
-      const [xs, ys] = this.at === null ? [[], []] : this.pointsOf(panel);
-      panel.chart.mark(xs[this.at], ys[this.at]);
+  point(reading) {
+    this.at = reading;
+    for (const { chart, points } of this.panels) {
+      const i = reading === null || !points ? null : placeOf(points.reading, reading);
+      if (i === null) chart.mark(null, null);
+      else chart.mark(points.x[i], points.y[i]);
     }
+    this.told(reading);
   }
 
-  /** The readings from the first to the last whose point lies in the box. */
+  /** Zooms to the readings from the first to the last whose point lies in the box. */
   pick(chart, box) {
-    const [xs, ys] = this.pointsOf(this.panels.find((p) => p.chart === chart));
-    const inside = this.columns.reading.filter((_, i) => xs[i] !== null && xs[i] >= box.x[0] && xs[i] <= box.x[1] && (!box.y || (ys[i] >= box.y[0] && ys[i] <= box.y[1])));
+    const points = this.pointsOf(chart);
+    const inside = points.reading.filter((_, i) => points.x[i] !== null && points.x[i] >= box.x[0] && points.x[i] <= box.x[1] && (!box.y || (points.y[i] >= box.y[0] && points.y[i] <= box.y[1])));
     if (inside.length > 1) this.show({ from: inside[0], to: inside[inside.length - 1] });
   }
 
   zoom(factor) {
     const { from, to } = this.range;
-    const middle = this.at === null ? (from + to) / 2 : this.columns.reading[this.at];
+    const middle = this.at === null ? (from + to) / 2 : Math.min(to, Math.max(from, this.at));
     return this.show({ from: middle - (middle - from) * factor, to: middle + (to - middle) * factor });
   }
 
@@ -98,15 +95,21 @@ export class Linked {
     return this.show(this.all);
   }
 
+  step(by) {
+    const readings = this.data?.columns.reading ?? [];
+    const last = readings.length - 1;
+    const now = this.at === null ? (by > 0 ? -by : last - by) : placeOf(readings, this.at);
+    if (last >= 0) this.point(readings[Math.max(0, Math.min(last, now + by))]);
+  }
+
   /** Keys on any of the charts. */
   key(event) {
-    const count = this.columns.reading.length;
-    const step = (by) => this.point(Math.max(0, Math.min(count - 1, this.at === null ? (by > 0 ? 0 : count - 1) : this.at + by)));
+    const count = this.data?.columns.reading.length ?? 0;
     const far = Math.max(1, Math.round(count / 50));
     const does = {
       "+": () => this.zoom(0.5), "=": () => this.zoom(0.5), "-": () => this.zoom(2), 0: () => this.whole(),
-      ArrowLeft: () => (event.shiftKey ? this.pan(-0.25) : step(-far)), ArrowRight: () => (event.shiftKey ? this.pan(0.25) : step(far)),
-      ",": () => step(-1), ".": () => step(1), Home: () => step(-count), End: () => step(count), Escape: () => this.point(null),
+      ArrowLeft: () => (event.shiftKey ? this.pan(-0.25) : this.step(-far)), ArrowRight: () => (event.shiftKey ? this.pan(0.25) : this.step(far)),
+      ",": () => this.step(-1), ".": () => this.step(1), Home: () => this.step(-count), End: () => this.step(count), Escape: () => this.point(null),
     }[event.key];
     if (!does || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
@@ -114,4 +117,4 @@ export class Linked {
   }
 }
 
-export const KEYS = [["←", "→"], "cursor", [",", "."], "one reading", ["+", "−"], "zoom", ["Shift ←", "Shift →"], "pan", ["0"], "all"];
+export const KEYS = [[["←", "→"], "cursor"], [[",", "."], "one reading"], [["+", "−"], "zoom"], [["Shift ←", "Shift →"], "pan"], [["0"], "all"]];

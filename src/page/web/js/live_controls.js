@@ -42,8 +42,8 @@ export function controls(id, name, told) {
     const by = await ask(order, name);
     if (!by) return;
     try {
-      const run = await post(`/api/runs/${id}/${order}`, { who: by });
-      told(null, run);
+      await post(`/api/runs/${id}/${order}`, { who: by });
+      told(null);
     } catch (failure) {
       told(failure.message);
     }

@@ -19,6 +19,10 @@ export class Checksum {
     for (let i = 0; i < 24; ++i) hash = Math.imul(hash ^ this.bytes.getUint8(i), 0x01000193) >>> 0;
     this.value = hash;
   }
+
+  hex() {
+    return this.value.toString(16).padStart(8, "0");
+  }
 }
 
 export class LiveRows {

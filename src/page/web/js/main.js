@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which part of the page is shown: the part of the address after #. Each part is a module with show(main, arguments), which
 // gives its title and what ends it.
-import { get } from "./api.js";
+import { post } from "./api.js";
 import { el, fill } from "./dom.js";
 import { failed } from "./notice.js";
 import * as theme from "./theme.js";
@@ -49,13 +49,19 @@ async function route() {
   }
 }
 
-async function about() {
+/** An address lets one browser in: another one needs another. */
+async function anotherBrowser(told) {
   try {
-    const { version, db, rig } = await get("/api/about");
-    fill(document.getElementById("foot"), `triax ${version} · ${db}${rig ? ` · rig ${rig}` : ""} · served by this machine, to this machine`);
-  } catch {
-    document.getElementById("foot").textContent = "triax";
+    const { address } = await post("/api/browsers", {});
+    fill(told, "Open there, once: ", el("code", {}, address));
+  } catch (failure) {
+    fill(told, failure.message);
   }
+}
+
+function foot() {
+  const told = el("span", { role: "status" });
+  fill(document.getElementById("foot"), el("button", { type: "button", class: "plain", on: { click: () => anotherBrowser(told) } }, "Address for another browser"), " ", told);
 }
 
 theme.start(document.getElementById("theme"));
@@ -64,5 +70,5 @@ document.getElementById("skip").addEventListener("click", (event) => {
   main.focus();
 });
 addEventListener("hashchange", route);
-about();
+foot();
 route();

@@ -6,7 +6,7 @@ import { el, fill, segments } from "./dom.js";
 import { fixed, percent, time, within } from "./format.js";
 import { SHAPES, verdict } from "./kinds.js";
 import { legend } from "./legend.js";
-import { COLUMNS, QUANTITIES, axisTitle } from "./quantities.js";
+import { COLUMNS, QUANTITIES, WORK, at, axisTitle } from "./quantities.js";
 import { marks } from "./stress_layers.js";
 
 const STYLES = [["blue", []], ["vermilion", [9, 4]], ["green", [3, 3]], ["purple", [12, 3, 3, 3]], ["orange", [6, 2]], ["sky", [2, 2]], ["ink", [14, 5]], ["grey", [4, 4]]];
@@ -15,10 +15,10 @@ const LINE = { 0: "line" };
 async function load(id) {
   const document = await get(`/api/tests/${encodeURIComponent(id)}`);
   const from = document.collapse.judged?.from_reading ?? 0;
-  const { columns } = await get(windowPath(id, COLUMNS, { from, pixels: 500 }));
+  const { columns, work } = await get(windowPath(id, COLUMNS, { from, pixels: 500, work: true }));
   const first = columns.axial_strain.find((v) => v !== null) ?? 0;
   columns.axial_strain = columns.axial_strain.map((v) => (v === null ? null : v - first));
-  return { document, columns };
+  return { document, columns, work };
 }
 
 function summary(tests) {
@@ -46,13 +46,14 @@ export async function show(main, [ids]) {
     charts = [];
     const make = (x, y, height, relates) => {
       const over = (key) => (relative && relates ? `${QUANTITIES[key].symbol} / p′₀ (–)` : axisTitle(key));
-      const chart = new Chart({ title: `${QUANTITIES[y].title} over ${QUANTITIES[x].title}, ${tests.length} tests`, height, cursor: false,
+      const chart = new Chart({ title: `${(QUANTITIES[y] ?? WORK).title} over ${QUANTITIES[x].title}, ${tests.length} tests`, height, cursor: false,
         x: { title: relative && x === "p_eff" ? "p′ / p′₀ (–)" : axisTitle(x) }, y: { title: y === "work" ? "W₂ normalised (–)" : over(y) } });
-      chart.set(tests.flatMap(({ document, columns }, i) => {
+      chart.set(tests.flatMap(({ document, columns, work }, i) => {
         const [colour, dash] = STYLES[i];
         const p0 = relative ? document.consolidation.p_eff_kPa || 1 : 1;
         const by = (v, does) => (v === null ? null : does ? v / p0 : v);
-        const line = { kind: "line", colour, dash, x: QUANTITIES[x].of(columns).map((v) => by(v, x === "p_eff")), y: QUANTITIES[y].of(columns).map((v) => by(v, relates)) };
+        const line = { kind: "line", colour, dash, ...(y === "work" ? { x: at(work.reading, columns, x), y: work.normalised }
+          : { x: QUANTITIES[x].of(columns).map((v) => by(v, x === "p_eff")), y: QUANTITIES[y].of(columns).map((v) => by(v, relates)) }) };
         const onset = x === "p_eff" ? marks({ ...document.collapse, truth: null }, "pq", false).map((m) => ({ ...m, x: m.x / p0, y: m.y / p0, colour })) : [];
         return [line, ...onset];
       }), y === "work" ? { y: [-1.08, 1.08] } : {});

@@ -6,7 +6,7 @@ import { el, fill } from "./dom.js";
 import { fixed, left, time } from "./format.js";
 import { controls } from "./live_controls.js";
 import { gauge, gaugeNode } from "./live_gauge.js";
-import { addEvent, isLoss, showChannels, showSignal, showStages, signalOf } from "./live_parts.js";
+import { Channels, addEvent, isLoss, showSignal, signalOf, stageLine } from "./live_parts.js";
 import { LiveRows } from "./live_rows.js";
 import { listen } from "./live_stream.js";
 import { failed } from "./notice.js";
@@ -16,97 +16,127 @@ import { verdictPanel } from "./test_facts.js";
 
 const FEW = 20000;
 const LEVELS = { approaching: "approaching", imminent: "imminent", warning_withdrawn: null };
+const STATES = { held: "held", resumed: "running" };
+
+const stateOf = (live) => (!live?.running ? "ended" : live.held ? "held" : "running");
+
+function big(name, value, unit) {
+  return el("div", { class: "big" }, el("div", { class: "value" }, value, " ", el("small", {}, unit)), el("div", { class: "name" }, name));
+}
+
+function numbers(row, eta, forecast) {
+  const amount = left(forecast?.left);
+  return [big("stress ratio η = q/p′", fixed(eta, 2), ""),
+    big("to the instability line", forecast && eta !== null ? fixed(forecast.eta_forecast - eta, 2) : "–", forecast ? `η ± ${fixed((forecast.eta_high - forecast.eta_low) / 2, 2)}` : "no forecast"),
+    amount ? big(`left, of ${amount.of}`, amount.value, amount.unit) : big("left", "–", ""),
+    big("deviator stress q", fixed(row?.q_kPa), "kPa"), big("pore pressure u", fixed(row?.pore_pressure_kPa), "kPa"),
+    big(`axial strain ε₁, at ${time(row?.time_s)}`, typeof row?.axial_strain === "number" ? fixed(100 * row.axial_strain, 2) : "–", "%")];
+}
+
+/** The charts of what runs; show(rows, forecast, limit). */
+function liveCharts() {
+  const make = (x, y, height) => new Chart({ title: `${QUANTITIES[y].title} over ${QUANTITIES[x].title}, live`, height, cursor: false,
+    x: { title: axisTitle(x) }, y: { title: height < 200 ? `${QUANTITIES[y].symbol} (${QUANTITIES[y].unit})` : axisTitle(y) } });
+  const charts = [["p_eff", "q", 330], ["time", "q", 158], ["time", "u", 158]].map(([x, y, height]) => ({ x, y, chart: make(x, y, height) }));
+  return { node: el("div", { class: "charts" }, el("div", {}, charts[0].chart.node), el("div", {}, charts[1].chart.node, charts[2].chart.node)),
+    end: () => charts.forEach(({ chart }) => chart.end()),
+    show: ({ columns, now }, forecast, limit) => {
+      for (const { x, y, chart } of charts) {
+        const line = { kind: "line", x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), colour: y === "u" ? "green" : "blue", range: y === "q" ? { y: [0, 10] } : null };
+        const tip = now ? [{ kind: "mark", shape: "dot", colour: "ink", ranged: false, x: line.x.at(-1), y: line.y.at(-1) }] : [];
+        const known = x === "p_eff" ? lines({ eta: forecast?.eta_forecast, limit_stress_ratio: limit }, "pq", false) : [];
+        chart.set([...known, line, ...tip]);
+      }
+    } };
+}
 
 export async function show(main, [id]) {
-  const [first, run] = await Promise.all([get(`/api/tests/${encodeURIComponent(id)}`), get(`/api/runs/${encodeURIComponent(id)}`).catch(() => null)]);
+  const first = await get(`/api/tests/${encodeURIComponent(id)}`);
   const { test } = first;
   const rows = new LiveRows(COLUMNS);
-  const now = { state: run?.state ?? "ended", level: null, forecast: null, lost: null, end: null, limit: first.collapse.limit_stress_ratio ?? null };
+  const now = { state: stateOf(first.live), level: null, forecast: null, lost: null, end: null };
+  const limit = first.collapse.limit_stress_ratio ?? null;
 
   const signal = el("section", { class: "signal", "aria-label": "State of the test", "aria-live": "assertive" });
   const bigs = el("div", { class: "bigs" });
   const bar = gaugeNode();
-  const stage = el("div", { "aria-live": "polite" });
+  const stage = stageLine();
   const link = el("span", { class: "tag info", role: "status" }, "connecting");
   const trouble = el("div");
-  const channels = el("div", { class: "scroll" }, el("p", { class: "quiet" }, "No word of the channels yet."));
+  const channelNode = el("div", { class: "scroll" });
+  const channels = new Channels(channelNode);
   const events = el("ol", { class: "event-list", "aria-live": "polite", "aria-label": "Events", tabindex: 0 });
   const verdict = el("div", { "aria-live": "polite" });
-  const orders = controls(test.id, test.name, (wrong, answer) => {
-    fill(trouble, wrong ? failed(new Error(wrong)) : null);
-    if (answer?.state) setState(answer.state);
-  });
-  const charts = [chartOf("p_eff", "q", 330), chartOf("time", "q", 158), chartOf("time", "u", 158)];
-  const node = el("section", { class: "stack", data: { received: "0", last: "", drawn: "", gaps: "0", checksum: "" } },
-    el("div", { class: "head" }, el("div", { class: "row" }, el("h1", { tabindex: -1 }, test.name), el("span", { class: `tag ${test.origin === "simulated" ? "care" : "info"}` }, test.origin === "simulated" ? "SIMULATED" : "recorded"), link), orders.node),
+  const orders = controls(test.id, test.name, (wrong) => fill(trouble, wrong ? failed(new Error(wrong)) : null));
+  const charts = liveCharts();
+  const simulated = test.origin === "simulated";
+  const node = el("section", { class: "stack", "aria-label": "Running test" },
+    el("div", { class: "head" }, el("div", { class: "row" }, el("h1", { tabindex: -1 }, test.name), el("span", { class: `tag ${simulated ? "care" : "info"}` }, simulated ? "SIMULATED" : "recorded"), link),
+      first.live?.controlled ? orders.node : el("span", { class: "quiet" }, "recorded by another program: look only")),
     trouble, verdict,
     el("div", { class: "live-state" }, signal, el("section", { class: "panel", "aria-label": "Now" }, bigs, bar)),
-    el("section", { class: "panel", "aria-label": "Stage" }, stage),
-    el("div", { class: "charts" }, el("div", {}, charts[0].node), el("div", {}, charts[1].node, charts[2].node)),
-    el("div", { class: "live-grid" }, el("section", { class: "panel" }, el("h2", {}, "Events"), events), el("section", { class: "panel" }, el("h2", {}, "Channels"), channels)));
+    el("section", { class: "panel", "aria-label": "Stage" }, stage.node), charts.node,
+    el("div", { class: "live-grid" }, el("section", { class: "panel" }, el("h2", {}, "Events"), events), el("section", { class: "panel" }, el("h2", {}, "Channels"), channelNode)));
   fill(main, node);
 
   let frame = 0;
-  let ended = false;
-  const soon = () => {
-    frame ||= requestAnimationFrame(draw);
-  };
-
-  function setState(state) {
+  let word = null;
+  const soon = () => (frame ||= requestAnimationFrame(draw));
+  const setState = (state) => {
     now.state = state;
     orders.show(state);
     soon();
-  }
+  };
 
-  function chartOf(x, y, height) {
-    return Object.assign(new Chart({ title: `${QUANTITIES[y].title} over ${QUANTITIES[x].title}, live`, height, cursor: false, x: { title: axisTitle(x) }, y: { title: height < 200 ? `${QUANTITIES[y].symbol} (${QUANTITIES[y].unit})` : axisTitle(y) } }), { keys: [x, y] });
-  }
-
-  function draw() {
+  function draw(at) {
     frame = 0;
     const row = rows.now;
     const eta = row && row.p_eff_kPa > 0 ? row.q_kPa / row.p_eff_kPa : null;
-    const forecast = now.forecast;
-    showSignal(signal, signalOf(now));
-    const amount = left(forecast?.left);
-    const big = (name, value, unit) => el("div", { class: "big" }, el("div", { class: "value" }, value, " ", el("small", {}, unit)), el("div", { class: "name" }, name));
-    fill(bigs, big("stress ratio η = q/p′", fixed(eta, 2), ""),
-      big("to the instability line", forecast && eta !== null ? fixed(forecast.eta_forecast - eta, 2) : "–", forecast ? `η ± ${fixed((forecast.eta_high - forecast.eta_low) / 2, 2)}` : "no forecast"),
-      amount ? big("left", amount[0], amount[1]) : big("left", "–", ""),
-      big("q", fixed(row?.q_kPa), "kPa"), big("u", fixed(row?.pore_pressure_kPa), "kPa"), big(`axial strain ε₁, at ${time(row?.time_s)}`, row?.axial_strain == null ? "–" : fixed(100 * row.axial_strain, 2), "%"));
-    gauge(bar, { eta, forecast, limit: now.limit });
-    const { columns } = rows;
-    for (const chart of charts) {
-      const [x, y] = chart.keys;
-      const line = { kind: "line", x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), colour: y === "u" ? "green" : "blue", range: y === "q" ? { y: [0, 10] } : null };
-      const tip = row ? [{ kind: "mark", shape: "dot", colour: "ink", ranged: false, x: line.x.at(-1), y: line.y.at(-1) }] : [];
-      const known = x === "p_eff" ? lines({ eta: forecast?.eta_forecast, limit_stress_ratio: now.limit }, "pq", false) : [];
-      chart.set([...known, line, ...tip]);
-    }
-    Object.assign(node.dataset, { received: String(rows.count), first: String(rows.first ?? ""), last: String(rows.last ?? ""), gaps: String(rows.gaps), checksum: rows.sum.value.toString(16).padStart(8, "0"), drawn: String(row?.reading ?? "") });
+    const said = signalOf(now);
+    if (said.word + said.sub !== word) showSignal(signal, said);
+    word = said.word + said.sub;
+    fill(bigs, numbers(row, eta, now.forecast));
+    gauge(bar, { eta, forecast: now.forecast, limit });
+    charts.show(rows, now.forecast, limit);
+    channels.show(row, at);
+    Object.assign(node.dataset, { received: rows.count, first: rows.first ?? "", last: rows.last ?? "", gaps: rows.gaps, checksum: rows.sum.hex(), drawn: row?.reading ?? "" });
   }
 
-  async function windowAgain() {
-    const { columns } = await get(windowPath(test.id, COLUMNS, { pixels: 300 }));
-    rows.replace(columns);
+  /** Readings that were dropped for this browser are asked of the database, which has them within a second. */
+  let waiting = null;
+  async function fillGap({ from, to }) {
+    waiting ??= [];
+    for (let left = 30; left > 0; --left) {
+      const { columns, exact } = await get(windowPath(test.id, COLUMNS, { from, to, pixels: 8000 }));
+      if ((columns.reading.at(-1) ?? -1) >= to || left === 1) {
+        if (exact) columns.reading.forEach((_, i) => rows.add(Object.fromEntries(rows.names.map((name) => [name, columns[name][i]]))));
+        else rows.replace(columns);
+        break;
+      }
+      await new Promise((done) => setTimeout(done, 200));
+    }
+    const queue = waiting;
+    waiting = null;
+    queue.forEach((row) => rows.add(row));
     soon();
   }
 
   async function finish(end) {
-    ended = true;
     now.end = end;
     setState("ended");
     link.textContent = "ended";
+    link.className = "tag";
     const last = await get(`/api/tests/${test.id}`);
-    fill(verdict, verdictPanel(last), el("p", { class: "row" }, el("a", { class: "button main", href: `#/test/${test.id}` }, "Open the test"), last.test.origin === "simulated" ? el("a", { class: "button", href: "#/try" }, "Change and run again") : null));
+    fill(verdict, verdictPanel(last), el("p", { class: "row" }, el("a", { class: "button main", href: `#/test/${test.id}` }, "Open the test"), simulated ? el("a", { class: "button", href: "#/try" }, "Change and run again") : null));
   }
 
-  if (test.readings > FEW) await windowAgain();
+  if (test.readings > FEW) rows.replace((await get(windowPath(test.id, COLUMNS, { pixels: 300 }))).columns);
   orders.show(now.state);
-  draw();
+  soon();
   const stop = listen(test.id, rows.last, {
     reading: (row) => {
-      rows.add(row);
+      if (waiting) waiting.push(row);
+      else rows.add(row);
       soon();
     },
     event: (event) => {
@@ -114,25 +144,24 @@ export async function show(main, [id]) {
       if (event.kind in LEVELS) now.level = LEVELS[event.kind];
       if (event.kind === "warning_withdrawn") now.forecast = null;
       if (isLoss(event)) now.lost = event;
-      if (event.kind === "held") setState("held");
-      if (event.kind === "resumed") setState("running");
+      if (event.kind in STATES) setState(STATES[event.kind]);
       soon();
     },
     forecast: (forecast) => {
       now.forecast = forecast;
-      if (forecast.level !== undefined && forecast.level !== null) now.level = forecast.level;
       soon();
     },
-    channels: (said) => showChannels(channels, said.channels),
-    stage: (said) => showStages(stage, said),
-    window: () => windowAgain(),
+    channels: (finding) => channels.told(finding),
+    stage: (said) => stage.stage(said),
+    progress: ({ share }) => stage.share(share),
+    window: (missed) => fillGap(missed).catch((failure) => fill(trouble, failed(failure))),
     end: (end) => finish(end),
     back: () => {
       link.textContent = "live";
       link.className = "tag good";
     },
     lost: (closed) => {
-      if (ended) return;
+      if (now.end) return;
       link.textContent = closed ? "no connection" : "coming back";
       link.className = "tag alarm";
     },
@@ -140,6 +169,6 @@ export async function show(main, [id]) {
   return { title: `${test.name}, live`, end: () => {
     stop();
     cancelAnimationFrame(frame);
-    charts.forEach((chart) => chart.end());
+    charts.end();
   } };
 }

@@ -22,17 +22,36 @@ function along(p, q, count = 10) {
   const walked = [0];
   for (let i = 1; i < known.length; ++i) walked.push(walked[i - 1] + Math.hypot((known[i][0] - known[i - 1][0]) / wide, (known[i][1] - known[i - 1][1]) / high));
   const total = walked.at(-1) ?? 0;
-  return Array.from({ length: count }, (_, k) => known[walked.findIndex((w) => w >= (total * (k + 0.5)) / count)]).filter(Boolean);
+  return Array.from({ length: total > 0 ? count : 0 }, (_, k) => {
+    const here = (total * (k + 0.5)) / count;
+    const i = walked.findIndex((w) => w >= here);
+    const part = (here - walked[i - 1]) / (walked[i] - walked[i - 1]);
+    return [0, 1].map((c) => known[i - 1][c] + part * (known[i][c] - known[i - 1][c]));
+  });
 }
 
 /** The cone of the material at one state. */
 async function probed([p, q], signal) {
-  const document = await post("/api/probe", { material: kept.material, void_ratio: Number(kept.e), stress_kPa: [[p + (2 * q) / 3, p - q / 3]] }, signal);
+  const document = await post("/api/probe", { material: kept.material, void_ratio: Number(kept.e), p_kPa: p, q_kPa: [q] }, signal);
   return document.states?.[0] ?? document;
 }
 
+/** One domain is computed at a time: who comes too early asks again. */
+async function domainOf(signal) {
+  const body = { material: kept.material, void_ratio: Number(kept.e), p_from_kPa: 10, p_to_kPa: Number(kept.p), q_from_kPa: 0, q_to_kPa: Math.round(Number(kept.p) * 1.3), columns: GRID, rows: GRID, directions: 180 };
+  for (let left = 20; ; --left) {
+    try {
+      return await post("/api/domain", body, signal);
+    } catch (failure) {
+      if (failure.status !== 503 || left === 0) throw failure;
+      await new Promise((done) => setTimeout(done, 300));
+    }
+  }
+}
+
 export async function show(main) {
-  const [{ materials }, { tests }] = await Promise.all([get("/api/materials"), get("/api/tests")]);
+  const [laws, { tests }] = await Promise.all([get("/api/materials"), get("/api/tests")]);
+  const materials = laws.flatMap((law) => law.sets);
   const view = { domain: null, path: null, wedges: [], limit: Infinity, asked: null };
   const wrong = el("div", { "aria-live": "polite" });
   const side = el("section", { class: "panel", "aria-label": "State at the cursor", "aria-live": "polite" });
@@ -80,13 +99,14 @@ export async function show(main) {
   }
 
   async function compute() {
+    if (kept.p !== p.value) kept.cursor = null;
     Object.assign(kept, { e: e.value, p: p.value });
     fill(wrong, el("p", { class: "quiet", role: "status" }, "Computing…"));
     view.asked?.abort();
     view.asked = new AbortController();
     const { signal } = view.asked;
     try {
-      view.domain = await post("/api/domain", { material: kept.material, void_ratio: Number(kept.e), p_kPa: `10:${kept.p}/${GRID}`, q_kPa: `0:${Math.round(Number(kept.p) * 1.3)}/${GRID}`, directions: 180 }, signal);
+      view.domain = await domainOf(signal);
       view.limit = Math.min(...view.domain.boundaries.map((b) => b.limit?.eta ?? Infinity).filter((v) => v > 0));
       view.path = kept.test ? (await get(`/api/tests/${kept.test}/outline`, signal)).columns : null;
       const points = view.path ? along(view.path.p_eff_kPa, view.path.q_kPa).filter(([a, b]) => a - b / 3 > 5 && b >= 0 && b / a < 0.97 * view.limit && a <= Number(kept.p)) : [];

@@ -5,7 +5,7 @@ import { el, field, fill, fresh, select } from "./dom.js";
 import { failed } from "./notice.js";
 
 const SPEEDS = [["0", "as fast as it computes"], ["600", "600 times the clock"], ["60", "60 times the clock"], ["10", "10 times the clock"], ["1", "the clock"]];
-const kept = { programme: null, speed: "600", seed: "", values: {}, rig: false };
+const kept = { programme: null, speed: "600", values: {}, rig: false };
 
 function slider(spec, value, set) {
   const id = fresh("slide");
@@ -26,7 +26,7 @@ function fieldsOf(programme) {
   return programme.fields.map((spec) => {
     const value = values[spec.key] ?? spec.value;
     const set = (v) => (values[spec.key] = v);
-    if (spec.choices) return field(spec.label, select(spec.choices.map((c) => [c, c]), value, set));
+    if (spec.options) return field(spec.label, select(spec.options.map((c) => [c, c]), value, set));
     return slider(spec, value, set);
   });
 }
@@ -35,25 +35,22 @@ function fieldsOf(programme) {
 function changed(programme) {
   const values = kept.values[programme.name] ?? {};
   return Object.fromEntries(programme.fields.filter((f) => values[f.key] !== undefined && String(values[f.key]) !== String(f.value))
-    .map((f) => [f.key, f.choices ? values[f.key] : Number(values[f.key])]));
+    .flatMap((f) => [f.key, ...(f.also ?? [])].map((key) => [key, f.options ? values[f.key] : Number(values[f.key])])));
 }
 
 export async function show(main) {
-  const [{ programmes }, about] = await Promise.all([get("/api/programmes"), get("/api/about").catch(() => ({}))]);
+  const [{ programmes }, { rig: hasRig }] = await Promise.all([get("/api/programmes"), get("/api/tests")]);
   const find = (name) => programmes.find((p) => p.name === name) ?? programmes[0];
   const fields = el("div", { class: "try" });
-  const about2 = el("p", { class: "quiet" });
-  const source = el("div");
+  const remark = el("p", { class: "quiet remark" });
   const wrong = el("div");
   const build = () => {
     const programme = find(kept.programme);
     kept.programme = programme.name;
-    about2.textContent = programme.about ?? programme.type ?? "";
+    remark.textContent = programme.about ?? programme.type ?? "";
     fill(fields, fieldsOf(programme));
-    fill(source, programme.toml ? el("details", {}, el("summary", {}, "The programme"), el("pre", { class: "programme", tabindex: 0 }, programme.toml)) : null);
   };
-  const seed = el("input", { type: "number", min: 0, step: 1, value: kept.seed, placeholder: "the programme's", on: { input: () => (kept.seed = seed.value) } });
-  const rig = about.rig ? el("input", { type: "checkbox", checked: kept.rig, on: { change: () => (kept.rig = rig.checked) } }) : null;
+  const rig = hasRig ? el("input", { type: "checkbox", checked: kept.rig, on: { change: () => (kept.rig = rig.checked) } }) : null;
   const go = el("button", { class: "main", type: "submit" }, "▶ Run the test");
   const form = el("form", { class: "stack", on: { submit: async (event) => {
     event.preventDefault();
@@ -61,7 +58,6 @@ export async function show(main) {
     fill(wrong);
     try {
       const body = { programme: kept.programme, set: changed(find(kept.programme)), speed: Number(kept.speed) };
-      if (kept.seed !== "") body.seed = Number(kept.seed);
       if (rig?.checked) body.rig = true;
       const { test } = await post("/api/runs", body);
       location.hash = `#/run/${test}`;
@@ -71,13 +67,13 @@ export async function show(main) {
     }
   } } },
   el("section", { class: "panel stack", "aria-label": "Programme" }, el("div", { class: "filters" },
-    field("Programme", select(programmes.map((p) => [p.name, p.title ?? p.name]), find(kept.programme).name, (name) => {
+    field("Programme", select(programmes.map((p) => [p.name, p.title || p.name]), find(kept.programme).name, (name) => {
       kept.programme = name;
       build();
-    })), field("Speed", select(SPEEDS, kept.speed, (v) => (kept.speed = v))), field("Seed of the noise", seed),
-    rig ? el("div", { class: "row" }, field(`On the rig ${about.rig}`, rig)) : null), about2),
+    })), field("Speed", select(SPEEDS, kept.speed, (v) => (kept.speed = v))),
+    rig ? el("div", { class: "row" }, field("On the instruments of the rig", rig)) : null), remark),
   el("section", { class: "panel", "aria-label": "Specimen and test" }, fields),
-  wrong, el("div", { class: "row" }, go, el("span", { class: "quiet" }, "A virtual specimen: SIMULATED, no measurement.")), source);
+  wrong, el("div", { class: "row" }, go, el("span", { class: "quiet" }, "A virtual specimen: SIMULATED, no measurement.")));
   build();
   fill(main, el("div", { class: "stack" }, el("h1", { tabindex: -1 }, "Try a test before you run it"), form));
   return { title: "Try it" };

@@ -20,11 +20,26 @@ export const QUANTITIES = {
   s_total: { symbol: "s", title: "s = (σ₁ + σ₃)/2", unit: "kPa", needs: ["p_eff_kPa", "q_kPa", "pore_pressure_kPa"], places: 1,
     of: (w) => w.q_kPa.map((q, i) => (q === null || w.p_eff_kPa[i] === null || w.pore_pressure_kPa[i] === null ? null : w.p_eff_kPa[i] + q / 6 + w.pore_pressure_kPa[i])) },
   u: { symbol: "u", title: "pore pressure u", unit: "kPa", needs: ["pore_pressure_kPa"], places: 1, of: (w) => w.pore_pressure_kPa },
-  work: { symbol: "W₂", title: "normalised second-order work W₂", unit: "–", needs: ["second_order_work_normalised", "second_order_work_error"], places: 3,
-    of: (w) => w.second_order_work_normalised },
 };
 
 export const COLUMNS = [...new Set(Object.values(QUANTITIES).flatMap((quantity) => quantity.needs))];
+/** Second-order work has points of its own, which stand at readings. */
+export const WORK = { symbol: "W₂", title: "normalised second-order work W₂", unit: "–" };
+
+/** What stands on an axis at these readings, from the window's columns; nothing where that reading is not in it. */
+export function at(readings, columns, key) {
+  const values = QUANTITIES[key].of(columns);
+  let i = 0;
+  return readings.map((reading) => {
+    while (i < columns.reading.length && columns.reading[i] < reading) ++i;
+    if (i === columns.reading.length) return null;
+    if (columns.reading[i] === reading || i === 0) return values[i];
+    const [a, b] = [values[i - 1], values[i]];
+    if (a === null || b === null) return null;
+    return a + ((b - a) * (reading - columns.reading[i - 1])) / (columns.reading[i] - columns.reading[i - 1]);
+  });
+}
+
 export const axisTitle = (key) => `${QUANTITIES[key].title} (${QUANTITIES[key].unit})`;
 export const shown = (key, value) => {
   const { symbol, unit, places } = QUANTITIES[key];

@@ -4,9 +4,9 @@ import { get, windowPath } from "./api.js";
 import { Chart } from "./chart.js";
 import { el, fill, segments } from "./dom.js";
 import { fixed, time } from "./format.js";
-import { KEYS, Linked } from "./linked.js";
+import { KEYS, Linked, placeOf } from "./linked.js";
 import { legend } from "./legend.js";
-import { COLUMNS, QUANTITIES, axisTitle, shown } from "./quantities.js";
+import { COLUMNS, QUANTITIES, WORK, at, axisTitle, shown } from "./quantities.js";
 import { LEGEND, lines, marks, rules } from "./stress_layers.js";
 
 const READ = ["q", "p_eff", "u", "axial", "volume"];
@@ -42,17 +42,17 @@ export class TestCharts {
 
   keys() {
     return el("p", { class: "keys" }, "Drag to zoom, double click for all. On a chart: ",
-      KEYS.map((part) => (Array.isArray(part) ? part.map((key) => [el("kbd", {}, key), " "]) : `${part}  · `)));
+      KEYS.map(([keys, does], i) => [i ? ", " : "", keys.map((key) => [el("kbd", {}, key), " "]), does]), ".");
   }
 
   /** Charts are made anew when what stands on their axes changes. */
   build() {
-    const at = this.linked?.at ?? null;
+    const cursor = this.linked?.at ?? null;
     this.end();
     const from = this.part === "shear" ? this.shear : 0;
     this.linked = new Linked({ all: { from, to: this.last },
-      load: async ({ from: first, to }, signal) => (await get(windowPath(this.id, COLUMNS, { from: first, to, pixels: this.grid.clientWidth / 2 || 600 }), signal)).columns,
-      changed: (columns) => this.draw(columns), cursor: (i) => this.read(i) });
+      load: ({ from: first, to }, signal) => get(windowPath(this.id, COLUMNS, { from: first, to, pixels: this.grid.clientWidth / 2 || 600, work: true }), signal),
+      changed: (data) => this.draw(data), told: (reading) => this.read(reading) });
     this.panels = [];
     const stress = this.view === "st" ? [this.total ? "s_total" : "s_eff", "t"] : [this.total ? "p_total" : "p_eff", "q"];
     const height = innerWidth < 640 ? 230 : 300;
@@ -61,8 +61,8 @@ export class TestCharts {
     const right = el("div", {}, ["u", "volume", "work"].map((y) => this.panel([this.axis, y], lower, {})));
     fill(this.grid, left, right);
     fill(this.legend, legend(this.legendOf()));
-    this.linked.at = null;
-    this.ready = this.linked.whole().then(() => at !== null && this.linked.point(Math.min(at, this.linked.columns.reading.length - 1)));
+    this.linked.at = cursor;
+    this.ready = this.linked.whole();
   }
 
   legendOf() {
@@ -73,45 +73,47 @@ export class TestCharts {
   }
 
   panel([x, y], height, { box = false, log = "" }) {
-    const chart = new Chart({ title: `${QUANTITIES[y].title} over ${QUANTITIES[x].title}`, height,
-      x: { title: axisTitle(x), log: log.includes("x") }, y: { title: y === "work" ? "W₂ normalised (–)" : axisTitle(y), log: log.includes("y") },
+    const what = QUANTITIES[y] ?? WORK;
+    const chart = new Chart({ title: `${what.title} over ${QUANTITIES[x].title}`, height,
+      x: { title: axisTitle(x), log: log.includes("x") }, y: { title: y === "work" ? "W₂ normalised (–)" : height < 220 ? `${what.symbol} (${what.unit})` : axisTitle(y), log: log.includes("y") },
       does: { box, all: () => this.linked.whole(), pick: (area) => this.linked.pick(chart, area), move: (a, b, scale) => this.linked.near(chart, a, b, scale) } });
     chart.node.addEventListener("keydown", (event) => this.linked.key(event));
-    this.linked.add(chart, QUANTITIES[x].of, QUANTITIES[y].of);
+    this.linked.add(chart, ({ columns, work }) => (y === "work" ? { reading: work.reading, x: at(work.reading, columns, x), y: work.normalised }
+      : { reading: columns.reading, x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns) }));
     this.panels.push({ chart, x, y });
     return chart.node;
   }
 
-  draw(columns) {
+  draw({ work }) {
     const { collapse } = this.document;
     for (const { chart, x, y } of this.panels) {
-      const xs = QUANTITIES[x].of(columns);
-      const line = { kind: "line", x: xs, y: QUANTITIES[y].of(columns), colour: { u: "green", volume: "orange", work: "purple" }[y] ?? "blue" };
+      const points = this.linked.pointsOf(chart);
+      const line = { kind: "line", x: points.x, y: points.y, colour: { u: "green", volume: "orange", work: "purple" }[y] ?? "blue" };
       if (chart.does.box) chart.set([...lines(collapse, this.view, this.total), line, ...marks(collapse, this.view, this.total).map((m) => ({ ...m, ranged: false }))]);
-      else if (y === "work") chart.set([...this.band(columns, xs), { kind: "level", y: 0, colour: "grey" }, line, ...rules(collapse, x)], { y: [-1.08, 1.08] });
+      else if (y === "work") chart.set([this.band(work, points.x), { kind: "level", y: 0, colour: "grey" }, line, ...rules(collapse, x)], { y: [-1.08, 1.08] });
       else chart.set([line, ...rules(collapse, x)]);
     }
-    if (this.linked.at === null) this.read(null);
   }
 
-  band({ second_order_work_normalised: work, second_order_work_error: error }, x) {
-    const edge = (sign) => work.map((w, i) => (w === null || error[i] === null ? null : w + sign * error[i]));
-    return [{ kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" }];
+  band({ normalised, error }, x) {
+    const edge = (sign) => normalised.map((w, i) => (w === null || error[i] === null ? null : w + sign * error[i]));
+    return { kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" };
   }
 
-  read(index) {
-    const { columns } = this.linked;
-    if (index === null || columns.reading[index] === undefined) {
+  read(reading) {
+    const { columns, work } = this.linked.data ?? {};
+    const index = reading === null || !columns ? null : placeOf(columns.reading, reading);
+    if (index === null) {
       const { from, to } = this.linked.range;
       fill(this.readout, el("span", { class: "quiet" }, `readings ${from} to ${to}; no cursor`));
       return;
     }
     const pair = ([symbol, value]) => el("span", {}, el("b", {}, symbol), " ", value);
-    const error = columns.second_order_work_error[index];
-    const work = columns.second_order_work_normalised[index];
+    const of = placeOf(work.reading, reading);
+    const near = of !== null && Math.abs(work.reading[of] - reading) <= Math.max(20, (this.linked.range.to - this.linked.range.from) / 200) ? of : null;
     fill(this.readout, pair(["reading", String(columns.reading[index])]), pair(["t", time(columns.time_s[index])]),
       READ.map((key) => pair(shown(key, QUANTITIES[key].of(columns)[index]))),
-      pair(["W₂", work === null ? "–" : `${fixed(work, 3)}${error === null ? "" : ` ± ${fixed(error, 3)}`}`]));
+      pair(["W₂", near === null ? "–" : `${fixed(work.normalised[near], 3)} ± ${fixed(work.error[near], 3)}`]));
   }
 
   goTo(reading) {
@@ -119,7 +121,7 @@ export class TestCharts {
       this.part = "all";
       this.build();
     }
-    this.ready.then(() => this.linked.pointAtReading(reading));
+    this.ready.then(() => this.linked.point(reading));
   }
 
   end() {

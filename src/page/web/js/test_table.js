@@ -9,10 +9,10 @@ const number = (places, of) => ({ of, kind: "number", show: (t) => fixed(of(t), 
 const text = (of) => ({ of, show: (t) => of(t) ?? DASH });
 
 const COLUMNS = {
-  "No.": { of: (t) => t.test.id, kind: "number", show: (t) => t.test.id },
+  "No.": { of: (t) => t.test.id, kind: "number wide", show: (t) => t.test.id },
   Name: { of: (t) => t.test.name, kind: "name", show: (t) => el("a", { href: `#/${t.test.status === "running" ? "run" : "test"}/${t.test.id}` }, t.test.name) },
   Type: text((t) => t.test.programme),
-  Material: { ...text((t) => t.specimen.material), kind: "short" },
+  Material: { ...text((t) => t.specimen.material), kind: "short wide" },
   "p′₀ (kPa)": number(0, (t) => t.consolidation?.p_eff_kPa),
   "e₀ (–)": number(3, (t) => t.consolidation?.void_ratio ?? t.specimen.void_ratio),
   Collapse: { of: (t) => verdict(t.collapse).word, show: (t) => {
@@ -20,10 +20,10 @@ const COLUMNS = {
     return el("span", { class: `tag ${tone}` }, el("span", { "aria-hidden": "true" }, `${SHAPES[tone]} `), word);
   } },
   "η at onset (–)": number(2, (t) => t.collapse.eta),
-  "φ_mob (°)": number(1, (t) => t.collapse.phi_mob_deg),
+  "φ_mob (°)": { ...number(1, (t) => t.collapse.phi_mob_deg), kind: "number wide" },
   Warnings: { of: (t) => warnings(t), kind: "number", show: (t) => warnings(t) || "" },
   Origin: { of: (t) => t.test.origin, show: (t) => (t.test.origin === "simulated" ? "SIMULATED" : t.test.origin) },
-  Stored: { of: (t) => t.test.stored_at, kind: "short", show: (t) => date(t.test.stored_at) },
+  Stored: { of: (t) => t.test.stored_at, kind: "short wide", show: (t) => date(t.test.stored_at) },
 };
 
 const warnings = (t) => (Array.isArray(t.warnings) ? t.warnings.length : t.warnings ?? 0);
