@@ -11,8 +11,8 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {"simulate", "replay",    "report", "query",  "tests",
-                                 "element",  "materials", "probe",  "domain", "grains"};
+const char* const kCommands[] = {"simulate",  "replay", "report", "query",  "tests", "element",
+                                 "materials", "probe",  "domain", "grains", "open"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
