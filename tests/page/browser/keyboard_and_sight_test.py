@@ -54,15 +54,15 @@ with Laboratory("icu_6", "icu_dense") as laboratory:
     def all_of(browser, name):
         through(browser, lambda part: (contrast(browser, f"{name} {part}"), names(browser, f"{name} {part}")))
 
-    with Browser(laboratory, width=1280) as browser:
+    with Browser(laboratory.again(), width=1280) as browser:
         all_of(browser, "light")
         through(browser, lambda part: focus_order(browser, part, Keys))
-    with Browser(laboratory, width=1280, dark=True, still=True) as browser:
+    with Browser(laboratory.again(), width=1280, dark=True, still=True) as browser:
         same("dark as the system has it", browser.script("return document.documentElement.dataset.theme"), "dark")
         check("the ground is dark", max(map(int, browser.script("return getComputedStyle(document.body).backgroundColor").strip("rgb()").split(","))) < 60)
         all_of(browser, "dark")
         through(browser, lambda part: same(f"nothing moves by itself at {part}", browser.script(
             "return [...document.querySelectorAll('*')].filter((n) => { const s = getComputedStyle(n); return parseFloat(s.transitionDuration) > 0 || s.animationName !== 'none'; }).length"), 0))
-    with Browser(laboratory, width=390, height=844, phone=True) as browser:
+    with Browser(laboratory.again(), width=390, height=844, phone=True) as browser:
         through(browser, lambda part: (fits(browser, part, 390), finger_sized(browser, part), contrast(browser, f"narrow {part}")))
 verdict()

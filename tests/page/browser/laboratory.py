@@ -21,10 +21,28 @@ class Laboratory:
         self.db = self.folder / "triax.db"
         for name in programmes:
             self.triax("simulate", str(ROOT / f"samples/programmes/{name}.toml"), "--db", str(self.db))
-        self.said = open(self.folder / "said", "w+", encoding="utf-8")
-        self.process = subprocess.Popen([PROGRAM, "open", "--db", str(self.db), *more], cwd=self.folder, stdout=self.said, stderr=subprocess.STDOUT)
+        self.more = more
+        self.open()
+
+    def open(self) -> None:
+        with open(self.folder / "said", "w", encoding="utf-8") as said:
+            self.process = subprocess.Popen([PROGRAM, "open", "--db", str(self.db), *self.more], cwd=self.folder, stdout=said, stderr=subprocess.STDOUT)
         self.address = self.told(r"http://\S+")
         self.origin = re.match(r"http://[^/]+", self.address).group()
+
+    def close(self) -> None:
+        self.process.terminate()
+        try:
+            self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+
+    def again(self) -> "Laboratory":
+        """Opened anew: an address lets one browser in."""
+        self.close()
+        self.open()
+        return self
 
     def triax(self, *arguments: str) -> str:
         done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, check=False)
@@ -51,11 +69,5 @@ class Laboratory:
         return self
 
     def __exit__(self, *_):
-        self.process.terminate()
-        try:
-            self.process.wait(20)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
-        self.said.close()
+        self.close()
         self.room.cleanup()

@@ -78,8 +78,10 @@ export class Chart {
   }
 
   moved(u) {
-    const { left, top } = u.cursor;
-    if (left === undefined || left < 0 || !u.cursor.event) return;
+    const { left, top, event } = u.cursor;
+    // uPlot tells of its cursor again when scales change: only a mouse that moved moves ours.
+    if (left === undefined || left < 0 || !event || event === this.event) return;
+    this.event = event;
     this.does.move?.(u.posToVal(left, "x"), u.posToVal(top, "y"), this.scaleOf(u));
   }
 
