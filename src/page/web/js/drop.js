@@ -10,7 +10,7 @@ const guess = (g) => (typeof g === "string" ? g : `${g.what}: taken as ${g.taken
 function missingForm(answer, answers, send) {
   const inputs = answer.missing.map(({ key, label, unit, why }) => {
     const input = el("input", { name: key, required: true, autocomplete: "off", value: answers[key] ?? "", inputmode: unit ? "decimal" : null });
-    return field(`${label ?? key}${unit ? ` (${unit})` : ""}`, input, el("span", { class: "why" }, key), why ? el("span", { class: "why" }, why) : null);
+    return field(`${label ?? key}${unit ? ` (${unit})` : ""}`, input, el("span", { class: "why" }, label ? key : why));
   });
   const form = el("form", { class: "stack", on: { submit: (event) => {
     event.preventDefault();

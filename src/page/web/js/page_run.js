@@ -20,15 +20,22 @@ const STATES = { held: "held", resumed: "running" };
 
 const stateOf = (live) => (!live?.running ? "ended" : live.held ? "held" : "running");
 
+/** M of a friction angle: 6 sin φ / (3 − sin φ). */
+function limitOf(degrees) {
+  if (typeof degrees !== "number") return null;
+  const sine = Math.sin((degrees * Math.PI) / 180);
+  return (6 * sine) / (3 - sine);
+}
+
 function big(name, value, unit) {
   return el("div", { class: "big" }, el("div", { class: "value" }, value, " ", el("small", {}, unit)), el("div", { class: "name" }, name));
 }
 
-function numbers(row, eta, forecast) {
-  const amount = left(forecast?.left);
-  return [big("stress ratio η = q/p′", fixed(eta, 2), ""),
-    big("to the instability line", forecast && eta !== null ? fixed(forecast.eta_forecast - eta, 2) : "–", forecast ? `η ± ${fixed((forecast.eta_high - forecast.eta_low) / 2, 2)}` : "no forecast"),
-    amount ? big(`left, of ${amount.of}`, amount.value, amount.unit) : big("left", "–", ""),
+function numbers(row, eta, { forecast, lost }) {
+  const amount = lost ? null : left(forecast?.left);
+  const away = lost ? big("to the instability line: passed", "–", "") : forecast && eta !== null
+    ? big(`η to the instability line, ± ${fixed((forecast.eta_high - forecast.eta_low) / 2, 2)}`, fixed(forecast.eta_forecast - eta, 2), "") : big("to the instability line: no forecast", "–", "");
+  return [big("stress ratio η = q/p′", fixed(eta, 2), ""), away, amount ? big(`left, of ${amount.of}`, amount.value, amount.unit) : big("left", "–", ""),
     big("deviator stress q", fixed(row?.q_kPa), "kPa"), big("pore pressure u", fixed(row?.pore_pressure_kPa), "kPa"),
     big(`axial strain ε₁, at ${time(row?.time_s)}`, typeof row?.axial_strain === "number" ? fixed(100 * row.axial_strain, 2) : "–", "%")];
 }
@@ -55,7 +62,7 @@ export async function show(main, [id]) {
   const { test } = first;
   const rows = new LiveRows(COLUMNS);
   const now = { state: stateOf(first.live), level: null, forecast: null, lost: null, end: null };
-  const limit = first.collapse.limit_stress_ratio ?? null;
+  const limit = first.collapse.limit_stress_ratio ?? limitOf(first.specimen.limit_friction_angle_deg);
 
   const signal = el("section", { class: "signal", "aria-label": "State of the test", "aria-live": "assertive" });
   const bigs = el("div", { class: "bigs" });
@@ -95,7 +102,7 @@ export async function show(main, [id]) {
     const said = signalOf(now);
     if (said.word + said.sub !== word) showSignal(signal, said);
     word = said.word + said.sub;
-    fill(bigs, numbers(row, eta, now.forecast));
+    fill(bigs, numbers(row, eta, now));
     gauge(bar, { eta, forecast: now.forecast, limit });
     charts.show(rows, now.forecast, limit);
     channels.show(row, at);

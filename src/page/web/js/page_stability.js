@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a material is unstable: its domain in the p′-q plane, the cone of unstable directions at a cursor, and the cones along
 // the stress path of a test.
-import { get, post } from "./api.js";
+import { get, post, windowPath } from "./api.js";
 import "./cells.js";
 import { Chart } from "./chart.js";
 import { circularDiagram } from "./circular_diagram.js";
@@ -108,7 +108,8 @@ export async function show(main) {
     try {
       view.domain = await domainOf(signal);
       view.limit = Math.min(...view.domain.boundaries.map((b) => b.limit?.eta ?? Infinity).filter((v) => v > 0));
-      view.path = kept.test ? (await get(`/api/tests/${kept.test}/outline`, signal)).columns : null;
+      const from = tests.find((t) => String(t.test.id) === kept.test)?.collapse.judged?.from_reading ?? 0;
+      view.path = kept.test ? (await get(windowPath(kept.test, ["q_kPa", "p_eff_kPa"], { from, pixels: 100 }), signal)).columns : null;
       const points = view.path ? along(view.path.p_eff_kPa, view.path.q_kPa).filter(([a, b]) => a - b / 3 > 5 && b >= 0 && b / a < 0.97 * view.limit && a <= Number(kept.p)) : [];
       const states = points.length ? await Promise.all(points.map((point) => probed(point, signal))) : [];
       view.wedges = states.map((s) => ({ p: s.state.p_eff_kPa, q: s.state.q_kPa, cones: s.cones }));

@@ -21,12 +21,19 @@ function slider(spec, value, set) {
   return el("div", { class: "slider", data: { key: spec.key } }, el("label", { for: id }, spec.label), range, el("span", {}, box, " ", unit));
 }
 
+/** What has no way from less to more has no slider. */
+function numberField(spec, value, set) {
+  const box = el("input", { type: "number", min: spec.min, step: 1, value, on: { input: () => set(box.value) } });
+  return field(spec.label, box);
+}
+
 function fieldsOf(programme) {
   const values = (kept.values[programme.name] ??= {});
   return programme.fields.map((spec) => {
     const value = values[spec.key] ?? spec.value;
     const set = (v) => (values[spec.key] = v);
     if (spec.options) return field(spec.label, select(spec.options.map((c) => [c, c]), value, set));
+    if (spec.key === "test.seed") return numberField(spec, value, set);
     return slider(spec, value, set);
   });
 }

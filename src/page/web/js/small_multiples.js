@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small stress paths, all to one scale each of p′ and q of its own, asked for when they come into sight.
-import { get } from "./api.js";
+// Small stress paths of shear, each to scales of its own, asked for when they come into sight.
+import { get, windowPath } from "./api.js";
 import { el, svg } from "./dom.js";
 import { fixed } from "./format.js";
 import { SHAPES, verdict } from "./kinds.js";
@@ -48,7 +48,7 @@ export function paths(tests) {
       if (!isIntersecting) continue;
       seen.unobserve(target);
       const { t, room } = cards.get(target);
-      get(`/api/tests/${t.test.id}/outline`, stop.signal)
+      get(windowPath(t.test.id, ["q_kPa", "p_eff_kPa"], { from: t.collapse.judged?.from_reading ?? 0, pixels: 50 }), stop.signal)
         .then(({ columns }) => room.replaceChildren(picture(columns, t.collapse)))
         .catch((failure) => failure.name === "AbortError" || (room.textContent = failure.message));
     }
