@@ -79,7 +79,7 @@ class Store {
   void for_each_scan(std::int64_t id, std::int64_t every,
                      const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
   /// The scans from reading `from` on, in order: its number and the values of these columns
-  /// (db/read_columns.hpp); NaN for what is missing.
+  /// (db/scans/read_columns.hpp); NaN for what is missing.
   void for_each_row(std::int64_t id, std::int64_t from, std::span<const std::size_t> columns,
                     const std::function<void(std::int64_t, std::span<const double>)>& use) const;
   /// The same of whole scans.

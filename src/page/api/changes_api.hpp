@@ -2,7 +2,7 @@
 #pragma once
 // What the page changes: records that are taken in, tests that are run.
 #include "src/page/api/laboratory.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 

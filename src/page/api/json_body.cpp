@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 namespace {

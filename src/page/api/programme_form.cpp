@@ -10,7 +10,7 @@
 #include "lab/base/text.hpp"
 #include "lab/materials/material_library.hpp"
 #include "lab/programmes/programme_reader.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::lab {
 /// samples/programmes/*.toml

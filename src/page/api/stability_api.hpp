@@ -3,7 +3,7 @@
 // Studies of a law that the page asks for.
 #include <string>
 
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 

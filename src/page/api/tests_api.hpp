@@ -2,7 +2,7 @@
 #pragma once
 // Tests of the database, read only.
 #include "src/page/api/laboratory.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 

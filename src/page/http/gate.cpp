@@ -10,7 +10,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 namespace {

@@ -4,7 +4,7 @@
 #include <boost/beast/http/fields.hpp>
 #include <boost/beast/http/message.hpp>
 
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 

@@ -9,7 +9,7 @@
 
 #include "src/page/http/gate.hpp"
 #include "src/page/http/limits.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 

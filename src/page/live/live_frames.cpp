@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "db/read_columns.hpp"
+#include "db/scans/read_columns.hpp"
 #include "src/study/row_json.hpp"
 #include "src/study/triaxial/event_json.hpp"
 

@@ -11,7 +11,7 @@
 #include "lab/rig/simulated/virtual_rig.hpp"
 #include "lab/rig/simulated/without_guard.hpp"
 #include "lab/wire/remote/remote_rig.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 #include "src/study/triaxial/test_run.hpp"
 
 namespace triax::src {

@@ -7,7 +7,7 @@
 
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 
 namespace triax::src {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "db/read_columns.hpp"
+#include "db/scans/read_columns.hpp"
 #include "db/store.hpp"
 
 namespace triax::study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/page/http/target.hpp"
+#include "src/page/request/target.hpp"
 
 #include <algorithm>
 

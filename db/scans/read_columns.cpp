@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/read_columns.hpp"
+#include "db/scans/read_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "db/scan_codec.hpp"
+#include "db/scans/scan_codec.hpp"
 #include "lab/results/quantity.hpp"
 #include "sim/mechanics/units.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/page/http/request.hpp"
+#include "src/page/request/request.hpp"
 #include "src/study/json_parts.hpp"
 
 namespace triax::src {

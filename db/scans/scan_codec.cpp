@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/scan_codec.hpp"
+#include "db/scans/scan_codec.hpp"
 
 #include <cmath>
 
-#include "db/last_bits.hpp"
+#include "db/scans/last_bits.hpp"
 #include "lab/results/quantity.hpp"
 
 namespace triax::db {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/page/http/target.hpp"
-#include "src/page/http/upload.hpp"
+#include "src/page/request/target.hpp"
+#include "src/page/request/upload.hpp"
 
 namespace triax::src {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/page/http/upload.hpp"
+#include "src/page/request/upload.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
