@@ -20,6 +20,8 @@ function missingForm(answer, answers, send) {
   return form;
 }
 
+const MOST = 512 * 2 ** 20;
+
 /** `main` takes the drop, wherever on the page it falls. */
 export function dropZone(main) {
   const result = el("div", { "aria-live": "polite" });
@@ -28,6 +30,7 @@ export function dropZone(main) {
   const zone = el("div", { class: "drop" }, el("span", {}, "Drop a record of a logger here"), choose, input);
 
   async function send(file, answers) {
+    if (file.size > MOST) return fill(result, failed(new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MB; the page takes in at most ${MOST / 2 ** 20}. "triax replay" has no such limit.`)));
     fill(result, el("p", { class: "notice", role: "status" }, `Reading ${file.name}…`));
     try {
       const answer = await postRecord(file, answers);

@@ -9,7 +9,7 @@ const GONE = ["lost", "loss_of_sustainability", "loss_of_control", "run_away", "
 /** What the last events and the forecast come to: {word, tone, sub}. */
 export function signalOf({ state, level, forecast, lost, end }) {
   const amount = left(forecast?.left);
-  const rest = amount ? `${amount.value} ${amount.unit} of ${amount.of}${forecast.left.time_s === null ? "" : `, ${time(forecast.left.time_s)}`} left at the present rate` : null;
+  const rest = amount && forecast.left.value <= 0 ? "the forecast onset is reached" : amount ? `${amount.value} ${amount.unit} of ${amount.of}${forecast.left.time_s === null ? "" : `, ${time(forecast.left.time_s)}`} left at the present rate` : null;
   if (lost) return { word: "unstable", tone: "alarm", sub: lost.detail };
   if (end) return { word: "ended", tone: "off", sub: end.error || words(end.status ?? "") };
   if (state === "held") return { word: "held", tone: "off", sub: "the drives stand still" };
@@ -77,8 +77,12 @@ export class Channels {
 
 const MOST_EVENTS = 200;
 
+/** The newest first; one that stands in the list already is left out, and false is said. */
 export function addEvent(list, event) {
-  list.prepend(el("li", { data: { kind: event.kind } }, el("span", { class: `tag ${isLoss(event) || event.kind === "imminent" ? "alarm" : event.kind === "approaching" ? "care" : ""}` }, words(event.kind)), " ",
+  const key = [event.kind, event.reading, event.noticed_reading, event.detail].join(" ");
+  if ([...list.children].some((item) => item.dataset.key === key)) return false;
+  list.prepend(el("li", { data: { kind: event.kind, key } }, el("span", { class: `tag ${isLoss(event) || event.kind === "imminent" ? "alarm" : event.kind === "approaching" ? "care" : ""}` }, words(event.kind)), " ",
     el("span", { class: "quiet" }, `${time(event.time_s)}, reading ${event.reading}`), el("div", {}, event.detail)));
   while (list.children.length > MOST_EVENTS) list.lastChild.remove();
+  return true;
 }

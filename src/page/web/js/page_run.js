@@ -109,6 +109,15 @@ export async function show(main, [id]) {
     Object.assign(node.dataset, { received: rows.count, first: rows.first ?? "", last: rows.last ?? "", gaps: rows.gaps, checksum: rows.sum.hex(), drawn: row?.reading ?? "" });
   }
 
+  function happened(event) {
+    if (!addEvent(events, event)) return;
+    if (event.kind in LEVELS) now.level = LEVELS[event.kind];
+    if (event.kind === "warning_withdrawn") now.forecast = null;
+    if (isLoss(event)) now.lost = event;
+    if (event.kind in STATES) setState(STATES[event.kind]);
+    soon();
+  }
+
   /** Readings that were dropped for this browser are asked of the database, which has them within a second. */
   let waiting = null;
   async function fillGap({ from, to }) {
@@ -125,7 +134,7 @@ export async function show(main, [id]) {
     const queue = waiting;
     waiting = null;
     queue.forEach((row) => rows.add(row));
-    soon();
+    (await get(`/api/tests/${test.id}`)).events.forEach(happened);
   }
 
   async function finish(end) {
@@ -138,6 +147,7 @@ export async function show(main, [id]) {
   }
 
   if (test.readings > FEW) rows.replace((await get(windowPath(test.id, COLUMNS, { pixels: 300 }))).columns);
+  first.events.forEach(happened);
   orders.show(now.state);
   soon();
   const stop = listen(test.id, rows.last, {
@@ -146,14 +156,7 @@ export async function show(main, [id]) {
       else rows.add(row);
       soon();
     },
-    event: (event) => {
-      addEvent(events, event);
-      if (event.kind in LEVELS) now.level = LEVELS[event.kind];
-      if (event.kind === "warning_withdrawn") now.forecast = null;
-      if (isLoss(event)) now.lost = event;
-      if (event.kind in STATES) setState(STATES[event.kind]);
-      soon();
-    },
+    event: happened,
     forecast: (forecast) => {
       now.forecast = forecast;
       soon();

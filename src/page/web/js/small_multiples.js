@@ -48,7 +48,7 @@ export function paths(tests) {
       if (!isIntersecting) continue;
       seen.unobserve(target);
       const { t, room } = cards.get(target);
-      get(windowPath(t.test.id, ["q_kPa", "p_eff_kPa"], { from: t.collapse.judged?.from_reading ?? 0, pixels: 50 }), stop.signal)
+      get(windowPath(t.test.id, ["q_kPa", "p_eff_kPa"], { from: t.collapse.judged?.from_reading ?? 0, pixels: 120 }), stop.signal)
         .then(({ columns }) => room.replaceChildren(picture(columns, t.collapse)))
         .catch((failure) => failure.name === "AbortError" || (room.textContent = failure.message));
     }

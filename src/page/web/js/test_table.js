@@ -23,7 +23,7 @@ const COLUMNS = {
   "φ_mob (°)": { ...number(1, (t) => t.collapse.phi_mob_deg), kind: "number wide" },
   Warnings: { of: (t) => warnings(t), kind: "number", show: (t) => warnings(t) || "" },
   Origin: { of: (t) => t.test.origin, show: (t) => (t.test.origin === "simulated" ? "SIMULATED" : t.test.origin) },
-  Stored: { of: (t) => t.test.stored_at, kind: "short wide", show: (t) => date(t.test.stored_at) },
+  Stored: { of: (t) => t.test.stored_at, kind: "short wide", show: (t) => el("span", { title: date(t.test.stored_at) }, date(t.test.stored_at).slice(0, 10)) },
 };
 
 const warnings = (t) => (Array.isArray(t.warnings) ? t.warnings.length : t.warnings ?? 0);
@@ -65,7 +65,7 @@ export class TestTable {
       this.draw();
     } } }, `Show more (${rows.length - this.count})`) : null;
     fill(this.node, el("div", { class: "scroll" }, el("table", { class: "tests folds" }, el("caption", { hidden: true }, "Tests of this database"),
-      el("thead", {}, el("tr", {}, el("th", { scope: "col" }, el("span", {}, "Compare")), heads)),
+      el("thead", {}, el("tr", {}, el("th", { scope: "col" }, el("span", { class: "unseen" }, "Compare")), heads)),
       el("tbody", {}, rows.slice(0, this.count).map((t) => this.row(t))))), more);
     if (focused) [...this.node.querySelectorAll("[data-sort]")].find((b) => b.dataset.sort === focused)?.focus();
     return this.node;
