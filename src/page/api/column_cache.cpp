@@ -35,14 +35,20 @@ MemoryBudget::Share ColumnCache::room_for(std::size_t bytes, const Kept* but) {
   }
 }
 
-void ColumnCache::with(std::int64_t test, const std::string& version, std::size_t most_bytes,
+void ColumnCache::with(std::int64_t test, const std::string& version,
+                       const std::function<std::size_t(const study::TestColumns&)>& bytes,
                        const std::function<void(study::TestColumns&)>& use) {
   const auto kept = kept_of(test, version);
   const std::lock_guard lock(kept->mutex);
-  if (most_bytes > kept->bytes) {
+  const std::size_t needed = bytes(kept->columns);
+  if (needed > budget_.most())
+    throw Refused(413,
+                  "this test has too many readings to be drawn here; `triax report` "
+                  "draws tests of any length");
+  if (needed > kept->bytes) {
     kept->share = {};
-    kept->share = room_for(most_bytes, kept.get());
-    kept->bytes = most_bytes;
+    kept->share = room_for(needed, kept.get());
+    kept->bytes = needed;
   }
   use(kept->columns);
 }

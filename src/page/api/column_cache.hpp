@@ -16,10 +16,12 @@ class ColumnCache {
  public:
   explicit ColumnCache(MemoryBudget& budget) : budget_(budget) {}
 
-  /// Calls `use` with the columns of a test, which it reads and cuts; others wait that want the
-  /// same test. `version` says which test it is: what was kept of another version is dropped. Tests
-  /// that nobody asked for lately make room. Throws Refused where one test alone is too much.
-  void with(std::int64_t test, const std::string& version, std::size_t most_bytes,
+  /// Calls `use` with the columns of a test, which it reads and cuts and which then take no more
+  /// than `bytes`; others wait that want the same test. `version` says which test it is: what was
+  /// kept of another version is dropped. Tests that nobody asked for lately make room. Throws
+  /// Refused where one test alone is too much.
+  void with(std::int64_t test, const std::string& version,
+            const std::function<std::size_t(const study::TestColumns&)>& bytes,
             const std::function<void(study::TestColumns&)>& use);
 
  private:

@@ -7,6 +7,7 @@
 
 #include "src/page/api/column_cache.hpp"
 #include "src/page/api/desk.hpp"
+#include "src/page/api/kept_texts.hpp"
 #include "src/page/api/memory_budget.hpp"
 #include "src/page/live/live_tests.hpp"
 
@@ -22,6 +23,7 @@ struct PageLaboratory {
   std::atomic<bool> ending = false;          ///< nothing new is begun
   MemoryBudget budget{std::size_t{512} << 20};
   ColumnCache columns{budget};
+  KeptTexts summaries, outlines;
   Desk desk;
   LiveTests live;
 };

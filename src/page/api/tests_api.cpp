@@ -49,23 +49,10 @@ std::string version_of(const db::ListedTest& test) {
   return version;
 }
 
-struct KeptSummaries {
-  std::mutex mutex;
-  std::map<std::int64_t, std::pair<std::string, std::string>> of_test;  ///< version, JSON
-};
-
-std::string summary_of(const db::Store& store, const db::ListedTest& listed) {
-  static KeptSummaries kept;
-  const std::string version = version_of(listed);
-  {
-    const std::lock_guard lock(kept.mutex);
-    const auto found = kept.of_test.find(listed.id);
-    if (found != kept.of_test.end() && found->second.first == version) return found->second.second;
-  }
-  std::string json = text_of(in_short(store.load(listed.id)));
-  const std::lock_guard lock(kept.mutex);
-  kept.of_test[listed.id] = {version, json};
-  return json;
+std::string summary_of(PageLaboratory& laboratory, const db::Store& store,
+                       const db::ListedTest& listed) {
+  return laboratory.summaries.of(listed.id, version_of(listed),
+                                 [&] { return text_of(in_short(store.load(listed.id))); });
 }
 
 Json stages_json(const lab::RecordHeader& header) {
@@ -121,21 +108,22 @@ PageAnswer cut(PageLaboratory& laboratory, std::int64_t id, study::WindowAsked a
   const db::Store store(laboratory.db);
   const db::StoredTest test = loaded(store, id);
   const bool grows = test.status == db::TestStatus::running;
-  // Of what is there: time, stage and what was reduced are kept together, for they are asked for
-  // together.
-  const auto scans = static_cast<std::size_t>(
-      grows ? store.scan_count(id) : std::max<std::int64_t>(test.summary.readings, 1));
-  const std::size_t bytes =
-      scans * (sizeof(std::int64_t) + db::read_columns().size() * sizeof(double)) *
-          (grows ? 2 : 1) +
-      (std::size_t{1} << 20);
+  const auto scans =
+      static_cast<std::size_t>(test.status == db::TestStatus::complete ? test.summary.readings
+                                                                       : store.scan_count(id)) *
+      (grows ? 2 : 1);
+  constexpr std::size_t kOfWork = std::size_t{1} << 20;
   PageAnswer answer;
-  laboratory.columns.with(id, test.stored_at + '\n' + test.header.digest, bytes,
-                          [&](study::TestColumns& columns) {
-                            columns.read(store, asked.columns, grows);
-                            if (asked.work) columns.read_work(store, grows);
-                            answer = json_answer(study::window_json(columns, asked));
-                          });
+  laboratory.columns.with(
+      id, test.stored_at + '\n' + test.header.digest,
+      [&](const study::TestColumns& columns) {
+        return columns.bytes_with(asked.columns, scans) + kOfWork;
+      },
+      [&](study::TestColumns& columns) {
+        columns.read(store, asked.columns, grows);
+        if (asked.work) columns.read_work(store, grows);
+        answer = json_answer(study::window_json(columns, asked));
+      });
   return answer;
 }
 
@@ -148,7 +136,7 @@ PageAnswer list_of_tests(PageLaboratory& laboratory) {
     const db::Store store(laboratory.db);
     for (const db::ListedTest& test : listed) {
       if (json.back() != '[') json += ',';
-      json += summary_of(store, test);
+      json += summary_of(laboratory, store, test);
       if (test.status != db::TestStatus::running) continue;
       running += (running.empty() ? "" : ",") + std::to_string(test.id);
     }
@@ -176,8 +164,14 @@ PageAnswer test_of(PageLaboratory& laboratory, std::int64_t id) {
 
 PageAnswer outline_of(PageLaboratory& laboratory, std::int64_t id) {
   constexpr std::int64_t kAll = std::int64_t{1} << 32;
-  return cut(laboratory, id,
-             {.from = 0, .to = kAll, .pixels = 24, .columns = columns_asked("q_kPa,p_eff_kPa")});
+  const auto test = loaded(db::Store(laboratory.db), id);
+  const auto made = [&] {
+    return cut(laboratory, id,
+               {.from = 0, .to = kAll, .pixels = 24, .columns = columns_asked("q_kPa,p_eff_kPa")})
+        .body;
+  };
+  if (test.status != db::TestStatus::complete) return json_answer(made());
+  return json_answer(laboratory.outlines.of(id, test.stored_at + test.header.digest, made));
 }
 
 PageAnswer window_of(PageLaboratory& laboratory, std::int64_t id, const Target& target) {

@@ -35,7 +35,9 @@ std::string random_word() {
 
 Gate::Gate(const std::vector<std::string>& names, unsigned short port)
     : cookie_name_(fmt::format("triax_{}", port)) {
-  for (const std::string& name : names) hosts_.push_back(fmt::format("{}:{}", name, port));
+  constexpr unsigned short kUsual = 80;  // which browsers leave out
+  for (const std::string& name : names)
+    hosts_.push_back(port == kUsual ? name : fmt::format("{}:{}", name, port));
 }
 
 bool Gate::is_ours(std::string_view host) const {

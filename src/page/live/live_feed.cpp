@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lab/base/text.hpp"
@@ -48,7 +49,7 @@ void LiveFeed::add(What what) {
 }
 
 void LiveFeed::scanned(const lab::Reading& reading, const lab::State& state) {
-  add(LiveReading{reading, state});
+  add(LiveReading{reading, state, std::chrono::system_clock::now()});
 }
 
 void LiveFeed::happened(const lab::Event& event) { add(event); }
@@ -56,10 +57,11 @@ void LiveFeed::foreseen(const lab::Outlook& outlook) { add(outlook); }
 void LiveFeed::doubted(const lab::SensorFinding& finding) { add(finding); }
 void LiveFeed::stage_began(const lab::StageInfo& stage) { add(stage); }
 
+/// Goes along with the next item: it is told too often to wake anybody.
 void LiveFeed::progressed(double share) {
   const std::lock_guard lock(mutex_);
-  share_ = share;
-  wake();
+  constexpr double kLittle = 5e-4;
+  if (share >= 1 || std::fabs(share - share_) > kLittle) share_ = share;
 }
 
 void LiveFeed::ended(const std::string& status, const std::string& error) {

@@ -3,6 +3,7 @@
 // What happens in a test that runs, kept for browsers as far as memory allows. Who records the test
 // never waits for one of them: it adds to a ring of bounded length, and a browser that comes too
 // late is told what it missed.
+#include <chrono>
 #include <compare>
 #include <cstdint>
 #include <deque>
@@ -38,6 +39,7 @@ std::string to_string(const LivePosition& position);
 struct LiveReading {
   lab::Reading reading;
   lab::State state;
+  std::chrono::system_clock::time_point told;  ///< when it came here
 };
 /// The test is over: "complete", "interrupted", or why it failed.
 struct LiveEnd {

@@ -29,7 +29,10 @@ Told told(const LiveReading& reading) {
     json += ",\"" + db::read_columns()[i].name + "\":";
     study::append_number(row[i], json);
   }
-  return {"reading", json + '}'};
+  const auto told_us =
+      std::chrono::duration_cast<std::chrono::microseconds>(reading.told.time_since_epoch());
+  return {"reading", fmt::format("{},\"told_ms\":{:.3f}}}", json,
+                                 1e-3 * static_cast<double>(told_us.count()))};
 }
 
 Told told(const lab::Event& event) { return {"event", text_of(study::event_json(event))}; }

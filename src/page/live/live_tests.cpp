@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::ptrdiff_t kMostAtWork = 8;
 /// Of tests that are over: a browser that comes back still hears how they ended.
-constexpr std::size_t kMostKept = 16;
+constexpr std::size_t kMostKept = 8;
 
 bool at_work(const auto& entry) { return !entry.second->is_over(); }
 

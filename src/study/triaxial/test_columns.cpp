@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/triaxial/test_columns.hpp"
 
+#include <algorithm>
+
 namespace triax::study {
 
 void TestColumns::read(const db::Store& store, std::span<const std::size_t> columns, bool grows) {
@@ -54,6 +56,13 @@ std::size_t TestColumns::bytes() const {
   for (const auto& column : columns_)
     if (column) all += column->capacity() * sizeof(double);
   return all;
+}
+
+std::size_t TestColumns::bytes_with(std::span<const std::size_t> columns, std::size_t scans) const {
+  std::size_t held = 1;  // numbers of readings
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i] || std::ranges::find(columns, i) != columns.end()) ++held;
+  return held * scans * sizeof(double);
 }
 
 }  // namespace triax::study
