@@ -214,6 +214,7 @@ void SessionRun::take(const Reading& reading) {
   states_.add(reading, state);
   for (const SensorFinding& finding : states_.health().news()) {
     tell_of(sensor_event(finding));
+    tell(listeners_, &SessionListener::doubted, finding);
     alarm_.interrupt(describe(finding));
     if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
       fall_watch_.interrupt();

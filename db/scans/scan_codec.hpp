@@ -57,6 +57,11 @@ struct ScanDetail {
   std::int64_t state_missing = 0;  ///< bit i: item i is unknown although it would follow
 };
 
+/// The field's value for a finite SI value, as it is stored: as sim::to_field, but what it looks
+/// for first is a decimal of up to six places, as records hold them, without ever writing out
+/// digits.
+double field_value(double si, double scale);
+
 /// Fills `row` and, where the scan needs one, `detail`; returns whether it does. Values that are
 /// not finite count as missing. Exact for magnitudes of 1e-290 and above, and for both zeros.
 bool encode(const lab::Reading& reading, const lab::State& state, const StageReference& reference,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/scan_codec.hpp"
+#include "db/scans/scan_codec.hpp"
 
 #include <cmath>
 
-#include "db/last_bits.hpp"
+#include "db/scans/last_bits.hpp"
 #include "lab/results/quantity.hpp"
 
 namespace triax::db {
@@ -41,8 +41,8 @@ double nearest_integer(double x) {
   return (x + kMagic) - kMagic;
 }
 
-/// The field's value for an SI value: as sim::to_field, but what it looks for first is a decimal of
-/// up to six places, as records hold them, without ever writing out digits.
+}  // namespace
+
 double field_value(double si, double scale) {
   const double near = si / scale;
   const double decimal = nearest_integer(near * 1e6) / 1e6;
@@ -54,6 +54,8 @@ double field_value(double si, double scale) {
   }
   return near;
 }
+
+namespace {
 
 /// Stores one value in units of the field; returns the packed ulps that lead back to `si`.
 std::int64_t encode_field(double si, double scale, const BitField& bits, double& stored) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/scan_codec.hpp"
+#include "db/scans/scan_codec.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/last_bits.hpp"
+#include "db/scans/last_bits.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
