@@ -7,11 +7,11 @@
 
 namespace triax::lab {
 
-Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners)
+Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners, const EarlierTests& earlier)
     : header_(header),
       listeners_(std::move(listeners)),
       limit_(header.specimen),
-      levels_(header.has_time) {}
+      levels_(header.has_time, earlier) {}
 
 void Alarm::start_stage(const State& state) {
   take_back(state, "its stage ended");

@@ -31,6 +31,7 @@ constexpr int kNearLooks = 3, kSoonLooks = 2, kFarLooks = 5;  ///< in a row
 constexpr int kFew = 64;                                      ///< readings of the stage
 constexpr double kSure = 0.03;                                ///< standard error of normalised work
 constexpr double kScans = 5, kScansOnPath = 3, kSeconds = 120, kShareOfStage = 0.2;
+constexpr double kScansKnown = 2, kSureKnown = 0.06;  ///< where earlier tests know of the onset
 constexpr double kAtMost = 4;  ///< of such a time, until the onset as it is forecast
 
 double progress_of(const State& s, bool has_time) { return has_time ? s.time_s : s.strain.axial; }
@@ -39,7 +40,9 @@ double lapse(const LeftToOnset& left) { return left.time_s.value_or(left.value);
 }  // namespace
 
 void WarningLevels::start_stage(const StageInfo* stage, const PoreFluid& fluid) {
+  OnsetForecast forecast = std::move(forecast_);
   *this = WarningLevels(has_time_);
+  forecast_ = std::move(forecast);
   forecast_.start_stage(stage, has_time_, fluid);
 }
 
@@ -91,7 +94,23 @@ std::optional<LeftToOnset> WarningLevels::left(double eta) const {
 bool WarningLevels::is_imminent() const {
   const EtaForecast& f = *forecast();
   if (f.error > kUnsureSoon * f.eta || f.left() > kWithin || !before_) return false;
+  if (may_come()) return true;
   return f.by == AxialControl::constant_q ? is_imminent_at_held_q() : is_imminent_on_path();
+}
+
+/// Earlier tests of the sand went through as little work, and carried on.
+bool WarningLevels::carried_on_there() const {
+  const auto least = forecast_.carried_on();
+  return least && forecast()->work + 2 * forecast()->work_error + kSure >= *least;
+}
+
+/// Where earlier tests know of the onset it needs no stiffness that is nearly gone: it may come
+/// within the next scans.
+bool WarningLevels::may_come() const {
+  const EtaForecast& f = *forecast();
+  const double step = std::fabs(state_->eta()) - std::fabs(before_->eta());
+  return f.by_earlier && f.error <= kSureKnown * f.eta && f.fall >= kTurns &&
+         eta_now_ + kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
 }
 
 /// Not when it will be, but when it may be: `left` counts to a standard error before the forecast.
@@ -137,7 +156,8 @@ bool WarningLevels::is_last_chance() const {
 bool WarningLevels::look(std::optional<bool> inside) {
   if (level_ == WarningLevel::lost) return false;
   const WarningLevel was = level_;
-  const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest);
+  const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest) &&
+                      !carried_on_there();
   if (is_new_ && (forecast() || forecast_.clear())) {
     if (!points || !is_imminent())
       soon_ = 0;

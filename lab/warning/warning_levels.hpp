@@ -32,7 +32,8 @@ namespace triax::lab {
 /// above η = 1, which no loose sand reaches before it is lost.
 class WarningLevels {
  public:
-  explicit WarningLevels(bool has_time) : has_time_(has_time) {}
+  explicit WarningLevels(bool has_time, const EarlierTests& earlier = {})
+      : has_time_(has_time), forecast_(earlier) {}
 
   void start_stage(const StageInfo* stage, const PoreFluid& fluid = {});
   /// The next state in shear; true where the forecast was made anew. Pre-condition:
@@ -57,6 +58,8 @@ class WarningLevels {
   bool is_imminent() const;
   bool is_imminent_on_path() const;
   bool is_imminent_at_held_q() const;
+  bool carried_on_there() const;
+  bool may_come() const;
   bool within_scans(double eta, double scans) const;
   double since(const State& s) const;
   bool is_last_chance() const;
