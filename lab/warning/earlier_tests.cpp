@@ -11,14 +11,30 @@ namespace {
 
 constexpr double kScatter = 0.01;  ///< s, of η among specimens of a sand
 constexpr double kByGive = 0.5;    ///< b, of η by x
+constexpr double kStiff = 0.05;    ///< x up to which the pore fluid is as good as stiff
 constexpr double kWhole = 1.96;    ///< standard errors on each side of a 95 % interval
+
+/// The forecast that the path came up to last, until that reading; the last one where it came up
+/// to none.
+const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t reading) {
+  const Outlook* at = nullptr;
+  bool was_passed = false;
+  for (const Outlook& one : forecasts) {
+    if (one.reading > reading) break;
+    const bool passed = one.left && one.left->value <= 0;
+    if (!passed || !was_passed) at = &one;
+    was_passed = passed;
+  }
+  return at;
+}
 
 }  // namespace
 
-std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary) {
+std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary,
+                                        const std::vector<Outlook>& forecasts) {
   const Collapse& c = summary.collapse;
   if (!c.judged) return std::nullopt;
-  EarlierTest test;
+  EarlierTest test{.name = header.name};
   for (const StageInfo& stage : header.stages)
     if (is_watched(&stage)) test.control = DrivenPath::control_of(&stage);
   if (header.stages.empty()) test.control = DrivenPath::control_of(nullptr);
@@ -31,6 +47,11 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
     test.in_extension = *c.onset->eta() < 0;
     if (const auto& interval = c.onset->interval)
       test.onset_error = 0.5 * (interval->eta.high - interval->eta.low) / kWhole;
+    const Outlook* reached = test.give > kStiff ? reached_by(forecasts, c.onset->reading) : nullptr;
+    if (reached) {
+      test.onset = std::fabs(reached->eta);
+      test.onset_error = 0.5 * (reached->eta_high - reached->eta_low) / kOf90;
+    }
   } else {
     if (!c.nearest || c.judged_until) return std::nullopt;
     test.least_work = c.nearest->normalised;

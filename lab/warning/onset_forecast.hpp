@@ -32,8 +32,6 @@
 
 namespace triax::lab {
 
-inline constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
-
 struct EtaForecast {
   double eta = 0;                             ///< |η| at the onset to come
   double error = 0;                           ///< standard error
