@@ -8,7 +8,8 @@
 // air gives way by Boyle's law, c = a/P², P = u + 1 atm, and a skeleton of grains by dε_v = k d√p′,
 // which drained consolidation shows. So a = k s, s = d√p′/d(−1/P). Where u falls in consolidation,
 // as it does after a B check that is not taken back, the fluid swells and drives water out, too:
-// what flows out is k (√p′ + s/P), and k its slope. Pa; lines and water are in it.
+// what flows out is k (√p′ + s/P), and k its slope, near the p′ of the B check: not every skeleton
+// goes with √p′ far. Pa; lines and water are in it.
 #include <optional>
 
 #include "lab/results/record_header.hpp"
@@ -32,6 +33,7 @@ class PoreFluid {
   struct Line {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     void add(double at, double value);
+    double variance() const { return xx / n - x * x / (n * n); }  ///< of where it was taken
     double slope() const { return (xy - x * y / n) / (xx - x * x / n); }
   };
   void start_stage(const State& state);
@@ -39,6 +41,7 @@ class PoreFluid {
 
   std::optional<int> stage_;
   double checked_from_ = 0, checked_ = 0;    ///< u over the B check, Pa
+  double checked_p_ = 0;                     ///< the largest p′ of it, Pa
   double cell_from_ = 0, cell_ = 0;          ///< likewise the total lateral stress
   double drained_ = 0, drained_before_ = 0;  ///< ε_v of consolidation, before the stage
   Line b_check_, consolidation_;             ///< √p′ over −1/P, ε_v over √p′ + s/P
