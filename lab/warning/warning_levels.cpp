@@ -26,6 +26,9 @@ constexpr double kWorkNear = 0.4, kWorkNearLess = 0.25;
 constexpr double kWorkLoad = 0.33, kWorkLess = 0.185, kWorkScans = 0.5, kWorkFrame = 0.14;
 /// At held q, by the share of η that is left: below which a hunting pressure may bring the fall.
 constexpr double kPerturbed = 0.1;
+/// Of the limit surface, by which an onset lies below it: from which on work counts as it is, and
+/// up to which no work is low.
+constexpr double kRoom = 0.45, kNoRoom = 0.25;
 constexpr double kSofter = 0.58, kSoft = 0.55;  ///< dy/dx at held q over its largest: near, soon
 constexpr int kNearLooks = 3, kSoonLooks = 2, kFarLooks = 5;  ///< in a row
 constexpr int kFew = 64;                                      ///< readings of the stage
@@ -54,10 +57,7 @@ bool WarningLevels::add(const State& state) {
   eta_now_ = before_ ? std::min(eta, eta_before_) : eta;
   eta_before_ = eta;
   is_new_ = forecast_.add(state);
-  if (!is_new_) return false;
-  near_ = is_near() ? near_ + 1 : 0;
-  far_ = is_far() ? far_ + 1 : 0;
-  return true;
+  return is_new_;
 }
 
 bool WarningLevels::is_near() const {
@@ -66,8 +66,8 @@ bool WarningLevels::is_near() const {
   if (f->by == AxialControl::constant_q)
     return f->left() <= kClose && f->stiffness + f->stiffness_error <= kSofter;
   if (f->left() > kNear) return false;
-  return (f->work <= kWorkNear && f->fall >= kFalls) ||
-         (f->work <= kWorkNearLess && f->fall >= kFallsLess);
+  return (f->work <= room_ * kWorkNear && f->fall >= kFalls) ||
+         (f->work <= room_ * kWorkNearLess && f->fall >= kFallsLess);
 }
 
 bool WarningLevels::is_far() const {
@@ -119,11 +119,11 @@ bool WarningLevels::is_imminent_on_path() const {
   if (f.work_error > kUnsureWork) return false;
   const double may_be = f.eta - f.error;
   if (f.by != AxialControl::load)
-    return f.fall >= kFalls && ((f.work <= kWorkFrame && f.left() <= kClose) ||
-                                (f.work - f.work_error <= kWorkLess && eta_now_ >= may_be));
-  if (f.work <= kWorkLess) return f.fall >= kFallsLess;
-  return f.fall >= kFalls &&
-         (f.work <= kWorkLoad || (f.work <= kWorkScans && within_scans(may_be, kScansOnPath)));
+    return f.fall >= kFalls && ((f.work <= room_ * kWorkFrame && f.left() <= kClose) ||
+                                (f.work - f.work_error <= room_ * kWorkLess && eta_now_ >= may_be));
+  if (f.work <= room_ * kWorkLess) return f.fall >= kFallsLess;
+  return f.fall >= kFalls && (f.work <= room_ * kWorkLoad ||
+                              (f.work <= room_ * kWorkScans && within_scans(may_be, kScansOnPath)));
 }
 
 bool WarningLevels::within_scans(double eta, double scans) const {
@@ -153,8 +153,13 @@ bool WarningLevels::is_last_chance() const {
   return forecast_.readings() <= kFew && f.work_error <= kSure && within_scans(f.eta, 1);
 }
 
-bool WarningLevels::look(std::optional<bool> inside) {
+bool WarningLevels::look(std::optional<bool> inside, double below_limit) {
   if (level_ == WarningLevel::lost) return false;
+  room_ = std::clamp((below_limit - kNoRoom) / (kRoom - kNoRoom), 0.0, 1.0);
+  if (is_new_) {
+    near_ = is_near() ? near_ + 1 : 0;
+    far_ = is_far() ? far_ + 1 : 0;
+  }
   const WarningLevel was = level_;
   const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest) &&
                       !carried_on_there();

@@ -41,7 +41,8 @@ class WarningLevels {
   bool add(const State& state);
   /// After add(); `inside` says whether the onset that forecast() names lies inside the limit
   /// surface (empty: unknown). True where the level changed.
-  bool look(std::optional<bool> inside);
+  /// `below_limit`: by how much of the limit's η that one lies below it; 1 where nobody gave one.
+  bool look(std::optional<bool> inside, double below_limit = 1);
   /// It was lost, as a criterion found. True where that is news.
   bool lose();
 
@@ -69,6 +70,7 @@ class WarningLevels {
   bool is_new_ = false;  ///< the forecast of the latest state
   OnsetForecast forecast_;
   std::optional<State> first_, before_, state_;
+  double room_ = 1;                    ///< share of the limits of work that counts
   double eta_now_ = 0;                 ///< |η| of the latest states, the lower of two
   double eta_before_ = 0;              ///< |η| of the one before
   int near_ = 0, far_ = 0, soon_ = 0;  ///< looks in a row
