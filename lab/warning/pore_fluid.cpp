@@ -10,7 +10,7 @@ namespace {
 constexpr double kAtmosphere = 101.325e3;  ///< Pa
 constexpr double kLeastStep = 5e3;         ///< Pa of u in a B check
 constexpr double kLeastOfEach = 3;         ///< readings of each
-constexpr double kNear = 2;                ///< p′ over that of the B check: its skeleton
+constexpr double kNearCheck = 2;           ///< p′ over that of the B check: its skeleton
 constexpr double kLeastSpread = 100;       ///< Pa, of √p′ + s/P, squared: what tells a slope
 
 }  // namespace
@@ -39,7 +39,7 @@ void PoreFluid::add(const State& state, const StageInfo* stage) {
   }
   if (stage->role != StageRole::consolidation || stage->drainage != Drainage::open) return;
   drained_ = drained_before_ + state.volumetric_strain;
-  const bool is_near = !(checked_p_ > 0) || state.p_eff <= kNear * checked_p_;
+  const bool is_near = !(checked_p_ > 0) || state.p_eff <= kNearCheck * checked_p_;
   if (!is_near && consolidation_.variance() > kLeastSpread) return;
   // What flows out is what the skeleton gives and what the fluid swells by as u falls: k√p′ + a/P.
   const double swells = b_check_.n < kLeastOfEach ? 0 : b_check_.slope();
