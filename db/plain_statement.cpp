@@ -49,8 +49,9 @@ bool PlainStatement::is_null(int column) const {
 }
 
 double PlainStatement::number(int column) const {
-  return is_null(column) ? std::numeric_limits<double>::quiet_NaN()
-                         : sqlite3_column_double(statement_, column);
+  const double value = sqlite3_column_double(statement_, column);
+  // NULL reads as zero: few values need the second call.
+  return value == 0 && is_null(column) ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
 std::int64_t PlainStatement::integer(int column) const {

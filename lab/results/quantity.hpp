@@ -28,7 +28,7 @@ enum class Quantity : std::uint8_t {
   pore_pressure,  ///< at the pore-pressure transducer
   back_volume,    ///< back-pressure controller: water into the specimen positive
   cell_volume,    ///< cell-pressure controller: water into the cell positive
-  // The next raw channel stands here: databases keep last bits by this order (db/scan_codec.cpp).
+  // The next raw channel stands here: databases keep last bits by this order (db/scans).
   axial_strain,  ///< the first that is reduced
   radial_strain,
   volumetric_strain,  ///< decrease of volume positive

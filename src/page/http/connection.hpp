@@ -11,6 +11,7 @@
 #include <boost/beast/http/parser.hpp>
 #include <memory>
 
+#include "src/page/http/feed_waker.hpp"
 #include "src/page/http/server.hpp"
 
 namespace triax::src {
@@ -21,6 +22,7 @@ struct PageHouse {
   std::unique_ptr<Gate> gate;
   boost::asio::thread_pool workers;
   std::atomic<std::size_t> being_answered = 0;
+  FeedWakers wakers;  ///< of the thread that waits on sockets
 
   explicit PageHouse(PageServerOptions o)
       : options(std::move(o)), workers(static_cast<std::size_t>(options.threads)) {}

@@ -11,7 +11,7 @@
 #include <boost/beast/http/write.hpp>
 
 #include "src/page/http/connection.hpp"
-#include "src/page/http/feed_listener.hpp"
+#include "src/page/http/feed_waker.hpp"
 #include "src/page/http/guarded_headers.hpp"
 #include "src/page/live/live_frames.hpp"
 
@@ -45,8 +45,8 @@ asio::awaitable<void> PageConnection::send_live(LiveStart live) {
   http::response_serializer<http::empty_body> whole(head);
   stream_.expires_after(limits.write_time);
   co_await http::async_write_header(stream_, whole, use_awaitable);
-  const auto timer = std::make_shared<asio::steady_timer>(stream_.get_executor());
-  const FeedListener listener(*live.feed, stream_.get_executor(), timer);
+  const asio::any_io_executor executor = stream_.get_executor();
+  WokenTimer timer(house_.wakers.of(live.feed, executor), executor);
   LiveFeed::Cursor cursor;
   if (live.after) cursor.after = live_position(*live.after);
   auto written = Clock::now();
@@ -65,9 +65,9 @@ asio::awaitable<void> PageConnection::send_live(LiveStart live) {
     }
     if (over) break;
     boost::system::error_code woken;
-    timer->expires_after(idle ? kLook : kApart);
+    (*timer).expires_after(idle ? kLook : kApart);
     if (idle || taken.items.size() < kMostAtOnce)
-      co_await timer->async_wait(asio::redirect_error(use_awaitable, woken));
+      co_await (*timer).async_wait(asio::redirect_error(use_awaitable, woken));
     if (idle && is_gone()) co_return;
   }
   co_await linger();

@@ -86,8 +86,9 @@ void LiveFeed::place(Cursor& cursor, LiveTaken& taken) const {
     return;
   }
   taken.missed = {had.reading + 1, last_.reading};
-  cursor.after = last_;
-  cursor.next = first_ + ring_.size() - (over_ ? 1 : 0);
+  const int end = over_ ? 1 : 0;
+  cursor.after = {last_.reading, last_.part - end};
+  cursor.next = first_ + ring_.size() - static_cast<std::uint64_t>(end);
 }
 
 LiveTaken LiveFeed::take(Cursor& cursor, std::size_t most) {
@@ -96,9 +97,13 @@ LiveTaken LiveFeed::take(Cursor& cursor, std::size_t most) {
   told_ = false;
   if (!cursor.next || *cursor.next < first_) place(cursor, taken);
   const std::uint64_t end = first_ + ring_.size();
-  for (std::uint64_t& next = *cursor.next; next < end && taken.items.size() < most; ++next)
-    taken.items.push_back(ring_[next - first_]);
-  if (!taken.items.empty()) cursor.after = taken.items.back().at;
+  for (std::uint64_t& next = *cursor.next; next < end && taken.items.size() < most; ++next) {
+    const LiveItem& item = ring_[next - first_];
+    // A browser may have more from the database than the stream has told yet.
+    if (cursor.after && item.at <= *cursor.after) continue;
+    taken.items.push_back(item);
+    cursor.after = item.at;
+  }
   if (share_ != cursor.share) taken.share = cursor.share = share_;
   taken.over = over_ && *cursor.next == end;
   return taken;

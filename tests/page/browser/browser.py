@@ -4,7 +4,6 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -210,5 +209,12 @@ def checksum_of(rows) -> str:
     return f"{value:08x}"
 
 
-def run_quietly(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+def order(browser, name, who):
+    """An order is asked twice, and not given before."""
+    browser.button(name).click()
+    field = browser.until(lambda: browser.one("dialog input"), "who asks is asked")
+    field.send_keys(Keys.CONTROL, "a")
+    field.send_keys(who)
+    browser.button("Yes").click()
+    browser.until(lambda: "Really" in browser.texts("dialog h2")[0], "it is asked a second time")
+    browser.one("dialog button:last-child").click()

@@ -3,7 +3,7 @@
 // uPlot's series may not. Layers: see layers.js.
 import uPlot from "./uPlot.esm.js";
 import { el } from "./dom.js";
-import { drawLayer, rangeOf } from "./layers.js";
+import { drawLayer, hasPoints, rangeOf } from "./layers.js";
 import { colour, onTheme } from "./theme.js";
 
 const FONT = "12px system-ui, 'DejaVu Sans', sans-serif";
@@ -15,6 +15,8 @@ export class Chart {
     this.plot = el("div", { class: "plot" });
     this.node = el("div", { class: "chart", role: "group", "aria-label": title, tabindex: 0 }, this.plot);
     this.dot = el("div", { class: "dot" });
+    this.nothing = el("p", { class: "nothing quiet", hidden: true }, "not measured");
+    this.node.append(this.nothing);
     this.withCursor = cursor;
     this.pending = 0;
     this.sized = new ResizeObserver(() => this.resize());
@@ -26,7 +28,7 @@ export class Chart {
     const axis = (scale, which, size) => ({ scale, label: which.title, labelSize: 20, labelFont: FONT, font: FONT, size, labelGap: scale === "y" ? 2 : 0,
       stroke: () => colour("muted"), grid: { stroke: () => colour("grid"), width: 1 }, ticks: { stroke: () => colour("line"), width: 1, size: 5 },
       space: scale === "x" ? 55 : 32,
-      values: (u, ticks) => ticks.map((v) => (v === null ? "" : String(Number(v.toPrecision(8))).replace("-", "−"))) });
+      values: (u, ticks) => ticks.map((v) => (v === null ? "" : String(Number(v.toPrecision(which.log ? 2 : 8))).replace("-", "−"))) });
     const scale = (which) => ({ time: false, auto: false, distr: which.log ? 3 : 1 });
     return { width, height: this.height, padding: [10, 14, 0, 0], legend: { show: false },
       scales: { x: scale(this.x), y: scale(this.y) },
@@ -64,6 +66,7 @@ export class Chart {
       this.u.setScale("y", { min: y[0], max: y[1] });
     });
     this.u.redraw(false, false);
+    this.nothing.hidden = this.layers.length === 0 || this.layers.some(hasPoints);
     this.node.dataset.draws = String(Number(this.node.dataset.draws ?? 0) + 1);
   }
 

@@ -140,6 +140,9 @@ export function drawLayer(u, layer) {
   u.ctx.restore();
 }
 
+/** Whether there is something to be seen of a layer that shows what was measured; others say no. */
+export const hasPoints = (layer) => layer.kind === "cells" || (layer.kind === "line" && layer.x.some((x, i) => x !== null && layer.y[i] !== null));
+
 /** The ends of a scale: what the lines need, with a margin; 0 stays an end where it nearly is one. */
 export function rangeOf(layers, axis, log) {
   let low = Infinity;

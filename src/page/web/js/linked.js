@@ -15,9 +15,10 @@ export function placeOf(readings, reading) {
 }
 
 export class Linked {
-  /** load(range, signal) gives what is shown of [from, to]; changed(data, range) draws; told(reading or null) of the cursor. */
-  constructor({ all, load, changed, told }) {
-    Object.assign(this, { all, load, changed, told, range: { ...all }, data: null, at: null, panels: [], asked: null });
+  /** load(range, signal) gives what is shown of [from, to]; changed(data, range) draws; told(reading or null) of the cursor;
+   *  wrong(failure) where nothing can be shown. */
+  constructor({ all, load, changed, told, wrong }) {
+    Object.assign(this, { all, load, changed, told, wrong, range: { ...all }, data: null, at: null, panels: [], asked: null });
   }
 
   /** A chart, and curve(data), which gives its {reading, x, y}. */
@@ -39,7 +40,7 @@ export class Linked {
       this.changed(data, this.range);
       requestAnimationFrame(() => this.point(this.at));
     } catch (failure) {
-      if (failure.name !== "AbortError") throw failure;
+      if (failure.name !== "AbortError") this.wrong(failure);
     }
   }
 

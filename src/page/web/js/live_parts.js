@@ -39,7 +39,7 @@ export function stageLine() {
 }
 
 // A raw channel's name ends with its unit.
-const CHANNEL = /^(.+)_(N|kPa|mm|mm3|cm3|m3|C|V|pct)$/;
+const CHANNEL = /^(.+)_(kN|N|kPa|mm|mm3|cm3|ml|m3|C|V|pct)$/;
 const UNITS = { mm3: "mm³", cm3: "cm³", m3: "m³", C: "°C", pct: "%" };
 const NO_CHANNEL = new Set(["q_kPa", "p_eff_kPa"]);
 const TONES = { missing: "alarm", saturated: "alarm", stuck: "care", spike: "care" };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readings of a running test that are drawn: at most kept so many, thinned to those that are least and largest where the
-// test goes on. Beside them, what came in all: count, gaps, and a checksum over every reading.
+// The readings of a running test that are drawn: at most kept so many, thinned to those that are least and largest in their
+// span. Beside them, what came in all: count, gaps, and a checksum over every reading.
 
 const MOST = 4000;
-const BLOCK = 12;
+const SPANS = 400;
 const EXTREMES = ["q_kPa", "p_eff_kPa", "pore_pressure_kPa"];
 
 /** FNV-1a over the bytes of reading, time and q as float64, little end first; null is NaN. */
@@ -59,29 +59,39 @@ export class LiveRows {
     for (const name of this.names)
       this.columns[name] = [...(columns[name] ?? columns.reading.map(() => null)), ...(from < 0 ? [] : this.columns[name].slice(from))];
     if (this.last === null || this.last < last) this.last = last >= 0 ? last : null;
-    while (this.length > MOST) this.thin();
+    if (this.length > MOST) this.thin();
   }
 
+  /** Of each of equal spans of readings the first, and those with the least and largest values: a test of any length keeps its
+   *  shape, in its old parts as in its new ones. */
   thin() {
-    const { length } = this;
-    const keep = [];
-    for (let from = 0; from < length; from += BLOCK) {
-      const to = Math.min(from + BLOCK, length);
-      const chosen = new Set([from]);
-      for (const name of EXTREMES) {
-        const values = this.columns[name];
-        let [low, high] = [from, from];
-        for (let i = from; i < to; ++i) {
-          if (values[i] < values[low]) low = i;
-          if (values[i] > values[high]) high = i;
-        }
-        chosen.add(low).add(high);
-      }
-      keep.push(...[...chosen].sort((a, b) => a - b).slice(0, BLOCK / 2 + 1));
+    const readings = this.columns.reading;
+    const [from, width] = [readings[0], (readings.at(-1) - readings[0] + 1) / SPANS];
+    const kept = [];
+    for (let begin = 0; begin < readings.length;) {
+      const span = Math.floor((readings[begin] - from) / width);
+      let end = begin + 1;
+      while (end < readings.length && Math.floor((readings[end] - from) / width) === span) ++end;
+      kept.push(...this.extremes(begin, end));
+      begin = end;
     }
     for (const name of this.names) {
       const values = this.columns[name];
-      this.columns[name] = keep.map((i) => values[i]);
+      this.columns[name] = kept.map((i) => values[i]);
     }
+  }
+
+  extremes(begin, end) {
+    const chosen = new Set([begin]);
+    for (const name of EXTREMES) {
+      const values = this.columns[name];
+      let [low, high] = [begin, begin];
+      for (let i = begin; i < end; ++i) {
+        if (values[i] < values[low]) low = i;
+        if (values[i] > values[high]) high = i;
+      }
+      chosen.add(low).add(high);
+    }
+    return [...chosen].sort((a, b) => a - b);
   }
 }

@@ -3,7 +3,7 @@
 import { get, windowPath } from "./api.js";
 import { Chart } from "./chart.js";
 import { el, fill, segments } from "./dom.js";
-import { fixed, percent, time, within } from "./format.js";
+import { fixed, percent, within } from "./format.js";
 import { SHAPES, verdict } from "./kinds.js";
 import { legend } from "./legend.js";
 import { COLUMNS, QUANTITIES, WORK, at, axisTitle } from "./quantities.js";
@@ -24,14 +24,14 @@ async function load(id) {
 function summary(tests) {
   const cell = (label, ...content) => el("td", { class: "number", "data-label": label }, content);
   return el("section", { class: "panel" }, el("div", { class: "scroll" }, el("table", { class: "folds" },
-    el("thead", {}, el("tr", {}, ["Test", "Collapse", "η at onset", "φ_mob (°)", "p′₀ (kPa)", "e₀ (–)", "p′ at onset (kPa)", "q at onset (kPa)", "ε₁ at onset", "Time"].map((t, i) => el("th", { scope: "col", class: i > 1 ? "number" : null }, t)))),
+    el("thead", {}, el("tr", {}, ["Test", "Collapse", "η at onset", "φ_mob (°)", "p′₀ (kPa)", "e₀ (–)", "p′, q at onset (kPa)", "ε₁ at onset"].map((t, i) => el("th", { scope: "col", class: i > 1 ? "number" : null }, t)))),
     el("tbody", {}, tests.map(({ document: { test, collapse, consolidation } }) => {
       const { word, tone } = verdict(collapse);
       return el("tr", {}, el("th", { scope: "row", "data-label": "Test" }, el("a", { href: `#/test/${test.id}` }, test.name)),
         el("td", { "data-label": "Collapse" }, el("span", { class: `tag ${tone}` }, `${SHAPES[tone]} ${word}`)),
         cell("η at onset", within(collapse.eta, collapse.eta_low, collapse.eta_high)), cell("φ_mob (°)", fixed(collapse.phi_mob_deg)), cell("p′₀ (kPa)", fixed(consolidation.p_eff_kPa, 0)),
-        cell("e₀ (–)", fixed(consolidation.void_ratio, 3)), cell("p′ at onset (kPa)", fixed(collapse.p_eff_kPa)), cell("q at onset (kPa)", fixed(collapse.q_kPa)),
-        cell("ε₁ at onset", percent(collapse.axial_strain)), cell("Time", time(collapse.time_s)));
+        cell("e₀ (–)", fixed(consolidation.void_ratio, 3)), cell("p′, q at onset (kPa)", collapse.detected ? `${fixed(collapse.p_eff_kPa)}, ${fixed(collapse.q_kPa)}` : "–"),
+        cell("ε₁ at onset", percent(collapse.axial_strain)));
     })))));
 }
 

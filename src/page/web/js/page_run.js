@@ -77,6 +77,8 @@ class RunPage {
   setState(state) {
     this.state = state;
     this.orders.show(state);
+    if (state === "held") this.connection("held", "care");
+    if (state === "running" && this.link.textContent === "held") this.connection("live", "good");
     this.soon();
   }
 

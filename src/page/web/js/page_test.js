@@ -4,7 +4,7 @@ import { get } from "./api.js";
 import { el, fill } from "./dom.js";
 import { takeNotice } from "./notice.js";
 import { TestCharts } from "./test_charts.js";
-import { checksTable, criteriaTable, eventsTable, specimenPanel, verdictPanel, warningsPanel } from "./test_facts.js";
+import { checksTable, criteriaTable, eventsTable, guessesPanel, specimenPanel, verdictPanel, warningsPanel } from "./test_facts.js";
 
 const FORMATS = [["pdf", "PDF"], ["html", "HTML"], ["json", "JSON"], ["csv", "CSV"]];
 
@@ -27,7 +27,7 @@ export async function show(main, [id]) {
         test.status !== "complete" ? el("span", { class: "tag care" }, test.status.replaceAll("_", " ")) : null,
         running ? el("a", { href: `#/run/${test.id}` }, "watch it live") : null),
       downloads(test.id)),
-    verdictPanel(document), charts.node, warningsPanel(document), criteriaTable(document), checksTable(document),
+    verdictPanel(document), charts.node, warningsPanel(document), guessesPanel(document), criteriaTable(document), checksTable(document),
     el("div", { class: "two" }, eventsTable(document, (reading) => {
       charts.goTo(reading);
       charts.node.scrollIntoView({ block: "start" });

@@ -6,9 +6,12 @@ import { el, fill, segments } from "./dom.js";
 import { fixed, time } from "./format.js";
 import { KEYS, Linked, placeOf } from "./linked.js";
 import { legend } from "./legend.js";
+import { failed } from "./notice.js";
 import { COLUMNS, QUANTITIES, WORK, at, axisTitle, shown } from "./quantities.js";
 import { LEGEND, lines, marks, rules } from "./stress_layers.js";
 
+/** Of the width of all charts that of the widest axis. */
+const PART = 0.45;
 const READ = ["q", "p_eff", "u", "axial", "volume"];
 
 export class TestCharts {
@@ -51,8 +54,8 @@ export class TestCharts {
     this.end();
     const from = this.part === "shear" ? this.shear : 0;
     this.linked = new Linked({ all: { from, to: this.last },
-      load: ({ from: first, to }, signal) => get(windowPath(this.id, COLUMNS, { from: first, to, pixels: this.grid.clientWidth / 2 || 600, work: true }), signal),
-      changed: (data) => this.draw(data), told: (reading) => this.read(reading) });
+      load: ({ from: first, to }, signal) => get(windowPath(this.id, COLUMNS, { from: first, to, pixels: this.grid.clientWidth * PART || 500, work: true }), signal),
+      changed: (data) => this.draw(data), told: (reading) => this.read(reading), wrong: (failure) => fill(this.grid, failed(failure)) });
     this.panels = [];
     const stress = this.view === "st" ? [this.total ? "s_total" : "s_eff", "t"] : [this.total ? "p_total" : "p_eff", "q"];
     const height = innerWidth < 640 ? 230 : 300;

@@ -24,7 +24,7 @@ export function verdictPanel({ collapse, test }) {
     figure("when", time(collapse.time_s), el("small", {}, ` reading ${collapse.reading}`)),
     figure("axial strain ε₁", percent(collapse.axial_strain)),
     figure("p′, q", `${fixed(collapse.p_eff_kPa)}, ${fixed(collapse.q_kPa)} `, el("small", {}, "kPa")),
-    figure("W₂ normalised", `${fixed(collapse.second_order_work_normalised, 3)} ± ${fixed(collapse.second_order_work_error, 3)}`),
+    figure("W₂ normalised", `${fixed(collapse.second_order_work_normalised, 3)}${collapse.second_order_work_error === null ? "" : ` ± ${fixed(collapse.second_order_work_error, 3)}`}`),
     figure("limit surface M", inside === null ? DASH : inside ? "inside" : "on it", collapse.limit_stress_ratio ? el("small", {}, ` ${fixed(collapse.limit_stress_ratio, 2)}`) : null),
     collapse.truth?.lost_sustainability ? figure("truth (specimen)", `η ${fixed(collapse.truth.eta, 2)}`, el("small", {}, ` ${time(collapse.truth.time_s)}`)) : null,
   ] : [
@@ -59,22 +59,28 @@ export function eventsTable({ events }, goTo) {
       number("Time", time(e.time_s)), cell("Event", words(e.kind)), el("td", { class: "long", "data-label": "What happened" }, e.detail))));
 }
 
-export function warningsPanel({ warnings, guesses, notes, collapse }) {
+export function guessesPanel({ guesses }) {
+  if (!guesses?.length) return null;
+  return el("section", { class: "panel", "aria-label": "Guessed" }, el("h2", {}, "Guessed ", el("span", { class: "tag care" }, String(guesses.length))),
+    el("ul", {}, guesses.map((g) => el("li", {}, `${g.what}: taken as ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`))));
+}
+
+export function warningsPanel({ warnings, collapse }) {
   const depends = (collapse.depends_on ?? []).map((d) => `The verdict rests on a guess: ${d.guess}. ${d.remedy ?? ""}`);
-  const all = [...warnings, ...depends, ...(guesses ?? []).map((g) => `${g.what}: taken as ${g.taken} (${g.evidence}). ${g.remedy ?? ""}`),
-    ...(notes ?? []).map((n) => [n.label, n.text].filter(Boolean).join(": "))];
+  const all = [...warnings, ...depends];
   return el("section", { class: "panel", "aria-label": "Warnings" }, el("h2", {}, "Warnings ", el("span", { class: `tag ${warnings.length ? "care" : "good"}` }, String(warnings.length))),
     all.length ? el("ul", {}, all.map((text) => el("li", {}, text))) : el("p", { class: "quiet" }, "Nothing that would make this verdict doubtful was found."));
 }
 
-export function specimenPanel({ test, specimen, consolidation, corrections }) {
+export function specimenPanel({ test, specimen, consolidation, corrections, notes }) {
   const facts = [["Kind of record", test.origin === "simulated" ? "SIMULATED: a virtual specimen, no measurement" : "recorded"], ["Type of test", test.programme],
     ["Source", test.source], ["Dialect", test.dialect], ["Seed", test.seed], ["Readings", test.readings], ["Stored", date(test.stored_at)], ["Tags", test.tags?.join(", ") || null],
     ["Material", specimen.material], ["Height, diameter", specimen.height_mm ? `${fixed(specimen.height_mm, 2)} mm, ${fixed(specimen.diameter_mm, 2)} mm` : null],
     ["Void ratio as built", specimen.void_ratio === null ? null : fixed(specimen.void_ratio, 4)],
     ["p′ at the start of shear", consolidation.p_eff_kPa === null ? null : `${fixed(consolidation.p_eff_kPa)} kPa`],
     ["Void ratio at the start of shear", consolidation.void_ratio === null ? null : fixed(consolidation.void_ratio, 4)],
-    ["B value", consolidation.b_value === null ? null : fixed(consolidation.b_value, 3)], ["Membrane correction", corrections?.membrane]];
+    ["B value", consolidation.b_value === null ? null : fixed(consolidation.b_value, 3)], ["Membrane correction", corrections?.membrane],
+    ...(notes ?? []).map(({ label, text }) => [`The file says${label ? `: ${label}` : ""}`, text])];
   return el("section", { class: "panel" }, el("h2", {}, "Test and specimen"), el("table", {}, el("tbody", {},
     facts.filter(([, value]) => value !== null && value !== undefined).map(([name, value]) => el("tr", {}, el("th", { scope: "row" }, name), el("td", { class: "long" }, value))))));
 }

@@ -82,6 +82,14 @@ TEST_CASE("the end is told also to who comes after it, and nothing behind it") {
   CHECK(feed.take(again, 10).over);
 }
 
+TEST_CASE("a browser that has more than the stream has told is told what is new") {
+  LiveFeed feed;
+  LiveFeed::Cursor ahead{.after = src::live_position("1"), .next = {}};
+  CHECK(places(feed.take(ahead, 10)).empty());
+  for (int i = 0; i < 3; ++i) scan(feed, i);
+  CHECK(places(feed.take(ahead, 10)) == Places{"2"});
+}
+
 TEST_CASE("listeners are woken once until somebody takes") {
   LiveFeed feed;
   int woken = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -130,9 +131,10 @@ TEST_CASE("a test that runs grows by what is new, and columns asked for later ha
   const triax::testing::TemporaryFolder folder;
   const std::string path = folder.file("grows.db");
   db::Recorder recorder(path);
-  std::int64_t id = 0;
-  recorder.when_entered([&id](std::int64_t entered) { id = entered; });
+  std::promise<std::int64_t> entered;
+  recorder.when_entered([&entered](std::int64_t id) { entered.set_value(id); });
   record(recorder, 20000);  // more than a batch: a part is there before the end
+  REQUIRE(entered.get_future().get() == 1);
   TestColumns test(1);
   std::size_t seen = 0;
   {
@@ -142,7 +144,6 @@ TEST_CASE("a test that runs grows by what is new, and columns asked for later ha
     CHECK(seen > 0);
   }
   CHECK(recorder.finish({}) == 1);
-  CHECK(id == 1);
   const db::Store store(path);
   test.read(store, columns(), true);
   CHECK(test.readings().size() == 20000);
