@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What each file of this folder adds to the Python module, in the order in which module.cpp calls them: a type comes
-// before what returns it.
+// What each file of this folder adds to the Python module, in the order in which module.cpp calls
+// them: a type comes before what returns it.
 #include <pybind11/pybind11.h>
 
 namespace triax::python {

@@ -51,26 +51,34 @@ py::array column(const py::object& self, const std::string& name, PyObject* erro
 void bind_columns(py::module_& module) {
   py::class_<Columns, std::shared_ptr<Columns>>(
       module, "Columns",
-      "A table by columns. table.q_kPa and table['q_kPa'] are numpy arrays that show the program's own memory, without a\n"
-      "copy and not to be written to; a value that is unknown is NaN. dict(table) is what pandas.DataFrame takes.")
-      .def("__getattr__",
-           [](const py::object& self, const std::string& name) {
-             return column(self, name, PyExc_AttributeError);
-           },
-           py::arg("name"))
-      .def("__getitem__",
-           [](const py::object& self, const std::string& name) { return column(self, name, PyExc_KeyError); },
-           py::arg("name"))
-      .def("__contains__",
-           [](const Columns& table, const std::string& name) { return table.find(name) != nullptr; },
-           py::arg("name"))
+      "A table by columns. table.q_kPa and table['q_kPa'] are numpy arrays that show the program's "
+      "own memory, without a\n"
+      "copy and not to be written to; a value that is unknown is NaN. dict(table) is what "
+      "pandas.DataFrame takes.")
+      .def(
+          "__getattr__",
+          [](const py::object& self, const std::string& name) {
+            return column(self, name, PyExc_AttributeError);
+          },
+          py::arg("name"))
+      .def(
+          "__getitem__",
+          [](const py::object& self, const std::string& name) {
+            return column(self, name, PyExc_KeyError);
+          },
+          py::arg("name"))
+      .def(
+          "__contains__",
+          [](const Columns& table, const std::string& name) { return table.find(name) != nullptr; },
+          py::arg("name"))
       .def("__iter__", [](const Columns& table) { return py::iter(py::cast(names_of(table))); })
       .def("__len__", [](const Columns& table) { return table.columns.size(); })
       .def("__dir__", &names_of)
       .def("keys", &names_of, "Names of the columns, with their units.")
       .def_property_readonly("rows", &Columns::rows, "Length of every column.")
       .def("__repr__", [](const Columns& table) {
-        return "<triax.Columns of " + std::to_string(table.rows()) + " rows: " + listed(table) + ">";
+        return "<triax.Columns of " + std::to_string(table.rows()) + " rows: " + listed(table) +
+               ">";
       });
 }
 

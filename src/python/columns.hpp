@@ -11,7 +11,8 @@
 
 namespace triax::python {
 
-/// A table by columns, as numpy sees it: each column is one block of memory. Constant once Python has it.
+/// A table by columns, as numpy sees it: each column is one block of memory. Constant once Python
+/// has it.
 struct Columns {
   using Values = std::variant<std::vector<double>, std::vector<std::int64_t>>;
   std::vector<std::pair<std::string, Values>> columns;
@@ -26,7 +27,8 @@ struct Columns {
   [[nodiscard]] const Values* find(const std::string& name) const;
 };
 
-/// The numbers of `values` without a copy, for as long as anybody has the array: it keeps `owner`, which holds them.
+/// The numbers of `values` without a copy, for as long as anybody has the array: it keeps `owner`,
+/// which holds them.
 template <class Number>
 pybind11::array view(const std::vector<Number>& values, const pybind11::object& owner,
                      std::vector<pybind11::ssize_t> shape = {}) {

@@ -27,7 +27,8 @@ void fill_rows(ElementRun& run) {
   for (std::size_t i = 0; i < run.result.columns.size(); ++i) {
     auto& values = run.rows->add(run.result.columns[i]);
     for (const study::ResultPoint& row : run.result.rows)
-      values.push_back(i < row.values.size() ? row.values[i].value_or(lab::kMissing) : lab::kMissing);
+      values.push_back(i < row.values.size() ? row.values[i].value_or(lab::kMissing)
+                                             : lab::kMissing);
   }
 }
 
@@ -45,17 +46,25 @@ std::shared_ptr<ElementRun> element(const std::filesystem::path& path, const py:
 }  // namespace
 
 void bind_element(py::module_& module) {
-  py::class_<ElementRun, std::shared_ptr<ElementRun>>(module, "ElementRun", "What a path of one material point came to.")
-      .def_property_readonly("name", [](const ElementRun& r) { return r.result.name; }, "Name of the path.")
-      .def_property_readonly("completed", [](const ElementRun& r) { return r.result.went_to_the_end(); },
-                             "Whether the path went to its end; if not, `message` says why and where it stopped.")
-      .def_property_readonly("outcome", [](const ElementRun& r) { return src::word_of(r.result.outcome); },
-                             "'accepted', 'inaccurate', 'lost_control' or 'failed'.")
-      .def_property_readonly("message", [](const ElementRun& r) { return r.result.message; },
-                             "Of an outcome that is not accepted, one sentence.")
-      .def_property_readonly("warnings", [](const ElementRun& r) { return r.result.warnings; }, "What a reader must know.")
-      .def_property_readonly("rows", [](const ElementRun& r) { return r.rows; },
-                             "All rows as columns: progress, strains, stresses, second-order work, memory.")
+  py::class_<ElementRun, std::shared_ptr<ElementRun>>(module, "ElementRun",
+                                                      "What a path of one material point came to.")
+      .def_property_readonly(
+          "name", [](const ElementRun& r) { return r.result.name; }, "Name of the path.")
+      .def_property_readonly(
+          "completed", [](const ElementRun& r) { return r.result.went_to_the_end(); },
+          "Whether the path went to its end; if not, `message` says why and where it stopped.")
+      .def_property_readonly(
+          "outcome", [](const ElementRun& r) { return src::word_of(r.result.outcome); },
+          "'accepted', 'inaccurate', 'lost_control' or 'failed'.")
+      .def_property_readonly(
+          "message", [](const ElementRun& r) { return r.result.message; },
+          "Of an outcome that is not accepted, one sentence.")
+      .def_property_readonly(
+          "warnings", [](const ElementRun& r) { return r.result.warnings; },
+          "What a reader must know.")
+      .def_property_readonly(
+          "rows", [](const ElementRun& r) { return r.rows; },
+          "All rows as columns: progress, strains, stresses, second-order work, memory.")
       .def_property_readonly(
           "segments",
           [](const ElementRun& r) {
@@ -64,15 +73,18 @@ void bind_element(py::module_& module) {
             return names;
           },
           "Name of the segment of each row.")
-      .def_property_readonly("report", [](const ElementRun& r) { return document(src::path_json(r.result)); },
-                             "The document of triax element --json: start, events, peak, last, rows.")
+      .def_property_readonly(
+          "report", [](const ElementRun& r) { return document(src::path_json(r.result)); },
+          "The document of triax element --json: start, events, peak, last, rows.")
       .def("__repr__", [](const ElementRun& r) {
-        return "<triax.ElementRun '" + r.result.name + "', " + src::word_of(r.result.outcome) + ", " +
-               std::to_string(r.result.rows.size()) + " rows>";
+        return "<triax.ElementRun '" + r.result.name + "', " + src::word_of(r.result.outcome) +
+               ", " + std::to_string(r.result.rows.size()) + " rows>";
       });
-  module.def("element", &element, py::arg("path"), py::kw_only(), py::arg("sets") = py::dict(),
-             "Takes one material point along the path of a file (.toml, or files of incrementalDriver): triax element.\n"
-             "`sets` changes material, void_ratio, p_eff_kPa, tolerance or a parameter of the law.");
+  module.def(
+      "element", &element, py::arg("path"), py::kw_only(), py::arg("sets") = py::dict(),
+      "Takes one material point along the path of a file (.toml, or files of incrementalDriver): "
+      "triax element.\n"
+      "`sets` changes material, void_ratio, p_eff_kPa, tolerance or a parameter of the law.");
 }
 
 }  // namespace triax::python

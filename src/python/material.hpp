@@ -8,7 +8,8 @@
 
 namespace triax::python {
 
-/// A parameter set with a law of its own: nothing that changes while it is asked is shared with another.
+/// A parameter set with a law of its own: nothing that changes while it is asked is shared with
+/// another.
 struct Material {
   explicit Material(lab::MaterialSet found);
   lab::MaterialSet set;

@@ -28,8 +28,9 @@ lab::MaterialSet material_of(const py::object& name_or_material) {
 
 double checked_void_ratio(double e) {
   if (!(e >= lab::kSmallestVoidRatio && e <= lab::kLargestVoidRatio))
-    throw lab::BadInput(fmt::format("void_ratio {:g}: out of range; expected a number from {:g} to {:g}", e,
-                                    lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
+    throw lab::BadInput(
+        fmt::format("void_ratio {:g}: out of range; expected a number from {:g} to {:g}", e,
+                    lab::kSmallestVoidRatio, lab::kLargestVoidRatio));
   return e;
 }
 
@@ -42,7 +43,8 @@ std::vector<lab::MaterialSet> sets_of(const File& file) {
   return lab::read_materials(lab::read_text_file(file->string()), file->string());
 }
 
-std::shared_ptr<Material> material(const std::string& name, const File& file, const py::dict& sets) {
+std::shared_ptr<Material> material(const std::string& name, const File& file,
+                                   const py::dict& sets) {
   lab::MaterialSet set = file ? lab::find_material(name, sets_of(file)) : lab::find_material(name);
   for (const auto& [key, value] : key_values(sets)) set = lab::with_parameter(set, key, value);
   return std::make_shared<Material>(std::move(set));
@@ -70,20 +72,29 @@ std::optional<double> limit_of(const Material& m) {
 
 void bind_materials(py::module_& module) {
   py::class_<Material, std::shared_ptr<Material>>(
-      module, "Material", "A law with a set of parameters: 'sanisand/S28-general'; triax.materials() lists them.")
+      module, "Material",
+      "A law with a set of parameters: 'sanisand/S28-general'; triax.materials() lists them.")
       .def(py::init(&material), py::arg("name"), py::kw_only(), py::arg("file") = py::none(),
            py::arg("sets") = py::dict(),
            "`file` has sets of your own (also of a UMAT), `sets` changes parameters by their keys.")
-      .def_property_readonly("name", [](const Material& m) { return m.set.name; }, "LAW/SET, with what was changed.")
-      .def_property_readonly("law", [](const Material& m) { return m.set.law->name; }, "The law's name.")
-      .def_property_readonly("description", [](const Material& m) { return m.set.description; }, "What it describes.")
-      .def_property_readonly("source", [](const Material& m) { return m.set.source; }, "Where the numbers come from.")
-      .def_property_readonly("range", [](const Material& m) { return m.set.range; }, "How far they reach, in words.")
-      .def_property_readonly("void_ratio_range", [](const Material& m) { return ends(m.set.void_ratio_range); },
-                             "Void ratios that it is for; None where nobody says.")
-      .def_property_readonly("p_eff_range_kPa", [](const Material& m) { return ends(m.set.p_eff_range_kPa); },
-                             "Mean effective stresses that it is for, kPa; None where nobody says.")
-      .def_property_readonly("parameters", &parameters_of, "Values by key; the unit is the end of the key.")
+      .def_property_readonly(
+          "name", [](const Material& m) { return m.set.name; }, "LAW/SET, with what was changed.")
+      .def_property_readonly(
+          "law", [](const Material& m) { return m.set.law->name; }, "The law's name.")
+      .def_property_readonly(
+          "description", [](const Material& m) { return m.set.description; }, "What it describes.")
+      .def_property_readonly(
+          "source", [](const Material& m) { return m.set.source; }, "Where the numbers come from.")
+      .def_property_readonly(
+          "range", [](const Material& m) { return m.set.range; }, "How far they reach, in words.")
+      .def_property_readonly(
+          "void_ratio_range", [](const Material& m) { return ends(m.set.void_ratio_range); },
+          "Void ratios that it is for; None where nobody says.")
+      .def_property_readonly(
+          "p_eff_range_kPa", [](const Material& m) { return ends(m.set.p_eff_range_kPa); },
+          "Mean effective stresses that it is for, kPa; None where nobody says.")
+      .def_property_readonly("parameters", &parameters_of,
+                             "Values by key; the unit is the end of the key.")
       .def_property_readonly("limit_stress_ratio", &limit_of,
                              "M in triaxial compression; None where the law has none.")
       .def("__repr__", [](const Material& m) { return "<triax.Material '" + m.set.name + "'>"; });
@@ -94,7 +105,8 @@ void bind_materials(py::module_& module) {
         for (const auto& set : sets_of(file)) names.push_back(set.name);
         return names;
       },
-      py::arg("file") = py::none(), "Names of the parameter sets that ship with the program, or of those in a file.");
+      py::arg("file") = py::none(),
+      "Names of the parameter sets that ship with the program, or of those in a file.");
 }
 
 }  // namespace triax::python

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The studies of src/study as the Python module triax._triax, which src/python/triax/__init__.py passes on.
+// The studies of src/study as the Python module triax._triax, which src/python/triax/__init__.py
+// passes on.
 #include <string>
 
 #include "src/python/bindings.hpp"

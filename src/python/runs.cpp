@@ -84,13 +84,16 @@ StoredTest simulate(const Path& programme_file, const Path& db, std::optional<st
 void bind_runs(py::module_& module) {
   module.def("replay", &replay, py::arg("record"), py::arg("db") = "triax.db", py::kw_only(),
              py::arg("dialect") = "", py::arg("sets") = py::dict(), py::arg("membrane") = "none",
-             "Reduces a recorded test, computes its second-order work, stores it in the database and gives it: triax replay.\n"
+             "Reduces a recorded test, computes its second-order work, stores it in the database "
+             "and gives it: triax replay.\n"
              "`sets` says what the file does not hold: {'specimen.height_mm': 140}.");
   module.def("simulate", &simulate, py::arg("programme"), py::arg("db") = "triax.db", py::kw_only(),
              py::arg("seed") = py::none(), py::arg("sets") = py::dict(),
              py::arg("record") = py::none(),
-             "Runs a programme on the virtual apparatus, stores the test in the database and gives it: triax simulate.\n"
-             "`sets` changes keys of the programme; `record` is a file that gets the readings as a logger would write them.");
+             "Runs a programme on the virtual apparatus, stores the test in the database and gives "
+             "it: triax simulate.\n"
+             "`sets` changes keys of the programme; `record` is a file that gets the readings as a "
+             "logger would write them.");
 }
 
 }  // namespace triax::python

@@ -9,9 +9,9 @@ namespace triax::python {
 /// Ctrl-C amid a computation that runs without the GIL.
 class Signals {
  public:
-  /// Looks at most ten times a second. Throws KeyboardInterrupt (or what a handler of the user's raised) in the main
-  /// thread; in others Python has nothing to tell. Pre-condition: this thread does not hold the GIL. Gives false, so that
-  /// it can stand where a study asks whether to stop.
+  /// Looks at most ten times a second. Throws KeyboardInterrupt (or what a handler of the user's
+  /// raised) in the main thread; in others Python has nothing to tell. Pre-condition: this thread
+  /// does not hold the GIL. Gives false, so that it can stand where a study asks whether to stop.
   bool look() {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return false;

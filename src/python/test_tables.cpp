@@ -95,17 +95,17 @@ Columns table_of_work(const db::Store& store, std::int64_t id) {
   auto& reading = table.add<std::int64_t>("reading", rows);
   auto& window = table.add<std::int64_t>("window_readings", rows);
   const Filled<double> filled = {
-      &table.add("time_s", rows),     &table.add("axial_strain_path", rows),
-      &table.add("small_strain", rows), &table.add("eulerian", rows),
+      &table.add("time_s", rows),          &table.add("axial_strain_path", rows),
+      &table.add("small_strain", rows),    &table.add("eulerian", rows),
       &table.add("semi_lagrangian", rows), &table.add("normalised", rows),
       &table.add("normalised_error", rows)};
   for (const lab::SecondOrderWorkPoint& point : points) {
     reading.push_back(point.reading);
     window.push_back(point.window_readings);
     const sim::SecondOrderWork& w = point.work;
-    const std::array values = {point.time_s,       point.axial_strain_path, w.small_strain,
-                               w.eulerian,         w.semi_lagrangian,       w.normalised,
-                               point.normalised_error};
+    const std::array values = {
+        point.time_s, point.axial_strain_path, w.small_strain, w.eulerian, w.semi_lagrangian,
+        w.normalised, point.normalised_error};
     for (std::size_t i = 0; i < values.size(); ++i) filled[i]->push_back(values[i]);
   }
   return std::move(table.columns);

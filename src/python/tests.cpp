@@ -38,8 +38,9 @@ StoredTest found(const std::shared_ptr<Database>& database, const std::string& n
 }
 
 StoredTest numbered(const std::shared_ptr<Database>& database, std::int64_t id) {
-  return alone(database,
-               [&](const db::Store& store) { return StoredTest{database, store.load(id)}; });
+  return alone(database, [&](const db::Store& store) {
+    return StoredTest{database, store.load(id)};
+  });
 }
 
 std::vector<StoredTest> all_of(const std::shared_ptr<Database>& database) {
@@ -104,17 +105,23 @@ std::string words_of(const StoredTest& test) {
 
 void bind_test(py::module_& module) {
   py::class_<StoredTest>(module, "Test", "A test as it is stored in a database.")
-      .def_property_readonly("id", [](const StoredTest& t) { return t.stored.id; }, "Its number in the database.")
-      .def_property_readonly("name", [](const StoredTest& t) { return t.stored.header.name; }, "Its name.")
-      .def_property_readonly("origin",
-                             [](const StoredTest& t) { return lab::to_string(t.stored.header.origin); },
-                             "'recorded' or 'simulated'.")
-      .def_property_readonly("status", [](const StoredTest& t) { return db::to_string(t.stored.status); },
-                             "'running', 'complete' or 'interrupted', when it was asked for.")
-      .def_property_readonly("tags", [](const StoredTest& t) { return t.stored.tags; }, "Its tags.")
-      .def_property_readonly("db", [](const StoredTest& t) { return t.from->path; }, "File of the database.")
+      .def_property_readonly(
+          "id", [](const StoredTest& t) { return t.stored.id; }, "Its number in the database.")
+      .def_property_readonly(
+          "name", [](const StoredTest& t) { return t.stored.header.name; }, "Its name.")
+      .def_property_readonly(
+          "origin", [](const StoredTest& t) { return lab::to_string(t.stored.header.origin); },
+          "'recorded' or 'simulated'.")
+      .def_property_readonly(
+          "status", [](const StoredTest& t) { return db::to_string(t.stored.status); },
+          "'running', 'complete' or 'interrupted', when it was asked for.")
+      .def_property_readonly(
+          "tags", [](const StoredTest& t) { return t.stored.tags; }, "Its tags.")
+      .def_property_readonly(
+          "db", [](const StoredTest& t) { return t.from->path; }, "File of the database.")
       .def_property_readonly("report", &report_of,
-                             "The document of triax report --format json: specimen, consolidation, peak, collapse, events, checks,\n"
+                             "The document of triax report --format json: specimen, consolidation, "
+                             "peak, collapse, events, checks,\n"
                              "warnings. Units are in the names; what is unknown is None.")
       .def_property_readonly(
           "states",
@@ -123,7 +130,8 @@ void bind_test(py::module_& module) {
               return table_of_states(store, test.stored.id);
             });
           },
-          "Stresses and strains of every reading, compression positive. Read from the file once, then kept.")
+          "Stresses and strains of every reading, compression positive. Read from the file once, "
+          "then kept.")
       .def_property_readonly(
           "readings",
           [](StoredTest& test) {
@@ -139,7 +147,8 @@ void bind_test(py::module_& module) {
               return table_of_work(store, test.stored.id);
             });
           },
-          "Second-order work along the measured path: Eqs. (23), (10), (7) of the paper and the normalised one, in [-1, 1].")
+          "Second-order work along the measured path: Eqs. (23), (10), (7) of the paper and the "
+          "normalised one, in [-1, 1].")
       .def("__repr__", &words_of);
 }
 
@@ -149,13 +158,15 @@ void bind_tests(py::module_& module) {
   bind_test(module);
   py::class_<Database, std::shared_ptr<Database>>(
       module, "Database",
-      "A database of tests, read only. database['CSU 26'] and database[3] are tests by name and by number.")
+      "A database of tests, read only. database['CSU 26'] and database[3] are tests by name and by "
+      "number.")
       .def(py::init([](const Path& path) {
              const py::gil_scoped_release free;
              return std::make_shared<Database>(path.string());
            }),
            py::arg("path") = "triax.db")
-      .def_property_readonly("path", [](const Database& d) { return d.path; }, "Its file.")
+      .def_property_readonly(
+          "path", [](const Database& d) { return d.path; }, "Its file.")
       .def("__getitem__", &numbered, py::arg("test"))
       .def("__getitem__", &found, py::arg("test"))
       .def("__len__",
@@ -166,10 +177,10 @@ void bind_tests(py::module_& module) {
            [](const std::shared_ptr<Database>& d) { return py::iter(py::cast(all_of(d))); })
       .def("tests", &all_of, "All tests, oldest first; those of a sweep together.")
       .def(
-          "query",
-          [](const Database& d, const std::string& sql) { return rows_of(d.path, sql); },
+          "query", [](const Database& d, const std::string& sql) { return rows_of(d.path, sql); },
           py::arg("name_or_sql"),
-          "Rows of a named query (triax query --list) or of one statement of SQL, as dicts; nothing can be changed.")
+          "Rows of a named query (triax query --list) or of one statement of SQL, as dicts; "
+          "nothing can be changed.")
       .def("__repr__", [](const Database& d) { return "<triax.Database '" + d.path + "'>"; });
 }
 

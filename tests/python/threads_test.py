@@ -30,7 +30,7 @@ class Threads(InAFolder):
         points = many_points(30_000)
         for work in (lambda: points.advance([1e-4, -0.5e-4]),
                      lambda: triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db),
-                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 40), q_kPa=(0, 300, 60), threads=1)):
+                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 20), q_kPa=(0, 300, 30), directions=72, threads=1)):
             passes, seconds = self.steps_of_python_beside(work)
             self.assertGreater(seconds, 0.05)
             # A held GIL gives a handful of passes before and after the call, whatever it takes.

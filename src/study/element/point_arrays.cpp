@@ -31,14 +31,15 @@ template <class Space>
 sim::PointState<Space> state_of(const PointArrays& points, std::size_t i) {
   const Eigen::Map<const Eigen::VectorXd> memory(points.memory.data() + i * points.memories,
                                                  static_cast<Eigen::Index>(points.memories));
-  return {kKilo *
-              scale<Space>().cwiseProduct(ConstRow<Space>(&points.stress_kPa[i * Space::kSize])),
-          points.void_ratio[i], memory};
+  return {
+      kKilo * scale<Space>().cwiseProduct(ConstRow<Space>(&points.stress_kPa[i * Space::kSize])),
+      points.void_ratio[i], memory};
 }
 
 template <class Space>
 void put(const sim::PointState<Space>& state, PointArrays& points, std::size_t i) {
-  Row<Space>(&points.stress_kPa[i * Space::kSize]) = state.stress.cwiseQuotient(kKilo * scale<Space>());
+  Row<Space>(&points.stress_kPa[i * Space::kSize]) =
+      state.stress.cwiseQuotient(kKilo * scale<Space>());
   points.void_ratio[i] = state.void_ratio;
   std::copy_n(state.memory.data(), points.memories, points.memory.data() + i * points.memories);
 }

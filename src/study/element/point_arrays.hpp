@@ -22,14 +22,14 @@ struct PointArrays {
   std::vector<double> memory;      ///< count × memories
 };
 
-/// As Law::start has them, without memory of shear. `stress_kPa` is count × components, `void_ratio`
-/// has a value a point.
+/// As Law::start has them, without memory of shear. `stress_kPa` is count × components,
+/// `void_ratio` has a value a point.
 template <class Space>
 PointArrays start_points(const sim::Law<Space>& law, std::vector<double> stress_kPa,
                          std::vector<double> void_ratio);
 
-/// Conditions S dσ′ + E dε = dy in kPa and components of the tensor; `rows` is count × components or
-/// one row for all points.
+/// Conditions S dσ′ + E dε = dy in kPa and components of the tensor; `rows` is count × components
+/// or one row for all points.
 template <class Space>
 struct PointConditions {
   sim::Matrix<Space> stress = sim::Matrix<Space>::Zero();  ///< S
@@ -39,21 +39,22 @@ struct PointConditions {
 
 /// What became of each point.
 struct StepArrays {
-  std::vector<std::uint8_t> outcome;   ///< sim::StepOutcome
-  std::vector<double> done;            ///< fraction of the increment
-  std::vector<double> error;           ///< estimated, relative, as PointStep::error
-  std::vector<double> stress_kPa;      ///< dσ′ of the part done, count × components
-  std::vector<double> strain;          ///< dε of the part done, count × components
-  std::vector<double> work_kPa;        ///< dσ′:dε of the part done
-  std::vector<double> work_normalised; ///< over the norms of both, in [−1, 1]; 0 where one vanishes
-  std::size_t stopped_at = 0;          ///< points from here on were not taken further; count: none
+  std::vector<std::uint8_t> outcome;  ///< sim::StepOutcome
+  std::vector<double> done;           ///< fraction of the increment
+  std::vector<double> error;          ///< estimated, relative, as PointStep::error
+  std::vector<double> stress_kPa;     ///< dσ′ of the part done, count × components
+  std::vector<double> strain;         ///< dε of the part done, count × components
+  std::vector<double> work_kPa;       ///< dσ′:dε of the part done
+  std::vector<double>
+      work_normalised;         ///< over the norms of both, in [−1, 1]; 0 where one vanishes
+  std::size_t stopped_at = 0;  ///< points from here on were not taken further; count: none
   /// Of the first hundred that were not accepted: their place and why.
   std::vector<std::pair<std::size_t, std::string>> messages;
 };
 
 /// Takes each point along its increment; a point ends where what could be done of it ends. Results
-/// of a point do not depend on the others. `stop` is asked every thousand points. Pre-condition: the
-/// arrays have the sizes that are said above.
+/// of a point do not depend on the others. `stop` is asked every thousand points. Pre-condition:
+/// the arrays have the sizes that are said above.
 template <class Space>
 StepArrays advance_points(const sim::Law<Space>& law, const PointConditions<Space>& conditions,
                           const sim::PointTolerance& tolerance, PointArrays& points,
