@@ -25,8 +25,9 @@ if [[ $(cut -d' ' -f2 "$work/cpp" | sort -u) != $(cut -d' ' -f2 "$work/python" |
 fi
 least() { cut -d' ' -f1 "$work/$1" | sort -n | head -n 1; }
 cpp=$(least cpp) python=$(least python)
-printf 'one increment of sanisand/S28-general at each of %d points, processor time, least of %d rounds in turn\n\n' "$points" "$rounds"
 figure() { if [[ $labels ]]; then echo '#'; else printf "$1" "$2"; fi; }
+printf 'one increment of sanisand/S28-general at each of %s points, processor time, least of %s rounds in turn\n\n' \
+  "$(figure %d "$points")" "$(figure %d "$rounds")"
 printf '%-44s %8s ns a point\n' 'loop in C++' "$(figure %.0f "$cpp")" 'Points.advance, one call from Python' "$(figure %.0f "$python")"
 share=$(awk -v c="$cpp" -v p="$python" 'BEGIN {print 100 * c / p}')
 printf "%-44s %8s %% of C++'s\n\n" 'speed from Python' "$(figure %.1f "$share")"

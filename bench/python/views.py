@@ -31,7 +31,8 @@ with tempfile.TemporaryDirectory() as folder:
     begin = time.perf_counter()
     states = test.states
     first = time.perf_counter() - begin
-    print(f"{states.rows} readings, {len(states)} columns of states, {states.rows * len(states) * 8 / 1e6:.0f} MB")
+    size = states.rows * len(states) * 8 / 1e6
+    print(f"{'#' if labels else states.rows} readings, {len(states)} columns of states, {'#' if labels else f'{size:.0f}'} MB")
     told("read from the database, once a test", first)
     again = least(lambda: [test.states[name] for name in test.states])
     told("all columns as arrays, once they are read", again)
