@@ -11,6 +11,7 @@ void bind_columns(pybind11::module_& module);
 void bind_tests(pybind11::module_& module);
 void bind_runs(pybind11::module_& module);
 void bind_materials(pybind11::module_& module);
+void bind_steps(pybind11::module_& module);
 void bind_points(pybind11::module_& module);
 void bind_element(pybind11::module_& module);
 void bind_probe(pybind11::module_& module);

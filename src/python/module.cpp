@@ -14,6 +14,7 @@ PYBIND11_MODULE(_triax, module) {
   bind_tests(module);
   bind_runs(module);
   bind_materials(module);
+  bind_steps(module);
   bind_points(module);
   bind_element(module);
   bind_probe(module);
