@@ -68,13 +68,15 @@ function(triax_library name)
   target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:triax_flags>)
 endfunction()
 
-# triax_embed(TARGET SYMBOL FILES...): the files' text as a C++ table that needs no install path.
+# triax_embed(TARGET SYMBOL [WITH_ENDINGS] FILES...): the files' text as a C++ table that needs no install path, by the files'
+# names without their endings unless told otherwise.
 # Declares in namespace triax: extern const std::span<const EmbeddedFile> SYMBOL (lab/base/embedded.hpp).
 function(triax_embed target symbol)
   set(out ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.cpp)
-  set(files ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 2 embed "WITH_ENDINGS" "" "")
+  set(files ${embed_UNPARSED_ARGUMENTS})
   add_custom_command(OUTPUT ${out}
-    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=${symbol} "-DFILES=${files}"
+    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=${symbol} -DWITH_ENDINGS=${embed_WITH_ENDINGS} "-DFILES=${files}"
             -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
   target_sources(${target} PRIVATE ${out})

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "db/scan_codec.hpp"
+#include "db/scans/scan_codec.hpp"
 #include "lab/results/quantity.hpp"
 
 namespace triax::db {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "db/last_bits.hpp"
+#include "db/scans/last_bits.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::db {

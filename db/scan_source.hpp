@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-#include "db/scan_codec.hpp"
+#include "db/scans/scan_codec.hpp"
 
 struct sqlite3;
 

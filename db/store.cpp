@@ -11,8 +11,9 @@
 #include "db/channel_columns.hpp"
 #include "db/connection.hpp"
 #include "db/plain_statement.hpp"
-#include "db/scan_codec.hpp"
 #include "db/scan_writer.hpp"
+#include "db/scans/read_columns.hpp"
+#include "db/scans/scan_codec.hpp"
 #include "db/summary_reader.hpp"
 #include "db/test_reader.hpp"
 #include "lab/base/bad_input.hpp"
@@ -32,6 +33,29 @@ std::string select_scans(SQLite::Database& database) {
 }
 
 constexpr std::int64_t kLastReading = 4294967295;
+
+bool has_details(SQLite::Database& database, std::int64_t id) {
+  Statement any(database,
+                "SELECT EXISTS (SELECT 1 FROM scan_details WHERE id BETWEEN ?1 << 32 "
+                "AND ?1 << 32 | 4294967295)");
+  any.bind(1, id);
+  any.executeStep();
+  return any.getColumn(0).getInt() != 0;
+}
+
+/// The join is half of the time, and few tests need it.
+std::string select_rows(std::span<const std::size_t> columns, bool with_details) {
+  std::string sql = "SELECT s.id & 4294967295";
+  for (const std::size_t column : columns) {
+    const ReadColumn& read = read_columns()[column];
+    sql +=
+        ", " + (with_details && !read.sql_with_details.empty() ? read.sql_with_details : read.sql);
+  }
+  sql += " FROM scans s ";
+  if (with_details) sql += "LEFT JOIN scan_details d ON d.id = s.id ";
+  return sql + "WHERE s.id BETWEEN ?1 << 32 | ?2 AND ?1 << 32 | 4294967295 ORDER BY s.id";
+}
+
 /// Oldest first; the tests of a sweep together, in its order.
 constexpr const char* kAllTests =
     "WITH places AS (SELECT DISTINCT test_id, sweep, place FROM sweep_members), "
@@ -203,6 +227,34 @@ void Store::for_each_scan(
     const std::function<void(const lab::Reading&, const lab::State&)>& use) const {
   impl_->guarded([&] {
     visit_scans(impl_->database, id, std::max<std::int64_t>(every, 1), {0, kLastReading}, use);
+  });
+}
+
+void Store::for_each_row(
+    std::int64_t id, std::int64_t from, std::span<const std::size_t> columns,
+    const std::function<void(std::int64_t, std::span<const double>)>& use) const {
+  impl_->guarded([&] {
+    const bool details =
+        std::ranges::any_of(
+            columns, [](std::size_t c) { return !read_columns()[c].sql_with_details.empty(); }) &&
+        has_details(impl_->database, id);
+    PlainStatement row(impl_->database, select_rows(columns, details).c_str());
+    row.bind(1, id);
+    row.bind(2, std::max<std::int64_t>(from, 0));
+    std::vector<double> values(columns.size());
+    while (row.step()) {
+      for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = row.number(static_cast<int>(i) + 1);
+      use(row.integer(0), values);
+    }
+  });
+}
+
+void Store::for_each_scan_from(
+    std::int64_t id, std::int64_t from,
+    const std::function<void(const lab::Reading&, const lab::State&)>& use) const {
+  impl_->guarded([&] {
+    visit_scans(impl_->database, id, 1, {std::max<std::int64_t>(from, 0), kLastReading}, use);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,14 @@ class Store {
   /// kept (0); `every` > 1 gives only readings whose number it divides (figures of long tests).
   void for_each_scan(std::int64_t id, std::int64_t every,
                      const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
+  /// The scans from reading `from` on, in order: its number and the values of these columns
+  /// (db/scans/read_columns.hpp); NaN for what is missing.
+  void for_each_row(std::int64_t id, std::int64_t from, std::span<const std::size_t> columns,
+                    const std::function<void(std::int64_t, std::span<const double>)>& use) const;
+  /// The same of whole scans.
+  void for_each_scan_from(
+      std::int64_t id, std::int64_t from,
+      const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
   /// One scan of it; empty where the test has no such reading.
   std::optional<lab::State> state_at(std::int64_t id, std::int64_t reading) const;
   std::int64_t scan_count(std::int64_t id) const;

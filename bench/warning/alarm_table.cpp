@@ -14,8 +14,6 @@ namespace {
 
 using Group = std::vector<const AlarmTrial*>;
 
-constexpr double kNearZero = 0.05;  ///< normalised second-order work
-
 double percent(std::int64_t part, std::int64_t whole) {
   return whole ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : NAN;
 }
@@ -105,10 +103,27 @@ void print_all_collapses(const Group& collapses) {
   print_collapses("all displacement",
                   among(collapses, [](const auto& t) { return !t.under_force; }));
   constexpr std::array kInstruments = {"good", "standard", "cheap"};
-  for (std::size_t i = 0; i < kInstruments.size(); ++i)
-    print_collapses(kInstruments[i], among(collapses, [&](const auto& t) {
+  const auto by_instruments = [](const Group& group, const std::string& name, std::size_t i) {
+    print_collapses(name, among(group, [&](const auto& t) {
                       return static_cast<std::size_t>(t.instruments) == i;
                     }));
+  };
+  for (std::size_t i = 0; i < kInstruments.size(); ++i)
+    by_instruments(collapses, kInstruments[i], i);
+  struct Interval {
+    const char* name;
+    double least, most;  // s
+  };
+  for (const auto& [name, least, most] :
+       {Interval{"0.1 to 1 s", 0, 1}, {"1 to 10 s", 1, 10}, {"10 to 60 s", 10, 61}}) {
+    const Group group = among(
+        collapses, [=](const auto& t) { return t.interval_s >= least && t.interval_s < most; });
+    print_collapses(name, group);
+    for (std::size_t i = 0; i < kInstruments.size(); ++i)
+      by_instruments(group, fmt::format("  {}", kInstruments[i]), i);
+  }
+  print_collapses("below 30 reading",
+                  among(collapses, [](const auto& t) { return t.stage_readings < 30; }));
   print_collapses("air in the pores", among(collapses, [](const auto& t) { return t.air; }));
   print_collapses("no air", among(collapses, [](const auto& t) { return !t.air; }));
   constexpr std::array kWays = {"straight on", "after a rest", "after a loop"};
@@ -116,15 +131,13 @@ void print_all_collapses(const Group& collapses) {
     print_collapses(kWays[i], among(collapses, [&](const auto& t) {
                       return static_cast<std::size_t>(t.interruption) == i;
                     }));
-  for (const std::string& law : names(collapses, [](const auto& t) { return t.material; }))
-    print_collapses(law.substr(0, law.find('/')),
-                    among(collapses, [&](const auto& t) { return t.material == law; }));
+  for (const std::string& law : names(collapses, &AlarmTrial::law))
+    print_collapses(law, among(collapses, [&](const auto& t) { return t.law() == law; }));
   print_collapses("all", collapses);
 }
 
-/// Controls whose second-order work never came near zero, where nobody can tell them from others.
 Group clear_of_zero(const Group& controls) {
-  return among(controls, [](const auto& t) { return t.least_work > kNearZero; });
+  return among(controls, [](const auto& t) { return !t.near_zero(); });
 }
 
 void print_all_controls(const Group& controls) {
@@ -134,13 +147,19 @@ void print_all_controls(const Group& controls) {
     print_controls(kind, among(controls, [&](const auto& t) { return specimen(t) == kind; }));
   print_controls("all", controls);
   print_controls("all that kept clear of zero work", clear_of_zero(controls));
+  const Group near = among(controls, &AlarmTrial::near_zero);
+  print_controls("those near zero work", near);
+  for (const std::string& kind : names(near, specimen))
+    print_controls("  " + kind, among(near, [&](const auto& t) { return specimen(t) == kind; }));
 }
 
 void print_failures(const Group& collapses, const Group& controls) {
   for (const auto* t : controls)
     if (t->imminent || t->approaching_at_end)
-      fmt::print("control {} seed {}, least work {:.3f}:{}\n", specimen(*t), t->seed, t->least_work,
-                 t->said);
+      fmt::print(
+          "control {} seed {}, least work {:.3f}, error of it {:.3f}, interval {:.3g} s{}:{}\n",
+          specimen(*t), t->seed, t->least_work, t->work_error, t->interval_s, t->air ? ", air" : "",
+          t->said);
   for (const auto* t : collapses)
     if (!t->warned() || !t->looks[1] || std::fabs(t->looks[1]->error) > 0.02)
       fmt::print(
@@ -209,12 +228,13 @@ bool print_bounds(const Group& collapses, const Group& controls) {
 
 }  // namespace
 
-bool print_alarm_trials(const std::vector<AlarmTrial>& trials, bool failures) {
+bool print_alarm_trials(const std::string& title, const std::vector<AlarmTrial>& trials,
+                        bool failures) {
   Group collapses, controls;
   for (const auto& t : trials)
     if (!t.programme.empty() && t.comparable()) (t.collapses ? collapses : controls).push_back(&t);
-  fmt::print("{} collapses, {} controls, of {} tests\n\n", collapses.size(), controls.size(),
-             trials.size());
+  fmt::print("{}: {} collapses, {} controls, of {} tests\n\n", title, collapses.size(),
+             controls.size(), trials.size());
   print_all_collapses(collapses);
   print_all_controls(controls);
   const bool held = print_bounds(collapses, controls);

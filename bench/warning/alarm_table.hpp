@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <string>
 #include <vector>
 
 #include "bench/warning/alarm_trial.hpp"
@@ -16,7 +17,10 @@ namespace triax::bench {
 ///   |error|   of η forecast with that share of the stage's time left: median, share within 0.02
 ///   covers    share of tests whose 90 % interval holds the true η
 ///   controls  tests that stay stable: `imminent` ever, `approaching` at the end, points of
-///             second-order work under a level
-bool print_alarm_trials(const std::vector<AlarmTrial>& trials, bool failures);
+///             second-order work under a level. Those near zero work, which these instruments
+///             cannot tell from an onset, are counted apart (AlarmTrial::near_zero)
+/// `title` stands above them.
+bool print_alarm_trials(const std::string& title, const std::vector<AlarmTrial>& trials,
+                        bool failures);
 
 }  // namespace triax::bench

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/detection/trial.hpp"
 #include "bench/warning/interruption.hpp"
+#include "lab/rig/session.hpp"
 
 namespace triax::bench {
 
@@ -18,6 +20,7 @@ inline constexpr std::array<double, 3> kLeft = {0.25, 0.10, 0.05};  ///< shares 
 struct Look {
   double error = 0;      ///< η forecast − true η
   bool covered = false;  ///< by the 90 % interval
+  double now = 0;        ///< η when it was made
 };
 
 enum class Instruments { good, standard, cheap };
@@ -27,8 +30,10 @@ struct AlarmTrial : TrialHeader {
   bool air = false;  ///< in the pores
   Interruption interruption = Interruption::none;
   double interval_s = 0;
+  std::string density;               ///< the subject's void ratio
   bool lost = false;                 ///< what the specimen did
   bool under_force = false;          ///< load, dead load, spring or held q drove it
+  double eta = 0;                    ///< true, at the onset
   double stage_s = 0;                ///< from the start of the stage to the onset
   std::int64_t stage_readings = 0;   ///< likewise
   double fall_s = 0;                 ///< time of the fall; of the onset where none fell
@@ -37,16 +42,20 @@ struct AlarmTrial : TrialHeader {
   std::array<std::optional<Look>, kLeft.size()> looks;
   std::string said;  ///< levels and when they were said
   // of a control
-  /// Of normalised second-order work in shear, measured without noise or steps: near zero the
-  /// control came as near to an onset as any error can tell.
-  double least_work = 1;
+  /// Of the specimen's own normalised second-order work (TrueWork), and the 95 % error of that
+  /// which the instruments measured there.
+  double least_work = 1, work_error = 0;
   bool imminent = false;  ///< ever
   bool approaching_at_end = false;
   std::int64_t points = 0, wrong_points = 0;  ///< of second-order work; those under a level
+  /// "inl2" of "inl2/S28-general".
+  std::string law() const { return material.substr(0, material.find('/')); }
   double lead_s() const { return imminent_s ? fall_s - *imminent_s : 0; }
   bool warned() const { return imminent_s.has_value(); }
   /// Whether the truth is what the list expects: there is nothing to compare with otherwise.
   bool comparable() const { return lost == collapses; }
+  /// The specimen came so near to an onset that these instruments cannot tell it from one.
+  bool near_zero() const { return least_work <= work_error; }
 };
 
 /// What the seed chooses beside varied(): the stress level (× 0.5 to 2), instruments (as they are,
@@ -56,6 +65,18 @@ struct AlarmTrial : TrialHeader {
 lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
                                 Instruments& instruments);
 
-AlarmTrial run_alarm_trial(const Subject& subject, std::uint64_t seed);
+/// A test that was run, and can be heard once more.
+struct AlarmTest {
+  AlarmTrial trial;  ///< with an alarm that knew of nothing
+  lab::RecordHeader header;
+  std::vector<lab::Reading> readings;
+  std::optional<lab::Truth> truth;          ///< of one that lost sustainability
+  std::optional<lab::EarlierTest> earlier;  ///< what it says to tests that come after it
+};
+AlarmTest run_alarm_test(const Subject& subject, std::uint64_t seed);
+
+/// The same readings, told to an alarm that knows of earlier tests; `also` listens.
+AlarmTrial heard_again(const AlarmTest& test, const lab::EarlierTests& earlier,
+                       const lab::SessionListeners& also = {});
 
 }  // namespace triax::bench

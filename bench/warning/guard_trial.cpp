@@ -33,7 +33,11 @@ void run_as_it_is(const lab::Programme& programme, GuardTrial& t) {
   listener.happened = [&](const lab::Event& event) {
     if (event.kind == lab::EventKind::lost && !known_s) known_s = times.back();
   };
-  const auto truth = *lab::run_session(rig, {}, {listener}).truth;
+  std::vector<lab::Outlook> forecasts;
+  listener.foreseen = [&](const lab::Outlook& one) { forecasts.push_back(one); };
+  const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
+  const lab::Truth& truth = *summary.truth;
+  t.earlier = lab::earlier_test(rig.header(), summary, forecasts);
   t.lost = truth.lost_sustainability;
   t.said_lost = known_s.has_value();
   if (const auto* fall = fall_in(truth, 0)) t.fall_s = fall->start_s;
@@ -41,18 +45,6 @@ void run_as_it_is(const lab::Programme& programme, GuardTrial& t) {
   if (t.fall_s && known_s)
     t.known_after = static_cast<int>(std::ranges::upper_bound(times, *known_s) -
                                      std::ranges::lower_bound(times, *t.fall_s));
-}
-
-void run_guarded(lab::Programme programme, GuardTrial& t) {
-  programme.guard =
-      lab::Guard{.rate_m_per_s = GuardTrial::kRate_m_per_s, .further_strain = GuardTrial::kAsked};
-  lab::VirtualRig rig(programme, t.seed);
-  const lab::TestSummary summary = lab::run_session(rig, {});
-  if (!summary.guard) return;
-  const lab::GuardOutcome& guard = *summary.guard;
-  t.acted_s = guard.at.time_s;
-  t.further_strain = std::fabs(*guard.last_axial_strain - *guard.at.axial_strain);
-  t.ran_away = fall_in(*summary.truth, *t.acted_s) != nullptr;
 }
 
 double share(std::ptrdiff_t part, std::size_t whole) {
@@ -85,6 +77,23 @@ std::string kind_of(const GuardTrial& t) { return t.type + (t.fall_s ? "" : ", n
 
 }  // namespace
 
+void run_guarded(const Subject& subject, const lab::EarlierTests& earlier, GuardTrial& t) {
+  Instruments instruments{};
+  lab::Programme programme = varied_for_alarm(subject, t.seed, instruments);
+  programme.guard =
+      lab::Guard{.rate_m_per_s = GuardTrial::kRate_m_per_s, .further_strain = GuardTrial::kAsked};
+  lab::VirtualRig rig(programme, t.seed);
+  const lab::TestSummary summary = lab::run_session(rig, {.earlier = earlier});
+  t.acted_s.reset();
+  t.further_strain = 0;
+  t.ran_away = false;
+  if (!summary.guard) return;
+  const lab::GuardOutcome& guard = *summary.guard;
+  t.acted_s = guard.at.time_s;
+  t.further_strain = std::fabs(*guard.last_axial_strain - *guard.at.axial_strain);
+  t.ran_away = fall_in(*summary.truth, *t.acted_s) != nullptr;
+}
+
 GuardTrial run_guard_trial(const Subject& subject, std::uint64_t seed) {
   Instruments instruments{};
   const lab::Programme programme = varied_for_alarm(subject, seed, instruments);
@@ -93,11 +102,13 @@ GuardTrial run_guard_trial(const Subject& subject, std::uint64_t seed) {
   for (const lab::Stage& stage : programme.stages)
     if (stage.role == lab::StageRole::shear) t.under_force = lab::guards({}, stage);
   run_as_it_is(programme, t);
-  run_guarded(programme, t);
+  run_guarded(subject, {}, t);
   return t;
 }
 
-void print_guard_trials(const std::vector<GuardTrial>& trials, bool failures) {
+void print_guard_trials(const std::string& title, const std::vector<GuardTrial>& trials,
+                        bool failures) {
+  fmt::print("\n{}\n", title);
   std::vector<std::string> kinds;
   Some falls, controls;
   for (const auto& t : trials) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/detection/trial.hpp"
+#include "lab/warning/earlier_tests.hpp"
 
 namespace triax::bench {
 
@@ -26,14 +27,19 @@ struct GuardTrial : TrialHeader {
   double further_strain = 0;       ///< from where it acted to the end, of either sign
   bool ran_away = false;           ///< after it had acted
 
+  std::optional<lab::EarlierTest> earlier;  ///< what it says to tests that come after it
+
   bool comparable() const { return lost == collapses; }
   bool in_time() const { return acted_s && (!fall_s || *acted_s < *fall_s); }
   bool caught() const { return in_time() && !ran_away && further_strain < kAllowed; }
 };
 
 GuardTrial run_guard_trial(const Subject& subject, std::uint64_t seed);
+/// The guarded part of it anew, of an alarm that knows of earlier tests.
+void run_guarded(const Subject& subject, const lab::EarlierTests& earlier, GuardTrial& trial);
 
 /// Tables by what drives the test; with `failures` the tests that were not caught, by name.
-void print_guard_trials(const std::vector<GuardTrial>& trials, bool failures);
+void print_guard_trials(const std::string& title, const std::vector<GuardTrial>& trials,
+                        bool failures);
 
 }  // namespace triax::bench

@@ -10,7 +10,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "bench/warning/alarm_table.hpp"
 #include "bench/warning/alarm_trial.hpp"
 #include "bench/warning/guard_trial.hpp"
+#include "bench/warning/limit_table.hpp"
 #include "bench/warning/worst.hpp"
 #include "lab/base/bad_input.hpp"
 
@@ -33,29 +36,95 @@ struct Options {
   std::string worst;
 };
 
-template <class Trial>
-std::vector<Trial> run_all(const std::vector<bench::Subject>& subjects, const Options& o,
-                           Trial (*trial)(const bench::Subject&, std::uint64_t)) {
-  std::vector<Trial> trials(subjects.size() * static_cast<std::size_t>(o.seeds));
+/// of(0), of(1), ... of(count − 1), several at a time.
+void for_all(std::size_t count, int jobs, const std::function<void(std::size_t)>& of) {
   std::atomic<std::size_t> next = 0;
-  std::mutex guard;
   const auto work = [&] {
-    for (std::size_t i = next++; i < trials.size(); i = next++) {
-      const auto seed = static_cast<std::uint64_t>(o.from) + i / subjects.size();
-      try {
-        trials[i] = trial(subjects[i % subjects.size()], seed);
-      } catch (const std::exception& e) {
-        const std::lock_guard lock(guard);
-        fmt::print(stderr, "{} seed {}: {}\n", subjects[i % subjects.size()].programme.name, seed,
-                   e.what());
-      }
-    }
+    for (std::size_t i = next++; i < count; i = next++) of(i);
   };
   std::vector<std::thread> threads;
-  for (int i = 1; i < o.jobs; ++i) threads.emplace_back(work);
+  for (int i = 1; i < jobs; ++i) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
-  return trials;
+}
+
+/// What a trial says that failed is told, and it is left out.
+template <class Of>
+void guarded(const bench::Subject& subject, std::uint64_t seed, const Of& of) {
+  static std::mutex mutex;
+  try {
+    of();
+  } catch (const std::exception& e) {
+    const std::lock_guard lock(mutex);
+    fmt::print(stderr, "{} seed {}: {}\n", subject.programme.name, seed, e.what());
+  }
+}
+
+/// What the `count` tests after it in the row say, the first after the last.
+template <class Test>
+lab::EarlierTests earlier_of(const std::vector<Test>& row, std::size_t i, std::size_t count) {
+  lab::EarlierTests earlier;
+  for (std::size_t j = 1; j <= count && j < row.size(); ++j)
+    if (const auto& said = row[(i + j) % row.size()].earlier) earlier.add(*said);
+  return earlier;
+}
+
+struct All {
+  std::vector<bench::AlarmTrial> alone, told;  ///< seed by seed, in the order of the subjects
+  std::vector<bench::LimitTrial> limits;
+};
+
+/// All seeds of one subject.
+void run_subject(const bench::Subject& subject, std::size_t place, std::size_t subjects,
+                 const Options& o, All& all) {
+  constexpr std::size_t kOfLaw = 4;  // every so many-th seed asks the law
+  const auto seeds = static_cast<std::size_t>(o.seeds);
+  const auto seed = [&](std::size_t i) { return static_cast<std::uint64_t>(o.from) + i; };
+  std::vector<bench::AlarmTest> row(seeds);
+  for_all(seeds, o.jobs, [&](std::size_t i) {
+    guarded(subject, seed(i), [&] { row[i] = bench::run_alarm_test(subject, seed(i)); });
+  });
+  std::vector<std::optional<bench::LimitTrial>> limits(seeds);
+  for_all(seeds, o.jobs, [&](std::size_t i) {
+    const bench::AlarmTest& test = row[i];
+    if (test.trial.programme.empty()) return;
+    const std::size_t at = i * subjects + place;
+    all.alone[at] = test.trial;
+    all.told[at] = bench::heard_again(test, earlier_of(row, i, 2));
+    if (!test.truth || !test.trial.comparable()) return;
+    bench::Hindsight hindsight(test);
+    bench::LimitTrial& limit = limits[i].emplace();
+    limit.alone = test.trial;
+    limit.one = bench::heard_again(test, earlier_of(row, i, 1), {hindsight.listener()});
+    limit.two = all.told[at];
+    limit.members = hindsight.members();
+    if (i % kOfLaw != 0) return;
+    limit.law_asked = true;
+    guarded(subject, seed(i), [&] { limit.law = bench::by_its_law(subject, seed(i)); });
+  });
+  for (auto& limit : limits)
+    if (limit) all.limits.push_back(std::move(*limit));
+}
+
+void run_guards(const std::vector<bench::Subject>& subjects, const Options& o) {
+  std::vector<bench::GuardTrial> alone, told;
+  for (const bench::Subject& subject : subjects) {
+    std::vector<bench::GuardTrial> row(static_cast<std::size_t>(o.seeds)), knowing;
+    const auto seed = [&](std::size_t i) { return static_cast<std::uint64_t>(o.from) + i; };
+    for_all(row.size(), o.jobs, [&](std::size_t i) {
+      guarded(subject, seed(i), [&] { row[i] = bench::run_guard_trial(subject, seed(i)); });
+    });
+    knowing = row;
+    for_all(row.size(), o.jobs, [&](std::size_t i) {
+      if (row[i].programme.empty()) return;
+      guarded(subject, seed(i),
+              [&] { bench::run_guarded(subject, earlier_of(row, i, 2), knowing[i]); });
+    });
+    alone.insert(alone.end(), row.begin(), row.end());
+    told.insert(told.end(), knowing.begin(), knowing.end());
+  }
+  bench::print_guard_trials("The guard, by itself", alone, o.failures);
+  bench::print_guard_trials("The guard, told of two earlier tests", told, o.failures);
 }
 
 int run(const Options& o) {
@@ -65,13 +134,22 @@ int run(const Options& o) {
       return s.programme.name.find(o.only) == std::string::npos;
     });
   if (o.guard) {
-    bench::print_guard_trials(run_all(subjects, o, bench::run_guard_trial), o.failures);
+    run_guards(subjects, o);
     return 0;
   }
-  const auto trials = run_all(subjects, o, bench::run_alarm_trial);
-  const bool held = bench::print_alarm_trials(trials, o.failures);
-  if (!o.worst.empty()) bench::write_worst(trials, subjects, o.worst);
-  return held ? 0 : 1;
+  const std::size_t count = subjects.size() * static_cast<std::size_t>(o.seeds);
+  All all{.alone = std::vector<bench::AlarmTrial>(count),
+          .told = std::vector<bench::AlarmTrial>(count),
+          .limits = {}};
+  for (std::size_t place = 0; place < subjects.size(); ++place)
+    run_subject(subjects[place], place, subjects.size(), o, all);
+  const bool held = bench::print_alarm_trials("The alarm by itself", all.alone, o.failures);
+  fmt::print("\n");
+  const bool told =
+      bench::print_alarm_trials("The alarm, told of two earlier tests", all.told, o.failures);
+  bench::print_limits(all.limits);
+  if (!o.worst.empty()) bench::write_worst(all.alone, subjects, o.worst);
+  return held && told ? 0 : 1;
 }
 
 }  // namespace

@@ -46,6 +46,10 @@ struct Recorder::Impl {
     test_.sweep = std::move(sweep);
     turns_ = &turns;
   }
+  void when_entered(std::function<void(std::int64_t)> use) {
+    tell_entered_ = std::move(use);
+    is_awaited_ = true;
+  }
   std::int64_t test_id() const { return entry_.id(); }
 
  private:
@@ -60,11 +64,13 @@ struct Recorder::Impl {
   void wait_for_turn();
   std::string advice(const MayPass& why) const;
   void rethrow_failure();
-  bool enters_at_once() const { return turns_ && !entered_; }
+  bool enters_at_once() const { return (turns_ || is_awaited_) && !entered_; }
 
   const Patience patience_;
   TestStart test_;
   Turns* turns_ = nullptr;
+  bool is_awaited_ = false;                         ///< its entry is
+  std::function<void(std::int64_t)> tell_entered_;  ///< of the writer's thread
 
   std::mutex mutex_;
   std::condition_variable due_, room_;
@@ -123,6 +129,7 @@ void Recorder::Impl::write_batches() {
       more = take_batch();
       if (!more && ending_ == Ending::discarded) break;
       keep(more ? Ending::none : ending_);
+      if (tell_entered_ && entry_.id() != 0) std::exchange(tell_entered_, {})(entry_.id());
       storing_.clear();
     }
   } catch (...) {
@@ -223,6 +230,10 @@ void Recorder::Impl::discard() {
   drop_spool();
   entry_.set_patience(kPatience);
   entry_.discard();
+}
+
+void Recorder::when_entered(std::function<void(std::int64_t)> use) {
+  impl_->when_entered(std::move(use));
 }
 
 Recorder::Recorder(std::string path, Patience patience)

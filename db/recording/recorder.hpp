@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -39,6 +40,9 @@ class Recorder {
   /// order of the sweep, however many threads run it. `turns` must outlive this recorder; who runs
   /// the test says when its turn is over, in case it never enters.
   void belongs_to(SweepMembership sweep, Turns& turns);
+  /// `use` is told the test's id as soon as it has entered the database, which is then with its
+  /// first reading; in the recorder's own thread. Before the test starts.
+  void when_entered(std::function<void(std::int64_t)> use);
   /// What a session tells, into the database; as long as this recorder lives.
   lab::SessionListener listener();
   /// The test is over: stores the summary, marks it complete; gives its id. Throws lab::WorkFailed

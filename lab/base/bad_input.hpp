@@ -17,6 +17,20 @@ class BadInput : public std::runtime_error {
                                     : file + ": " + message) {}
 };
 
+/// A record does not say what its reduction needs: the key that gives it, and what it is.
+class MissingKey : public BadInput {
+ public:
+  MissingKey(const std::string& file, const std::string& key, const std::string& label,
+             const std::string& unit, const std::string& message)
+      : BadInput(file, 0, message), key_(key), label_(label), unit_(unit) {}
+  const std::string& key() const { return key_; }      ///< "specimen.height_mm"
+  const std::string& label() const { return label_; }  ///< "height of the specimen"
+  const std::string& unit() const { return unit_; }    ///< "mm"
+
+ private:
+  std::string key_, label_, unit_;
+};
+
 /// Work that was understood but failed on the way (disk full, control lost): status 1.
 class WorkFailed : public std::runtime_error {
  public:

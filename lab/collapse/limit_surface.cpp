@@ -71,6 +71,10 @@ std::optional<double> LimitSurface::stress_ratio() const {
   return angle ? std::optional(sim::stress_ratio_at_friction_angle(*angle)) : std::nullopt;
 }
 
+double LimitSurface::below(double eta) const {
+  return given_angle_ ? 1 - std::fabs(eta) / ratio_at(*given_angle_, eta >= 0) : 1;
+}
+
 std::string LimitSurface::source() const {
   if (given_angle_) return "friction angle of the specimen";
   return largest_angle_

@@ -27,6 +27,8 @@ class LimitSurface {
   std::optional<double> stress_ratio() const;
   /// Whether the specimen's description gives it.
   bool given() const { return given_angle_.has_value(); }
+  /// By how much of it η lies below the limit that was given; 1 where none was.
+  double below(double eta) const;
   /// Where M comes from, in words.
   std::string source() const;
   /// Whether an onset at η lies strictly inside: more than 5 % below the limit, M in compression

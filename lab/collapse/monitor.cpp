@@ -10,11 +10,11 @@
 #include "lab/base/listeners.hpp"
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/criteria.hpp"
-#include "lab/collapse/fall_fit.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/collapse/onset_interval.hpp"
 #include "lab/collapse/onset_refiner.hpp"
+#include "lab/collapse/placed_bursts.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/servo_search.hpp"
 #include "lab/collapse/verdict.hpp"
@@ -33,14 +33,6 @@ bool is_sharper(const std::optional<OnsetFit>& fit, const PathPoint& found) {
   if (!fit || !found.shortest_window()) return fit.has_value();
   const double noise = 3 * found.stress_variance;  // the value at the centre has a third of it
   return fit->stress_scatter < 3 * noise;
-}
-
-/// The interval of the one widened to hold the other.
-void reach(Instant& onset, const Instant& other) {
-  const auto of = [](const Instant& at) {
-    return at.interval ? *at.interval : as_interval(*at.q_pa, *at.p_eff_pa);
-  };
-  onset.interval = hull(of(onset), of(other));
 }
 
 }  // namespace
@@ -62,10 +54,6 @@ struct CollapseMonitor::Impl {
   void look_nearer(const PathPoint& point);
   void tell_of_descent();
   void sharpen();
-  struct PlacedBurst;
-  void place_burst(const Finding& burst);
-  void place_fall(const Instant& at, PlacedBurst& burst);
-  void reach_turn_of_volume(double last, Instant& fall) const;
   double last_of_path() const;
   void reach_unmeasured_volume(Instant& at) const;
   void bound_search();
@@ -73,7 +61,6 @@ struct CollapseMonitor::Impl {
   void bound_turn(double reading);
   void place_descent(const Descent& descent);
   std::optional<StressInterval> interval_of(const OnsetFit& fit, const PathPoint& onset) const;
-  std::optional<StressInterval> interval_of_burst(const Finding& burst) const;
   void end_stage();
   Collapse verdict_so_far() const;
 
@@ -93,14 +80,7 @@ struct CollapseMonitor::Impl {
   SecondOrderWork& work = criteria.of<SecondOrderWork>();
   LossOfControl& control = criteria.of<LossOfControl>();
   ControlPeak& control_peak = criteria.of<ControlPeak>();
-  struct PlacedBurst {
-    std::int64_t of = 0;  ///< reading of the finding that it belongs to
-    std::optional<StressInterval> interval;
-    std::optional<Instant> fall;  ///< where a sudden one began
-    std::optional<FallWork> work;
-  };
-  std::vector<PlacedBurst> bursts;  ///< the latest and an earlier one
-  const PlacedBurst* placed(const Finding& burst) const;
+  PlacedBursts bursts;
   std::optional<PathPoint> before_fall;  ///< the latest before control was lost
   LimitSurface limit;
   LargestStrength peak;
@@ -192,8 +172,12 @@ void CollapseMonitor::Impl::sharpen() {
     descent_onset.follow(history);
   }
   const auto& burst = control.found();
-  if (burst && !placed(*burst)) {
-    place_burst(*burst);
+  if (burst && !bursts.of(*burst)) {
+    bursts.place(control, history, before_fall,
+                 {.q = start ? start->q : 0,
+                  .held = held_q,
+                  .drained = drained,
+                  .has_time = header.has_time});
     bound_search();
   }
   if (burst) descent_onset.finish(history, static_cast<double>(burst->instant.reading));
@@ -256,7 +240,7 @@ void CollapseMonitor::Impl::bound_search() {
   const double end = end_of_search(history, *start, std::min(high, last), last);
   at.interval = interval_over(history, point, {low, end, last}, false);
   reach_unmeasured_volume(at);
-  const PlacedBurst* burst = control.found() ? placed(*control.found()) : nullptr;
+  const PlacedBurst* burst = control.found() ? bursts.of(*control.found()) : nullptr;
   if (burst && end >= last) {
     Instant fall = at;
     fall.interval = burst->fall ? burst->fall->interval : burst->interval;
@@ -291,63 +275,7 @@ void CollapseMonitor::Impl::place_descent(const Descent& descent) {
 /// Of a fit, up to the burst that ended what it could see.
 std::optional<StressInterval> CollapseMonitor::Impl::interval_of(const OnsetFit& fit,
                                                                  const PathPoint& onset) const {
-  const double reach = StressSpan::kOf95 * fit.error;
-  return interval_over(history, onset,
-                       {fit.point.reading - reach, fit.point.reading + reach, last_of_path()},
-                       false);
-}
-
-void CollapseMonitor::Impl::place_burst(const Finding& burst) {
-  const auto& earlier = control.earlier();
-  std::erase_if(bursts, [&](const PlacedBurst& one) {
-    return !earlier || one.of != earlier->instant.reading;
-  });
-  bursts.push_back(
-      {.of = burst.instant.reading, .interval = interval_of_burst(burst), .fall = {}, .work = {}});
-  if (control.sudden()) place_fall(burst.instant, bursts.back());
-}
-
-auto CollapseMonitor::Impl::placed(const Finding& burst) const -> const PlacedBurst* {
-  const auto found = std::ranges::find(bursts, burst.instant.reading, &PlacedBurst::of);
-  return found == bursts.end() ? nullptr : &*found;
-}
-
-void CollapseMonitor::Impl::place_fall(const Instant& at, PlacedBurst& burst) {
-  constexpr double kBefore = 60;  // readings
-  burst.fall = at;
-  burst.fall->interval = burst.interval;
-  const auto last = static_cast<double>(burst.of);
-  const auto rate_of_stage = [&] {
-    const double q = at.q_pa.value_or(0) - start->q;
-    return q / std::max(last - history.first_reading(), 1.0);
-  };
-  const auto fit = fit_fall(history.between(last - kBefore, last), held_q, rate_of_stage());
-  if (fit) {
-    burst.fall = instant_of(fit->point, header.has_time);
-    burst.fall->interval = fit->interval;
-  }
-  if (held_q && drained) reach_turn_of_volume(last, *burst.fall);
-  if (before_fall)
-    burst.work = work_of_fall(control.fall()->before, control.fall()->after, *before_fall);
-}
-
-/// Few readings before the fall its turn is too weak to be sure of, but it may be the onset.
-void CollapseMonitor::Impl::reach_turn_of_volume(double last, Instant& fall) const {
-  constexpr double kReadings = 64;  // readings
-  const auto turn = fit_onset(history.between(last - kReadings, last), Witness::volume, last);
-  if (!turn) return;
-  Instant at = instant_of(turn->point, header.has_time);
-  at.interval = interval_of(*turn, turn->point);
-  reach(fall, at);
-}
-
-/// From the reading before it to the one after it.
-std::optional<StressInterval> CollapseMonitor::Impl::interval_of_burst(const Finding& burst) const {
-  PathPoint at = before_fall.value_or(PathPoint{});
-  at.q = burst.instant.q_pa.value_or(kMissing);
-  at.p_eff = burst.instant.p_eff_pa.value_or(kMissing);
-  const auto reading = static_cast<double>(burst.instant.reading);
-  return interval_over(history, at, {reading - 1, reading + 1}, true);
+  return interval_of_fit(history, fit, onset, last_of_path());
 }
 
 void CollapseMonitor::Impl::end_stage() {
@@ -411,7 +339,7 @@ void CollapseMonitor::interrupt() { impl_->stage.reset(); }
 Collapse CollapseMonitor::Impl::verdict_so_far() const {
   // A burst that a growing load withdrew takes its fall with it.
   auto lost = control.lost();
-  const PlacedBurst* burst = lost ? placed(*lost) : nullptr;
+  const PlacedBurst* burst = lost ? bursts.of(*lost) : nullptr;
   if (burst) lost->instant.interval = burst->interval;
   auto at_fall = burst ? burst->fall : std::nullopt;
   const auto peak_of_control = control_peak.finding();

@@ -136,4 +136,18 @@ std::optional<StressInterval> interval_over(const PathHistory& history, const Pa
   return span.interval(here->error);
 }
 
+std::optional<StressInterval> interval_of_fit(const PathHistory& history, const OnsetFit& fit,
+                                              const PathPoint& onset, double last) {
+  const double within = StressSpan::kOf95 * fit.error;
+  return interval_over(history, onset,
+                       {fit.point.reading - within, fit.point.reading + within, last}, false);
+}
+
+void reach(Instant& onset, const Instant& other) {
+  const auto of = [](const Instant& at) {
+    return at.interval ? *at.interval : as_interval(*at.q_pa, *at.p_eff_pa);
+  };
+  onset.interval = hull(of(onset), of(other));
+}
+
 }  // namespace triax::lab

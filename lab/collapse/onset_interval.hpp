@@ -30,6 +30,13 @@ struct Stretch {
 std::optional<StressInterval> interval_over(const PathHistory& history, const PathPoint& onset,
                                             const Stretch& stretch, bool single);
 
+/// Of an onset that a fit placed, `last` the last reading of the path before a fall.
+std::optional<StressInterval> interval_of_fit(const PathHistory& history, const OnsetFit& fit,
+                                              const PathPoint& onset, double last);
+
+/// The interval of the one widened to hold the other. Pre-condition: both have q and p′.
+void reach(Instant& onset, const Instant& other);
+
 /// The state at a reading from a cubic through those around it up to `last`, more of them where the
 /// path is known in blocks only.
 std::optional<StressFit> stress_near(const PathHistory& history, double reading, double last);

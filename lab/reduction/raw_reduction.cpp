@@ -15,12 +15,12 @@ namespace {
 constexpr double kWaterDensity = 1000;  // kg/m³
 
 double required(const std::optional<double>& value, const RecordHeader& header, const char* what,
-                const char* key) {
+                const std::string& key) {
   if (!value)
-    throw BadInput(header.source, 0,
-                   fmt::format("the record has raw channels but does not say the {}; give it with "
-                               "--set {}=...",
-                               what, key));
+    throw MissingKey(header.source, key, what, key.substr(key.rfind('_') + 1),
+                     fmt::format("the record has raw channels but does not say the {}; give it "
+                                 "with --set {}=...",
+                                 what, key));
   if (!(*value > 0))
     throw BadInput(header.source, 0, fmt::format("the {} must be positive ({})", what, key));
   return *value;

@@ -28,6 +28,8 @@ struct LeftToOnset {
 double in_field_units(const LeftToOnset& left);
 double from_field_units(Quantity quantity, double value);
 
+inline constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
+
 /// A forecast, and when it was made.
 struct Outlook {
   std::int64_t reading = 0;  ///< the last that had been taken

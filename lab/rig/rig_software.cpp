@@ -290,8 +290,15 @@ std::optional<Truth> RigSoftware::truth() const { return impl_->apparatus->truth
 
 std::vector<Event> RigSoftware::events() { return std::exchange(impl_->events, {}); }
 
-void RigSoftware::hold() { impl_->go(Impl::Mode::held, EventKind::held, "from outside"); }
-void RigSoftware::resume() { impl_->go(Impl::Mode::running, EventKind::resumed, "from outside"); }
+bool RigSoftware::hold(const std::string& by) {
+  return impl_->go(Impl::Mode::held, EventKind::held, by);
+}
+bool RigSoftware::resume(const std::string& by) {
+  return impl_->go(Impl::Mode::running, EventKind::resumed, by);
+}
+bool RigSoftware::stop_safely(const std::string& by) {
+  return impl_->go(Impl::Mode::safe, EventKind::aborted, by);
+}
 bool RigSoftware::abort(const std::string& reason) {
   const bool done = impl_->go(Impl::Mode::safe, EventKind::aborted, reason);
   impl_->apparatus->rest();

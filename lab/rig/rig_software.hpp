@@ -47,9 +47,11 @@ class RigSoftware : public BackEnd {
   /// What happened to the rig since the last call.
   std::vector<Event> events() override;
 
-  /// Pauses, goes on, or leads to the safe state, from the next tick on.
-  void hold();
-  void resume();
+  /// Pauses, goes on, or leads to the safe state, from the next tick on. `by` says who asked, for
+  /// the event. False where nothing changes: it is so already, or in the safe state.
+  bool hold(const std::string& by = "from outside");
+  bool resume(const std::string& by = "from outside");
+  bool stop_safely(const std::string& by);
   bool abort(const std::string& reason) override;
   /// The guard of the programme acts in a stage that it guards, from the next tick on; a stage that
   /// would begin while its level stands is not left to its load for a tick.

@@ -101,6 +101,12 @@ std::optional<std::string> contradiction(const Collapse& taken,
   return std::nullopt;
 }
 
+std::string told_of(const EarlierTests& earlier) {
+  std::string names;
+  for (const EarlierTest& test : earlier.all()) names += (names.empty() ? "" : ", ") + test.name;
+  return "the alarm was told of earlier tests of this sand: " + names;
+}
+
 /// One test on its way through the stream.
 class SessionRun {
  public:
@@ -110,7 +116,7 @@ class SessionRun {
         listeners_(listeners),
         reduction_(back_end.header(), options.reduction),
         monitor_(back_end.header(), {monitor_listener()}),
-        alarm_(back_end.header(), {alarm_listener()}),
+        alarm_(back_end.header(), {alarm_listener()}, options.earlier),
         fall_watch_(back_end.header()),
         states_(back_end.header()),
         cross_checks_(back_end.header()),
@@ -214,6 +220,7 @@ void SessionRun::take(const Reading& reading) {
   states_.add(reading, state);
   for (const SensorFinding& finding : states_.health().news()) {
     tell_of(sensor_event(finding));
+    tell(listeners_, &SessionListener::doubted, finding);
     alarm_.interrupt(describe(finding));
     if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
       fall_watch_.interrupt();
@@ -352,6 +359,7 @@ void SessionRun::summarise() {
   for (const auto& warnings :
        {of_record, aborted_, reduction_.warnings(), warnings_of(crossed), states_.warnings()})
     summary_.warnings.insert(summary_.warnings.end(), warnings.begin(), warnings.end());
+  if (!options_.earlier.empty()) summary_.warnings.push_back({0, told_of(options_.earlier)});
   if (caveat) summary_.warnings.push_back({0, "the onset of collapse is " + *caveat});
 }
 

@@ -7,6 +7,7 @@
 #include "lab/reduction/reduction.hpp"
 #include "lab/rig/back_end.hpp"
 #include "lab/rig/session_listener.hpp"
+#include "lab/warning/earlier_tests.hpp"
 
 namespace triax::lab {
 
@@ -28,6 +29,8 @@ struct SessionOptions {
   std::function<std::vector<Otherwise>()> otherwise = {};
   /// Asked once where the guard of the programme acted.
   std::function<GuardOutcome::Without()> without_guard = {};
+  /// What the alarm knows of the sand before the test. The verdict does not depend on it.
+  EarlierTests earlier = {};
 };
 
 /// Runs a whole test; returns what it came to. A test that was broken off is judged as far as it

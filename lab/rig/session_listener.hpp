@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "lab/health/sensor_finding.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/second_order_work_point.hpp"
@@ -17,6 +18,8 @@ struct SessionListener {
   std::function<void(const Reading&, const State&)> scanned;
   std::function<void(const SecondOrderWorkPoint&)> second_order_work;
   std::function<void(const Event&)> happened;
+  /// A sensor cannot be believed; also told as an event.
+  std::function<void(const SensorFinding&)> doubted = {};
   /// A new forecast of the onset, told at the reading after which it was made.
   std::function<void(const Outlook&)> foreseen;
   /// Share done, in [0, 1]; about twenty times a second of clock time at most, and 1 at the end.

@@ -7,11 +7,11 @@
 
 namespace triax::lab {
 
-Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners)
+Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners, const EarlierTests& earlier)
     : header_(header),
       listeners_(std::move(listeners)),
       limit_(header.specimen),
-      levels_(header.has_time) {}
+      levels_(header.has_time, earlier) {}
 
 void Alarm::start_stage(const State& state) {
   take_back(state, "its stage ended");
@@ -29,7 +29,7 @@ void Alarm::watch(const State& state) {
   const auto eta = levels_.eta_forecast();
   const auto inside =
       eta ? limit_.inside(*eta, static_cast<double>(state.reading)) : std::optional<bool>();
-  const bool changed = levels_.look(inside);
+  const bool changed = levels_.look(inside, eta ? limit_.below(*eta) : 1);
   if (changed) say(state);
   if (!eta || !(is_new || changed)) return;
   if (is_heard(listeners_, &AlarmListener::foreseen))

@@ -28,7 +28,9 @@ using AlarmListeners = std::vector<AlarmListener>;
 /// specimen.
 class Alarm {
  public:
-  explicit Alarm(const RecordHeader& header, AlarmListeners listeners = {});
+  /// `earlier`: of the same sand, as far as anybody says.
+  explicit Alarm(const RecordHeader& header, AlarmListeners listeners = {},
+                 const EarlierTests& earlier = {});
   Alarm(const Alarm&) = delete;
   Alarm& operator=(const Alarm&) = delete;
 

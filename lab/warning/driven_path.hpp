@@ -52,6 +52,7 @@ class DrivenPath {
   bool in_extension() const { return in_extension_; }
   double ratio() const { return ratio_; }            ///< R of a strain path
   double compliance() const { return compliance_; }  ///< of the pore fluid at present, 1/Pa
+  const PoreFluid& fluid() const { return fluid_; }
 
  private:
   PathMean sample(const State& state) const;

@@ -17,6 +17,7 @@ constexpr double kApart = 2;    ///< of the way ahead, between two witnesses tha
 /// Errors, of the distance: without drift; a unit of drift, which counts to kMostDrift; and of the
 /// standard error of the drift.
 constexpr double kModel = 0.25, kDrift = 0.4, kMostDrift = 1.5, kDriftUnsure = 0.3;
+constexpr double kPast = 2;        ///< standard errors past which earlier tests are not believed
 constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64, kLooksNear = 256;  ///< a look each so many-th part of the readings
 constexpr double kLooksFrom = 0.2;  ///< share of η left, from which it is the latter
@@ -103,6 +104,16 @@ void path_at_onset(const DrivenFit& f, double xi, const PathMean& here, EtaForec
   made.fall = f.beside[1] < 0 ? DrivenFit::at(f.beside, xi) / f.beside[1] : 0;
 }
 
+/// The forecast of the test itself and what earlier tests know, by their precisions. Where they
+/// differ by more than their errors the error grows with it.
+void weigh(const EarlierTests::Onset& known, EtaForecast& made) {
+  const double own = 1 / (made.error * made.error), theirs = 1 / (known.error * known.error);
+  const double apart = (made.eta - known.eta) / std::hypot(made.error, known.error);
+  made.eta = (own * made.eta + theirs * known.eta) / (own + theirs);
+  made.error = std::max(1.0, std::fabs(apart)) / std::sqrt(own + theirs);
+  made.by_earlier = true;
+}
+
 /// What single readings scatter by: from how far each of the latest lies off the middle of its
 /// neighbours.
 double scatter(const std::vector<PathMean>& means) {
@@ -140,7 +151,7 @@ double EtaForecast::way_to(double at) const {
 }
 
 void OnsetForecast::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
-  *this = OnsetForecast();
+  *this = OnsetForecast(earlier_);
   path_.start_stage(stage, has_time, fluid);
   if (stage) by_ = stage->control;
 }
@@ -158,10 +169,27 @@ bool OnsetForecast::add(const State& state) {
   return true;
 }
 
+/// What earlier tests say of the onset, as long as the path has not gone past it.
+std::optional<EarlierTests::Onset> OnsetForecast::known(double now) const {
+  const auto known =
+      earlier_.onset(path_.control(), path_.in_extension(), path_.fluid().give().value_or(0));
+  return known && now <= known->eta + kPast * known->error ? known : std::nullopt;
+}
+
 std::optional<EtaForecast> OnsetForecast::made() {
   const auto& means = path_.means();
   clear_ = false;
-  if (means.size() < kLeast) return std::nullopt;
+  if (means.size() < kLeast) {
+    if (means.empty()) return std::nullopt;
+    const auto before = known(means.back().eta);
+    if (!before) return std::nullopt;
+    return EtaForecast{.eta = before->eta,
+                       .error = before->error,
+                       .now = means.back().eta,
+                       .by = by_,
+                       .q = means.back().q,
+                       .by_earlier = true};
+  }
   const std::size_t count = latest_of(means, path_.readings());
   const PathMean here = latest(means, count);
   const bool on_path = path_.control() == DrivenPath::Control::strain_path;
@@ -184,12 +212,20 @@ std::optional<EtaForecast> OnsetForecast::made() {
   if (on_path) made.work = f->work_along_path(path_.ratio(), path_.in_extension() ? -1 : 1);
   if (path_.control() == DrivenPath::Control::held_q_open) made.work = f->normalised_work(0);
   if (made.work < 1) made.work_error = error * std::fabs(made.work / f->y[1]);
+  const auto before = known(here.eta);
   if (xi) {
     foresee(*f, *xi, path_.control(), drift_, made);
-    if (on_path) path_at_onset(*f, *xi, here, made);
+    if (before && *xi > 0) weigh(*before, made);
+    if (on_path)
+      path_at_onset(*f, made.by_earlier ? (made.eta - here.eta) / f->distance : *xi, here, made);
   } else if (!on_path || !look_back(means, count, made)) {
-    return std::nullopt;
+    if (!before) return std::nullopt;
+    made.eta = before->eta;
+    made.error = before->error;
+    made.by_earlier = true;
+    if (on_path) path_at_onset(*f, (made.eta - here.eta) / f->distance, here, made);
   }
+  if (made.by_earlier) return made;
   return made.covered * made.now < kCovered * made.eta ? std::nullopt : std::optional(made);
 }
 

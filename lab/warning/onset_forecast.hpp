@@ -27,11 +27,10 @@
 
 #include "lab/results/outlook.hpp"
 #include "lab/warning/driven_path.hpp"
+#include "lab/warning/earlier_tests.hpp"
 #include "lab/warning/forecast_drift.hpp"
 
 namespace triax::lab {
-
-inline constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
 
 struct EtaForecast {
   double eta = 0;                             ///< |η| at the onset to come
@@ -54,11 +53,13 @@ struct EtaForecast {
   /// −dp′/dx at the onset over what it is now, along a strain path: 1 and more where loose sand
   /// falls, well below where p′ turns at phase transformation.
   double fall = 1;
-  double answer = 0;  ///< dy/dx now
+  double answer = 0;        ///< dy/dx now
+  bool by_earlier = false;  ///< earlier tests of the sand have their share in it
 };
 
 class OnsetForecast {
  public:
+  explicit OnsetForecast(const EarlierTests& earlier = {}) : earlier_(earlier) {}
   /// A stage begins, and all is forgotten.
   void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   /// The next reading in shear; true where the forecast was made anew. Pre-condition:
@@ -73,10 +74,14 @@ class OnsetForecast {
   std::int64_t readings() const { return path_.readings(); }
   DrivenPath::Control control() const { return path_.control(); }
   bool in_extension() const { return path_.in_extension(); }
+  /// The least work with which earlier tests of the sand, driven so, carried on.
+  std::optional<double> carried_on() const { return earlier_.carried_on(path_.control()); }
 
  private:
   std::optional<EtaForecast> made();
+  std::optional<EarlierTests::Onset> known(double now) const;
 
+  EarlierTests earlier_;
   DrivenPath path_;
   AxialControl by_ = AxialControl::unknown;
   std::optional<EtaForecast> forecast_;

@@ -26,11 +26,15 @@ constexpr double kWorkNear = 0.4, kWorkNearLess = 0.25;
 constexpr double kWorkLoad = 0.33, kWorkLess = 0.185, kWorkScans = 0.5, kWorkFrame = 0.14;
 /// At held q, by the share of η that is left: below which a hunting pressure may bring the fall.
 constexpr double kPerturbed = 0.1;
+/// Of the limit surface, by which an onset lies below it: from which on work counts as it is, and
+/// up to which no work is low.
+constexpr double kRoom = 0.45, kNoRoom = 0.25;
 constexpr double kSofter = 0.58, kSoft = 0.55;  ///< dy/dx at held q over its largest: near, soon
 constexpr int kNearLooks = 3, kSoonLooks = 2, kFarLooks = 5;  ///< in a row
 constexpr int kFew = 64;                                      ///< readings of the stage
 constexpr double kSure = 0.03;                                ///< standard error of normalised work
 constexpr double kScans = 5, kScansOnPath = 3, kSeconds = 120, kShareOfStage = 0.2;
+constexpr double kScansKnown = 2, kSureKnown = 0.06;  ///< where earlier tests know of the onset
 constexpr double kAtMost = 4;  ///< of such a time, until the onset as it is forecast
 
 double progress_of(const State& s, bool has_time) { return has_time ? s.time_s : s.strain.axial; }
@@ -39,7 +43,9 @@ double lapse(const LeftToOnset& left) { return left.time_s.value_or(left.value);
 }  // namespace
 
 void WarningLevels::start_stage(const StageInfo* stage, const PoreFluid& fluid) {
+  OnsetForecast forecast = std::move(forecast_);
   *this = WarningLevels(has_time_);
+  forecast_ = std::move(forecast);
   forecast_.start_stage(stage, has_time_, fluid);
 }
 
@@ -51,10 +57,7 @@ bool WarningLevels::add(const State& state) {
   eta_now_ = before_ ? std::min(eta, eta_before_) : eta;
   eta_before_ = eta;
   is_new_ = forecast_.add(state);
-  if (!is_new_) return false;
-  near_ = is_near() ? near_ + 1 : 0;
-  far_ = is_far() ? far_ + 1 : 0;
-  return true;
+  return is_new_;
 }
 
 bool WarningLevels::is_near() const {
@@ -63,8 +66,8 @@ bool WarningLevels::is_near() const {
   if (f->by == AxialControl::constant_q)
     return f->left() <= kClose && f->stiffness + f->stiffness_error <= kSofter;
   if (f->left() > kNear) return false;
-  return (f->work <= kWorkNear && f->fall >= kFalls) ||
-         (f->work <= kWorkNearLess && f->fall >= kFallsLess);
+  return (f->work <= room_ * kWorkNear && f->fall >= kFalls) ||
+         (f->work <= room_ * kWorkNearLess && f->fall >= kFallsLess);
 }
 
 bool WarningLevels::is_far() const {
@@ -91,7 +94,23 @@ std::optional<LeftToOnset> WarningLevels::left(double eta) const {
 bool WarningLevels::is_imminent() const {
   const EtaForecast& f = *forecast();
   if (f.error > kUnsureSoon * f.eta || f.left() > kWithin || !before_) return false;
+  if (may_come()) return true;
   return f.by == AxialControl::constant_q ? is_imminent_at_held_q() : is_imminent_on_path();
+}
+
+/// Earlier tests of the sand went through as little work, and carried on.
+bool WarningLevels::carried_on_there() const {
+  const auto least = forecast_.carried_on();
+  return least && forecast()->work + 2 * forecast()->work_error + kSure >= *least;
+}
+
+/// Where earlier tests know of the onset it needs no stiffness that is nearly gone: it may come
+/// within the next scans.
+bool WarningLevels::may_come() const {
+  const EtaForecast& f = *forecast();
+  const double step = std::fabs(state_->eta()) - std::fabs(before_->eta());
+  return f.by_earlier && f.error <= kSureKnown * f.eta && f.fall >= kTurns &&
+         eta_now_ + kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
 }
 
 /// Not when it will be, but when it may be: `left` counts to a standard error before the forecast.
@@ -100,11 +119,11 @@ bool WarningLevels::is_imminent_on_path() const {
   if (f.work_error > kUnsureWork) return false;
   const double may_be = f.eta - f.error;
   if (f.by != AxialControl::load)
-    return f.fall >= kFalls && ((f.work <= kWorkFrame && f.left() <= kClose) ||
-                                (f.work - f.work_error <= kWorkLess && eta_now_ >= may_be));
-  if (f.work <= kWorkLess) return f.fall >= kFallsLess;
-  return f.fall >= kFalls &&
-         (f.work <= kWorkLoad || (f.work <= kWorkScans && within_scans(may_be, kScansOnPath)));
+    return f.fall >= kFalls && ((f.work <= room_ * kWorkFrame && f.left() <= kClose) ||
+                                (f.work - f.work_error <= room_ * kWorkLess && eta_now_ >= may_be));
+  if (f.work <= room_ * kWorkLess) return f.fall >= kFallsLess;
+  return f.fall >= kFalls && (f.work <= room_ * kWorkLoad ||
+                              (f.work <= room_ * kWorkScans && within_scans(may_be, kScansOnPath)));
 }
 
 bool WarningLevels::within_scans(double eta, double scans) const {
@@ -134,10 +153,16 @@ bool WarningLevels::is_last_chance() const {
   return forecast_.readings() <= kFew && f.work_error <= kSure && within_scans(f.eta, 1);
 }
 
-bool WarningLevels::look(std::optional<bool> inside) {
+bool WarningLevels::look(std::optional<bool> inside, double below_limit) {
   if (level_ == WarningLevel::lost) return false;
+  room_ = std::clamp((below_limit - kNoRoom) / (kRoom - kNoRoom), 0.0, 1.0);
+  if (is_new_) {
+    near_ = is_near() ? near_ + 1 : 0;
+    far_ = is_far() ? far_ + 1 : 0;
+  }
   const WarningLevel was = level_;
-  const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest);
+  const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest) &&
+                      !carried_on_there();
   if (is_new_ && (forecast() || forecast_.clear())) {
     if (!points || !is_imminent())
       soon_ = 0;

@@ -32,7 +32,8 @@ namespace triax::lab {
 /// above η = 1, which no loose sand reaches before it is lost.
 class WarningLevels {
  public:
-  explicit WarningLevels(bool has_time) : has_time_(has_time) {}
+  explicit WarningLevels(bool has_time, const EarlierTests& earlier = {})
+      : has_time_(has_time), forecast_(earlier) {}
 
   void start_stage(const StageInfo* stage, const PoreFluid& fluid = {});
   /// The next state in shear; true where the forecast was made anew. Pre-condition:
@@ -40,7 +41,8 @@ class WarningLevels {
   bool add(const State& state);
   /// After add(); `inside` says whether the onset that forecast() names lies inside the limit
   /// surface (empty: unknown). True where the level changed.
-  bool look(std::optional<bool> inside);
+  /// `below_limit`: by how much of the limit's η that one lies below it; 1 where nobody gave one.
+  bool look(std::optional<bool> inside, double below_limit = 1);
   /// It was lost, as a criterion found. True where that is news.
   bool lose();
 
@@ -57,6 +59,8 @@ class WarningLevels {
   bool is_imminent() const;
   bool is_imminent_on_path() const;
   bool is_imminent_at_held_q() const;
+  bool carried_on_there() const;
+  bool may_come() const;
   bool within_scans(double eta, double scans) const;
   double since(const State& s) const;
   bool is_last_chance() const;
@@ -66,6 +70,7 @@ class WarningLevels {
   bool is_new_ = false;  ///< the forecast of the latest state
   OnsetForecast forecast_;
   std::optional<State> first_, before_, state_;
+  double room_ = 1;                    ///< share of the limits of work that counts
   double eta_now_ = 0;                 ///< |η| of the latest states, the lower of two
   double eta_before_ = 0;              ///< |η| of the one before
   int near_ = 0, far_ = 0, soon_ = 0;  ///< looks in a row

@@ -57,6 +57,14 @@ void add_live(CLI::App& app, bool& live) {
   app.add_flag("--live", live, "what was said while the test ran, and when, instead of the result");
 }
 
+void add_earlier(CLI::App& app, std::vector<std::string>& tests) {
+  app.add_option("--earlier", tests,
+                 "test of the database, of the same sand at about that density, of which the alarm "
+                 "is told; may be repeated")
+      ->type_name("TEST")
+      ->allow_extra_args(false);
+}
+
 void add_jobs(CLI::App& app, int& jobs, const std::string& what, int most) {
   app.add_option("--jobs", jobs, what + " [all cores]")
       ->check(CLI::Range(1, most).description(""))

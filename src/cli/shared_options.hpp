@@ -22,6 +22,9 @@ void add_json(CLI::App& app, bool& json);
 /// --live: not what a test came to but what was said while it ran.
 void add_live(CLI::App& app, bool& live);
 
+/// --earlier TEST: tests of the same sand, of which the alarm is told.
+void add_earlier(CLI::App& app, std::vector<std::string>& tests);
+
 /// --jobs N: threads or tests at a time; 0 in `jobs`: not given, all cores. `what` describes it.
 void add_jobs(CLI::App& app, int& jobs, const std::string& what, int most = 1024);
 /// As many as were asked for, or as there are cores.

@@ -275,7 +275,7 @@ Json guard_json(const std::optional<lab::GuardOutcome>& guard) {
           {"without", std::move(without)}};
 }
 
-Json report_json(const db::StoredTest& test) {
+Json document_of(const db::StoredTest& test) {
   Json peak;
   put_instant(peak, test.summary.peak);
   return {{"test", test_json(test)},
@@ -295,8 +295,10 @@ Json report_json(const db::StoredTest& test) {
 
 }  // namespace
 
+Json test_document(const db::StoredTest& test) { return document_of(test); }
+
 std::string json_of_test(const study::TestResult& test) {
-  return report_json(test.stored).dump(2, ' ', false, Json::error_handler_t::replace);
+  return document_of(test.stored).dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string json_in_short(const db::StoredTest& test) {
@@ -308,7 +310,7 @@ std::string json_in_short(const db::StoredTest& test) {
 
 std::string json_report(const std::vector<study::TestResult>& tests) {
   Json document = Json::array();
-  for (const auto& test : tests) document.push_back(report_json(test.stored));
+  for (const auto& test : tests) document.push_back(document_of(test.stored));
   if (tests.size() == 1) document = Json(document.front());
   return study::json_document(document);
 }

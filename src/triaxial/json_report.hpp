@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "src/study/json_parts.hpp"
 #include "src/study/triaxial/test_result.hpp"
 
 namespace triax::src {
@@ -14,6 +15,9 @@ std::string json_report(const std::vector<study::TestResult>& tests);
 
 /// The object of one test alone, without a line end: for documents too long to be held whole.
 std::string json_of_test(const study::TestResult& test);
+
+/// The same as a value, to which others add.
+study::Json test_document(const db::StoredTest& test);
 
 /// Of one test the parts test, specimen, collapse and warnings, as a document.
 std::string json_in_short(const db::StoredTest& test);

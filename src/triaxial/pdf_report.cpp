@@ -65,8 +65,8 @@ PageSection test_section(const study::TestResult& test) {
 
 }  // namespace
 
-void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path,
-                const std::vector<PageSection>& more) {
+std::string pdf_bytes(const std::vector<study::TestResult>& tests,
+                      const std::vector<PageSection>& more) {
   need_drawing();
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -75,7 +75,12 @@ void pdf_report(const std::vector<study::TestResult>& tests, const std::string& 
   for (const auto& test : tests) pages.add(test_section(test));
   for (const auto& section : more) pages.add(section);
   pages.finish();
-  write_file(path, without_date(buffer.data().toStdString()));
+  return without_date(buffer.data().toStdString());
+}
+
+void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path,
+                const std::vector<PageSection>& more) {
+  write_file(path, pdf_bytes(tests, more));
 }
 
 }  // namespace triax::src

@@ -15,4 +15,8 @@ namespace triax::src {
 void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path,
                 const std::vector<PageSection>& more = {});
 
+/// The bytes of that file.
+std::string pdf_bytes(const std::vector<study::TestResult>& tests,
+                      const std::vector<PageSection>& more = {});
+
 }  // namespace triax::src

@@ -20,6 +20,7 @@
 #include "src/output/table.hpp"
 #include "src/output/terminal.hpp"
 #include "src/reference/reference_files.hpp"
+#include "src/study/triaxial/earlier_tests.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_replayed.hpp"
 #include "src/triaxial/shown_on.hpp"
@@ -36,6 +37,7 @@ struct ReplayOptions {
   double speed = 0;
   bool json = false;
   bool live = false;
+  std::vector<std::string> earlier;
 };
 
 /// What went wrong with single records; told at once, and counted for the end.
@@ -100,6 +102,7 @@ void run_replay(const ReplayOptions& o) {
   const lab::ReductionOptions reduction{.membrane = o.membrane};
   refuse_overwriting("--db", o.db, o.records, "a record that is read");
   BadRecords bad(o.records.size());
+  const lab::EarlierTests earlier = study::earlier_tests(o.db, o.earlier);
   std::vector<std::int64_t> ids;
   ReferenceFiles references;
   std::vector<Looked> records = look_at_all(o, record, reduction, references, bad);
@@ -122,10 +125,15 @@ void run_replay(const ReplayOptions& o) {
           return lab::open_record(one.path, other);
         });
       };
-      ids.push_back(study::run_test(
-          *rig, {.reduction = reduction, .speed = o.speed, .stop = stop, .otherwise = otherwise},
-          o.db, {shown_on(bar)},
-          {.say = notify, .stop = [&interruption] { return interruption.requested(); }}));
+      ids.push_back(study::run_test(*rig,
+                                    {.reduction = reduction,
+                                     .speed = o.speed,
+                                     .stop = stop,
+                                     .otherwise = otherwise,
+                                     .earlier = earlier},
+                                    o.db, {shown_on(bar)}, {.say = notify, .stop = [&interruption] {
+                                                              return interruption.requested();
+                                                            }}));
     } catch (const lab::BadInput& error) {
       bad.add(error);
     } catch (const Stopped&) {
@@ -194,6 +202,7 @@ Command replay_command() {
         add_db(app, o->db);
         add_speed(app, o->speed);
         add_live(app, o->live);
+        add_earlier(app, o->earlier);
         add_json(app, o->json);
         return [o] { run_replay(*o); };
       }};

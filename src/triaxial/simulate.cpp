@@ -17,6 +17,7 @@
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/written_files.hpp"
+#include "src/study/triaxial/earlier_tests.hpp"
 #include "src/study/triaxial/stored_record.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
@@ -35,6 +36,7 @@ struct SimulateOptions {
   int jobs = 0;
   std::vector<std::string> sets, sweeps;
   bool json = false;
+  std::vector<std::string> earlier;
 };
 
 std::vector<lab::TomlEdit> edits_of(const std::vector<std::string>& sets) {
@@ -55,6 +57,7 @@ void run_test_of(const SimulateOptions& o) {
   refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
   refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
+  const lab::EarlierTests earlier = study::earlier_tests(o.db, o.earlier);
   lab::VirtualRig rig(programme, o.seed);
   const WrittenFile file(o.record);
   study::StoredRecord record(o.record, rig.header());
@@ -65,7 +68,8 @@ void run_test_of(const SimulateOptions& o) {
                                   {.reduction = {},
                                    .speed = o.speed,
                                    .stop = stop,
-                                   .without_guard = lab::without_guard(programme, o.seed, stop)},
+                                   .without_guard = lab::without_guard(programme, o.seed, stop),
+                                   .earlier = earlier},
                                   o.db, {shown_on(bar)}, {.say = notify, .stop = stop});
   const std::string unwritten = record.write(rig, o.db, id);
   if (unwritten.empty()) file.is_there();
@@ -86,6 +90,8 @@ void run_simulate(const SimulateOptions& o) {
   if (!o.record.empty())
     throw lab::BadInput(
         "--record and --sweep exclude each other: the tests of a sweep are in the database");
+  if (!o.earlier.empty())
+    throw lab::BadInput("--earlier and --sweep exclude each other: it is for one test at a time");
   run_sweep_command({o.programme, edits_of(o.sets), o.sweeps, o.db, o.speed, o.jobs, o.json});
 }
 
@@ -159,6 +165,7 @@ Command simulate_command() {
         add_jobs(app, o->jobs, "tests of a sweep that run at a time");
         add_db(app, o->db);
         add_speed(app, o->speed);
+        add_earlier(app, o->earlier);
         add_json(app, o->json);
         return [o] { run_simulate(*o); };
       }};

@@ -14,6 +14,7 @@
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
 #include "src/output/written_files.hpp"
+#include "src/study/triaxial/earlier_tests.hpp"
 #include "src/study/triaxial/stored_record.hpp"
 #include "src/study/triaxial/test_run.hpp"
 #include "src/triaxial/print_tests.hpp"
@@ -25,6 +26,7 @@ namespace {
 struct RunOptions {
   std::string programme, rig, record, db = "triax.db";
   bool json = false;
+  std::vector<std::string> earlier;
 };
 
 void run_programme(const RunOptions& o) {
@@ -33,6 +35,7 @@ void run_programme(const RunOptions& o) {
   refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
   refuse_overwriting("--record", o.record, {o.rig}, "the rig's file");
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
+  const lab::EarlierTests earlier = study::earlier_tests(o.db, o.earlier);
   const Interruption interruption;
   const auto stop = [&interruption] { return interruption.requested(); };
   lab::LineLoop loop;
@@ -40,8 +43,8 @@ void run_programme(const RunOptions& o) {
   const WrittenFile file(o.record);
   study::StoredRecord record(o.record, rig.header());
   ProgressBar bar(rig.header().name);
-  const auto id = study::run_test(rig, {.reduction = {}, .stop = stop}, o.db, {shown_on(bar)},
-                                  {.say = notify, .stop = stop});
+  const auto id = study::run_test(rig, {.reduction = {}, .stop = stop, .earlier = earlier}, o.db,
+                                  {shown_on(bar)}, {.say = notify, .stop = stop});
   const std::string unwritten = record.write(rig, o.db, id);
   if (unwritten.empty()) file.is_there();
   print_tests(o.db, {id}, o.json);
@@ -81,6 +84,7 @@ Command run_command() {
         app.add_option("--record", o->record, "also write the readings as a record")
             ->type_name("OUT.csv");
         add_db(app, o->db);
+        add_earlier(app, o->earlier);
         add_json(app, o->json);
         return [o] { run_programme(*o); };
       }};

@@ -158,3 +158,47 @@ TEST_CASE(
   CHECK(here.triax(raw).out.find("interrupted") != std::string::npos);
   CHECK(here.triax("tests repair").out.find("Nothing to repair") == 0);
 }
+
+TEST_CASE("the alarm is told of earlier tests by name, and the report says of which") {
+  const Workplace here;
+  const std::string kIcu = source("samples/programmes/icu_load.toml");
+  REQUIRE(here.triax("simulate " + kIcu + " --seed 2 --db a.db").status == 0);
+  const Outcome alone = here.triax("simulate " + kIcu + " --record x.csv --db b.db --json");
+  REQUIRE(alone.status == 0);
+  const Outcome told = here.triax("replay x.csv --db a.db --earlier 1 --json");
+  INFO(told.err);
+  REQUIRE(told.status == 0);
+  const json a = json::parse(alone.out), b = json::parse(told.out);
+  CHECK(b.at("warnings")
+            .dump()
+            .find("the alarm was told of earlier tests of this sand: ICU by load") !=
+        std::string::npos);
+  CHECK(a.at("warnings").dump().find("earlier tests") == std::string::npos);
+  CHECK(verdict(a)["kind"] == verdict(b)["kind"]);
+  CHECK(verdict(a)["reading"] == verdict(b)["reading"]);
+  // The first forecast comes with the first readings, and lies within 0.02 of the onset.
+  const std::string kFirst =
+      "query \"SELECT min(reading) AS reading, eta_forecast FROM forecasts WHERE test_id = ";
+  const std::string first = here.triax(kFirst + "2\" --format csv --db a.db").out;
+  const std::string own = here.triax(kFirst + "1\" --format csv --db b.db").out;
+  CHECK(first.find("eta_forecast\n") != std::string::npos);
+  const double onset = b.at("collapse").at("eta").get<double>();
+  CHECK(std::stod(first.substr(first.rfind(',') + 1)) == Approx(onset).margin(0.02));
+  CHECK(std::stod(first.substr(first.find('\n'))) < std::stod(own.substr(own.find('\n'))));
+}
+
+TEST_CASE("an earlier test that is not there, or says nothing, is refused in one line") {
+  const Workplace here;
+  REQUIRE(here.triax("simulate " + source("samples/programmes/control_drained_loose.toml") +
+                     " --db a.db")
+              .status == 0);
+  const Outcome nothing =
+      here.triax("simulate " + kCsu26 + " --db a.db --earlier \"drained loose\"");
+  CHECK(nothing.status == 2);
+  CHECK(nothing.err.find("it says nothing of an onset to come") != std::string::npos);
+  CHECK(here.triax("simulate " + kCsu26 + " --db a.db --earlier nobody").status == 2);
+  CHECK(here.triax("simulate " + kCsu26 + " --db none.db --earlier 1").status == 2);
+  const Outcome swept = here.triax("simulate " + kCsu26 + " --sweep seed=1,2 --earlier 1");
+  CHECK(swept.status == 2);
+  CHECK(swept.err.find("exclude each other") != std::string::npos);
+}

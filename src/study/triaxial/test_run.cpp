@@ -9,8 +9,10 @@
 namespace triax::study {
 
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, lab::SessionListeners also, db::Patience patience) {
+                      const std::string& db, lab::SessionListeners also, db::Patience patience,
+                      std::function<void(std::int64_t)> entered) {
   db::Recorder recorder(db, std::move(patience));
+  if (entered) recorder.when_entered(std::move(entered));
   also.insert(also.begin(), recorder.listener());
   try {
     return recorder.finish(lab::run_session(back_end, options, also));

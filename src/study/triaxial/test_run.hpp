@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "db/recording/patience.hpp"
@@ -11,9 +12,10 @@ namespace triax::study {
 /// Runs one back end through the session into the database;
 /// gives the test's id. Bad input takes out again what was stored of this test; any other failure
 /// leaves it there, marked as interrupted. `also` listen beside the database, which
-/// is waited for with `patience`.
+/// is waited for with `patience`. `entered` is told its id as soon as the test is there, by another
+/// thread.
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
                       const std::string& db, lab::SessionListeners also = {},
-                      db::Patience patience = {});
+                      db::Patience patience = {}, std::function<void(std::int64_t)> entered = {});
 
 }  // namespace triax::study

@@ -79,3 +79,14 @@ TEST_CASE("stresses that are not known, and p' of 0 or below, leave the limit as
   own.add(7, kNone, kNone);
   CHECK(*own.stress_ratio() == Approx(0.9));
 }
+
+TEST_CASE("how far below the limit a ratio lies is known where the limit was given") {
+  SpecimenInfo specimen;
+  specimen.limit_friction_angle_rad = sim::radians(32);
+  const LimitSurface given(specimen);
+  CHECK(given.below(0.6436) == Approx(0.5).epsilon(1e-3));
+  CHECK(given.below(-0.9008) == Approx(0).margin(1e-3));
+  LimitSurface own({});
+  own.add(1, 100e3, 100e3);
+  CHECK(own.below(0.9) == 1);
+}

@@ -83,6 +83,27 @@ TEST_CASE("hold and resume from outside do what the operator's do") {
   CHECK(last == Approx(130));
 }
 
+TEST_CASE("who asked for it stands in the event, and what changes nothing says so") {
+  VirtualRig rig(rig_programme(compression("closed")));
+  Reading r;
+  REQUIRE(rig.next(r));
+  CHECK_FALSE(rig.resume("by Anna"));
+  CHECK(rig.hold("by Anna"));
+  CHECK_FALSE(rig.hold("by Ben"));
+  CHECK(rig.resume("by Ben"));
+  CHECK(rig.stop_safely("by Carla"));
+  CHECK_FALSE(rig.resume("by Ben"));
+  int after = 0;
+  while (rig.next(r)) ++after;
+  CHECK(after == VirtualRig::kSafeReadings);
+  const auto events = rig.events();
+  REQUIRE(events.size() == 3);
+  CHECK(events[0].detail == "by Anna");
+  CHECK(events[1].detail == "by Ben");
+  CHECK(events[2].kind == EventKind::aborted);
+  CHECK(events[2].detail == "by Carla");
+}
+
 TEST_CASE("abort: ten more readings in the safe state, and why") {
   VirtualRig by_call(rig_programme(compression("closed")));
   Reading r;

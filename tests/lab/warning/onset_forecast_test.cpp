@@ -212,3 +212,58 @@ TEST_CASE("a long window that bends over what came since says of no specimen tha
     axial += (eta * p_at(eta) - s.q) / (1e6 + 90e6 * left * left);
   }
 }
+
+namespace {
+
+EarlierTests told(double eta) {
+  EarlierTests earlier;
+  for (int i = 0; i < 2; ++i)
+    earlier.add({.name = "earlier",
+                 .control = DrivenPath::Control::strain_path,
+                 .onset = eta,
+                 .onset_error = 0.002});
+  return earlier;
+}
+
+OnsetForecast told_of(double eta) {
+  OnsetForecast forecast(told(eta));
+  const RecordHeader header = shear_header(AxialControl::load);
+  forecast.start_stage(header.stage(1), true);
+  return forecast;
+}
+
+}  // namespace
+
+TEST_CASE("earlier tests of the sand draw the forecast to theirs, and it is surer") {
+  OnsetForecast alone = started(AxialControl::load), knowing = told_of(0.55);
+  LoosePath path;
+  for (int i = 1; i <= 300; ++i) {
+    const State s = path.at(0.001 * i, i);
+    alone.add(s);
+    knowing.add(s);
+  }
+  REQUIRE(alone.now());
+  REQUIRE(knowing.now());
+  CHECK(knowing.now()->by_earlier);
+  CHECK(knowing.now()->eta < alone.now()->eta - 0.02);
+  CHECK(knowing.now()->eta > 0.55);
+  // They differ: the error is not that of two that agree.
+  CHECK(knowing.now()->error < alone.now()->error);
+  OnsetForecast agreeing = told_of(alone.now()->eta);
+  for (int i = 1; i <= 300; ++i) agreeing.add(path.at(0.001 * i, i));
+  CHECK(agreeing.now()->error <= knowing.now()->error);
+}
+
+TEST_CASE("with them there is a forecast from the first reading, and none past what they say") {
+  OnsetForecast knowing = told_of(0.6);
+  LoosePath path;
+  knowing.add(path.at(0.1, 1));
+  REQUIRE(knowing.now());
+  CHECK(knowing.now()->eta == Approx(0.6));
+  // A specimen that went well past it does not lose it there.
+  OnsetForecast wrong = told_of(0.3);
+  for (int i = 1; i <= 500; ++i) wrong.add(path.at(0.001 * i, i));
+  REQUIRE(wrong.now());
+  CHECK_FALSE(wrong.now()->by_earlier);
+  CHECK(wrong.now()->eta > 0.57);
+}

@@ -22,6 +22,7 @@ State before_shear(int stage, double p_eff, double u, double volume) {
   s.p_eff = p_eff;
   s.q = 0;
   s.pore_pressure = u;
+  s.effective_stress = {p_eff, p_eff};
   s.volumetric_strain = volume;
   s.strain = {volume / 3, volume / 3};
   return s;
@@ -71,4 +72,44 @@ TEST_CASE("a pore fluid of which a test shows nothing gives no way") {
     CHECK(fluid.compliance(3e5) == 0);
     CHECK(fluid.strain(4e5) == fluid.strain(3e5));
   }
+}
+
+TEST_CASE(
+    "where u falls in consolidation the fluid drives water out as it swells, and that is known") {
+  // The B check is not taken back: u falls from 380 to 300 kPa as the specimen drains.
+  PoreFluid fluid;
+  check(fluid, 8e4);
+  const auto swollen = [](double u) { return kAir / (u + kAtmosphericPa); };
+  for (int i = 0; i <= 40; ++i) {
+    const double u = 3.8e5 - 2e3 * i, p = 6.3e4 + 2e3 * i;
+    const double out = kSkeleton * (std::sqrt(p) - std::sqrt(6.3e4)) + swollen(u) - swollen(3.8e5);
+    fluid.add(before_shear(2, p, u, out), &kDrained);
+  }
+  const double p = 4.4e5;
+  CHECK(fluid.compliance(p - kAtmosphericPa) == Approx(kAir / (p * p)).epsilon(0.01));
+}
+
+TEST_CASE("the skeleton is that of the B check, not the one far above it") {
+  PoreFluid near, far;
+  check(near, 8e4);
+  check(far, 8e4);
+  for (int i = 0; i <= 200; ++i) {
+    const double p = 2e4 + 4e3 * i,
+                 bent = p < 1.2e5 ? std::sqrt(p) : 2 * std::sqrt(p) - std::sqrt(1.2e5);
+    near.add(before_shear(2, p, 3e5, kSkeleton * std::sqrt(p)), &kDrained);
+    far.add(before_shear(2, p, 3e5, kSkeleton * bent), &kDrained);
+  }
+  CHECK(far.compliance(3e5) == Approx(near.compliance(3e5)).epsilon(0.02));
+}
+
+TEST_CASE("(1 - B)/B is what the cell pressure did beside u") {
+  PoreFluid fluid;
+  CHECK_FALSE(fluid.give());
+  check(fluid, 8e4);
+  // σ₃ = p′ + u: of the same closed form
+  const double root =
+      std::sqrt(2e4) +
+      kAir / kSkeleton * (1 / (3e5 + kAtmosphericPa) - 1 / (3.8e5 + kAtmosphericPa));
+  REQUIRE(fluid.give());
+  CHECK(*fluid.give() == Approx((root * root - 2e4) / 8e4));
 }

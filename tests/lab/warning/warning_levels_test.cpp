@@ -70,3 +70,56 @@ TEST_CASE("a level is lost once, and never left within its stage") {
   levels.start_stage(header.stage(1));
   CHECK(levels.level() == WarningLevel::none);
 }
+
+TEST_CASE("near the limit surface less work is called low") {
+  // The path collapses at η = 0.6: with a limit at 0.63 it is close below it all the way.
+  const auto first = [](double limit) {
+    WarningLevels levels = started(AxialControl::load);
+    LoosePath path;
+    for (int i = 1; i < 600; ++i) {
+      levels.add(path.at(0.001 * i, i));
+      levels.look(true, 1 - 0.6 / limit);
+      if (levels.level() == WarningLevel::imminent) return 0.001 * i;
+    }
+    return 1.0;
+  };
+  CHECK(first(1.29) < 0.5);
+  CHECK(first(1.29) == first(5));
+  CHECK(first(0.9) > first(1.29) + 0.02);
+  CHECK(first(0.63) == 1.0);
+}
+
+TEST_CASE("a work with which earlier tests of the sand carried on is no sign") {
+  const auto level_at = [](double least_work) {
+    EarlierTests earlier;
+    earlier.add(
+        {.name = "sound", .control = DrivenPath::Control::strain_path, .least_work = least_work});
+    WarningLevels levels(true, earlier);
+    const RecordHeader header = shear_header(AxialControl::load);
+    levels.start_stage(header.stage(1));
+    LoosePath path;
+    for (int i = 1; i <= 560; ++i) after(levels, path.at(0.001 * i, i));
+    return levels.level();
+  };
+  // At η = 0.56 r = 0.08 and the work is 0.038.
+  CHECK(level_at(0.3) == WarningLevel::imminent);
+  CHECK(level_at(0.01) == WarningLevel::none);
+}
+
+TEST_CASE("what earlier tests know is imminent within the next scans, however stiff it looks") {
+  EarlierTests earlier;
+  for (int i = 0; i < 2; ++i)
+    earlier.add({.name = "lost",
+                 .control = DrivenPath::Control::strain_path,
+                 .onset = 0.6,
+                 .onset_error = 0.001});
+  WarningLevels levels(true, earlier);
+  const RecordHeader header = shear_header(AxialControl::load);
+  levels.start_stage(header.stage(1));
+  LoosePath path{.eta_onset = 5};  // as stiff as ever
+  int reading = 0;
+  for (; reading <= 4; ++reading)
+    CHECK(after(levels, path.at(0.1 * reading + 0.01, reading)) == WarningLevel::none);
+  after(levels, path.at(0.51, 5));
+  CHECK(after(levels, path.at(0.57, 6)) == WarningLevel::imminent);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/warning/earlier_tests.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/measured/path_sampler.hpp"
+
+namespace triax::lab {
+namespace {
+
+constexpr double kScatter = 0.01;  ///< s, of η among specimens of a sand
+constexpr double kByGive = 0.5;    ///< b, of η by x
+constexpr double kStiff = 0.05;    ///< x up to which the pore fluid is as good as stiff
+constexpr double kWhole = 1.96;    ///< standard errors on each side of a 95 % interval
+
+/// The forecast that the path came up to last, until that reading; the last one where it came up
+/// to none.
+const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t reading) {
+  const Outlook* at = nullptr;
+  bool was_passed = false;
+  for (const Outlook& one : forecasts) {
+    if (one.reading > reading) break;
+    const bool passed = one.left && one.left->value <= 0;
+    if (!passed || !was_passed) at = &one;
+    was_passed = passed;
+  }
+  return at;
+}
+
+}  // namespace
+
+std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary,
+                                        const std::vector<Outlook>& forecasts) {
+  const Collapse& c = summary.collapse;
+  if (!c.judged) return std::nullopt;
+  EarlierTest test{.name = header.name};
+  for (const StageInfo& stage : header.stages)
+    if (is_watched(&stage)) test.control = DrivenPath::control_of(&stage);
+  if (header.stages.empty()) test.control = DrivenPath::control_of(nullptr);
+  if (test.control == DrivenPath::Control::none) return std::nullopt;
+  if (const auto b = summary.consolidation.b_value; b && *b > 0)
+    test.give = std::max(1 / *b - 1, 0.0);
+  if (c.detected()) {
+    if (!c.onset || !c.onset->eta() || c.inside_limit_surface == false) return std::nullopt;
+    test.onset = std::fabs(*c.onset->eta());
+    test.in_extension = *c.onset->eta() < 0;
+    if (const auto& interval = c.onset->interval)
+      test.onset_error = 0.5 * (interval->eta.high - interval->eta.low) / kWhole;
+    const Outlook* reached = test.give > kStiff ? reached_by(forecasts, c.onset->reading) : nullptr;
+    if (reached) {
+      test.onset = std::fabs(reached->eta);
+      test.onset_error = 0.5 * (reached->eta_high - reached->eta_low) / kOf90;
+    }
+  } else {
+    if (!c.nearest || c.judged_until) return std::nullopt;
+    test.least_work = c.nearest->normalised;
+  }
+  return test;
+}
+
+std::optional<EarlierTests::Onset> EarlierTests::onset(DrivenPath::Control control,
+                                                       bool in_extension, double give) const {
+  double weight = 0, sum = 0;
+  const auto error_of = [&](const EarlierTest& t) {
+    return std::hypot(kScatter, kByGive * (t.give - give), t.onset_error);
+  };
+  const auto each = [&](const auto& what) {
+    for (const EarlierTest& t : tests_)
+      if (t.onset && t.control == control && t.in_extension == in_extension)
+        what(t, 1 / (error_of(t) * error_of(t)));
+  };
+  each([&](const EarlierTest& t, double w) { weight += w, sum += w * *t.onset; });
+  if (!(weight > 0)) return std::nullopt;
+  const double eta = sum / weight;
+  // They scatter as their errors say, or by more; and the specimen to come scatters, too.
+  double off = 0, count = 0;
+  each([&](const EarlierTest& t, double w) {
+    off += w * (*t.onset - eta) * (*t.onset - eta);
+    ++count;
+  });
+  const double more = std::max(1.0, count > 1 ? off / (count - 1) : 1.0);
+  return Onset{eta, std::sqrt(more / weight + kScatter * kScatter)};
+}
+
+std::optional<double> EarlierTests::carried_on(DrivenPath::Control control) const {
+  std::optional<double> least;
+  for (const EarlierTest& t : tests_) {
+    if (t.control != control) continue;
+    if (t.onset) return std::nullopt;
+    least = std::min(least.value_or(t.least_work), t.least_work);
+  }
+  return least;
+}
+
+}  // namespace triax::lab

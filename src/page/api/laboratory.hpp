@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the routes of the page share.
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "src/page/api/column_cache.hpp"
+#include "src/page/api/desk.hpp"
+#include "src/page/api/kept_texts.hpp"
+#include "src/page/api/memory_budget.hpp"
+#include "src/page/live/live_tests.hpp"
+
+namespace triax::src {
+
+struct PageLaboratory {
+  PageLaboratory(const std::string& database, const std::string& rig_file)
+      : db(database), rig(rig_file), live(database) {}
+
+  std::string db;
+  std::string rig;                           ///< file of instruments; empty: none
+  std::function<std::string()> new_address;  ///< that lets another browser in
+  std::atomic<bool> ending = false;          ///< nothing new is begun
+  MemoryBudget budget{std::size_t{512} << 20};
+  ColumnCache columns{budget};
+  KeptTexts summaries, outlines;
+  Desk desk;
+  LiveTests live;
+};
+
+}  // namespace triax::src

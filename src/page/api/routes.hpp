@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/page/api/laboratory.hpp"
+#include "src/page/request/request.hpp"
+
+namespace triax::src {
+
+/// What the page is given (docs/page.md). Throws Refused, lab::BadInput and lab::WorkFailed.
+PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request);
+
+}  // namespace triax::src

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Tests of the database, read only.
+#include "src/page/api/laboratory.hpp"
+#include "src/page/request/request.hpp"
+
+namespace triax::src {
+
+/// All tests in short, and which of them run.
+PageAnswer list_of_tests(PageLaboratory& laboratory);
+/// The document of `report --json` with stages, facts, columns and whether this program runs it.
+PageAnswer test_of(PageLaboratory& laboratory, std::int64_t id);
+/// A hundred points of q and p′.
+PageAnswer outline_of(PageLaboratory& laboratory, std::int64_t id);
+PageAnswer window_of(PageLaboratory& laboratory, std::int64_t id, const Target& target);
+/// csv, json, html or pdf as a file.
+PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const Target& target);
+/// The report as a page of its own.
+PageAnswer sheet_of(PageLaboratory& laboratory, std::int64_t id);
+
+}  // namespace triax::src

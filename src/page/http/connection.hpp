@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One browser's connection: one request after the other until it ends.
+#include <atomic>
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <memory>
+
+#include "src/page/http/server.hpp"
+
+namespace triax::src {
+
+/// What all connections share.
+struct PageHouse {
+  PageServerOptions options;
+  std::unique_ptr<Gate> gate;
+  boost::asio::thread_pool workers;
+  std::atomic<std::size_t> being_answered = 0;
+
+  explicit PageHouse(PageServerOptions o)
+      : options(std::move(o)), workers(static_cast<std::size_t>(options.threads)) {}
+};
+
+/// One more answer is being worked out as long as this lives.
+class CountedAnswer {
+ public:
+  explicit CountedAnswer(std::atomic<std::size_t>& count) : count_(count) { ++count_; }
+  ~CountedAnswer() { --count_; }
+  CountedAnswer(const CountedAnswer&) = delete;
+  CountedAnswer& operator=(const CountedAnswer&) = delete;
+
+ private:
+  std::atomic<std::size_t>& count_;
+};
+
+class PageConnection {
+ public:
+  PageConnection(PageHouse& house, boost::asio::ip::tcp::socket socket)
+      : house_(house), stream_(std::move(socket)) {}
+
+  /// Until the browser or this server has enough.
+  boost::asio::awaitable<void> run();
+  /// Whether the gate has admitted a request of it.
+  bool is_trusted() const { return trusted_; }
+  /// Ends it, from the thread of its executor.
+  void drop();
+
+ private:
+  using Head = boost::beast::http::request_parser<boost::beast::http::empty_body>;
+
+  boost::asio::awaitable<bool> serve_one();
+  boost::asio::awaitable<PageAnswer> answer(Head& head);
+  boost::asio::awaitable<void> read_json(Head& head, PageRequest& request);
+  boost::asio::awaitable<void> read_record(Head& head, PageRequest& request);
+  boost::asio::awaitable<void> go_ahead(const Head& head);
+  boost::asio::awaitable<PageAnswer> work_out(PageRequest request);
+  static boost::asio::awaitable<PageAnswer> worked_out(const PageHouse& house,
+                                                       std::shared_ptr<const PageRequest> request);
+  boost::asio::awaitable<bool> send(PageAnswer answer, bool keep);
+  boost::asio::awaitable<void> send_live(LiveStart live);
+  boost::asio::awaitable<void> linger();
+  bool is_gone();
+
+  PageHouse& house_;
+  boost::beast::tcp_stream stream_;
+  boost::beast::flat_buffer buffer_;
+  bool trusted_ = false;
+  bool body_left_ = false;  ///< a body that nobody reads follows: nothing else can
+  bool is_first_ = true;
+};
+
+}  // namespace triax::src

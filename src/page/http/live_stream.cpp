@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stream of a test that runs, to one browser.
+#include <sys/socket.h>
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/http/serializer.hpp>
+#include <boost/beast/http/write.hpp>
+
+#include "src/page/http/connection.hpp"
+#include "src/page/http/feed_listener.hpp"
+#include "src/page/http/guarded_headers.hpp"
+#include "src/page/live/live_frames.hpp"
+
+namespace triax::src {
+
+namespace asio = boost::asio;
+namespace http = boost::beast::http;
+using asio::use_awaitable;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr std::size_t kMostAtOnce = 512;
+/// Between two parts: a test that runs a thousand times the clock does not send thousands of them.
+constexpr std::chrono::milliseconds kApart{10};
+/// How often it is looked whether the browser is still there.
+constexpr std::chrono::milliseconds kLook{1000};
+
+}  // namespace
+
+bool PageConnection::is_gone() {
+  char byte = 0;
+  return ::recv(stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
+asio::awaitable<void> PageConnection::send_live(LiveStart live) {
+  const PageLimits& limits = house_.options.limits;
+  http::response<http::empty_body> head(http::status::ok, 11);
+  guard_headers(head, {.type = "text/event-stream"});
+  head.keep_alive(false);
+  http::response_serializer<http::empty_body> whole(head);
+  stream_.expires_after(limits.write_time);
+  co_await http::async_write_header(stream_, whole, use_awaitable);
+  const auto timer = std::make_shared<asio::steady_timer>(stream_.get_executor());
+  const FeedListener listener(*live.feed, stream_.get_executor(), timer);
+  LiveFeed::Cursor cursor;
+  if (live.after) cursor.after = live_position(*live.after);
+  auto written = Clock::now();
+  std::string frames = "retry: 500\n\n";
+  for (bool over = false; !over;) {
+    const LiveTaken taken = live.feed->take(cursor, kMostAtOnce);
+    frames += live_frames(taken);
+    over = taken.over;
+    if (frames.empty() && Clock::now() - written > limits.heartbeat) frames = ": heartbeat\n\n";
+    const bool idle = frames.empty();
+    if (!idle) {
+      stream_.expires_after(limits.write_time);
+      co_await asio::async_write(stream_, asio::buffer(frames), use_awaitable);
+      written = Clock::now();
+      frames.clear();
+    }
+    if (over) break;
+    boost::system::error_code woken;
+    timer->expires_after(idle ? kLook : kApart);
+    if (idle || taken.items.size() < kMostAtOnce)
+      co_await timer->async_wait(asio::redirect_error(use_awaitable, woken));
+    if (idle && is_gone()) co_return;
+  }
+  co_await linger();
+}
+
+}  // namespace triax::src

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/page/live/live_frames.hpp"
+
+#include <fmt/format.h>
+
+#include "db/scans/read_columns.hpp"
+#include "src/study/row_json.hpp"
+#include "src/study/triaxial/event_json.hpp"
+
+namespace triax::src {
+namespace {
+
+using study::Json;
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+struct Told {
+  const char* event;
+  std::string data;
+};
+
+Told told(const LiveReading& reading) {
+  std::string json = "{\"reading\":" + std::to_string(reading.reading.number);
+  std::vector<double> row;
+  db::fill_row(reading.reading, reading.state, row);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    json += ",\"" + db::read_columns()[i].name + "\":";
+    study::append_number(row[i], json);
+  }
+  const auto told_us =
+      std::chrono::duration_cast<std::chrono::microseconds>(reading.told.time_since_epoch());
+  return {"reading", fmt::format("{},\"told_ms\":{:.3f}}}", json,
+                                 1e-3 * static_cast<double>(told_us.count()))};
+}
+
+Told told(const lab::Event& event) { return {"event", text_of(study::event_json(event))}; }
+Told told(const lab::Outlook& outlook) {
+  return {"forecast", text_of(study::outlook_json(outlook))};
+}
+
+Told told(const lab::SensorFinding& finding) {
+  return {"channels", text_of({{"channel", lab::heading(finding.channel)},
+                               {"state", to_string(finding.fault)},
+                               {"from", finding.from},
+                               {"until", finding.until ? Json(*finding.until) : Json()},
+                               {"detail", describe(finding)}})};
+}
+
+Told told(const lab::StageInfo& stage) {
+  return {"stage", text_of({{"number", stage.number},
+                            {"name", study::json_text(stage.name)},
+                            {"role", to_string(stage.role)},
+                            {"drainage", to_string(stage.drainage)},
+                            {"control", to_string(stage.control)}})};
+}
+
+Told told(const LiveEnd& end) {
+  return {"end", text_of({{"status", end.status}, {"error", study::json_text(end.error)}})};
+}
+
+}  // namespace
+
+std::string live_frames(const LiveTaken& taken) {
+  std::string frames;
+  if (taken.missed)
+    frames += fmt::format("event: window\ndata: {{\"from\":{},\"to\":{}}}\n\n", taken.missed->first,
+                          taken.missed->second);
+  for (const LiveItem& item : taken.items) {
+    const Told one = std::visit([](const auto& what) { return told(what); }, item.what);
+    frames +=
+        fmt::format("id: {}\nevent: {}\ndata: {}\n\n", to_string(item.at), one.event, one.data);
+  }
+  if (taken.share)
+    frames += fmt::format("event: progress\ndata: {{\"share\":{:.4f}}}\n\n", *taken.share);
+  return frames;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/page/open.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/wire/rig_file.hpp"
+#include "src/cli/interruption.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/output/notice.hpp"
+#include "src/output/output.hpp"
+#include "src/page/api/routes.hpp"
+#include "src/page/http/server.hpp"
+
+namespace triax::src {
+namespace {
+
+struct OpenOptions {
+  std::string rig, db = "triax.db";
+  std::vector<std::string> listen;
+  unsigned short port = 0;
+};
+
+/// Ends the tests that run, and the work that browsers wait for, before the server goes.
+struct OrderlyEnd {
+  PageLaboratory& laboratory;
+  ~OrderlyEnd() {
+    laboratory.ending = true;
+    laboratory.desk.close();
+    laboratory.live.end();
+  }
+};
+
+void check_database(const std::string& path) {
+  if (std::filesystem::exists(path)) db::Store{path};
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw lab::BadInput(path, 0, "there is no folder " + folder.string() + "; create it first");
+}
+
+void run_open(const OpenOptions& o) {
+  check_database(o.db);
+  if (!o.rig.empty()) static_cast<void>(lab::load_rig_file(o.rig));
+  const Interruption interruption;
+  PageLaboratory laboratory(o.db, o.rig);
+  const auto folder = std::filesystem::path(o.db).parent_path().string();
+  PageServer server({.listen = o.listen,
+                     .port = o.port,
+                     .upload_folder = folder.empty() ? "." : folder,
+                     .answer = [&laboratory](const PageRequest& request) {
+                       return answer(laboratory, request);
+                     }});
+  const OrderlyEnd end{laboratory};
+  laboratory.new_address = [&server] { return server.new_address(); };
+  if (!o.listen.empty())
+    notify(
+        "what browsers of other machines send and are given is not encrypted: listen in a "
+        "network that you trust");
+  print(fmt::format("{}\n", server.new_address()));
+  constexpr std::chrono::milliseconds kLook{100};
+  while (!interruption.requested()) laboratory.desk.work_for(kLook);
+}
+
+}  // namespace
+
+Command open_command() {
+  return {
+      .name = "open",
+      .purpose = "the laboratory in a browser: tests, running tests, trying one, stability",
+      .description =
+          {"Prints one address; a browser of this machine shows there the tests of the database, "
+           "takes in records that are dropped on it, runs programmes on the virtual apparatus and "
+           "draws them while they run. Everything is inside the program: no other server, nothing "
+           "from elsewhere.",
+           "The address works once and lets one browser in; that browser can ask for another "
+           "address. Nobody else on this machine or elsewhere is given anything.",
+           "With RIG.toml programmes can be run on the instruments of that rig as `triax run` "
+           "does. A test that another triax records into the same database is shown while it "
+           "runs.",
+           "Ctrl-C ends it: tests that it runs are stopped in an orderly way and stored."},
+      .diagnostics = {{"cannot listen at ...",
+                       "another program has that port, or the address is not this "
+                       "machine's"},
+                      {"--listen 0.0.0.0: ...", "give the name by which browsers come"}},
+      .examples = {{"triax open", "the tests of triax.db in the current folder"},
+                   {"triax open --db sand.db --port 8080",
+                    "another database, always the same port"},
+                   {"triax open bench.toml", "with the rig on the bench"},
+                   {"triax open --listen lab-pc", "for browsers of the local network"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<OpenOptions>();
+        app.add_option("RIG.toml", o->rig, "instruments that programmes may be run on")
+            ->type_name("");
+        add_db(app, o->db);
+        app.add_option("--port", o->port, "port to listen at [any that is free]")
+            ->check(CLI::Range(1, 65535).description(""))
+            ->type_name("N");
+        app.add_option("--listen", o->listen,
+                       "name or address of this machine by which browsers of others come; may be "
+                       "repeated [this machine only]")
+            ->type_name("ADDRESS")
+            ->allow_extra_args(false);
+        return [o] { run_open(*o); };
+      }};
+}
+
+}  // namespace triax::src

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/cli/command.hpp"
+
+namespace triax::src {
+
+/// triax open
+Command open_command();
+
+}  // namespace triax::src

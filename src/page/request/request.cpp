@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/page/request/request.hpp"
+#include "src/study/json_parts.hpp"
+
+namespace triax::src {
+
+PageAnswer json_answer(std::string json) { return {.body = std::move(json)}; }
+
+PageAnswer error_answer(unsigned status, const std::string& what) {
+  const study::Json error = {{"error", what}};
+  return {.status = status,
+          .body = error.dump(-1, ' ', false, study::Json::error_handler_t::replace)};
+}
+
+}  // namespace triax::src

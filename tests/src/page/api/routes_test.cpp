@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/page/api/routes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "db/catalogue.hpp"
+#include "lab/base/whole_file.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+using namespace triax::src;
+using study::Json;
+
+namespace {
+
+/// A database of its own, asked as a browser asks.
+struct Asked {
+  triax::testing::TemporaryFolder folder;
+  std::string db = folder.file("routes.db");
+  PageLaboratory laboratory{db, ""};
+
+  PageAnswer get(const std::string& target) {
+    return answer(laboratory, {.post = false, .target = *parse_target(target)});
+  }
+  PageAnswer post(const std::string& target, const Json& body) {
+    return answer(laboratory, {.post = true, .target = *parse_target(target), .body = body.dump()});
+  }
+  Json send(const std::string& target, const std::string& bytes) {
+    PageRequest request{.post = true, .target = *parse_target(target)};
+    request.upload = std::make_shared<Upload>(std::filesystem::path(db).parent_path().string());
+    request.upload->write(bytes);
+    return Json::parse(answer(laboratory, request).body);
+  }
+  Json json(const std::string& target) { return Json::parse(get(target).body); }
+  unsigned refusal(const std::string& target, bool post = false) {
+    try {
+      post ? this->post(target, Json::object()) : get(target);
+    } catch (const Refused& refused) {
+      return refused.status();
+    }
+    return 0;
+  }
+};
+
+std::string raw_record() {
+  std::string record =
+      "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa,pore_pressure_kPa,"
+      "back_volume_mm3\n";
+  for (int i = 0; i < 300; ++i)
+    record += std::to_string(i) + ',' + std::to_string(i * 0.01) + ',' +
+              std::to_string(i * 0.0005) + ",600," + std::to_string(500 + 0.1 * i) + ",0\n";
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("without a database there are no tests, and nothing is made") {
+  Asked page;
+  CHECK(page.json("/api/tests")["tests"].empty());
+  CHECK(page.folder.is_empty());
+}
+
+TEST_CASE("a record that lacks the specimen is asked for exactly that, and then right") {
+  Asked page;
+  Json told = page.send("/api/records?name=raw.csv", raw_record());
+  CHECK(told["test"].is_null());
+  CHECK(told["error"].is_null());
+  REQUIRE(told["missing"].size() == 2);
+  CHECK(told["missing"][0]["key"] == "specimen.height_mm");
+  CHECK(told["missing"][0]["unit"] == "mm");
+  CHECK(told["missing"][1]["key"] == "specimen.diameter_mm");
+  CHECK(page.folder.is_empty());
+  told = page.send(
+      "/api/records?name=raw.csv&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70",
+      raw_record());
+  CHECK(told["test"] == 1);
+  CHECK(told["missing"].empty());
+
+  const Json all = page.json("/api/tests");
+  REQUIRE(all["tests"].size() == 1);
+  CHECK(all["tests"][0]["test"]["source"] == "raw.csv");
+  CHECK(all["tests"][0]["specimen"]["height_mm"] == 140);
+  CHECK(all["tests"][0]["warnings"].is_number());
+  const Json test = page.json("/api/tests/1");
+  CHECK(test["test"]["readings"] == 300);
+  CHECK(test["stages"].size() == 1);
+  CHECK(test["facts"].size() > 3);
+  CHECK(test["live"]["running"] == false);
+  const Json window = page.json("/api/tests/1/window?from=10&to=19&columns=q_kPa,time_s&work=1");
+  CHECK(window["columns"]["reading"].size() == 10);
+  CHECK(window["columns"]["time_s"][0] == 10);
+  CHECK(window["columns"].size() == 3);
+  CHECK(page.json("/api/tests/1/outline")["columns"]["q_kPa"].size() <= 100);
+  const auto csv = page.get("/api/tests/1/export?format=csv");
+  CHECK(csv.body.find("pore_pressure_kPa") != std::string::npos);
+  CHECK(page.json("/api/tests/1/export?format=json")["test"]["id"] == 1);
+}
+
+TEST_CASE("what was kept of a test does not outlive it") {
+  Asked page;
+  const std::string set = "&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70";
+  page.send("/api/records?name=one.csv" + set, raw_record());
+  CHECK(page.json("/api/tests")["tests"][0]["test"]["name"] == "one");
+  db::rename_test(page.db, 1, "renamed");
+  db::tag_test(page.db, 1, {"loose"});
+  const Json after = page.json("/api/tests")["tests"][0]["test"];
+  CHECK(after["name"] == "renamed");
+  CHECK(after["tags"] == Json::array({"loose"}));
+}
+
+TEST_CASE("what is not there, not so or not a number is refused in words") {
+  Asked page;
+  page.send("/api/records?name=one.csv&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70",
+            raw_record());
+  for (const char* target : {"/api", "/api/tests/2", "/api/tests/0", "/api/tests/x",
+                             "/api/tests/1/x", "/web/none.js", "/web", "/web/index.html/x", "/x"})
+    CHECK(page.refusal(target) == 404);
+  for (const char* target : {"/api/tests/1/window?columns=x", "/api/tests/1/window?pixels=0",
+                             "/api/tests/1/window?from=1.5", "/api/tests/1/export?format=exe",
+                             "/api/tests/1/live?after=x"})
+    CHECK(page.refusal(target) == 400);
+  CHECK(page.refusal("/api/runs") == 405);
+  CHECK(page.refusal("/api/tests", true) == 405);
+  CHECK(page.refusal("/api/runs", true) == 400);
+  CHECK(page.refusal("/api/probe", true) == 400);
+  CHECK(page.refusal("/api/runs/1/hold", true) == 400);
+}
+
+TEST_CASE("the page itself is inside the program") {
+  Asked page;
+  const auto index = page.get("/");
+  CHECK(index.type == "text/html; charset=utf-8");
+  CHECK(index.body.find("<!doctype html>") == 0);
+  // Every file that it names is there.
+  std::size_t at = 0;
+  int named = 0;
+  while ((at = index.body.find("\"/web/", at)) != std::string::npos) {
+    const auto end = index.body.find('"', at + 1);
+    CHECK(page.get(index.body.substr(at + 1, end - at - 1)).status == 200);
+    at = end;
+    ++named;
+  }
+  CHECK(named >= 2);
+}
+
+TEST_CASE("studies answer what the commands print, and name what is wrong") {
+  Asked page;
+  const Json probe = Json::parse(page.post("/api/probe", {{"material", "inl2/S28-general"},
+                                                          {"void_ratio", 1.086},
+                                                          {"p_kPa", 70},
+                                                          {"eta", 0.6}})
+                                     .body);
+  CHECK(probe["states"].size() == 1);
+  const Json domain = Json::parse(page.post("/api/domain", {{"material", "inl2/S28-general"},
+                                                            {"void_ratio", 1.086},
+                                                            {"columns", 5},
+                                                            {"rows", 6},
+                                                            {"directions", 36}})
+                                      .body);
+  CHECK(domain["columns"].size() == 5);
+  CHECK_THROWS_AS(page.post("/api/probe", {{"material", "none"}, {"p_kPa", 70}, {"eta", 0.6}}),
+                  lab::BadInput);
+  CHECK_THROWS_AS(
+      page.post("/api/domain",
+                {{"material", "inl2/S28-general"}, {"void_ratio", 1.086}, {"columns", 100000}}),
+      Refused);
+}

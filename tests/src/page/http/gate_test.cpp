@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/page/http/gate.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "src/page/request/request.hpp"
+
+using namespace triax::src;
+using Ruling = Gate::Ruling;
+
+namespace {
+
+RequestHead get_from(std::string_view host, std::string_view cookie = {}) {
+  RequestHead head;
+  head.host = host;
+  head.cookie = cookie;
+  return head;
+}
+
+}  // namespace
+
+TEST_CASE("a token lets one browser in, once, and its cookie from then on") {
+  Gate gate({"127.0.0.1", "localhost"}, 8080);
+  const std::string token = gate.new_token();
+  CHECK(token.size() == 32);
+  CHECK(gate.address(token) == "http://127.0.0.1:8080/?token=" + token);
+  RequestHead head = get_from("localhost:8080");
+  CHECK(gate.judge(head) == Ruling::unknown);
+  head.token = token;
+  CHECK(gate.judge(head) == Ruling::enters);
+  CHECK(gate.judge(head) == Ruling::unknown);
+  const std::string cookie = gate.new_cookie();
+  CHECK(cookie.starts_with("triax_8080="));
+  CHECK(gate.judge(get_from("127.0.0.1:8080", cookie)) == Ruling::admitted);
+  CHECK(gate.judge(get_from("127.0.0.1:8080", "a=b; " + cookie + ";c=d")) == Ruling::admitted);
+  CHECK(gate.judge(get_from("127.0.0.1:8080", cookie + "0")) == Ruling::unknown);
+  CHECK(gate.judge(get_from("127.0.0.1:8080", "triax_8080=")) == Ruling::unknown);
+  CHECK(gate.new_cookie() != cookie);
+}
+
+TEST_CASE("a foreign Host uses up no token") {
+  Gate gate({"127.0.0.1"}, 8080);
+  const std::string token = gate.new_token();
+  RequestHead head = get_from("evil.example:8080");
+  head.token = token;
+  CHECK(gate.judge(head) == Ruling::foreign_host);
+  head.host = "127.0.0.1:8080";
+  CHECK(gate.judge(head) == Ruling::enters);
+}
+
+TEST_CASE("changes need an Origin of ours and our field") {
+  Gate gate({"127.0.0.1", "[::1]"}, 8080);
+  RequestHead head = get_from("[::1]:8080");
+  const std::string cookie = gate.new_cookie();
+  head.cookie = cookie;
+  head.post = true;
+  CHECK(gate.judge(head) == Ruling::foreign_origin);
+  head.origin = "http://[::1]:8080";
+  CHECK(gate.judge(head) == Ruling::no_field);
+  head.own_field = "1";
+  CHECK(gate.judge(head) == Ruling::admitted);
+  head.site = "cross-site";
+  CHECK(gate.judge(head) == Ruling::foreign_origin);
+  head.site = "same-origin";
+  CHECK(gate.judge(head) == Ruling::admitted);
+  for (const char* origin :
+       {"https://[::1]:8080", "http://[::1]", "null", "", "http://evil:8080"}) {
+    head.origin = origin;
+    CHECK(gate.judge(head) == Ruling::foreign_origin);
+  }
+}
+
+TEST_CASE("addresses that nobody opens do not pile up") {
+  Gate gate({"127.0.0.1"}, 8080);
+  for (int i = 0; i < 32; ++i) gate.new_token();
+  CHECK_THROWS_AS(gate.new_token(), Refused);
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/page/live/live_tests.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "db/recording/recorder.hpp"
+#include "db/store.hpp"
+#include "src/page/api/programme_form.hpp"
+#include "src/page/request/request.hpp"
+#include "tests/db/fake_session.hpp"
+#include "tests/db/temporary_folder.hpp"
+
+using namespace triax;
+using namespace triax::src;
+
+namespace {
+
+constexpr std::chrono::seconds kPatience{30};
+
+/// Takes what comes until `enough`; fails where that does not come.
+template <class Enough>
+std::vector<LiveItem> taken_until(LiveFeed& feed, LiveFeed::Cursor& cursor, const Enough& enough) {
+  std::vector<LiveItem> all;
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < until) {
+    const LiveTaken taken = feed.take(cursor, 100);
+    all.insert(all.end(), taken.items.begin(), taken.items.end());
+    if (enough(all, taken)) return all;
+    if (taken.items.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  FAIL("it did not come");
+  return all;
+}
+
+bool is_over(const std::vector<LiveItem>&, const LiveTaken& taken) { return taken.over; }
+
+std::vector<std::int64_t> readings_of(const std::vector<LiveItem>& items) {
+  std::vector<std::int64_t> numbers;
+  for (const LiveItem& item : items)
+    if (const auto* one = std::get_if<LiveReading>(&item.what))
+      numbers.push_back(one->reading.number);
+  return numbers;
+}
+
+RunAsked asked(double speed) {
+  RunAsked run;
+  run.programme = programme_of("icu_6", {});
+  run.speed = speed;
+  return run;
+}
+
+std::vector<lab::EventKind> kinds_of_orders(const db::StoredTest& test) {
+  std::vector<lab::EventKind> kinds;
+  for (const lab::Event& event : test.events)
+    if (event.detail.starts_with("by ")) kinds.push_back(event.kind);
+  return kinds;
+}
+
+}  // namespace
+
+TEST_CASE("a run is held, goes on and is stopped, each an event of the record with who and when") {
+  const triax::testing::TemporaryFolder folder;
+  const std::string path = folder.file("run.db");
+  LiveTests tests(path);
+  const std::int64_t id = tests.run(asked(600));
+  const auto feed = tests.feed_of(id);
+  LiveFeed::Cursor cursor;
+  const auto first =
+      taken_until(*feed, cursor, [](const auto& all, auto&) { return all.size() > 20; });
+  CHECK(tests.control_of(id).controlled);
+  CHECK_THROWS_AS(tests.order(id, {RunOrder::Kind::resume, "Anna"}), Refused);
+  tests.order(id, {RunOrder::Kind::hold, "Anna"});
+  const auto is_event = [](lab::EventKind kind) {
+    return [kind](const std::vector<LiveItem>& all, const LiveTaken&) {
+      return std::ranges::any_of(all, [kind](const LiveItem& item) {
+        const auto* event = std::get_if<lab::Event>(&item.what);
+        return event && event->kind == kind;
+      });
+    };
+  };
+  taken_until(*feed, cursor, is_event(lab::EventKind::held));
+  CHECK(tests.control_of(id).held);
+  CHECK_THROWS_AS(tests.order(id, {RunOrder::Kind::hold, "Ben"}), Refused);
+  tests.order(id, {RunOrder::Kind::resume, "Ben"});
+  taken_until(*feed, cursor, is_event(lab::EventKind::resumed));
+  tests.order(id, {RunOrder::Kind::stop, "Carla"});
+  taken_until(*feed, cursor, is_over);
+  CHECK_THROWS_AS(tests.order(id, {RunOrder::Kind::hold, "Anna"}), Refused);
+  const auto stored = db::Store(path).load(id);
+  CHECK(stored.status == db::TestStatus::complete);
+  using enum lab::EventKind;
+  CHECK(kinds_of_orders(stored) == std::vector{held, resumed, aborted});
+}
+
+TEST_CASE("a run that is held as fast as it can does not fill the disk") {
+  const triax::testing::TemporaryFolder folder;
+  LiveTests tests(folder.file("held.db"));
+  RunAsked run = asked(0);
+  const std::int64_t id = tests.run(std::move(run));
+  try {
+    tests.order(id, {RunOrder::Kind::hold, "Anna"});
+  } catch (const Refused&) {
+    return;  // it was over before that
+  }
+  const auto feed = tests.feed_of(id);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  LiveFeed::Cursor cursor;
+  for (int i = 0; i < 200; ++i) feed->take(cursor, 500);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  CHECK(readings_of(feed->take(cursor, 500).items).size() <= 8);
+}
+
+TEST_CASE("all that run are stored when the page ends, and nothing begins any more") {
+  const triax::testing::TemporaryFolder folder;
+  const std::string path = folder.file("end.db");
+  std::int64_t id = 0;
+  {
+    LiveTests tests(path);
+    id = tests.run(asked(60));
+    tests.end();
+    CHECK_THROWS_AS(tests.run(asked(60)), Refused);
+  }
+  CHECK(db::Store(path).load(id).status == db::TestStatus::complete);
+}
+
+TEST_CASE("what cannot run is told, and leaves nothing") {
+  const triax::testing::TemporaryFolder folder;
+  LiveTests tests(folder.file("none.db"));
+  RunAsked run = asked(0);
+  run.rig = folder.file("none.toml");
+  CHECK_THROWS(tests.run(std::move(run)));
+  CHECK(folder.is_empty());
+}
+
+TEST_CASE("a test that another program records is told reading by reading, to its end") {
+  const triax::testing::TemporaryFolder folder;
+  const std::string path = folder.file("watch.db");
+  db::Recorder recorder(path);
+  const auto listener = recorder.listener();
+  listener.started(triax::testing::raw_header("watched"));
+  triax::testing::send_scans(listener, 0, 12000);  // more than a batch: it enters
+  std::int64_t id = 0;
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (id == 0 && std::chrono::steady_clock::now() < until) try {
+      id = db::Store(path).find({"watched"}).front();
+    } catch (const std::exception&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  REQUIRE(id == 1);
+  LiveTests tests(path);
+  const auto feed = tests.feed_of(id);
+  CHECK_FALSE(tests.control_of(id).controlled);
+  LiveFeed::Cursor cursor;
+  cursor.after = LivePosition{11990, 0};
+  auto items = taken_until(*feed, cursor, [](const auto& all, auto&) {
+    return !all.empty() && all.back().at.reading >= 11999;
+  });
+  triax::testing::send_scans(listener, 12000, 500);
+  lab::Event event;
+  event.kind = lab::EventKind::loss_of_sustainability;
+  event.reading = 12100;
+  event.detail = "told late";
+  event.noticed = lab::Moment{12499, {}};
+  listener.happened(event);
+  recorder.finish({});
+  const auto rest = taken_until(*feed, cursor, is_over);
+  items.insert(items.end(), rest.begin(), rest.end());
+  const auto numbers = readings_of(items);
+  REQUIRE(numbers.size() == 509);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    REQUIRE(numbers[i] == 11991 + static_cast<std::int64_t>(i));
+  const auto told = std::ranges::count_if(items, [](const LiveItem& item) {
+    const auto* one = std::get_if<lab::Event>(&item.what);
+    return one && one->detail == "told late";
+  });
+  CHECK(told == 1);
+  REQUIRE(std::holds_alternative<LiveEnd>(items.back().what));
+  CHECK(std::get<LiveEnd>(items.back().what).status == "complete");
+}
+
+TEST_CASE("a test that is over has a stream that says so") {
+  const triax::testing::TemporaryFolder folder;
+  const std::string path = folder.file("over.db");
+  {
+    db::Recorder recorder(path);
+    const auto listener = recorder.listener();
+    listener.started(triax::testing::raw_header("over"));
+    triax::testing::send_scans(listener, 0, 5);
+    recorder.finish({});
+  }
+  LiveTests tests(path);
+  LiveFeed::Cursor cursor;
+  cursor.after = LivePosition{4, 0};
+  const auto taken = tests.feed_of(1)->take(cursor, 10);
+  CHECK(taken.over);
+  CHECK_THROWS(tests.feed_of(2));
+}
