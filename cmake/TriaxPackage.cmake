@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Debian package: the program, its man pages, completion and samples. tools/package makes and tries it.
+# The Debian packages: triax, the program with its man pages, completion and samples; python3-triax, the Python module where
+# it is built. tools/package makes and tries them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME triax)
 set(CPACK_PACKAGE_VENDOR "The authors of triax")
@@ -10,7 +11,7 @@ keeps every reading in SQLite and reports when, why and at what stress ratio a s
 became unstable, by the sign of its second-order work.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program)
-set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_COMPONENTS_GROUPING IGNORE)  # a package each
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -18,6 +19,18 @@ set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The authors of triax <triax@localhost>")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Figures need a font; everything else that the program needs is found by dpkg-shlibdeps.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME triax)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
+if(TARGET triax_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-triax)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "triaxial tests and the onset of collapse, from Python (import triax)
+The studies of triax as a Python module: tests of a database as numpy arrays, replay, simulation,
+material points, probes, bifurcation domains, constitutive laws on arrays.")
+  # The interpreter whose extension modules have this name.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS triax)
+endif()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

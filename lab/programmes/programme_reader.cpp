@@ -135,4 +135,12 @@ Programme load_programme(const std::string& path, const std::vector<TomlEdit>& c
   return programme;
 }
 
+void name_after_changes(Programme& programme) {
+  std::string changes;
+  for (const TomlEdit& edit : programme.changes)
+    changes +=
+        (changes.empty() ? "" : ", ") + edit.key.substr(edit.key.rfind('.') + 1) + ' ' + edit.value;
+  if (!changes.empty()) programme.name += " [" + changes + ']';
+}
+
 }  // namespace triax::lab

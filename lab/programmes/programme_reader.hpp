@@ -19,4 +19,8 @@ Programme read_programme(std::string_view toml_text, const std::string& file,
 /// `changes` are edits that the programme remembers, so that the test it makes says so.
 Programme load_programme(const std::string& path, const std::vector<TomlEdit>& changes = {});
 
+/// Puts what was changed into the programme's name, as the tests of a sweep are named: "CSU 26
+/// [void_ratio 1.12]".
+void name_after_changes(Programme& programme);
+
 }  // namespace triax::lab

@@ -46,14 +46,9 @@ std::vector<lab::TomlEdit> edits_of(const std::vector<std::string>& sets) {
   return edits;
 }
 
-/// Named after what is changed, as the tests of a sweep are.
 lab::Programme changed_programme(const SimulateOptions& o) {
   lab::Programme programme = lab::load_programme(o.programme, edits_of(o.sets));
-  std::string changes;
-  for (const lab::TomlEdit& edit : programme.changes)
-    changes += fmt::format("{}{} {}", changes.empty() ? "" : ", ",
-                           edit.key.substr(edit.key.rfind('.') + 1), edit.value);
-  if (!changes.empty()) programme.name += fmt::format(" [{}]", changes);
+  lab::name_after_changes(programme);
   return programme;
 }
 

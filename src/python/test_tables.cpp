@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/python/test_tables.hpp"
+
+#include <array>
+
+namespace triax::python {
+namespace {
+
+struct StateColumn {
+  const char* name;
+  double (*of)(const lab::State&);
+};
+
+constexpr double kKilo = 1e3;
+
+constexpr std::array kStateColumns = {
+    StateColumn{"time_s", [](const lab::State& s) { return s.time_s; }},
+    StateColumn{"axial_strain", [](const lab::State& s) { return s.strain.axial; }},
+    StateColumn{"radial_strain", [](const lab::State& s) { return s.strain.radial; }},
+    StateColumn{"volumetric_strain", [](const lab::State& s) { return s.volumetric_strain; }},
+    StateColumn{"shear_strain", [](const lab::State& s) { return sim::shear_strain(s.strain); }},
+    StateColumn{"void_ratio", [](const lab::State& s) { return s.void_ratio; }},
+    StateColumn{"current_area_mm2", [](const lab::State& s) { return 1e6 * s.area_m2; }},
+    StateColumn{"effective_axial_stress_kPa",
+                [](const lab::State& s) { return s.effective_stress.axial / kKilo; }},
+    StateColumn{"effective_radial_stress_kPa",
+                [](const lab::State& s) { return s.effective_stress.radial / kKilo; }},
+    StateColumn{"pore_pressure_kPa", [](const lab::State& s) { return s.pore_pressure / kKilo; }},
+    StateColumn{"q_kPa", [](const lab::State& s) { return s.q / kKilo; }},
+    StateColumn{"p_eff_kPa", [](const lab::State& s) { return s.p_eff / kKilo; }},
+    StateColumn{"eta", [](const lab::State& s) { return s.eta(); }},
+    StateColumn{"phi_mob_deg", [](const lab::State& s) { return sim::degrees(s.phi_mob_rad()); }}};
+
+/// Columns of a table while it is filled.
+template <class Number>
+using Filled = std::vector<std::vector<Number>*>;
+
+/// `reading` and `stage` first.
+struct Table {
+  explicit Table(std::size_t doubles) { columns.columns.reserve(doubles + 2); }
+  template <class Number = double>
+  std::vector<Number>& add(const std::string& name, std::int64_t rows) {
+    auto& values = columns.add<Number>(name);
+    values.reserve(static_cast<std::size_t>(rows));
+    return values;
+  }
+  Columns columns;
+};
+
+}  // namespace
+
+Columns table_of_states(const db::Store& store, std::int64_t id) {
+  const std::int64_t rows = store.scan_count(id);
+  Table table(kStateColumns.size());
+  auto& reading = table.add<std::int64_t>("reading", rows);
+  auto& stage = table.add<std::int64_t>("stage", rows);
+  Filled<double> filled;
+  for (const StateColumn& column : kStateColumns) filled.push_back(&table.add(column.name, rows));
+  store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
+    reading.push_back(state.reading);
+    stage.push_back(state.stage);
+    for (std::size_t i = 0; i < filled.size(); ++i)
+      filled[i]->push_back(kStateColumns[i].of(state));
+  });
+  return std::move(table.columns);
+}
+
+Columns table_of_readings(const db::Store& store, const db::StoredTest& test) {
+  const std::int64_t rows = store.scan_count(test.id);
+  const auto& held = test.header.columns;
+  Table table(held.size() + 1);
+  auto& reading = table.add<std::int64_t>("reading", rows);
+  auto& stage = table.add<std::int64_t>("stage", rows);
+  auto& time = table.add("time_s", rows);
+  Filled<double> filled;
+  std::vector<double> units;
+  for (const lab::Quantity quantity : held) {
+    filled.push_back(&table.add(lab::heading(quantity), rows));
+    const auto unit = lab::info(quantity).unit;
+    units.push_back(unit.empty() ? 1 : sim::find_unit(unit)->scale);
+  }
+  store.for_each_scan(test.id, 1, [&](const lab::Reading& r, const lab::State&) {
+    reading.push_back(r.number);
+    stage.push_back(r.stage);
+    time.push_back(r.time_s);
+    for (std::size_t i = 0; i < held.size(); ++i) filled[i]->push_back(r[held[i]] / units[i]);
+  });
+  return std::move(table.columns);
+}
+
+Columns table_of_work(const db::Store& store, std::int64_t id) {
+  const auto points = store.second_order_work(id);
+  const auto rows = static_cast<std::int64_t>(points.size());
+  Table table(8);
+  auto& reading = table.add<std::int64_t>("reading", rows);
+  auto& window = table.add<std::int64_t>("window_readings", rows);
+  const Filled<double> filled = {
+      &table.add("time_s", rows),          &table.add("axial_strain_path", rows),
+      &table.add("small_strain", rows),    &table.add("eulerian", rows),
+      &table.add("semi_lagrangian", rows), &table.add("normalised", rows),
+      &table.add("normalised_error", rows)};
+  for (const lab::SecondOrderWorkPoint& point : points) {
+    reading.push_back(point.reading);
+    window.push_back(point.window_readings);
+    const sim::SecondOrderWork& w = point.work;
+    const std::array values = {
+        point.time_s, point.axial_strain_path, w.small_strain, w.eulerian, w.semi_lagrangian,
+        w.normalised, point.normalised_error};
+    for (std::size_t i = 0; i < values.size(); ++i) filled[i]->push_back(values[i]);
+  }
+  return std::move(table.columns);
+}
+
+}  // namespace triax::python

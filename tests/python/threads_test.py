@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Nothing holds the GIL while it computes: Python goes on beside a long call, and two calls in two threads give what they give
+one after the other."""
+import threading
+import time
+import unittest
+
+import numpy as np
+import triax
+from program import SAMPLES, InAFolder
+
+
+def many_points(count):
+    return triax.Points(triax.Material("sanisand/S28-general"), np.full((count, 2), 100.0), np.linspace(0.75, 0.95, count))
+
+
+class Threads(InAFolder):
+    def steps_of_python_beside(self, work):
+        """How many passes of a loop of Python fit into the middle half of `work`, and how long that is."""
+        thread = threading.Thread(target=work)
+        begin = time.monotonic()
+        thread.start()
+        passes = 0
+        while thread.is_alive():
+            passes += 1
+        return passes, time.monotonic() - begin
+
+    def test_python_goes_on_beside_every_computation(self):
+        points = many_points(30_000)
+        for work in (lambda: points.advance([1e-4, -0.5e-4]),
+                     lambda: triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db),
+                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 20), q_kPa=(0, 300, 30), directions=72, threads=1)):
+            passes, seconds = self.steps_of_python_beside(work)
+            self.assertGreater(seconds, 0.05)
+            # A held GIL gives a handful of passes before and after the call, whatever it takes.
+            self.assertGreater(passes, 2_000 * seconds)
+
+    def test_two_threads_give_what_one_gives(self):
+        material = triax.Material("sanisand/S28-general")
+        alone, one, two = (triax.Points(material, np.full((4_000, 2), 100.0), 0.8) for _ in range(3))
+
+        def shear(points):
+            for _ in range(3):
+                points.advance([1e-4, -0.5e-4])
+
+        shear(alone)
+        threads = [threading.Thread(target=shear, args=(p,)) for p in (one, two)]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        for points in (one, two):
+            np.testing.assert_array_equal(points.stress_kPa, alone.stress_kPa)
+            np.testing.assert_array_equal(points.memory, alone.memory)
+
+    def test_one_test_is_loaded_from_two_threads(self):
+        triax.replay(SAMPLES / "records/icu_6.csv", self.db)
+        test = triax.Database(self.db)[1]
+        seen = []
+        threads = [threading.Thread(target=lambda: seen.append(test.states)) for _ in range(4)]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        self.assertEqual(len(seen), 4)
+        self.assertTrue(all(np.shares_memory(s.q_kPa, seen[0].q_kPa) for s in seen))
+
+
+if __name__ == "__main__":
+    unittest.main()
