@@ -95,8 +95,8 @@ asio::awaitable<void> PageConnection::run() {
   try {
     while (co_await serve_one()) {
     }
-  } catch (const boost::system::system_error&) {  // NOLINT(bugprone-empty-catch)
-    // It is gone, or took too long.
+  } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
+    // It is gone, or took too long; one connection is not worth the others.
   }
   drop();
 }
@@ -245,7 +245,9 @@ asio::awaitable<bool> PageConnection::send(PageAnswer answer, bool keep) {
   response.keep_alive(keep);
   response.body() = std::move(answer.body);
   response.prepare_payload();
-  stream_.expires_after(house_.options.limits.write_time);
+  constexpr std::size_t kSlowest = 100'000;  // bytes a second
+  stream_.expires_after(house_.options.limits.write_time +
+                        std::chrono::seconds(response.body().size() / kSlowest));
   co_await http::async_write(stream_, response, use_awaitable);
   if (!keep) co_await linger();
   co_return keep;

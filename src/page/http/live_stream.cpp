@@ -2,7 +2,6 @@
 // The stream of a test that runs, to one browser.
 #include <sys/socket.h>
 
-#include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -47,6 +46,7 @@ asio::awaitable<void> PageConnection::send_live(LiveStart live) {
   co_await http::async_write_header(stream_, whole, use_awaitable);
   const asio::any_io_executor executor = stream_.get_executor();
   WokenTimer timer(house_.wakers.of(live.feed, executor), executor);
+  asio::steady_timer apart(executor);
   LiveFeed::Cursor cursor;
   if (live.after) cursor.after = live_position(*live.after);
   auto written = Clock::now();
@@ -65,9 +65,13 @@ asio::awaitable<void> PageConnection::send_live(LiveStart live) {
     }
     if (over) break;
     boost::system::error_code woken;
-    (*timer).expires_after(idle ? kLook : kApart);
-    if (idle || taken.items.size() < kMostAtOnce)
+    if (idle) {
+      (*timer).expires_after(kLook);
       co_await (*timer).async_wait(asio::redirect_error(use_awaitable, woken));
+    } else if (taken.items.size() < kMostAtOnce) {
+      apart.expires_after(kApart);
+      co_await apart.async_wait(asio::redirect_error(use_awaitable, woken));
+    }
     if (idle && is_gone()) co_return;
   }
   co_await linger();

@@ -90,8 +90,12 @@ std::shared_ptr<LiveFeed> LiveTests::feed_of(std::int64_t test) {
   std::vector<std::shared_ptr<LiveWatch>> forgotten;
   const std::lock_guard lock(mutex_);
   if (const auto run = runs_.find(test); run != runs_.end()) return run->second->feed();
-  if (const auto watch = watches_.find(test); watch != watches_.end()) return watch->second->feed();
+  const auto watch = watches_.find(test);
+  if (watch != watches_.end() && !watch->second->is_over()) return watch->second->feed();
   const db::StoredTest stored = db::Store(db_).load(test);
+  // One that was taken for interrupted may run again.
+  if (watch != watches_.end() && stored.status != db::TestStatus::running)
+    return watch->second->feed();
   if (stored.status != db::TestStatus::running) {
     auto feed = std::make_shared<LiveFeed>();
     feed->begin_behind(std::max<std::int64_t>(stored.summary.readings - 1, -1));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "db/connection.hpp"
 #include "db/store.hpp"
 
 namespace triax::src {
@@ -41,6 +42,7 @@ bool LiveWatch::look(Seen& seen) {
     seen.events = static_cast<std::size_t>(first - test.events.begin());
     seen.forecasts = seen.store.forecasts(test_).size();
   }
+  const std::int64_t before = seen.next;
   seen.store.for_each_scan_from(test_, seen.next,
                                 [&](const lab::Reading& reading, const lab::State& state) {
                                   if (std::exchange(seen.stage, reading.stage) != reading.stage)
@@ -49,11 +51,13 @@ bool LiveWatch::look(Seen& seen) {
                                   feed_->scanned(reading, state);
                                   seen.next = reading.number + 1;
                                 });
+  const bool runs = test.status == db::TestStatus::running;
+  if (runs && seen.next == before) return true;  // what else there is comes with readings
   for (; seen.events < test.events.size(); ++seen.events) feed_->happened(test.events[seen.events]);
   const auto forecasts = seen.store.forecasts(test_);
   for (; seen.forecasts < forecasts.size(); ++seen.forecasts)
     feed_->foreseen(forecasts[seen.forecasts]);
-  if (test.status == db::TestStatus::running) return true;
+  if (runs) return true;
   feed_->ended(std::string(to_string(test.status)));
   return false;
 }
@@ -61,7 +65,14 @@ bool LiveWatch::look(Seen& seen) {
 void LiveWatch::watch() {
   try {
     Seen seen(db_);
-    while (!ending_ && look(seen)) std::this_thread::sleep_for(kLook);
+    for (bool more = true; more && !ending_;) {
+      try {
+        more = look(seen);
+      } catch (const db::MayPass&) {  // NOLINT(bugprone-empty-catch)
+        // The lock of another program: at the next look.
+      }
+      if (more) std::this_thread::sleep_for(kLook);
+    }
   } catch (const std::exception& failure) {
     feed_->ended("interrupted", failure.what());
   }

@@ -3,8 +3,8 @@
 import { el } from "./dom.js";
 import { fixed } from "./format.js";
 
-/** Some ten points of a path, evenly by its length on a square picture. */
-export function along(p, q, count = 10) {
+/** Some points of a path, evenly by its length on a square picture. */
+export function along(p, q, count = 16) {
   const known = p.map((v, i) => [v, q[i]]).filter(([a, b]) => a !== null && b !== null);
   const [wide, high] = [Math.max(1, ...known.map(([a]) => a)), Math.max(1, ...known.map(([, b]) => b))];
   const walked = [0];
