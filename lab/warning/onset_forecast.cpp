@@ -176,20 +176,44 @@ std::optional<EarlierTests::Onset> OnsetForecast::known(double now) const {
   return known && now <= known->eta + kPast * known->error ? known : std::nullopt;
 }
 
+/// Before the test shows anything itself.
+std::optional<EtaForecast> OnsetForecast::known_alone(const PathMean& here) const {
+  const auto before = known(here.eta);
+  if (!before) return std::nullopt;
+  return EtaForecast{.eta = before->eta,
+                     .error = before->error,
+                     .now = here.eta,
+                     .by = by_,
+                     .q = here.q,
+                     .by_earlier = true};
+}
+
+/// How stiff the specimen is here and what second-order work it does, without where that leads.
+EtaForecast OnsetForecast::described(const DrivenFit& f, const PathMean& here, double weight) {
+  const double error = std::sqrt(f.variance(1, 1));
+  stiffest_ = std::max(stiffest_, f.y[1] * weight);
+  clear_ = f.y[1] > 3 * error;
+  EtaForecast made{.now = here.eta};
+  if (stiffest_ > 0) {
+    made.stiffness = f.y[1] * weight / stiffest_;
+    made.stiffness_error = error * weight / stiffest_;
+  }
+  made.covered = (here.eta - path_.means().front().eta) / here.eta;
+  made.by = by_;
+  made.q = here.q;
+  made.answer = f.y[1] * weight;
+  if (path_.control() == DrivenPath::Control::strain_path)
+    made.work = f.work_along_path(path_.ratio(), path_.in_extension() ? -1 : 1);
+  if (path_.control() == DrivenPath::Control::held_q_open) made.work = f.normalised_work(0);
+  if (made.work < 1) made.work_error = error * std::fabs(made.work / f.y[1]);
+  return made;
+}
+
 std::optional<EtaForecast> OnsetForecast::made() {
   const auto& means = path_.means();
   clear_ = false;
-  if (means.size() < kLeast) {
-    if (means.empty()) return std::nullopt;
-    const auto before = known(means.back().eta);
-    if (!before) return std::nullopt;
-    return EtaForecast{.eta = before->eta,
-                       .error = before->error,
-                       .now = means.back().eta,
-                       .by = by_,
-                       .q = means.back().q,
-                       .by_earlier = true};
-  }
+  if (means.empty()) return std::nullopt;
+  if (means.size() < kLeast) return known_alone(means.back());
   const std::size_t count = latest_of(means, path_.readings());
   const PathMean here = latest(means, count);
   const bool on_path = path_.control() == DrivenPath::Control::strain_path;
@@ -197,21 +221,7 @@ std::optional<EtaForecast> OnsetForecast::made() {
   const auto [f, xi] =
       fit_to_root(path_, here.eta, forecast_ ? forecast_->eta - here.eta : here.eta, weight);
   if (!f) return std::nullopt;
-  const double error = std::sqrt(f->variance(1, 1));
-  stiffest_ = std::max(stiffest_, f->y[1] * weight);
-  clear_ = f->y[1] > 3 * error;
-  EtaForecast made{.now = here.eta};
-  if (stiffest_ > 0) {
-    made.stiffness = f->y[1] * weight / stiffest_;
-    made.stiffness_error = error * weight / stiffest_;
-  }
-  made.covered = (here.eta - means.front().eta) / here.eta;
-  made.by = by_;
-  made.q = here.q;
-  made.answer = f->y[1] * weight;
-  if (on_path) made.work = f->work_along_path(path_.ratio(), path_.in_extension() ? -1 : 1);
-  if (path_.control() == DrivenPath::Control::held_q_open) made.work = f->normalised_work(0);
-  if (made.work < 1) made.work_error = error * std::fabs(made.work / f->y[1]);
+  EtaForecast made = described(*f, here, weight);
   const auto before = known(here.eta);
   if (xi) {
     foresee(*f, *xi, path_.control(), drift_, made);

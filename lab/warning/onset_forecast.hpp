@@ -57,6 +57,8 @@ struct EtaForecast {
   bool by_earlier = false;  ///< earlier tests of the sand have their share in it
 };
 
+struct DrivenFit;
+
 class OnsetForecast {
  public:
   explicit OnsetForecast(const EarlierTests& earlier = {}) : earlier_(earlier) {}
@@ -80,6 +82,8 @@ class OnsetForecast {
  private:
   std::optional<EtaForecast> made();
   std::optional<EarlierTests::Onset> known(double now) const;
+  std::optional<EtaForecast> known_alone(const PathMean& here) const;
+  EtaForecast described(const DrivenFit& f, const PathMean& here, double weight);
 
   EarlierTests earlier_;
   DrivenPath path_;
