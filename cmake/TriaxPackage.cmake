@@ -4,11 +4,6 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME triax)
 set(CPACK_PACKAGE_VENDOR "The authors of triax")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "laboratory for triaxial tests and the onset of collapse")
-set(CPACK_PACKAGE_DESCRIPTION
-  "triax replays records of triaxial tests on soil, simulates tests on a virtual apparatus,
-keeps every reading in SQLite and reports when, why and at what stress ratio a specimen
-became unstable, by the sign of its second-order work.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program)
 set(CPACK_COMPONENTS_GROUPING IGNORE)  # a package each
@@ -18,14 +13,19 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The authors of triax <triax@localhost>")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Figures need a font; everything else that the program needs is found by dpkg-shlibdeps.
+# Of each package: the first line is its summary.
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "laboratory for triaxial tests and the onset of collapse
+triax replays records of triaxial tests on soil, simulates tests on a virtual apparatus,
+keeps every reading in SQLite and reports when, why and at what stress ratio a specimen
+became unstable, by the sign of its second-order work.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME triax)
+# Figures need a font; everything else that the program needs is found by dpkg-shlibdeps.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
 if(TARGET triax_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-triax)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "triaxial tests and the onset of collapse, from Python (import triax)
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "triaxial tests and the onset of collapse, from Python (import triax)
 The studies of triax as a Python module: tests of a database as numpy arrays, replay, simulation,
 material points, probes, bifurcation domains, constitutive laws on arrays.")
   # The interpreter whose extension modules have this name.
