@@ -58,6 +58,7 @@ SearchEnd run_search(const CalibrationRequest& request, const SearchSpace& space
                      const Misfit& coarse, const Misfit& fine, int number,
                      const std::function<void(double)>& tell, const GoOn& go_on) {
   SearchEnd end{.number = number, .optima = {}};
+  const std::int64_t before = coarse.runs() + fine.runs();
   const auto population =
       global_search(coarse, {.seed = request.seed * 1000003U + static_cast<std::uint64_t>(number)},
                     [&](double share) {
@@ -78,6 +79,7 @@ SearchEnd run_search(const CalibrationRequest& request, const SearchSpace& space
     if (stopped) break;
   }
   std::ranges::stable_sort(end.optima, {}, &Optimum::cost);
+  end.runs = coarse.runs() + fine.runs() - before;
   return end;
 }
 
@@ -236,6 +238,7 @@ Calibration conclude(const CalibrationRequest& request, const std::vector<Search
     });
   c.interrupted = !go_on();
   c.runs = fine.runs();
+  for (const SearchEnd& end : ends) c.runs += end.runs;
   return c;
 }
 

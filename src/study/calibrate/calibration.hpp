@@ -25,6 +25,7 @@ struct Optimum {
 struct SearchEnd {
   int number = 1;  ///< from 1; its seed follows from it
   std::vector<Optimum> optima;
+  std::int64_t runs = 0;  ///< of the driver, along a test each
 };
 
 struct CalibrationRequest {

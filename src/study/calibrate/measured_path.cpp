@@ -59,23 +59,40 @@ std::vector<ShearReading> onward(const MeasuredPath& path, const std::vector<She
   return kept;
 }
 
+/// Means over as many readings as a knot stands for: where knots lie must not depend on the noise
+/// of single readings, or outliers would be chosen.
+std::vector<PathKnot> smoothed(const std::vector<ShearReading>& readings, int knots) {
+  const auto count = static_cast<std::ptrdiff_t>(readings.size());
+  const std::ptrdiff_t half = count / std::max(knots, 1);
+  std::vector<PathKnot> means;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const std::ptrdiff_t side = std::min({half, i, count - 1 - i});
+    PathKnot sum;
+    for (std::ptrdiff_t k = i - side; k <= i + side; ++k) {
+      const ShearReading& r = readings[static_cast<std::size_t>(k)];
+      sum.axial_strain += r.axial_strain, sum.volumetric_strain += r.volumetric_strain;
+      sum.p_eff += r.p_eff, sum.q += r.q;
+    }
+    const auto n = static_cast<double>(2 * side + 1);
+    means.push_back({sum.axial_strain / n, sum.volumetric_strain / n, sum.p_eff / n, sum.q / n, 0});
+  }
+  return means;
+}
+
 /// Arc length up to each reading, every part of it over its span.
-std::vector<double> arc_lengths(const MeasuredPath& path,
-                                const std::vector<ShearReading>& readings) {
+std::vector<double> arc_lengths(const MeasuredPath& path, const std::vector<ShearReading>& readings,
+                                int knots) {
   const auto quantities = compared_in(path.imposed);
   const double strain_span =
       std::max(span_of(readings, [](const ShearReading& r) { return r.axial_strain; }), 1e-9);
   std::vector<double> lengths;
   PathKnot before = path.start;
   double sum = 0;
-  for (const ShearReading& r : readings) {
-    const PathKnot now = knot_of(r);
+  for (const PathKnot& now : smoothed(readings, knots)) {
     double square = std::pow((now.axial_strain - before.axial_strain) / strain_span, 2);
-    for (std::size_t k = 0; k < 2; ++k) {
-      // The noise of readings close together is no way that the soil went.
-      const double step = std::abs(now.value(quantities[k]) - before.value(quantities[k]));
-      square += std::pow(std::max(0.0, step - 3 * path.noise[k]) / path.span[k], 2);
-    }
+    for (std::size_t k = 0; k < 2; ++k)
+      square +=
+          std::pow((now.value(quantities[k]) - before.value(quantities[k])) / path.span[k], 2);
     sum += std::sqrt(square);
     lengths.push_back(sum);
     before = now;
@@ -162,7 +179,7 @@ void lay_knots(MeasuredPath& path, const std::vector<ShearReading>& readings,
     path.span[k] = std::max(span_of(kept, value), 1e-12);
     path.scale[k] = std::hypot(path.noise[k], kAccuracy * path.span[k]);
   }
-  const auto lengths = arc_lengths(path, kept);
+  const auto lengths = arc_lengths(path, kept, options.knots);
   const auto chosen = even_steps(lengths, options.knots);
   if (chosen.size() < kFewestKnots)
     throw std::invalid_argument("shear has too few readings apart from each other");

@@ -92,6 +92,14 @@ Eigen::VectorXd root_weights_of(const Misfit& misfit, Eigen::Index rows) {
   return root;
 }
 
+/// Of a matrix whose least eigenvalues may be round-off.
+Eigen::MatrixXd inverted(const Eigen::MatrixXd& a) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(a);
+  const double least = 1e-13 * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(least).cwiseInverse().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
 /// Which unknowns are determined: those that are not are taken out one by one, the worst first,
 /// since one may only hide behind another.
 std::vector<bool> determined(const Eigen::MatrixXd& a) {
@@ -102,11 +110,7 @@ std::vector<bool> determined(const Eigen::MatrixXd& a) {
       if (keep[static_cast<std::size_t>(i)]) left.push_back(i);
     if (left.empty()) return keep;
     const Eigen::MatrixXd part = a(left, left);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(part);
-    const double least = 1e-14 * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
-    const Eigen::MatrixXd inverse =
-        eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(least).cwiseInverse().asDiagonal() *
-        eigen.eigenvectors().transpose();
+    const Eigen::MatrixXd inverse = inverted(part);
     Eigen::Index worst = 0;
     const double variance = inverse.diagonal().maxCoeff(&worst);
     if (std::sqrt(variance) <= kOpenShare) return keep;
@@ -132,15 +136,12 @@ Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
   const Eigen::MatrixXd priors = at.jacobian.bottomRows(n);
   const Eigen::MatrixXd a = slopes.transpose() * slopes + priors.transpose() * priors;
   const auto keep = determined(a);
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (keep[static_cast<std::size_t>(i)]) kept.push_back(i);
 
   Uncertainty found;
   const auto series = series_of(misfit, at.values);
   double independent = 0;
   for (const Series& s : series) independent += s.independent;
-  const auto free = static_cast<double>(kept.size());
+  const auto free = static_cast<double>(n);
   found.degrees_of_freedom = std::max(independent - free, kFewestDegrees);
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(n, n);
   const Eigen::VectorXd root = root_weights_of(misfit, tests);
@@ -150,21 +151,16 @@ Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
   if (options.void_ratio_error > 0)
     b += void_ratio_part(misfit, x, slopes, at.values, options.void_ratio_error);
 
-  found.covariance.setZero(n, n);
+  const Eigen::MatrixXd inverse = inverted(a);
+  found.covariance = inverse * b * inverse;
   found.correlation.setZero(n, n);
-  if (!kept.empty()) {
-    const Eigen::MatrixXd part = a(kept, kept);
-    const Eigen::MatrixXd inverse =
-        part.ldlt().solve(Eigen::MatrixXd::Identity(part.rows(), part.cols()));
-    found.covariance(kept, kept) = inverse * b(kept, kept) * inverse;
-  }
   const double wide = student_quantile(found.degrees_of_freedom, options.confidence);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double error = std::sqrt(std::max(found.covariance(i, i), 0.0));
     const bool known = keep[static_cast<std::size_t>(i)];
     const auto& range = space.ranges()[static_cast<std::size_t>(i)];
     ParameterEstimate p{.key = range.key, .value = space.value(i, x(i))};
-    p.error = known ? error * space.slope(i, x(i)) : 0;
+    p.error = error * space.slope(i, x(i));
     p.low = known ? space.value(i, x(i) - wide * error) : range.low;
     p.high = known ? space.value(i, x(i) + wide * error) : range.high;
     p.determined = known;

@@ -28,7 +28,7 @@ struct ParameterEstimate {
 
 struct Uncertainty {
   std::vector<ParameterEstimate> parameters;
-  Eigen::MatrixXd covariance;   ///< of the unknowns, of those that are determined; 0 elsewhere
+  Eigen::MatrixXd covariance;   ///< of the unknowns
   Eigen::MatrixXd correlation;  ///< likewise
   double degrees_of_freedom = 0;
 };
