@@ -83,21 +83,27 @@ SearchEnd run_search(const CalibrationRequest& request, const SearchSpace& space
   return end;
 }
 
-/// Those that fit about as well as the best and are apart in a parameter that the tests determine.
+/// Whether two optima are one: no parameter that the tests determine differs by more than its
+/// interval and a twentieth of its range.
+bool one_valley(const SearchSpace& space, const Optimum& a, const Optimum& b,
+                const std::vector<ParameterEstimate>& parameters) {
+  const Unknowns x = point_of(space, a), y = point_of(space, b);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const auto& p = parameters[static_cast<std::size_t>(i)];
+    const double wide = (space.unknown(i, p.high) - space.unknown(i, p.low)) / 2;
+    if (p.determined && std::abs(x(i) - y(i)) > std::max(kApart / 2, wide)) return false;
+  }
+  return true;
+}
+
+/// Those that fit about as well as the best, each valley once.
 std::vector<Optimum> distinct(const SearchSpace& space, const std::vector<Optimum>& all,
                               const std::vector<ParameterEstimate>& parameters) {
   std::vector<Optimum> kept;
   for (const Optimum& o : all) {
     if (o.cost > told_below(all.front().cost)) break;
-    const Unknowns x = point_of(space, o);
-    const auto same = std::ranges::find_if(kept, [&](const Optimum& other) {
-      const Unknowns y = point_of(space, other);
-      for (Eigen::Index i = 0; i < x.size(); ++i)
-        if (parameters[static_cast<std::size_t>(i)].determined &&
-            std::abs(x(i) - y(i)) > kApart / 2)
-          return false;
-      return true;
-    });
+    const auto same = std::ranges::find_if(
+        kept, [&](const Optimum& other) { return one_valley(space, o, other, parameters); });
     if (same == kept.end())
       kept.push_back(o);
     else

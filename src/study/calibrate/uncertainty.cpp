@@ -161,8 +161,8 @@ Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
     const auto& range = space.ranges()[static_cast<std::size_t>(i)];
     ParameterEstimate p{.key = range.key, .value = space.value(i, x(i))};
     p.error = error * space.slope(i, x(i));
-    p.low = known ? space.value(i, x(i) - wide * error) : range.low;
-    p.high = known ? space.value(i, x(i) + wide * error) : range.high;
+    p.low = known ? space.value(i, std::max(x(i) - wide * error, 0.0)) : range.low;
+    p.high = known ? space.value(i, std::min(x(i) + wide * error, 1.0)) : range.high;
     p.determined = known;
     p.at_bound = x(i) < kAtBound || x(i) > 1 - kAtBound;
     found.parameters.push_back(p);

@@ -19,10 +19,10 @@ namespace triax::study {
 
 struct ParameterEstimate {
   std::string key;
-  double value = 0;  ///< in the units of the file
-  double error = 0;  ///< standard error, likewise
-  double low = 0, high = 0;
-  bool determined = true;  ///< false: a misfit of kAccuracy leaves most of its range open
+  double value = 0;          ///< in the units of the file
+  double error = 0;          ///< standard error, likewise
+  double low = 0, high = 0;  ///< interval, within the range that was searched
+  bool determined = true;    ///< false: a misfit of kAccuracy leaves most of its range open
   bool at_bound = false;
 };
 
