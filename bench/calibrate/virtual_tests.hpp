@@ -57,7 +57,8 @@ inline study::MeasuredPath virtual_path(const lab::MaterialSet& set, const Virtu
         {knot.axial_strain,
          test.imposed == Imposed::undrained ? 0 : knot.volumetric_strain + strain(dice), p, q});
   }
-  path.onset_eta = study::onset_eta(*law, path);
+  // The peak of a drained test is a failure and no collapse.
+  if (test.imposed != Imposed::drained) path.onset_eta = study::onset_eta(*law, path);
   study::lay_knots(path, measured);
   return path;
 }

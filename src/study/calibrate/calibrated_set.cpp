@@ -73,9 +73,11 @@ std::string table_of(const Calibration& c, const std::string& name, Imposed impo
   const auto& p = *c.material.p_eff_range_kPa;
   std::string out = fmt::format(
       "[sets.{}]\ndescription = {}\nsource = {}\nrange = \"p' {:.4g} to {:.4g} kPa, e {:.4g} to "
-      "{:.4g} at the start of shear, that of the tests\"\n",
+      "{:.4g} at the start of shear, that of the tests\"\n"
+      "void_ratio_range = [{}, {}]\np_eff_range_kPa = [{}, {}]\n",
       lab::toml_quoted(name), lab::toml_quoted(fmt::format("{}, calibrated", c.material.law->name)),
-      lab::toml_quoted(source_of(c)), p.low, p.high, e.low, e.high);
+      lab::toml_quoted(source_of(c)), p.low, p.high, e.low, e.high, number_in_toml(e.low),
+      number_in_toml(e.high), number_in_toml(p.low), number_in_toml(p.high));
   for (const auto& parameter : c.material.law->parameters) {
     const std::string& key = parameter.key;
     if (const auto text = set.texts.find(key); text != set.texts.end())
