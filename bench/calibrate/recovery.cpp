@@ -27,6 +27,7 @@ struct Options {
   unsigned seed = 1;
   bool verbose = false;
   bool intervals_only = false;
+  bool bare = false;
 };
 
 /// Of a grid of pressures and densities, drained and undrained in turn.
@@ -59,6 +60,25 @@ lab::MaterialSet moved(const lab::MaterialSet& base, const std::vector<lab::Sear
   }
 }
 
+/// The same paths driven by the law itself, on one thread.
+void time_bare(const lab::MaterialSet& base, const std::vector<study::MeasuredPath>& paths,
+               const char* what, int knots, double tolerance) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<study::MeasuredPath> thin;
+  for (const auto& path : paths) thin.push_back(study::thinned(path, knots));
+  int runs = 0;
+  const auto start = Clock::now();
+  double seconds = 0;
+  while (seconds < 2) {
+    for (const auto& path : thin) {
+      study::drive(*base.material.axisymmetric, path, {.tolerance = tolerance});
+      ++runs;
+    }
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  fmt::print("bare driver, {}: {:.0f} runs a second on one thread\n", what, runs / seconds);
+}
+
 struct Sums {
   int sets = 0, known = 0, near = 0, unknown = 0, held = 0, agreeing = 0, searches = 0, skipped = 0;
   double worst = 0;
@@ -83,6 +103,10 @@ void one_set(const Options& o, const lab::MaterialSet& base,
   request.seed = seed;
   request.threads = o.threads;
   request.left_out = false;
+  if (o.bare) {
+    time_bare(truth, request.paths, "global search", 20, 1e-4);
+    time_bare(truth, request.paths, "least squares", 60, 1e-7);
+  }
   const auto before = std::chrono::steady_clock::now();
   study::Calibration c;
   if (o.intervals_only) {  // from the truth downhill: for coverage, where the optimum is not in
@@ -144,6 +168,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", o.seed);
   app.add_option("--free", o.free)->delimiter(',');
   app.add_flag("--intervals-only", o.intervals_only);
+  app.add_flag("--bare", o.bare, "also time the driver alone, at the tolerance of the searches");
   app.add_flag("--verbose", o.verbose);
   CLI11_PARSE(app, argc, argv);
   if (o.material.empty())

@@ -12,8 +12,8 @@ using namespace triax::cli_tests;
 namespace {
 
 const char* const kCommands[] = {"simulate", "replay",    "report", "query",  "tests",
-                                 "element",  "materials", "probe",  "domain", "grains",
-                                 "serve",    "run",       "record", "rig"};
+                                 "element",  "materials", "probe",  "domain", "calibrate",
+                                 "grains",   "serve",     "run",    "record", "rig"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
