@@ -110,8 +110,8 @@ std::string predictions(const Calibration& c) {
 }  // namespace
 
 std::string calibrate_text(const Calibration& c) {
-  const std::string title =
-      fmt::format("{} from {} tests", c.material.law->name, c.measured.size());
+  const std::string title = fmt::format("{} from {} test{}", c.material.law->name,
+                                        c.measured.size(), c.measured.size() == 1 ? "" : "s");
   std::string out = fmt::format("{}\n{}\n", title, std::string(title.size(), '='));
   if (c.interrupted)
     out +=

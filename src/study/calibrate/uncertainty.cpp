@@ -12,6 +12,7 @@ namespace {
 /// A parameter whose standard error is more than this share of its range, were every quantity of
 /// every test wrong by kAccuracy of its span, is not determined.
 constexpr double kOpenShare = 0.25;
+constexpr double kWidest = 0.5;  // half width of an interval, of the range
 constexpr double kAtBound = 1e-3;
 constexpr double kFewestDegrees = 1;
 
@@ -157,7 +158,8 @@ Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
   const double wide = student_quantile(found.degrees_of_freedom, options.confidence);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double error = std::sqrt(std::max(found.covariance(i, i), 0.0));
-    const bool known = keep[static_cast<std::size_t>(i)];
+    // A law that does not follow the tests may leave all of a range open, whatever its slopes.
+    const bool known = keep[static_cast<std::size_t>(i)] && wide * error < kWidest;
     const auto& range = space.ranges()[static_cast<std::size_t>(i)];
     ParameterEstimate p{.key = range.key, .value = space.value(i, x(i))};
     p.error = error * space.slope(i, x(i));

@@ -22,7 +22,8 @@ struct ParameterEstimate {
   double value = 0;          ///< in the units of the file
   double error = 0;          ///< standard error, likewise
   double low = 0, high = 0;  ///< interval, within the range that was searched
-  bool determined = true;    ///< false: a misfit of kAccuracy leaves most of its range open
+  bool determined =
+      true;  ///< false: most of its range is open, to a misfit of kAccuracy or to theirs
   bool at_bound = false;
 };
 
