@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/commands.hpp"
 
+#include "src/calibrate/calibrate.hpp"
 #include "src/domain/domain.hpp"
 #include "src/element/element.hpp"
 #include "src/element/materials.hpp"
@@ -21,9 +22,10 @@ namespace triax::src {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
-      simulate_command(), replay_command(),    report_command(), query_command(),  tests_command(),
-      element_command(),  materials_command(), probe_command(),  domain_command(), grains_command(),
-      serve_command(),    run_command(),       record_command(), rig_command(),    open_command()};
+      simulate_command(), replay_command(),    report_command(),    query_command(),
+      tests_command(),    element_command(),   materials_command(), probe_command(),
+      domain_command(),   calibrate_command(), grains_command(),    serve_command(),
+      run_command(),      record_command(),    rig_command(),       open_command()};
   return all;
 }
 

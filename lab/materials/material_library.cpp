@@ -13,6 +13,7 @@
 #include "lab/base/embedded.hpp"
 #include "lab/base/text.hpp"
 #include "lab/base/toml_reader.hpp"
+#include "lab/materials/search_ranges.hpp"
 
 namespace triax::lab {
 namespace {
@@ -93,6 +94,7 @@ std::vector<MaterialSet> read_file(std::string_view toml_text, const std::string
   const TomlTable root = TomlTable::parse(toml_text, file);
   const sim::LawDescription& law = read_law(root);
   const TomlTable sets = root.required_table("sets");
+  read_search(root);  // which makes its keys known ones
   root.finish();
   const std::string folder = std::filesystem::path(file).parent_path().string();
   std::vector<MaterialSet> found;

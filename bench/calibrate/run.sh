@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# bench/calibrate/run.sh [recovery|coverage|seeds|speed]: calibration of virtual tests with known parameters: how near the true ones
+# are from exact tests, how often intervals of noisy ones hold them, how often ten seeds end in one optimum, and how long 12 tests and 8
+# parameters take, with runs of the driver a second beside those of the bare driver. SETS=N changes the number of sets a law (20).
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+[[ ${TRIAX_BUILT:-} ]] || tools/build release bench_calibrate >/dev/null
+bench=build/release/bench/bench_calibrate
+sets=${SETS:-20}
+part=${1:-all}
+wanted() { [[ $part == all || $part == "$1" ]]; }
+if wanted recovery; then
+  for law in mohr_coulomb cam_clay norsand hypoplastic sanisand; do "$bench" --law "$law" --sets "$sets" --tests 8; done
+fi
+if wanted coverage; then
+  for law in mohr_coulomb cam_clay norsand hypoplastic sanisand; do
+    "$bench" --law "$law" --sets "$((sets * 5))" --tests 8 --stress-noise-kPa 0.5 --strain-noise 2e-5 --intervals-only
+  done
+fi
+if wanted seeds; then
+  "$bench" --law hypoplastic --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
+  "$bench" --law sanisand --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
+fi
+if wanted speed; then
+  "$bench" --law hypoplastic --sets 1 --tests 12 --searches 3 --threads 2 --stress-noise-kPa 0.5 --strain-noise 2e-5 --bare
+fi

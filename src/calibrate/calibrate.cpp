@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/calibrate/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "db/store.hpp"
+#include "lab/base/bad_input.hpp"
+#include "src/calibrate/calibrate_figures.hpp"
+#include "src/calibrate/calibrate_options.hpp"
+#include "src/calibrate/calibrate_text.hpp"
+#include "src/cli/interruption.hpp"
+#include "src/cli/output_guard.hpp"
+#include "src/cli/shared_options.hpp"
+#include "src/output/output.hpp"
+#include "src/output/task_progress.hpp"
+#include "src/study/calibrate/calibrated_set.hpp"
+#include "src/study/calibrate/calibration_json.hpp"
+#include "src/study/calibrate/calibration_piece.hpp"
+#include "src/study/calibrate/test_paths.hpp"
+
+namespace triax::src {
+namespace {
+
+struct Prepared {
+  study::CalibrationRequest request;
+  std::vector<std::string> notes;
+};
+
+Prepared prepared(const CalibrateOptions& o) {
+  auto start = study::calibration_start(start_wish(o));
+  if (!start.set.material.axisymmetric)
+    throw lab::BadInput(fmt::format("{} has no triaxial form", start.set.law->name));
+  const db::Store store(o.db);
+  Prepared p{.request = {.start = std::move(start.set),
+                         .free = std::move(start.free),
+                         .paths = study::paths_of_tests(store, store.find(o.tests)),
+                         .searches = o.searches,
+                         .seed = o.seed,
+                         .threads = o.jobs,
+                         .void_ratio_error = o.void_ratio_error},
+             .notes = std::move(start.notes)};
+  study::check_enough(p.request.free.size(), p.request.paths);
+  return p;
+}
+
+/// Nothing that is read may be replaced, and what is to be written must be possible.
+void check_output(const CalibrateOptions& o) {
+  if (!o.output.empty()) {
+    check_targets("--output", o.output, {o.output});
+    refuse_overwriting("--output", o.output, database_files(o.db), "the database");
+    refuse_overwriting("--output", o.output, o.merge, "a piece of --merge");
+    if (const auto end = o.start.find(".toml"); end != std::string::npos)
+      refuse_overwriting("--output", o.output, {o.start.substr(0, end + 5)}, "the file of --start");
+  }
+  if (!o.figures.empty())
+    check_folder("--figures", o.figures,
+                 files_of_prefix(prefix_in(o.figures, "calibrate"),
+                                 {"_undrained", "_drained", "_stress_path"}));
+}
+
+study::Progress shown_in(TaskProgress& progress) {
+  return [&progress](const std::string& what, double share) { progress.show(share, what); };
+}
+
+void run_piece(const CalibrateOptions& o, const study::CalibrationRequest& request) {
+  const Piece piece = piece_of(o.piece);
+  if (piece.count > o.searches)
+    throw lab::BadInput(fmt::format("--piece {}: there are {} searches only; give --searches {}",
+                                    o.piece, o.searches, piece.count));
+  const Interruption interruption;
+  TaskProgress progress(1);
+  progress.next("piece " + o.piece);
+  const auto ends = study::run_searches(request, piece.index, piece.count, shown_in(progress),
+                                        [&] { return !interruption.requested(); });
+  if (interruption.requested())
+    throw lab::WorkFailed("stopped by the operator; nothing is written");
+  write_file(o.output, study::calibration_piece_json(request, ends, piece.index, piece.count));
+}
+
+study::Calibration computed(const CalibrateOptions& o, const study::CalibrationRequest& request) {
+  const Interruption interruption;
+  TaskProgress progress(1);
+  progress.next(o.law);
+  const auto go_on = [&] { return !interruption.requested(); };
+  if (o.merge.empty()) return study::calibrate(request, shown_in(progress), go_on);
+  return study::conclude(request, study::merged_searches(request, o.merge), shown_in(progress),
+                         go_on);
+}
+
+void run(const CalibrateOptions& o) {
+  check_output(o);
+  const Prepared p = prepared(o);
+  if (!o.piece.empty()) return run_piece(o, p.request);
+  study::Calibration found = computed(o, p.request);
+  found.notes = p.notes;
+  if (!o.output.empty())
+    write_file(o.output, study::calibrated_toml(found, study::set_name_from(o.output)));
+  if (!o.figures.empty()) {
+    make_folder("--figures", o.figures);
+    for (const NamedFigure& figure : calibrate_figures(found))
+      write_named_figure(figure, prefix_in(o.figures, "calibrate"));
+  }
+  print(o.json ? study::calibration_json(found) : calibrate_text(found));
+  if (found.interrupted)
+    throw lab::WorkFailed("stopped by the operator: what is given is the best so far");
+}
+
+}  // namespace
+
+Command calibrate_command() {
+  return {
+      .name = "calibrate",
+      .purpose = "find the parameters of a law from tests, with their uncertainty",
+      .description =
+          {"The law is driven through the shear of the tests under the control that was applied "
+           "(undrained, drained, or along a stress path), and what it gives is compared with what "
+           "was measured: q and p' of undrained tests, q and the change of volume of drained ones, "
+           "along the arc length of the path, so that parts with many readings count no more. "
+           "Global searches by differential evolution, then least squares from the best members "
+           "of each, find the parameters within the ranges of the law's parameter file.",
+           "The answer has intervals and correlations, names parameters that the tests do not "
+           "determine and other optima that fit about as well, and predicts the stress ratio at "
+           "collapse of each test from the others. --output writes a parameter file like those "
+           "that ship with the program. Stopped by Ctrl-C, it gives the best so far, says so and "
+           "ends with status 1.",
+           "Searches are independent of each other: --piece I/N runs every N-th of them as one "
+           "task of a batch system, and --merge, with the same tests and options, puts the pieces "
+           "together."},
+      .diagnostics =
+          {{"test ... has no void ratio: ...",
+            "the state of the soil is not known: replay the record with --set "
+            "specimen.void_ratio=E"},
+           {"tests of two soils: ...", "one set of parameters is for one soil: name its tests"},
+           {"N free parameters from M tests: ...",
+            "each test tells four numbers at most: fix some parameters, or add tests"},
+           {"not determined (in the table of parameters)",
+            "a misfit of 2 % leaves most of the parameter's range open: fix it, or add a test that "
+            "needs it (another density, pressure or drainage)"},
+           {"FILE: is a piece of another calibration: ...",
+            "--merge has to be given the law, tests and options of the pieces"}},
+      .examples = {{"triax calibrate hypoplastic --output my_sand.toml",
+                    "all parameters from all tests of the database"},
+                   {"triax calibrate sanisand TMD1 TMD3 TMU1 --fix poisson_ratio=0.05 --figures "
+                    "curves",
+                    "three tests, one parameter kept, measured beside computed as figures"},
+                   {"triax calibrate norsand --start soil/soil.toml --output my_norsand.toml",
+                    "begins with what triax soil measured"},
+                   {"triax domain --materials my_sand.toml --material hypoplastic/my_sand "
+                    "--void-ratio 0.9",
+                    "the bifurcation domain that the parameters found imply"},
+                   {"triax calibrate hypoplastic --searches 64 --piece $SLURM_ARRAY_TASK_ID/64 "
+                    "--output piece_$SLURM_ARRAY_TASK_ID.json",
+                    "one task of an array job 1-64"}},
+      .set_up = [](CLI::App& app) -> std::function<void()> {
+        const auto o = std::make_shared<CalibrateOptions>();
+        add_calibrate_options(app, *o);
+        return [o] {
+          check_calibrate_options(*o);
+          run(*o);
+        };
+      }};
+}
+
+}  // namespace triax::src
