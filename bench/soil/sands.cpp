@@ -106,6 +106,7 @@ VirtualSand sanisand(Draw draw) {
 VirtualSand mohr_coulomb(Draw draw) {
   sim::MohrCoulombParameters p;
   p.young_modulus_pa = draw.between(20e6, 60e6);
+  p.reference_pressure_pa = 100e3;
   p.poisson_ratio = 0.25;
   p.friction_angle = sim::radians(draw.between(28, 40));
   p.cohesion_pa = draw.between(0, 25e3);

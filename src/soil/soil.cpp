@@ -24,7 +24,7 @@ namespace {
 struct SoilCommandOptions {
   SoilChoice choice;
   std::string criterion = "peak-q";
-  double failure_strain_pct = 15, exponent = 0;
+  double failure_strain_pct = 15, exponent = 0, stress_error_kPa = 1;
   bool has_exponent = false, keep_odd = false, json = false;
   std::string output;
 };
@@ -37,6 +37,7 @@ study::SoilOptions study_options(const SoilCommandOptions& o) {
                                                   : peak_deviator_stress;
   options.failure_strain = o.failure_strain_pct / 100;
   if (o.has_exponent) options.exponent = o.exponent;
+  options.stress_error_kPa = o.stress_error_kPa;
   options.keep_odd = o.keep_odd;
   return options;
 }
@@ -93,6 +94,13 @@ void add_options(CLI::App& app, SoilCommandOptions& o) {
                  "fitted")
       ->type_name("X")
       ->check(CLI::Range(0.01, 3.0).description(""));
+  app.add_option(
+         "--stress-error", o.stress_error_kPa,
+         "standard error of q and p' by zeros and calibrations, which the readings of a test "
+         "do not show; critical states at small stresses weigh by it")
+      ->type_name("kPa")
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->capture_default_str();
   app.add_flag("--keep-odd", o.keep_odd,
                "tests that do not fit the others stay in, named all the same");
   app.add_option("--output", o.output, "folder for soil.toml and the figures with their numbers")

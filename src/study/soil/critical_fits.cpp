@@ -10,8 +10,14 @@ namespace triax::study {
 namespace {
 
 constexpr double kUsualE = 0.012, kUsualM = 0.03;
+/// Specimens of one sand are never more alike than this, however well each is measured: else the
+/// one that is measured best would speak for all.
+constexpr double kLeastE = 0.006, kLeastM = 0.015;
 /// Of ln p′: beyond that a logarithm of p′ says nothing.
 constexpr double kLargestLogError = 0.35;
+/// With the valve closed e is prescribed, and what differs between specimens moves p′ at the
+/// critical state; what is wrong with the measured e moves e. Nobody knows the shares.
+constexpr double kPrescribedE = 0.5;
 
 Gathered critical_points(Soil& soil) {
   Gathered all;
@@ -26,7 +32,9 @@ Gathered critical_points(Soil& soil) {
           test.name, std::exp(c.log_p.value), std::exp(2 * c.log_p.error)));
       continue;
     }
-    all.add({c.log_p.value, c.void_ratio->value, c.log_p.error, c.void_ratio->error, 0}, i);
+    all.add({c.log_p.value, c.void_ratio->value, c.log_p.error,
+             std::hypot(c.void_ratio->error, kLeastE), 0, test.drained ? 0.0 : kPrescribedE},
+            i);
   }
   return all;
 }
@@ -36,7 +44,7 @@ Gathered critical_ratios(const Soil& soil, bool extension) {
   for (std::size_t i = 0; i < soil.tests.size(); ++i) {
     const auto& test = soil.tests[i];
     if (test.used && test.extension == extension && test.critical.kind != CriticalKind::none)
-      all.add({0, test.critical.eta.value, 0, test.critical.eta.error, 0}, i);
+      all.add({0, test.critical.eta.value, 0, std::hypot(test.critical.eta.error, kLeastM), 0}, i);
   }
   return all;
 }

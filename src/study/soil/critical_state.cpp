@@ -15,12 +15,16 @@ namespace triax::study {
 namespace {
 
 constexpr int kWindows = 6;
-constexpr double kLastPart = 0.4, kLeastStrain = 0.05, kOfTheWay = 0.3;
-constexpr double kFalling = 0.75, kNoRate = 0.003, kDeviations = 3;
+constexpr double kLastPart = 0.4, kLeastStrain = 0.05, kOfTheWay = 0.1;
+constexpr double kFalling = 0.75, kDeviations = 3;
 constexpr double kNearE = 0.005, kNearLogP = 0.05, kNearEta = 0.02;
 constexpr double kFarE = 0.06, kFarLogP = 0.7, kFarEta = 0.15;
-/// Of a rate that is not falling: so slow that the state is close all the same.
-constexpr double kSlow = 0.02;
+/// Rates, of volume and of ln p′: as good as none; and, not falling, so slow that the state is
+/// close all the same.
+struct Limits {
+  double none = 0, slow = 0;
+};
+constexpr Limits kDrained{0.003, 0.02}, kUndrained{0.1, 0.5};
 
 using Value = std::function<double(const CurvePoint&)>;
 
@@ -147,6 +151,34 @@ CriticalState extrapolated(const std::vector<Window>& windows, bool with_e) {
   return state;
 }
 
+CriticalState of_windows(const ShearCurve& curve, bool drained) {
+  if (curve.points.empty() || curve.points.back().axial_strain < kLeastStrain)
+    return none(fmt::format("sheared to {:.1f} % only; {:.0f} % are the least",
+                            curve.points.empty() ? 0 : 100 * curve.points.back().axial_strain,
+                            100 * kLeastStrain));
+  const auto windows = windows_of(last_part(curve), drained);
+  if (windows.size() < 4) return none("too few readings in the last part of shear");
+  const bool with_e =
+      std::ranges::all_of(windows, [](const auto& w) { return w.void_ratio.has_value(); });
+  const LocalFit& rate = windows.back().rate;
+  const Limits& limits = drained ? kDrained : kUndrained;
+  const double now = std::abs(rate.slope);
+  if (now <= std::max(limits.none, kDeviations * rate.slope_error) &&
+      rate.slope_error < limits.slow)
+    return rest(windows, with_e);
+  double largest = 0;
+  for (const auto& w : windows) largest = std::max(largest, std::abs(w.rate.slope));
+  if (now > kFalling * largest && now > limits.slow)
+    return none(drained ? fmt::format("its volume still changes: dε_v/dε_q = {:.3f} at the end, "
+                                      "and not falling",
+                                      rate.slope)
+                        : fmt::format("p′ still changes by {:.1f} % for 1 % of strain at the end, "
+                                      "and not less than before",
+                                      std::abs(rate.slope)),
+                rate.slope);
+  return extrapolated(windows, with_e);
+}
+
 }  // namespace
 
 std::string_view to_string(CriticalKind kind) {
@@ -161,30 +193,14 @@ std::string_view to_string(CriticalKind kind) {
   return "none";
 }
 
-CriticalState critical_state(const ShearCurve& curve, bool drained) {
-  if (curve.points.empty() || curve.points.back().axial_strain < kLeastStrain)
-    return none(fmt::format("sheared to {:.1f} % only; {:.0f} % are the least",
-                            curve.points.empty() ? 0 : 100 * curve.points.back().axial_strain,
-                            100 * kLeastStrain));
-  const auto windows = windows_of(last_part(curve), drained);
-  if (windows.size() < 4) return none("too few readings in the last part of shear");
-  const bool with_e =
-      std::ranges::all_of(windows, [](const auto& w) { return w.void_ratio.has_value(); });
-  const LocalFit& rate = windows.back().rate;
-  const double now = std::abs(rate.slope);
-  if (now <= std::max(kNoRate, kDeviations * rate.slope_error) && rate.slope_error < kSlow)
-    return rest(windows, with_e);
-  double largest = 0;
-  for (const auto& w : windows) largest = std::max(largest, std::abs(w.rate.slope));
-  if (now > kFalling * largest && now > kSlow)
-    return none(drained ? fmt::format("its volume still changes: dε_v/dε_q = {:.3f} at the end, "
-                                      "and not falling",
-                                      rate.slope)
-                        : fmt::format("p′ still changes by {:.0f} % for 1 % of strain at the end, "
-                                      "and not less than before",
-                                      std::abs(rate.slope)),
-                rate.slope);
-  return extrapolated(windows, with_e);
+CriticalState critical_state(const ShearCurve& curve, bool drained, double stress_error_kPa) {
+  CriticalState state = of_windows(curve, drained);
+  if (state.kind == CriticalKind::none) return state;
+  const double share = stress_error_kPa / std::exp(state.log_p.value);
+  const double of_eta = std::hypot(1.0, state.eta.value) * share;
+  state.eta = measured(state.eta.value, std::hypot(state.eta.error, of_eta));
+  state.log_p = measured(state.log_p.value, std::hypot(state.log_p.error, share));
+  return state;
 }
 
 }  // namespace triax::study

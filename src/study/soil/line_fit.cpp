@@ -44,9 +44,10 @@ Sums means(const std::vector<FitPoint>& points, double slope, double scatter) {
 /// How far the point that the line puts in place of the measured one lies from the mean along x.
 double adjusted(const FitPoint& p, const Sums& mean, double slope, double scatter) {
   const double u = p.x - mean.x, v = p.y - mean.y;
-  return weight(p, slope, scatter) *
-         (u * y_variance(p, scatter) + slope * v * p.x_error * p.x_error -
-          (slope * u + v) * covariance(p));
+  const double along_x = p.scatter_along_x * scatter * scatter;
+  const double yy = y_variance(p, scatter) - along_x;
+  const double xx = p.x_error * p.x_error + (slope == 0 ? 0 : along_x / (slope * slope));
+  return weight(p, slope, scatter) * (u * yy + slope * v * xx - (slope * u + v) * covariance(p));
 }
 
 double ordinary_slope(const std::vector<FitPoint>& points) {
@@ -164,7 +165,13 @@ std::optional<MeanFit> fit_mean(const std::vector<FitPoint>& points) {
   const double scatter =
       balancing_scatter([&](double s) { return sum(s) - degrees; }, range_of_y(points) + 1e-300);
   const Sums mean = means(points, 0, scatter);
-  return MeanFit{estimate(mean.y, std::sqrt(sum(scatter) / degrees / mean.weight), degrees,
+  double variance = 0, squares = 0;
+  for (const auto& p : points) {
+    const double share = weight(p, 0, scatter) / mean.weight, r = p.y - mean.y;
+    variance += share * share * r * r / std::max(1 - share, 1e-12);
+    squares += share * share;
+  }
+  return MeanFit{estimate(mean.y, std::sqrt(variance), std::max(1 / squares - 1, 1.0),
                           static_cast<int>(points.size())),
                  scatter};
 }

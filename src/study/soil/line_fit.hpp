@@ -13,6 +13,9 @@ struct FitPoint {
   double x = 0, y = 0;
   double x_error = 0, y_error = 0;
   double correlation = 0;  ///< of the two errors, −1 to 1
+  /// Share of the scatter s that moves the point along x, by s/b, and not along y: of tests whose y
+  /// is prescribed and whose x follows.
+  double scatter_along_x = 0;
 };
 
 /// y = a + b x by the least squares of York et al. (2004), Am. J. Phys. 72:367: errors in both
@@ -49,7 +52,12 @@ double weighted_residuals(const LineFit& line, const std::vector<FitPoint>& poin
 /// W_i of the line at that point.
 double weight_of(const LineFit& line, const FitPoint& point);
 
-/// The mean of y likewise, x left out, with n − 1 degrees.
+/// The mean of y likewise, x left out. Its variance is taken from the residuals r themselves, since
+/// errors that are too large for some tests would make it too small: with shares v_i = W_i/ΣW,
+///
+///   Var = Σ v_i² r_i²/(1 − v_i),   1/Σ v_i² − 1 degrees,
+///
+/// which for equal weights is s²/n with n − 1 degrees.
 struct MeanFit {
   Estimate mean;
   double scatter = 0;

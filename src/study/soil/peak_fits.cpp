@@ -10,8 +10,9 @@
 namespace triax::study {
 namespace {
 
-constexpr double kUsualEta = 0.03, kUsualDilatancy = 0.06, kUsualRatio = 0.03;
-constexpr double kUsualStrength = 0.04;  ///< of σ₁′
+constexpr double kUsualEta = 0.03, kUsualDilatancy = 0.06, kUsualRatio = 0.1;
+/// Of σ₁′, and by how much it grows with the range of void ratios: a set is meant to have one.
+constexpr double kUsualStrength = 0.04, kByVoidRatio = 1.0, kOneDensity = 0.1;
 
 bool in_compression(const TestPoints& test) { return test.used && !test.extension && !test.cyclic; }
 
@@ -87,15 +88,23 @@ void fit_strength(Soil& soil, const SoilOptions& options) {
     circles.back().name = test.name;
     all.add(strength_point(circles.back()), i);
   }
+  const double range = soil.loosest.value_or(0) - soil.densest.value_or(0);
   double mean = 0;
   for (const auto& c : circles) mean += c.major_kPa / static_cast<double>(circles.size());
-  const Gathered left = without_odd(soil, options, all, FitKind::line,
-                                    {"c′ and φ′", "σ₁′ at failure (kPa)", kUsualStrength * mean});
+  const Gathered left = without_odd(
+      soil, options, all, FitKind::line,
+      {"c′ and φ′", "σ₁′ at failure (kPa)", (kUsualStrength + kByVoidRatio * range) * mean});
   std::erase_if(circles, [&](const auto& c) {
     return std::ranges::find(left.tests, c.test) == left.tests.end();
   });
   const std::size_t count = circles.size();
   soil.strength = strength_set(std::move(circles), options.criterion);
+  if (soil.strength && range > kOneDensity)
+    soil.notes.push_back(
+        fmt::format("c′ and φ′ are those of specimens of e = {:.3f} to {:.3f} together, though "
+                    "strength goes by "
+                    "density: choose a set of one density with --where",
+                    *soil.densest, *soil.loosest));
   if (!soil.strength && count > 0)
     soil.notes.push_back(fmt::format(
         "c′ and φ′ need three specimens that failed at different σ₃′, and there are {}", count));

@@ -61,7 +61,7 @@ Soil study_soil(const std::vector<ShearedTest>& tests, const std::string& group,
                 const SoilOptions& options) {
   Soil soil;
   soil.group = group;
-  for (const auto& test : tests) soil.tests.push_back(test_points(test));
+  for (const auto& test : tests) soil.tests.push_back(test_points(test, options.stress_error_kPa));
   leave_out_twice(tests, soil.tests);
   if (std::ranges::none_of(soil.tests, &TestPoints::used))
     throw lab::BadInput(fmt::format(

@@ -15,6 +15,7 @@ struct SoilOptions {
   FailureCriterion criterion = FailureCriterion::peak_deviator_stress;
   double failure_strain = 0.15;    ///< of the criterion axial_strain
   std::optional<double> exponent;  ///< of the power line; empty: fitted
+  double stress_error_kPa = 1;     ///< of q and p′, by zeros and calibrations
   bool keep_odd = false;           ///< odd tests stay in the fits, named all the same
 };
 

@@ -100,7 +100,7 @@ void add_peaks(TestPoints& to, const std::vector<CurvePoint>& points) {
 
 }  // namespace
 
-TestPoints test_points(const ShearedTest& test) {
+TestPoints test_points(const ShearedTest& test, double stress_error_kPa) {
   const bool drained = test.drainage == lab::Drainage::open;
   TestPoints points{.id = test.id,
                     .name = test.name,
@@ -124,7 +124,7 @@ TestPoints test_points(const ShearedTest& test) {
   if (test.cyclic) return points;  // its peaks are those of the load
   add_peaks(points, curve.points);
   points.phase_transformation = phase_transformation(curve.points, drained);
-  points.critical = critical_state(curve, drained);
+  points.critical = critical_state(curve, drained, stress_error_kPa);
   return points;
 }
 

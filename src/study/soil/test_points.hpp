@@ -39,7 +39,7 @@ struct TestPoints {
   std::vector<TestPoint> path;  ///< of shear, for figures
 };
 
-/// What can be said of one test alone.
-TestPoints test_points(const ShearedTest& test);
+/// What can be said of one test alone. The error of stresses as critical_state() has it.
+TestPoints test_points(const ShearedTest& test, double stress_error_kPa = 0);
 
 }  // namespace triax::study
