@@ -139,7 +139,8 @@ NamedFigure critical_line_figure(const study::Soil& soil) {
   Points odd;
   for (const auto& q : soil.critical_line->odd_points) odd.emplace_back(std::exp(q.x), q.y);
   if (!odd.empty())
-    draw_markers(rect, odd, QCPScatterStyle(QCPScatterStyle::ssCross, line(kVermilion, 2), 11),
+    draw_markers(rect, odd,
+                 QCPScatterStyle(QCPScatterStyle::ssCross, line(kVermilion, 2), QBrush(), 11),
                  "left out: does not fit the others");
   legend_below(*plot, 2);
   note_below(*plot, soil_note(soil));

@@ -117,7 +117,8 @@ NamedFigure trend_figure(const study::Soil& soil, const study::Trend& trend,
                QCPScatterStyle(QCPScatterStyle::ssCircle, src::line(kInk, 1.2), QBrush(kBlue), 7),
                "tests");
   if (!odd.empty())
-    draw_markers(rect, odd, QCPScatterStyle(QCPScatterStyle::ssCross, src::line(kVermilion, 2), 9),
+    draw_markers(rect, odd,
+                 QCPScatterStyle(QCPScatterStyle::ssCross, src::line(kVermilion, 2), QBrush(), 9),
                  "left out: does not fit the others");
   std::vector<PointLabel> labels;
   for (std::size_t i = 0; i < points.size(); ++i)
