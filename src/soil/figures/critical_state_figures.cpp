@@ -15,7 +15,7 @@ namespace triax::src {
 namespace {
 
 constexpr int kCriticalWidth = 700, kCriticalHeight = 520 + kNoteHeight;
-const QColor kPath(0xB8, 0xB8, 0xB8);
+const QColor kPath(0x9A, 0x9A, 0x9A);
 
 using study::CriticalKind;
 
@@ -158,6 +158,9 @@ NamedFigure critical_ratio_figure(const study::Soil& soil) {
   for (const auto& t : soil.tests) {
     if (!t.used || t.cyclic) continue;
     for (const auto& p : t.path) p_range.add(p.p_eff_kPa), q_range.add(side(t) * p.q_kPa);
+    if (t.critical.kind == CriticalKind::none) continue;
+    const QPointF at = *in_q_plane(t);
+    p_range.add(at.x()), q_range.add(at.y());
   }
   plot->xAxis->setRange(p_range.with_margin(0.05, true));
   plot->yAxis->setRange(q_range.with_margin(0.06, true));

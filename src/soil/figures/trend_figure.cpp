@@ -82,9 +82,11 @@ FigureData data_of(const study::Soil& soil, const study::Trend& trend, const Tre
 
 void make_logarithmic(QCPAxis& axis) {
   axis.setScaleType(QCPAxis::stLogarithmic);
-  axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
-  axis.setNumberFormat("gb");
-  axis.setNumberPrecision(6);
+  const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  for (double decade = 1e-2; decade < 1e6; decade *= 10)
+    for (const double digit : {1.0, 2.0, 5.0})
+      ticker->addTick(digit * decade, QString::number(digit * decade));
+  axis.setTicker(ticker);
 }
 
 std::string soil_note(const study::Soil& soil) {

@@ -46,7 +46,8 @@ std::string inline_value(const Json& value) {
 void write_table(const Json& table, const std::string& path, std::string& out) {
   const auto heading = [&](const Json& v) { return v.is_object() && !is_estimate(v); };
   for (const auto& [key, value] : table.items())
-    if (!value.is_null() && !heading(value) && !list_of_tables(value))
+    if (!value.is_null() && !heading(value) && !list_of_tables(value) &&
+        !(value.is_array() && value.empty()))
       out += fmt::format("{} = {}\n", key, inline_value(value));
   for (const auto& [key, value] : table.items()) {
     const std::string below = path.empty() ? key : path + "." + key;
