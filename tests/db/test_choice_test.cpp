@@ -23,8 +23,7 @@ void record(const std::string& path, const std::string& name, const std::string&
   testing::send_scans(listener, 0, 10);
   lab::TestSummary summary;
   summary.consolidation.p_eff_pa = p_eff_pa;
-  listener.finished(summary);
-  recorder.finish();
+  recorder.finish(summary);
 }
 
 }  // namespace
