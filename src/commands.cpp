@@ -8,6 +8,7 @@
 #include "src/grains/grains.hpp"
 #include "src/page/open.hpp"
 #include "src/probe/probe.hpp"
+#include "src/soil/soil.hpp"
 #include "src/triaxial/query.hpp"
 #include "src/triaxial/replay.hpp"
 #include "src/triaxial/report.hpp"
@@ -22,10 +23,11 @@ namespace triax::src {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
-      simulate_command(), replay_command(),    report_command(),    query_command(),
-      tests_command(),    element_command(),   materials_command(), probe_command(),
-      domain_command(),   calibrate_command(), grains_command(),    serve_command(),
-      run_command(),      record_command(),    rig_command(),       open_command()};
+      simulate_command(), replay_command(),  report_command(),    query_command(),
+      tests_command(),    element_command(), materials_command(), probe_command(),
+      domain_command(),   soil_command(),    calibrate_command(), grains_command(),
+      serve_command(),    run_command(),     record_command(),    rig_command(),
+      open_command()};
   return all;
 }
 

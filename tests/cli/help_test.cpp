@@ -11,10 +11,9 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {
-    "simulate", "replay", "report", "query", "tests",
-    const char* const kCommands[] = {"element", "materials", "probe", "domain", "grains", "serve",
-                                     "run", "record", "rig", "open", "calibrate"};
+const char* const kCommands[] = {"simulate",  "replay", "report", "query",     "tests", "element",
+                                 "materials", "probe",  "domain", "grains",    "serve", "run",
+                                 "record",    "rig",    "open",   "calibrate", "soil"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;

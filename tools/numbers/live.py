@@ -7,11 +7,9 @@ only that no hand changed them since.
 import json
 import os
 import pathlib
-import re
 import subprocess
-import sys
 
-from remade.benchmark import digest
+from remade.others import of_others
 from remade.program import indented
 
 RECORDS = (
@@ -19,19 +17,6 @@ RECORDS = (
     ("nerlerk", ("Nerlerk270_CIU_G101", "Nerlerk270_CIU_G103", "Nerlerk270_CIU_G107", "Nerlerk270_CID_G151"), ".csv"),
     ("cyclic", ("SJT-20", "SJT-34", "ZNF-03"), ".csv"),
 )
-
-
-def of_others(triax, made) -> str:
-    """What `made` says of the records; where they are missing, what stands on the page unless somebody changed it."""
-    folder = os.environ.get("TRIAX_RECORDS_OF_OTHERS")
-    if folder:
-        body = made(triax, pathlib.Path(folder))
-        return f"{body}\n<!-- as printed: {digest(body)} -->"
-    kept = re.fullmatch(r"(.*)\n<!-- as printed: (\w+) -->", triax.standing, re.S)
-    if kept and digest(kept[1]) == kept[2]:
-        sys.stderr.write("live: TRIAX_RECORDS_OF_OTHERS names no folder: the block of recorded tests is taken as it stands\n")
-        return triax.standing
-    return "somebody changed what stood here; with TRIAX_RECORDS_OF_OTHERS `tools/pages live` makes it anew"
 
 
 def replayed(triax, record: pathlib.Path, *options: str) -> str:
@@ -120,4 +105,4 @@ def all_of_them(triax, folder: pathlib.Path) -> str:
 
 
 def recorded(triax) -> str:
-    return of_others(triax, all_of_them)
+    return of_others(triax, "live", all_of_them)

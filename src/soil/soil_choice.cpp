@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/soil/soil_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "db/store.hpp"
+#include "db/test_choice.hpp"
+#include "lab/base/bad_input.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr std::size_t kFewest = 3;
+
+void refuse_several_materials(const SoilGroup& group) {
+  std::map<std::string, int> materials;
+  for (const auto& test : group.tests)
+    if (!test.material.empty()) ++materials[test.material];
+  if (materials.size() < 2) return;
+  std::string list;
+  for (const auto& [name, count] : materials)
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
+  throw lab::BadInput(fmt::format(
+      "the tests are of {} materials: {}; choose one with --where \"material = '{}'\", or give "
+      "--group material for a result each",
+      materials.size(), list, materials.begin()->first));
+}
+
+void refuse_too_few(const SoilGroup& group) {
+  if (group.tests.size() >= kFewest) return;
+  throw lab::BadInput(fmt::format(
+      "there {} only {} test{}{}; trends and intervals need {} at least",
+      group.tests.size() == 1 ? "is" : "are", group.tests.size(),
+      group.tests.size() == 1 ? "" : "s", group.name.empty() ? "" : " of " + group.name, kFewest));
+}
+
+}  // namespace
+
+std::vector<SoilGroup> chosen_groups(const SoilChoice& choice) {
+  const db::Store store(choice.db);
+  std::set<std::int64_t> asked;
+  for (const auto id : store.find(choice.tests)) asked.insert(id);
+  std::map<std::string, SoilGroup> groups;
+  for (const auto& [id, name] : db::choose_tests(choice.db, choice.where, choice.group)) {
+    if (!asked.contains(id)) continue;
+    auto& group = groups[name];
+    group.name = name;
+    group.tests.push_back(study::load_sheared_test(store, id));
+  }
+  if (groups.empty())
+    throw lab::BadInput("no test is left" +
+                        (choice.where.empty()
+                             ? std::string(": the database has none")
+                             : " for which --where is true; `triax query specimens` "
+                               "shows what the tests have"));
+  std::vector<SoilGroup> all;
+  for (auto& [name, group] : groups) {
+    refuse_several_materials(group);
+    refuse_too_few(group);
+    if (choice.group.empty() && !group.tests.empty()) group.name = group.tests.front().material;
+    all.push_back(std::move(group));
+  }
+  return all;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The critical state line, M and M_e.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/study/soil/soil_fits.hpp"
+
+namespace triax::study {
+namespace {
+
+constexpr double kUsualE = 0.012, kUsualM = 0.03;
+/// Specimens of one sand are never more alike than this, however well each is measured: else the
+/// one that is measured best would speak for all.
+constexpr double kLeastE = 0.006, kLeastM = 0.015;
+/// Of ln p′: beyond that a logarithm of p′ says nothing.
+constexpr double kLargestLogError = 0.35;
+/// With the valve closed e is prescribed, and what differs between specimens moves p′ at the
+/// critical state; what is wrong with the measured e moves e. Nobody knows the shares.
+constexpr double kPrescribedE = 0.5;
+
+Gathered critical_points(Soil& soil) {
+  Gathered all;
+  for (std::size_t i = 0; i < soil.tests.size(); ++i) {
+    const auto& test = soil.tests[i];
+    const auto& c = test.critical;
+    if (!test.used || c.kind == CriticalKind::none || !c.void_ratio) continue;
+    if (c.log_p.error > kLargestLogError) {
+      soil.notes.push_back(fmt::format(
+          "{}: p′ at the critical state is {:.1f} kPa within a factor of {:.1f} only; it has no "
+          "part in the critical state line",
+          test.name, std::exp(c.log_p.value), std::exp(2 * c.log_p.error)));
+      continue;
+    }
+    all.add({c.log_p.value, c.void_ratio->value, c.log_p.error,
+             std::hypot(c.void_ratio->error, kLeastE), 0, test.drained ? 0.0 : kPrescribedE},
+            i);
+  }
+  return all;
+}
+
+Gathered critical_ratios(const Soil& soil, bool extension) {
+  Gathered all;
+  for (std::size_t i = 0; i < soil.tests.size(); ++i) {
+    const auto& test = soil.tests[i];
+    if (test.used && test.extension == extension && test.critical.kind != CriticalKind::none)
+      all.add({0, test.critical.eta.value, 0, std::hypot(test.critical.eta.error, kLeastM), 0}, i);
+  }
+  return all;
+}
+
+/// Var(M_e/M)/(M_e/M)² = Var(M_e)/M_e² + Var(M)/M², with the fewer degrees of the two.
+Estimate share(const Level& extension, const Level& compression) {
+  const Estimate &e = extension.fit.mean, &c = compression.fit.mean;
+  const double value = e.value / c.value;
+  return estimate(value, value * std::hypot(e.error / e.value, c.error / c.value),
+                  std::min(e.tests, c.tests) - 1, e.tests + c.tests);
+}
+
+void note_none(Soil& soil) {
+  for (const auto& test : soil.tests)
+    if (test.used && !test.cyclic && test.critical.kind == CriticalKind::none)
+      soil.notes.push_back(
+          fmt::format("{}: no critical state: {}", test.name, test.critical.reason));
+}
+
+void fit_lines(Soil& soil, const SoilOptions& options) {
+  soil.critical_line = trend_of(soil, options, critical_points(soil),
+                                {"the critical state line", "e at the critical state", kUsualE});
+  if (!soil.critical_line) return;
+  if (soil.critical_line->line.b > 0)
+    soil.notes.push_back(
+        "the critical state line rises with p′, which no sand does: the tests are too few, lie too "
+        "close together, or are not of one sand");
+  soil.critical_power = fit_power_line(soil.critical_line->points, options.exponent);
+  if (soil.critical_power->exponent_held && !options.exponent)
+    soil.notes.push_back(fmt::format(
+        "the tests do not determine the exponent of the power form, which is held at {:g}: the "
+        "intervals of the other two hold for that exponent only",
+        kUsualExponent));
+  // With one scatter allowed for, the form that needs less of it is the better one.
+  soil.power_is_better = soil.critical_power->line.scatter < 0.8 * soil.critical_line->line.scatter;
+}
+
+}  // namespace
+
+void fit_critical_states(Soil& soil, const SoilOptions& options) {
+  note_none(soil);
+  fit_lines(soil, options);
+  soil.critical_ratio = level_of(soil, options, critical_ratios(soil, false),
+                                 {"M in compression", "η at the critical state", kUsualM});
+  soil.extension_ratio = level_of(soil, options, critical_ratios(soil, true),
+                                  {"M in extension", "|η| at the critical state", kUsualM});
+  if (soil.critical_ratio && soil.extension_ratio)
+    soil.extension_share = share(*soil.extension_ratio, *soil.critical_ratio);
+}
+
+}  // namespace triax::study

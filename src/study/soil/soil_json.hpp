@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A soil as one JSON document, and as the TOML that `triax calibrate` starts from: the same values
+// under the same names (docs/soil.md). What the tests do not give is null in JSON, absent in TOML.
+#include <string>
+
+#include "src/study/json_parts.hpp"
+#include "src/study/soil/soil.hpp"
+
+namespace triax::study {
+
+Json soil_json(const Soil& soil);
+/// Throws std::invalid_argument for a list that mixes tables with other values, which TOML cannot.
+std::string toml_document(const Json& document);
+
+}  // namespace triax::study
