@@ -4,6 +4,7 @@
 #include "src/domain/domain.hpp"
 #include "src/element/element.hpp"
 #include "src/element/materials.hpp"
+#include "src/export/export.hpp"
 #include "src/grains/grains.hpp"
 #include "src/probe/probe.hpp"
 #include "src/triaxial/query.hpp"
@@ -20,9 +21,10 @@ namespace triax::src {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
-      simulate_command(), replay_command(),    report_command(), query_command(),  tests_command(),
-      element_command(),  materials_command(), probe_command(),  domain_command(), grains_command(),
-      serve_command(),    run_command(),       record_command(), rig_command()};
+      simulate_command(), replay_command(), report_command(),  query_command(),
+      export_command(),   tests_command(),  element_command(), materials_command(),
+      probe_command(),    domain_command(), grains_command(),  serve_command(),
+      run_command(),      record_command(), rig_command()};
   return all;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 const char* const kCommands[] = {"simulate", "replay",    "report", "query",  "tests",
                                  "element",  "materials", "probe",  "domain", "grains",
-                                 "serve",    "run",       "record", "rig"};
+                                 "serve",    "run",       "record", "rig",    "export"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;
