@@ -16,7 +16,7 @@ install(EXPORT triaxTargets NAMESPACE triax:: DESTINATION ${triax_config} COMPON
 foreach(folder sim lab db)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/triax
     COMPONENT development FILES_MATCHING PATTERN "*.hpp"
-    PATTERN "dialects" EXCLUDE PATTERN "instruments" EXCLUDE PATTERN "migrations" EXCLUDE)
+    PATTERN "dialects" EXCLUDE PATTERN "dictionary" EXCLUDE PATTERN "instruments" EXCLUDE PATTERN "migrations" EXCLUDE)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/study DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/triax/src
   COMPONENT development FILES_MATCHING PATTERN "*.hpp")

@@ -5,6 +5,7 @@
 #include "src/domain/domain.hpp"
 #include "src/element/element.hpp"
 #include "src/element/materials.hpp"
+#include "src/export/export.hpp"
 #include "src/grains/grains.hpp"
 #include "src/page/open.hpp"
 #include "src/probe/probe.hpp"
@@ -23,11 +24,11 @@ namespace triax::src {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
-      simulate_command(), replay_command(),  report_command(),    query_command(),
-      tests_command(),    element_command(), materials_command(), probe_command(),
-      domain_command(),   soil_command(),    calibrate_command(), grains_command(),
-      serve_command(),    run_command(),     record_command(),    rig_command(),
-      open_command()};
+      simulate_command(), replay_command(), report_command(),  query_command(),
+      export_command(),   tests_command(),  element_command(), materials_command(),
+      probe_command(),    domain_command(), soil_command(),    calibrate_command(),
+      grains_command(),   serve_command(),  run_command(),     record_command(),
+      rig_command(),      open_command()};
   return all;
 }
 

@@ -21,5 +21,7 @@ extern const std::span<const EmbeddedFile> kShippedMaterials;
 extern const std::span<const EmbeddedFile> kShippedInstruments;
 /// lab/wire/personalities/*.toml (how instruments on the wire are asked and set)
 extern const std::span<const EmbeddedFile> kShippedPersonalities;
+/// lab/ags/dictionary/*.txt (groups of AGS4)
+extern const std::span<const EmbeddedFile> kAgsDictionary;
 
 }  // namespace triax::lab

@@ -321,17 +321,52 @@ void TomlTable::missing(std::string_view key) const {
        std::string(key) + " is missing" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
+namespace {
+
+/// A sign with which spreadsheets begin a formula, at the front of `text`: its code point and the
+/// bytes that it takes.
+struct FormulaSign {
+  unsigned code = 0;
+  std::size_t bytes = 0;
+};
+FormulaSign formula_sign(std::string_view text) {
+  constexpr std::string_view kSigns = "=+-@";
+  if (text.empty()) return {};
+  if (kSigns.find(text.front()) != std::string_view::npos)
+    return {static_cast<unsigned char>(text.front()), 1};
+  for (const char sign : kSigns) {  // the wide forms, U+FF01 and on, which some locales take too
+    const unsigned wide = 0xFF00U + static_cast<unsigned char>(sign) - 0x20U;
+    const std::string utf8{static_cast<char>(0xEF), static_cast<char>(0x80 | (wide >> 6 & 0x3F)),
+                           static_cast<char>(0x80 | (wide & 0x3F))};
+    if (text.starts_with(utf8)) return {wide, utf8.size()};
+  }
+  return {};
+}
+
+}  // namespace
+
 std::string toml_quoted(std::string_view text) {
   const std::string utf8 = is_utf8(text) ? std::string(text) : utf8_from_cp1252(text);
   std::string out = "\"";
-  for (const char c : utf8) {
-    if (c == '"' || c == '\\') {
+  const auto escape = [&out](unsigned code) {
+    std::array<char, 8> escaped{};
+    std::snprintf(escaped.data(), escaped.size(), "\\u%04X", code);
+    out += escaped.data();
+  };
+  bool opens_cell = false;  // where a spreadsheet that opens the file begins a new one
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const char c = utf8[i];
+    const auto formula =
+        opens_cell ? formula_sign(std::string_view(utf8).substr(i)) : FormulaSign{};
+    if (c != ' ') opens_cell = std::string_view(",;|\t\r\n").find(c) != std::string_view::npos;
+    if (formula.bytes > 0) {
+      escape(formula.code);
+      i += formula.bytes - 1;
+    } else if (c == '"' || c == '\\') {
       out += '\\';
       out += c;
     } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-      std::array<char, 8> escaped{};
-      std::snprintf(escaped.data(), escaped.size(), "\\u%04X", static_cast<unsigned>(c));
-      out += escaped.data();
+      escape(static_cast<unsigned char>(c));
     } else {
       out += c;
     }

@@ -88,7 +88,9 @@ class TomlTable {
 /// The whole of a small file. Throws BadInput where it cannot be read or is larger than 1 MB.
 std::string read_text_file(const std::string& path);
 
-/// A basic TOML string with its quotes; bytes that are no UTF-8 are taken as Windows-1252.
+/// A basic TOML string with its quotes; bytes that are no UTF-8 are taken as Windows-1252. What a
+/// spreadsheet that opens the text as a table could take for a formula (= + - @ behind a separator)
+/// is escaped: the same text, another spelling.
 std::string toml_quoted(std::string_view text);
 
 }  // namespace triax::lab

@@ -13,7 +13,7 @@ namespace {
 
 const char* const kCommands[] = {"simulate",  "replay", "report", "query",     "tests", "element",
                                  "materials", "probe",  "domain", "grains",    "serve", "run",
-                                 "record",    "rig",    "open",   "calibrate", "soil"};
+                                 "record",    "rig",    "open",   "calibrate", "soil",  "export"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;

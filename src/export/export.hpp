@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/cli/command.hpp"
+
+namespace triax::src {
+
+Command export_command();
+
+}  // namespace triax::src
