@@ -15,7 +15,7 @@
 #include "src/cli/shared_options.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/output.hpp"
-#include "src/study/triaxial/sweep_summary.hpp"
+#include "src/study/sweep/sweep_summary.hpp"
 #include "src/triaxial/sweep_progress.hpp"
 #include "src/triaxial/sweep_results.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "src/study/triaxial/sweep_run.hpp"
+#include "src/study/sweep/sweep_run.hpp"
 
 namespace triax::src {
 

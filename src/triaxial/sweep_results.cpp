@@ -10,7 +10,7 @@
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
-#include "src/study/triaxial/sweep_summary.hpp"
+#include "src/study/sweep/sweep_summary.hpp"
 #include "src/triaxial/json_report.hpp"
 
 namespace triax::src {

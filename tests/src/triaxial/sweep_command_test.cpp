@@ -5,7 +5,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "tests/db/temporary_folder.hpp"
-#include "tests/src/study/triaxial/sweep_programme.hpp"
+#include "tests/src/study/sweep/sweep_programme.hpp"
 
 using namespace triax;
 using namespace triax::src;

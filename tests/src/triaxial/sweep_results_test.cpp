@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/src/study/triaxial/sweep_programme.hpp"
+#include "tests/src/study/sweep/sweep_programme.hpp"
 
 using namespace triax;
 using namespace triax::src;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/study/triaxial/sweep_run.hpp"
+#include "src/study/sweep/sweep_run.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 
 #include "db/store.hpp"
 #include "tests/db/temporary_folder.hpp"
-#include "tests/src/study/triaxial/sweep_programme.hpp"
+#include "tests/src/study/sweep/sweep_programme.hpp"
 
 using namespace triax;
 using namespace triax::src;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/study/triaxial/sweep_run.hpp"
+#include "src/study/sweep/sweep_run.hpp"
 
 #include <fmt/format.h>
 

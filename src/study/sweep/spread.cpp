@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/study/triaxial/spread.hpp"
+#include "src/study/sweep/spread.hpp"
 
 #include <algorithm>
 #include <cmath>

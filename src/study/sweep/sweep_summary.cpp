@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/study/triaxial/sweep_summary.hpp"
+#include "src/study/sweep/sweep_summary.hpp"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "src/study/triaxial/spread.hpp"
-#include "src/study/triaxial/sweep_run.hpp"
+#include "src/study/sweep/spread.hpp"
+#include "src/study/sweep/sweep_run.hpp"
 
 namespace triax::study {
 
