@@ -10,12 +10,12 @@ const FONT = "12px system-ui, 'DejaVu Sans', sans-serif";
 
 export class Chart {
   /** x, y: {title, log}; does: {move(x, y), pick(box), leave()}. `title` is what a screen reader calls it. */
-  constructor({ title, x, y, height = 240, does = {}, cursor = true }) {
+  constructor({ title, x, y, height = 240, does = {}, cursor = true, nothing = "not measured" }) {
     Object.assign(this, { x, y, does, height, layers: [], limits: { x: null, y: null } });
     this.plot = el("div", { class: "plot" });
     this.node = el("div", { class: "chart", role: "group", "aria-label": title, tabindex: 0 }, this.plot);
     this.dot = el("div", { class: "dot" });
-    this.nothing = el("p", { class: "nothing quiet", hidden: true }, "not measured");
+    this.nothing = el("p", { class: "nothing quiet", hidden: true }, nothing);
     this.node.append(this.nothing);
     this.withCursor = cursor;
     this.pending = 0;

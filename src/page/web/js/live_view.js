@@ -3,7 +3,7 @@
 import { Chart } from "./chart.js";
 import { el } from "./dom.js";
 import { fixed, left, time } from "./format.js";
-import { QUANTITIES, axisTitle } from "./quantities.js";
+import { QUANTITIES, WORK, axisTitle } from "./quantities.js";
 import { lines } from "./stress_layers.js";
 
 /** M of a friction angle: 6 sin φ / (3 − sin φ). */
@@ -26,19 +26,41 @@ export function numbers(row, eta, { forecast, lost }) {
     big(`axial strain ε₁, at ${time(row?.time_s)}`, typeof row?.axial_strain === "number" ? fixed(100 * row.axial_strain, 2) : "–", "%")];
 }
 
-/** The charts of what runs; show(rows, forecast, limit). */
+const CHARTS = [["p_eff", "q", 330], ["axial", "q", 176], ["time", "u", 160], ["time", "volume", 160], ["time", "work", 160]];
+const COLOURS = { u: "green", volume: "orange", work: "purple" };
+/** Milliseconds between two drawings of all charts but the stress path, which is drawn with every frame. */
+const PAUSE = 400;
+
+function makeChart([x, y, height]) {
+  const { title, symbol, unit } = QUANTITIES[y] ?? WORK;
+  const short = y === "work" ? "W₂ normalised (–)" : `${symbol} (${unit})`;
+  return { x, y, chart: new Chart({ title: `${title} over ${QUANTITIES[x].title}, live`, height, cursor: false, nothing: "none yet", x: { title: axisTitle(x) }, y: { title: height < 200 ? short : axisTitle(y) } }) };
+}
+
+function workLayers({ time_s: time, normalised, error }) {
+  const x = time.map((t) => t / 60);
+  const edge = (sign) => normalised.map((w, i) => (error[i] === null ? null : w + sign * error[i]));
+  return [{ kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" }, { kind: "level", y: 0, colour: "grey" }, { kind: "line", x, y: normalised, colour: "purple" }];
+}
+
+function curve({ columns, now }, x, y) {
+  const line = { kind: "line", x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), colour: COLOURS[y] ?? "blue", range: y === "q" ? { y: [0, 10] } : null };
+  return now ? [line, { kind: "mark", shape: "dot", colour: "ink", ranged: false, x: line.x.at(-1), y: line.y.at(-1) }] : [line];
+}
+
+/** The curves of what runs; show({rows, work, forecast, limit}, at) at a time in milliseconds. */
 export function liveCharts() {
-  const make = (x, y, height) => new Chart({ title: `${QUANTITIES[y].title} over ${QUANTITIES[x].title}, live`, height, cursor: false,
-    x: { title: axisTitle(x) }, y: { title: height < 200 ? `${QUANTITIES[y].symbol} (${QUANTITIES[y].unit})` : axisTitle(y) } });
-  const charts = [["p_eff", "q", 330], ["time", "q", 158], ["time", "u", 158]].map(([x, y, height]) => ({ x, y, chart: make(x, y, height) }));
-  return { node: el("div", { class: "charts" }, el("div", {}, charts[0].chart.node), el("div", {}, charts[1].chart.node, charts[2].chart.node)),
+  const charts = CHARTS.map(makeChart);
+  let last = -PAUSE;
+  return { node: el("div", { class: "charts" }, el("div", {}, charts.slice(0, 2).map((c) => c.chart.node)), el("div", {}, charts.slice(2).map((c) => c.chart.node))),
     end: () => charts.forEach(({ chart }) => chart.end()),
-    show: ({ columns, now }, forecast, limit) => {
-      for (const { x, y, chart } of charts) {
-        const line = { kind: "line", x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), colour: y === "u" ? "green" : "blue", range: y === "q" ? { y: [0, 10] } : null };
-        const tip = now ? [{ kind: "mark", shape: "dot", colour: "ink", ranged: false, x: line.x.at(-1), y: line.y.at(-1) }] : [];
-        const known = x === "p_eff" ? lines({ eta: forecast?.eta_forecast, limit_stress_ratio: limit }, "pq", false) : [];
-        chart.set([...known, line, ...tip]);
+    show: ({ rows, work, forecast, limit }, at) => {
+      charts[0].chart.set([...lines({ eta: forecast?.eta_forecast, limit_stress_ratio: limit }, "pq", false), ...curve(rows, "p_eff", "q")]);
+      if (at - last < PAUSE) return;
+      last = at;
+      for (const { x, y, chart } of charts.slice(1)) {
+        if (y !== "work") chart.set(curve(rows, x, y));
+        else if (work) chart.set(workLayers(work), { y: [-1.08, 1.08] });
       }
     } };
 }

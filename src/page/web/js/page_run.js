@@ -22,7 +22,7 @@ const stateOf = (live) => (!live?.running ? "ended" : live.held ? "held" : "runn
 class RunPage {
   constructor(main, first) {
     const { test, collapse, specimen } = first;
-    Object.assign(this, { test, simulated: test.origin === "simulated", rows: new LiveRows(COLUMNS), frame: 0, said: null, queue: null,
+    Object.assign(this, { test, simulated: test.origin === "simulated", rows: new LiveRows(COLUMNS), frame: 0, said: null, queue: null, work: null,
       state: stateOf(first.live), level: null, forecast: null, lost: null, end: null,
       limit: collapse.limit_stress_ratio ?? limitOf(specimen.limit_friction_angle_deg) });
     this.signal = el("section", { class: "signal", "aria-label": "State of the test", "aria-live": "assertive" });
@@ -69,7 +69,7 @@ class RunPage {
     this.said = signal.word + signal.sub;
     fill(this.bigs, numbers(row, eta, this));
     gauge(this.bar, { eta, forecast, limit });
-    this.charts.show(rows, forecast, limit);
+    this.charts.show(this, at);
     this.channels.show(row, at);
     Object.assign(this.node.dataset, { received: rows.count, first: rows.first ?? "", last: rows.last ?? "", gaps: rows.gaps, checksum: rows.sum.hex(), drawn: row?.reading ?? "" });
   }
@@ -127,6 +127,13 @@ class RunPage {
     (await get(`/api/tests/${this.test.id}`)).events.forEach((event) => this.happened(event));
   }
 
+  /** Second-order work comes with the monitor's windows, later than readings: it is asked for now and then. */
+  async readWork() {
+    if (document.hidden) return;
+    this.work = (await get(windowPath(this.test.id, ["time_s"], { pixels: 300, work: true }))).work;
+    this.soon();
+  }
+
   connection(text, tone) {
     if (this.end) return;
     this.link.textContent = text;
@@ -136,6 +143,8 @@ class RunPage {
   async finish(end) {
     this.connection("ended", "");
     this.end = end;
+    clearInterval(this.asking);
+    await this.readWork();
     this.setState("ended");
     const last = await get(`/api/tests/${this.test.id}`);
     fill(this.verdict, verdictPanel(last), el("p", { class: "row" }, el("a", { class: "button main", href: `#/test/${this.test.id}` }, "Open the test"),
@@ -144,6 +153,7 @@ class RunPage {
 
   async listen() {
     if (this.test.readings > FEW) this.rows.replace((await get(windowPath(this.test.id, COLUMNS, { pixels: 300 }))).columns);
+    this.asking = setInterval(() => this.readWork().catch(() => clearInterval(this.asking)), 3000);
     const wrong = (failure) => fill(this.trouble, failed(failure));
     this.stop = listen(this.test.id, this.rows.last, {
       reading: (row) => this.came(row),
@@ -164,6 +174,7 @@ class RunPage {
 
   leave() {
     this.stop?.();
+    clearInterval(this.asking);
     cancelAnimationFrame(this.frame);
     this.charts.end();
   }
