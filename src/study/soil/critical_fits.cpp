@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 #include "src/study/soil/soil_fits.hpp"
 
@@ -19,32 +20,42 @@ constexpr double kLargestLogError = 0.35;
 /// critical state; what is wrong with the measured e moves e. Nobody knows the shares.
 constexpr double kPrescribedE = 0.5;
 
-Gathered critical_points(Soil& soil) {
+/// The critical state can be told from no stress at all. Says it where it cannot.
+std::vector<bool> with_stress(Soil& soil) {
+  std::vector<bool> with;
+  for (const auto& test : soil.tests) {
+    const auto& c = test.critical;
+    const bool any = test.used && c.kind != CriticalKind::none;
+    with.push_back(any && c.log_p.error <= kLargestLogError);
+    if (any && !with.back())
+      soil.notes.push_back(
+          fmt::format("{}: p′ at the critical state is {:.1f} kPa, no more than its error: it has "
+                      "no part in the "
+                      "critical state line and in M",
+                      test.name, std::exp(c.log_p.value)));
+  }
+  return with;
+}
+
+Gathered critical_points(const Soil& soil, const std::vector<bool>& with) {
   Gathered all;
   for (std::size_t i = 0; i < soil.tests.size(); ++i) {
-    const auto& test = soil.tests[i];
-    const auto& c = test.critical;
-    if (!test.used || c.kind == CriticalKind::none || !c.void_ratio) continue;
-    if (c.log_p.error > kLargestLogError) {
-      soil.notes.push_back(fmt::format(
-          "{}: p′ at the critical state is {:.1f} kPa within a factor of {:.1f} only; it has no "
-          "part in the critical state line",
-          test.name, std::exp(c.log_p.value), std::exp(2 * c.log_p.error)));
-      continue;
-    }
-    all.add({c.log_p.value, c.void_ratio->value, c.log_p.error,
-             std::hypot(c.void_ratio->error, kLeastE), 0, test.drained ? 0.0 : kPrescribedE},
-            i);
+    const auto& c = soil.tests[i].critical;
+    if (!with[i] || !c.void_ratio) continue;
+    all.add(
+        {c.log_p.value, c.void_ratio->value, c.log_p.error,
+         std::hypot(c.void_ratio->error, kLeastE), 0, soil.tests[i].drained ? 0.0 : kPrescribedE},
+        i);
   }
   return all;
 }
 
-Gathered critical_ratios(const Soil& soil, bool extension) {
+Gathered critical_ratios(const Soil& soil, const std::vector<bool>& with, bool extension) {
   Gathered all;
   for (std::size_t i = 0; i < soil.tests.size(); ++i) {
     const auto& test = soil.tests[i];
-    if (test.used && test.extension == extension && test.critical.kind != CriticalKind::none)
-      all.add({0, test.critical.eta.value, 0, std::hypot(test.critical.eta.error, kLeastM), 0}, i);
+    if (with[i] && test.extension == extension)
+      all.add({0, test.critical.eta.value, 0, std::hypot(test.critical.eta.error, kLeastM)}, i);
   }
   return all;
 }
@@ -64,8 +75,8 @@ void note_none(Soil& soil) {
           fmt::format("{}: no critical state: {}", test.name, test.critical.reason));
 }
 
-void fit_lines(Soil& soil, const SoilOptions& options) {
-  soil.critical_line = trend_of(soil, options, critical_points(soil),
+void fit_lines(Soil& soil, const SoilOptions& options, const std::vector<bool>& with) {
+  soil.critical_line = trend_of(soil, options, critical_points(soil, with),
                                 {"the critical state line", "e at the critical state", kUsualE});
   if (!soil.critical_line) return;
   if (soil.critical_line->line.b > 0)
@@ -86,10 +97,11 @@ void fit_lines(Soil& soil, const SoilOptions& options) {
 
 void fit_critical_states(Soil& soil, const SoilOptions& options) {
   note_none(soil);
-  fit_lines(soil, options);
-  soil.critical_ratio = level_of(soil, options, critical_ratios(soil, false),
+  const auto with = with_stress(soil);
+  fit_lines(soil, options, with);
+  soil.critical_ratio = level_of(soil, options, critical_ratios(soil, with, false),
                                  {"M in compression", "η at the critical state", kUsualM});
-  soil.extension_ratio = level_of(soil, options, critical_ratios(soil, true),
+  soil.extension_ratio = level_of(soil, options, critical_ratios(soil, with, true),
                                   {"M in extension", "|η| at the critical state", kUsualM});
   if (soil.critical_ratio && soil.extension_ratio)
     soil.extension_share = share(*soil.extension_ratio, *soil.critical_ratio);
