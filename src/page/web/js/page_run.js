@@ -14,6 +14,8 @@ import { verdictPanel } from "./test_facts.js";
 
 /** Readings above which the page begins with a window of them instead of each. */
 const FEW = 20000;
+/** Milliseconds between two drawings at least: nobody sees more, and other work of the machine goes on. */
+const PAUSE = 45;
 const LEVELS = { approaching: "approaching", imminent: "imminent", warning_withdrawn: null };
 const STATES = { held: "held", resumed: "running" };
 
@@ -22,7 +24,7 @@ const stateOf = (live) => (!live?.running ? "ended" : live.held ? "held" : "runn
 class RunPage {
   constructor(main, first) {
     const { test, collapse, specimen } = first;
-    Object.assign(this, { test, simulated: test.origin === "simulated", rows: new LiveRows(COLUMNS), frame: 0, said: null, queue: null, work: null,
+    Object.assign(this, { test, simulated: test.origin === "simulated", rows: new LiveRows(COLUMNS), frame: 0, said: null, drawn: -PAUSE, queue: null, work: null,
       state: stateOf(first.live), level: null, forecast: null, lost: null, end: null,
       limit: collapse.limit_stress_ratio ?? limitOf(specimen.limit_friction_angle_deg) });
     this.signal = el("section", { class: "signal", "aria-label": "State of the test", "aria-live": "assertive" });
@@ -61,6 +63,8 @@ class RunPage {
 
   draw(at) {
     this.frame = 0;
+    if (at - this.drawn < PAUSE) return this.soon();
+    this.drawn = at;
     const { rows, forecast, limit } = this;
     const row = rows.now;
     const eta = row && row.p_eff_kPa > 0 ? row.q_kPa / row.p_eff_kPa : null;
