@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "db/choice/test_choice.hpp"
 #include "db/store.hpp"
-#include "db/test_choice.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::src {

@@ -10,7 +10,7 @@ namespace triax::src {
 
 struct SoilChoice {
   std::vector<std::string> tests;  ///< ids or names; empty: all
-  std::string where, group;        ///< SQL (db/test_choice.hpp)
+  std::string where, group;        ///< SQL (db/choice/test_choice.hpp)
   std::string db = "triax.db";
 };
 

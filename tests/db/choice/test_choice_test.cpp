@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/test_choice.hpp"
+#include "db/choice/test_choice.hpp"
 
 #include <catch2/catch.hpp>
 
