@@ -22,7 +22,7 @@ namespace {
 std::vector<std::string> seeds(const std::string& fuzzer) {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/seeds/" + fuzzer))
-    paths.push_back(entry.path().string());
+    if (entry.is_regular_file()) paths.push_back(entry.path().string());  // not what was kept
   return paths;
 }
 }  // namespace
