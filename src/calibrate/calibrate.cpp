@@ -147,9 +147,6 @@ Command calibrate_command() {
                     "three tests, one parameter kept, measured beside computed as figures"},
                    {"triax calibrate norsand --start soil/soil.toml --output my_norsand.toml",
                     "begins with what triax soil measured"},
-                   {"triax domain --materials my_sand.toml --material hypoplastic/my_sand "
-                    "--void-ratio 0.9",
-                    "the bifurcation domain that the parameters found imply"},
                    {"triax calibrate hypoplastic --searches 64 --piece $SLURM_ARRAY_TASK_ID/64 "
                     "--output piece_$SLURM_ARRAY_TASK_ID.json",
                     "one task of an array job 1-64"}},
