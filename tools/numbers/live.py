@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 
 from remade.others import of_others
 from remade.program import indented
@@ -33,7 +34,7 @@ def one(triax, name: str) -> str:
         record = next(folder.glob(f"*/{name}"))
         (triax.folder / "others.db").unlink(missing_ok=True)
         return indented(f"$ triax replay {name} --live\n{replayed(triax, record)}")
-    return of_others(triax, made)
+    return of_others(triax, "live", made)
 
 
 def sand(triax) -> str:

@@ -27,8 +27,7 @@ bool is_drawn(std::size_t column) {
 
 void in_order_once(std::vector<std::size_t>& places) {
   std::ranges::sort(places);
-  const auto twice = std::ranges::unique(places);
-  places.erase(twice.begin(), twice.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
 }
 
 void all_between(std::size_t begin, std::size_t end, std::vector<std::size_t>& places) {
