@@ -27,7 +27,7 @@ if wanted coverage; then
 fi
 if wanted seeds; then
   "$bench" --law hypoplastic --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
-  "$bench" --law sanisand --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
+  "$bench" --law norsand --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
 fi
 if wanted speed; then
   "$bench" --law hypoplastic --sets 1 --tests 12 --searches 3 --threads 2 --stress-noise-kPa 0.5 --strain-noise 2e-5 --bare

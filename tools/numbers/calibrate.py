@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The numbers of docs/calibrate.md (tools/pages)."""
-import pathlib
 
 from remade.benchmark import run_now
 from remade.program import ROOT
@@ -41,7 +40,7 @@ def karlsruhe(triax) -> str:
     """Costs of laws on Karlsruhe fine sand; where the records are missing the page stays as it is."""
     if triax.checking or not DATA.is_dir():
         return triax.standing
-    pathlib.Path("published.toml").write_text(PUBLISHED, encoding="utf-8")
+    (triax.folder / "published.toml").write_text(PUBLISHED, encoding="utf-8")
     for name in DRAINED:
         triax.run("replay", str(DATA / f"{name}.dat"), "--db", "kfs.db")
     triax.run("replay", str(DATA / "TMU1.dat"), "--db", "kfs.db", "--set", "specimen.void_ratio=0.828")
@@ -49,7 +48,7 @@ def karlsruhe(triax) -> str:
     for words, law, options in (("hypoplastic", "hypoplastic", ("--start", "published.toml")),
                                 ("hypoplastic, void ratios at p' = 0 as published", "hypoplastic", ("--start", "published.toml", *LIMITS)),
                                 ("NorSand", "norsand", ()), ("SANISAND", "sanisand", ("--searches", "2"))):
-        told = triax.documents("calibrate", law, "--db", "kfs.db", *options)
+        told = triax.documents("calibrate", law, "--db", "kfs.db", *options)[0]
         if not rows[2:]:
             rows.append(f"| hypoplastic, the published set | 0 | {told['start_cost']:.1f} | | |")
         open_ones = [p["name"] for p in told["parameters"] if not p["determined"]]
