@@ -88,15 +88,18 @@ class Runs(InAFolder):
         self.assertIsInstance(raised.exception, ValueError)
 
     def test_ctrl_c_ends_a_simulation_and_keeps_its_readings(self):
-        timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
-        timer.start()
-        with self.assertRaises(KeyboardInterrupt):
-            for seed in range(200):
-                triax.simulate(PROGRAMME, self.db, seed=seed)
-        timer.join()
-        statuses = [t.status for t in triax.Database(self.db)]
+        for attempt in range(10):  # it may come between two tests
+            timer = threading.Timer(0.3 + 0.017 * attempt, lambda: signal.raise_signal(signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                for seed in range(200):
+                    triax.simulate(PROGRAMME, self.db, seed=seed)
+            timer.join()
+            statuses = [t.status for t in triax.Database(self.db)]
+            self.assertTrue(all(s == "complete" for s in statuses[:-1]))
+            if statuses[-1] != "complete":
+                break
         self.assertIn(statuses[-1], ("interrupted", "running"))  # without a sign of life
-        self.assertTrue(all(s == "complete" for s in statuses[:-1]))
 
 
 if __name__ == "__main__":

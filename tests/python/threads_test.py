@@ -32,10 +32,10 @@ class Threads(InAFolder):
         self.assertGreater(self.share_without_python(lambda: sum(range(20_000_000))), 0.5)
 
     def test_python_goes_on_beside_every_computation(self):
-        points = many_points(15_000)
+        points = many_points(100_000)
         for work in (lambda: points.advance([1e-4, -0.5e-4]),
                      lambda: triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db),
-                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 20), q_kPa=(0, 300, 30), directions=72, threads=1)):
+                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 40), q_kPa=(0, 300, 60), directions=144, threads=1)):
             self.assertLess(self.share_without_python(work), 0.5)
 
     def test_two_threads_give_what_one_gives(self):

@@ -20,7 +20,7 @@ with Laboratory() as laboratory, Browser(laboratory, width=1440, height=1000) as
 
     order(browser, "Hold", "Ada")
     browser.until(lambda: browser.one("[data-order=resume]").is_enabled(), "it is held")
-    check("that is said largest", browser.texts(".signal .word")[0].endswith("held"), browser.texts(".signal .word"))
+    browser.until(lambda: browser.texts(".signal .word")[0].endswith("held"), "that is said largest")
     time.sleep(1.5)
     check("who held it is told", any("Ada" in text for text in browser.texts(".event-list li")), browser.texts(".event-list li")[:2])
     browser.button("Go on").click()
