@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace triax::lab {
 
@@ -20,9 +21,12 @@ class BadInput : public std::runtime_error {
 /// A record does not say what its reduction needs: the key that gives it, and what it is.
 class MissingKey : public BadInput {
  public:
-  MissingKey(const std::string& file, const std::string& key, const std::string& label,
-             const std::string& unit, const std::string& message)
-      : BadInput(file, 0, message), key_(key), label_(label), unit_(unit) {}
+  MissingKey(const std::string& file, std::string key, std::string label, std::string unit,
+             const std::string& message)
+      : BadInput(file, 0, message),
+        key_(std::move(key)),
+        label_(std::move(label)),
+        unit_(std::move(unit)) {}
   const std::string& key() const { return key_; }      ///< "specimen.height_mm"
   const std::string& label() const { return label_; }  ///< "height of the specimen"
   const std::string& unit() const { return unit_; }    ///< "mm"

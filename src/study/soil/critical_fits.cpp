@@ -80,7 +80,7 @@ void fit_lines(Soil& soil, const SoilOptions& options, const std::vector<bool>& 
                                 {"the critical state line", "e at the critical state", kUsualE});
   if (!soil.critical_line) return;
   if (soil.critical_line->line.b > 0)
-    soil.notes.push_back(
+    soil.notes.emplace_back(
         "the critical state line rises with p′, which no sand does: the tests are too few, lie too "
         "close together, or are not of one sand");
   soil.critical_power = fit_power_line(soil.critical_line->points, options.exponent);

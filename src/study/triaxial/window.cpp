@@ -68,7 +68,7 @@ void choose_work(const TestColumns& test, const WindowAsked& asked, Window& chos
 
 void append_work(const TestColumns& test, const Window& chosen, std::string& json) {
   const auto& points = test.work();
-  json += ",\"work\":{\"exact\":";
+  json += R"(,"work":{"exact":)";
   json += chosen.work_exact ? "true" : "false";
   const auto list = [&](const char* name, const auto& value_of) {
     append_list(
