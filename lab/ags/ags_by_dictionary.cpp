@@ -179,7 +179,7 @@ class DictionaryRules {
 
 void check_by_dictionary(AgsCheckedFile& file) {
   DictionaryRules rules(file);
-  for (std::size_t i = 0; i < file.groups.size(); ++i) rules.check(file.groups[i]);
+  for (auto& group : file.groups) rules.check(group);
 }
 
 }  // namespace triax::lab

@@ -83,9 +83,11 @@ FigureData data_of(const study::Soil& soil, const study::Trend& trend, const Tre
 void make_logarithmic(QCPAxis& axis) {
   axis.setScaleType(QCPAxis::stLogarithmic);
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  for (double decade = 1e-2; decade < 1e6; decade *= 10)
-    for (const double digit : {1.0, 2.0, 5.0})
-      ticker->addTick(digit * decade, QString::number(digit * decade));
+  for (int power = -2; power < 6; ++power)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double at = digit * std::pow(10.0, power);
+      ticker->addTick(at, QString::number(at));
+    }
   axis.setTicker(ticker);
 }
 

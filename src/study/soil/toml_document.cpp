@@ -50,7 +50,7 @@ void write_table(const Json& table, const std::string& path, std::string& out) {
         !(value.is_array() && value.empty()))
       out += fmt::format("{} = {}\n", key, inline_value(value));
   for (const auto& [key, value] : table.items()) {
-    const std::string below = path.empty() ? key : path + "." + key;
+    const std::string below = path.empty() ? key : fmt::format("{}.{}", path, key);
     if (heading(value) && !value.empty()) {
       out += fmt::format("\n[{}]\n", below);
       write_table(value, below, out);
