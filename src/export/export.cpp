@@ -70,6 +70,7 @@ std::vector<std::string> files_of_tests(const ExportOptions& o, const std::strin
                     tests.size(), tests.size()));
   FileNames names;
   std::vector<std::string> files;
+  files.reserve(tests.size());
   for (const auto& test : tests)
     files.push_back(
         (std::filesystem::path(o.output) /
@@ -88,6 +89,7 @@ void export_ags(const db::Store& store, const std::vector<study::TestResult>& te
   for (const auto& [key, value] : key_values(o.sets, "LOCA_ID=BH1"))
     said.push_back(study::ags_said(key, value));
   std::vector<study::AgsTest> all;
+  all.reserve(tests.size());
   for (const auto& test : tests)
     all.push_back({test.stored, study::shear_values(store, test.stored)});
   const auto document = study::ags_delivery(all, said, today());
