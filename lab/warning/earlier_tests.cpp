@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/collapse/stress_span.hpp"
 #include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
@@ -12,7 +13,6 @@ namespace {
 constexpr double kScatter = 0.01;  ///< s, of η among specimens of a sand
 constexpr double kByGive = 0.5;    ///< b, of η by x
 constexpr double kStiff = 0.05;    ///< x up to which the pore fluid is as good as stiff
-constexpr double kWhole = 1.96;    ///< standard errors on each side of a 95 % interval
 
 /// The forecast that the path came up to last, until that reading; the last one where it came up
 /// to none.
@@ -35,8 +35,10 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   const Collapse& c = summary.collapse;
   if (!c.judged) return std::nullopt;
   EarlierTest test{.name = header.name};
-  for (const StageInfo& stage : header.stages)
-    if (is_watched(&stage)) test.control = DrivenPath::control_of(&stage);
+  for (const StageInfo& stage : header.stages) {
+    const auto control = DrivenPath::control_of(&stage);
+    if (is_watched(&stage) && control != DrivenPath::Control::none) test.control = control;
+  }
   if (header.stages.empty()) test.control = DrivenPath::control_of(nullptr);
   if (test.control == DrivenPath::Control::none) return std::nullopt;
   if (const auto b = summary.consolidation.b_value; b && *b > 0)
@@ -46,7 +48,7 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
     test.onset = std::fabs(*c.onset->eta());
     test.in_extension = *c.onset->eta() < 0;
     if (const auto& interval = c.onset->interval)
-      test.onset_error = 0.5 * (interval->eta.high - interval->eta.low) / kWhole;
+      test.onset_error = 0.5 * (interval->eta.high - interval->eta.low) / StressSpan::kOf95;
     const Outlook* reached = test.give > kStiff ? reached_by(forecasts, c.onset->reading) : nullptr;
     if (reached) {
       test.onset = std::fabs(reached->eta);
@@ -55,6 +57,7 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   } else {
     if (!c.nearest || c.judged_until) return std::nullopt;
     test.least_work = c.nearest->normalised;
+    test.in_extension = summary.peak && summary.peak->eta().value_or(0) < 0;
   }
   return test;
 }
@@ -83,10 +86,11 @@ std::optional<EarlierTests::Onset> EarlierTests::onset(DrivenPath::Control contr
   return Onset{eta, std::sqrt(more / weight + kScatter * kScatter)};
 }
 
-std::optional<double> EarlierTests::carried_on(DrivenPath::Control control) const {
+std::optional<double> EarlierTests::carried_on(DrivenPath::Control control,
+                                               bool in_extension) const {
   std::optional<double> least;
   for (const EarlierTest& t : tests_) {
-    if (t.control != control) continue;
+    if (t.control != control || t.in_extension != in_extension) continue;
     if (t.onset) return std::nullopt;
     least = std::min(least.value_or(t.least_work), t.least_work);
   }

@@ -44,9 +44,9 @@ class EarlierTests {
   const std::vector<EarlierTest>& all() const { return tests_; }
   /// Empty where none of that control had one.
   std::optional<Onset> onset(DrivenPath::Control control, bool in_extension, double give) const;
-  /// The least normalised work with which all that were driven so carried on; empty where one did
-  /// not, or there is none.
-  std::optional<double> carried_on(DrivenPath::Control control) const;
+  /// The least normalised work with which all that were driven so, in that sense of shear, carried
+  /// on; empty where one did not, or there is none.
+  std::optional<double> carried_on(DrivenPath::Control control, bool in_extension) const;
 
  private:
   std::vector<EarlierTest> tests_;

@@ -77,7 +77,9 @@ class OnsetForecast {
   DrivenPath::Control control() const { return path_.control(); }
   bool in_extension() const { return path_.in_extension(); }
   /// The least work with which earlier tests of the sand, driven so, carried on.
-  std::optional<double> carried_on() const { return earlier_.carried_on(path_.control()); }
+  std::optional<double> carried_on() const {
+    return earlier_.carried_on(path_.control(), path_.in_extension());
+  }
 
  private:
   std::optional<EtaForecast> made();

@@ -90,8 +90,9 @@ void Scanner34970A::add_settings() {
 }
 
 void Scanner34970A::add_formats() {
-  const std::array<std::pair<const char*, bool Scanner34970A::*>, 3> flags{
-      {{"FORMat:READing:TIME", &Scanner34970A::with_time_},
+  const std::array<std::pair<const char*, bool Scanner34970A::*>, 4> flags{
+      {{"FORMat:READing:ALARm", &Scanner34970A::with_alarm_},
+       {"FORMat:READing:TIME", &Scanner34970A::with_time_},
        {"FORMat:READing:CHANnel", &Scanner34970A::with_channel_},
        {"FORMat:READing:UNIT", &Scanner34970A::with_unit_}}};
   for (const auto& [pattern, flag] : flags) {
@@ -220,6 +221,7 @@ std::string Scanner34970A::text_of(const Reading& reading) const {
     text += absolute_ ? "," + calendar_fields(epoch_s_ + reading.time_s)
                       : fmt::format(",{:012.3f}", reading.time_s - started_s_);
   if (with_channel_) text += fmt::format(",{:03}", reading.channel);
+  if (with_alarm_) text += ",0";  // no limit is set
   return text;
 }
 

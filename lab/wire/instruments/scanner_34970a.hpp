@@ -61,7 +61,8 @@ class Scanner34970A {
   std::int64_t count_ = 1, scans_left_ = 0, scans_made_ = 0;
   std::deque<Reading> memory_;
   bool overflow_ = false;
-  bool with_time_ = false, with_channel_ = false, with_unit_ = false, absolute_ = false;
+  bool with_alarm_ = false, with_time_ = false, with_channel_ = false, with_unit_ = false,
+       absolute_ = false;
 };
 
 }  // namespace triax::lab

@@ -12,8 +12,11 @@ namespace triax::lab {
 
 class InstrumentClocks {
  public:
-  /// `tolerance_s`: what a clock may be off before it is told.
-  explicit InstrumentClocks(double tolerance_s) : tolerance_s_(tolerance_s) {}
+  /// What a clock may be off before it is told, on the clock of this machine: a served rig's plant
+  /// catches up with what it was late within a second.
+  static constexpr double kTolerance_s = 1;
+  /// Times are of a test that runs `speed` times faster than this machine's clock.
+  explicit InstrumentClocks(double speed = 1) : tolerance_s_(kTolerance_s * speed) {}
 
   /// A reading that the instrument says it took at `stamp_s` on its own clock, between `asked_s`
   /// and `answered_s` of this machine's.

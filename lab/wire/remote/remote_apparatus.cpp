@@ -70,7 +70,7 @@ void RemoteApparatus::connect(double within_s) {
     control_ = std::make_unique<ControlLine>(loop_, *rig_.plant->control);
     time_ = control_->ask_time();
   }
-  clocks_.emplace(kClockTolerance_s * time_.speed);
+  clocks_ = InstrumentClocks(time_.speed);
 }
 
 /// Of an instant on the loop's clock; in lock step that of the reading, since none passes between.
@@ -82,9 +82,9 @@ void RemoteApparatus::take(const WireInstrument& one, const WireInstrument::Scan
                            Reading& reading) {
   absences_.take(one, scan.why);
   if (scan.why.empty()) heard_s_[&one] = loop_.now_s();
-  if (scan.stamp_s && clocks_)
-    clocks_->take(one.described().name, *scan.stamp_s, test_time_s(scan.sent_s, reading),
-                  test_time_s(scan.answered_s, reading));
+  if (scan.stamp_s)
+    clocks_.take(one.described().name, *scan.stamp_s, test_time_s(scan.sent_s, reading),
+                 test_time_s(scan.answered_s, reading));
   const std::vector<RigChannel>& channels = one.described().channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     if (!channels[i].quantity) continue;
@@ -202,7 +202,7 @@ Ticked RemoteApparatus::tick(const PlantDemand& demand, const Tick& tick) {
   Ticked done;
   done.passed_s = pass(tick);
   follow_ramps(demand, done.passed_s);
-  for (std::string& news : clocks_->news())
+  for (std::string& news : clocks_.news())
     done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(news)});
   for (std::string& news : absences_.news((loop_.now_s() - *start_s_) * time_.speed))
     done.events.push_back({.kind = EventKind::device_fault, .detail = std::move(news)});

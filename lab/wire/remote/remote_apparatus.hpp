@@ -52,8 +52,6 @@ class RemoteApparatus : public Apparatus {
   double awaited_until_s(const WireInstrument& one) const;
   void look_for_deaf_drives();
   void drive(RigRole role, const DriveSettings& settings);
-  /// A served rig's plant catches up with what it was late within a second.
-  static constexpr double kClockTolerance_s = 1;
   void await(const std::function<bool()>& done, double within_s);
   double pass(const Tick& tick);
   void follow_ramps(const PlantDemand& demand, double dt_s);
@@ -81,7 +79,7 @@ class RemoteApparatus : public Apparatus {
   std::string refused_;                ///< why, the last
   std::map<Quantity, double> starts_;  ///< of channels that count from the start of the test
   Absences absences_;
-  std::optional<InstrumentClocks> clocks_;
+  InstrumentClocks clocks_;
   std::map<const WireInstrument*, double> heard_s_;  ///< its last whole scan, on the loop's clock
 };
 

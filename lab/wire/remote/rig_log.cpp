@@ -24,7 +24,6 @@ namespace triax::lab {
 namespace {
 
 constexpr double kConnect_s = 10;
-constexpr double kClockTolerance_s = 1;
 
 /// A file that grows by whole rows.
 class GrowingFile {
@@ -102,7 +101,7 @@ RigLogged log_rig(const RigFile& rig, const std::string& path, const RigLogOptio
   file.write(head_of(rig, instruments, columns));
   RigLogged logged{.simulated = instruments.simulated()};
   Absences absences;
-  InstrumentClocks clocks(kClockTolerance_s);
+  InstrumentClocks clocks;
   const auto stopped = [&o] { return o.stop && o.stop(); };
   const double start_s = loop.now_s();
   for (std::int64_t due = 0; !stopped(); ++due) {

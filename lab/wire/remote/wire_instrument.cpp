@@ -39,6 +39,7 @@ struct WireInstrument::Round {
   Scan scan;
   std::vector<double> raw;
   std::size_t open = 0;
+  double awaited_s = 0;  ///< at most
   std::function<void(const Scan&)> done;
 };
 
@@ -126,6 +127,7 @@ void WireInstrument::scan(std::function<void(const Scan&)> done, double latest_s
   }
   round->open = round_.size();
   const double deadline_s = std::min(loop_.now_s() + described_.personality.deadline_s, latest_s);
+  round->awaited_s = deadline_s - loop_.now_s();
   for (const Question& question : round_)
     line_.ask(question.exchange, deadline_s,
               [this, round, &question](const Asked& a) { take(*round, question, a); });
@@ -137,7 +139,7 @@ void WireInstrument::take(Round& round, const Question& question, const Asked& a
       round.raw[question.places[i]] = asked.values[i];
     if (question.stamped) round.scan.stamp_s = asked.values.back();
   } else {
-    round.scan.why = trouble_of(asked, described_.personality.deadline_s);
+    round.scan.why = trouble_of(asked, round.awaited_s);
   }
   const bool whole = round.open == 1 && round.scan.why.empty();
   if (whole) wrong_s_.reset();

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/collapse/stress_span.hpp"
 #include "src/study/triaxial/read_again.hpp"
 #include "src/study/triaxial/shear_series.hpp"
 #include "src/study/triaxial/test_result.hpp"
@@ -23,7 +24,6 @@ constexpr double kLeastVoidRatio = 0.1, kMostVoidRatio = 5;
 /// ε_v of a closed drainage: no more than instruments say of nothing.
 constexpr double kNoVolumeChange = 1e-5;
 constexpr std::size_t kNumbersOfATest = 4;
-constexpr double kNormal95 = 1.96;
 
 [[noreturn]] void refuse(const db::StoredTest& test, const std::string& why) {
   throw lab::BadInput(fmt::format("test {} {}", test.header.name, why));
@@ -133,7 +133,8 @@ void note_onset(const db::StoredTest& test, MeasuredPath& path) {
   if (!onset) return;
   path.onset_eta = onset->eta();
   if (onset->interval)
-    path.onset_eta_error = (onset->interval->eta.high - onset->interval->eta.low) / (2 * kNormal95);
+    path.onset_eta_error =
+        (onset->interval->eta.high - onset->interval->eta.low) / (2 * lab::StressSpan::kOf95);
 }
 
 }  // namespace

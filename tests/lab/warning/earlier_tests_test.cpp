@@ -24,7 +24,7 @@ TestSummary collapse_at(double eta, std::optional<double> b_value = {}) {
   summary.consolidation.b_value = b_value;
   summary.collapse.kind = CollapseKind::flow;
   summary.collapse.onset = Instant{.reading = 100, .q_pa = eta * 1e5, .p_eff_pa = 1e5};
-  summary.collapse.onset->interval = StressInterval{.eta = {eta - 0.0196, eta + 0.0196}};
+  summary.collapse.onset->interval = StressInterval{.eta = {eta - 0.022, eta + 0.022}};
   return summary;
 }
 
@@ -69,13 +69,19 @@ TEST_CASE("a test whose pore fluid gave way as this one's does counts for more")
 
 TEST_CASE("the least work of sound tests is known as long as none collapsed") {
   EarlierTests tests;
-  CHECK_FALSE(tests.carried_on(Control::strain_path));
+  CHECK_FALSE(tests.carried_on(Control::strain_path, false));
   tests.add(sound(0.1));
   tests.add(sound(0.02));
-  CHECK(tests.carried_on(Control::strain_path) == 0.02);
-  CHECK_FALSE(tests.carried_on(Control::held_q_shut));
+  CHECK(tests.carried_on(Control::strain_path, false) == 0.02);
+  CHECK_FALSE(tests.carried_on(Control::held_q_shut, false));
+  // What compression came through says nothing of extension, nor a collapse there of compression.
+  CHECK_FALSE(tests.carried_on(Control::strain_path, true));
+  EarlierTest other_way = lost(0.4);
+  other_way.in_extension = true;
+  tests.add(other_way);
+  CHECK(tests.carried_on(Control::strain_path, false) == 0.02);
   tests.add(lost(0.6));
-  CHECK_FALSE(tests.carried_on(Control::strain_path));
+  CHECK_FALSE(tests.carried_on(Control::strain_path, false));
 }
 
 TEST_CASE("what a stored test says: its onset, with the error of its interval") {
@@ -92,6 +98,12 @@ TEST_CASE("what a stored test says: its onset, with the error of its interval") 
   stable.collapse.nearest = Nearest{.reading = 5, .normalised = 0.04, .error = 0.01};
   CHECK(earlier_test(header, stable, {})->least_work == 0.04);
   CHECK_FALSE(earlier_test(header, stable, {})->onset);
+  CHECK_FALSE(earlier_test(header, stable, {})->in_extension);
+  stable.peak = Instant{.reading = 3, .q_pa = -5e4, .p_eff_pa = 1e5};
+  CHECK(earlier_test(header, stable, {})->in_extension);
+  RecordHeader two = header;  // that the second stage is driven to no onset changes nothing
+  two.stages.push_back(shear_header(AxialControl::displacement, Drainage::open).stages.front());
+  CHECK(earlier_test(two, collapse_at(0.6), {})->control == Control::strain_path);
 }
 
 TEST_CASE("a test that says nothing of an onset to come is none") {

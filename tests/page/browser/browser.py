@@ -3,55 +3,20 @@
 import json
 import os
 import pathlib
-import shutil
 import sys
 import tempfile
 import time
 
-SKIPPED = 77
-DEBIAN = "/usr/bin/python3"
-checks = failures = 0
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "tests/wire"))
+from judging import check, needs, same, verdict  # noqa: E402, F401: for the tests
 
-
-def _selenium():
-    """Selenium of Debian's own interpreter, where another one comes first; the test is skipped where it is missing."""
-    try:
-        from selenium import webdriver
-        return webdriver
-    except ImportError:
-        if os.path.exists(DEBIAN) and "BROWSED_BY_DEBIAN" not in os.environ:
-            os.execve(DEBIAN, [DEBIAN, *sys.argv], os.environ | {"BROWSED_BY_DEBIAN": "1"})
-        print("skipped: python3-selenium is not installed (tools/packages-test.txt)")
-        sys.exit(SKIPPED)
-
-
-webdriver = _selenium()
+needs("chromium", "chromedriver", modules=("selenium",))
+from selenium import webdriver  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402, F401: for the tests
 from selenium.webdriver.support.ui import Select  # noqa: E402
-
-for tool in ("chromium", "chromedriver"):
-    if not shutil.which(tool):
-        print(f"skipped: {tool} is not installed (tools/packages-test.txt)")
-        sys.exit(SKIPPED)
-
-
-def check(what: str, right, found="") -> None:
-    global checks, failures
-    checks += 1
-    if not right:
-        failures += 1
-        print(f"FAILED: {what}: {found}")
-
-
-def same(what: str, found, wanted) -> None:
-    check(what, found == wanted, f"{found!r} instead of {wanted!r}")
-
-
-def verdict() -> None:
-    print(f"{checks} checks, {failures} failed")
-    sys.exit(1 if failures or not checks else 0)
 
 
 class Browser:

@@ -101,14 +101,17 @@ struct Counts {
 
 int main(int count, char** words) {
   const Options options = options_of(count, words);
+  const std::vector<TrialPlan> all = all_trials();
   std::vector<TrialPlan> plans;
-  for (const TrialPlan& plan : all_trials())
+  for (const TrialPlan& plan : all)
     if (options.trial >= 0
             ? plan.number == options.trial
             : static_cast<std::size_t>(plan.number) % options.every == options.every / 2)
       plans.push_back(plan);
   // Not all of a kind at a time: serial lines start programs of their own.
-  std::ranges::sort(plans, {}, [](const TrialPlan& plan) { return plan.number * 577 % 1163; });
+  std::ranges::sort(plans, {}, [count = static_cast<int>(all.size())](const TrialPlan& plan) {
+    return plan.number * 577 % count;
+  });
   Counts counts;
   std::mutex mutex;
   std::atomic<std::size_t> next = 0;

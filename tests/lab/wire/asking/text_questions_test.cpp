@@ -63,8 +63,8 @@ TEST_CASE("a scanner gets its list once and answers in rising order", "[asking]"
   const std::vector<AskedValue> asked{{"", 107}, {"", 101}, {"", 103}, {"", 101}};
   CHECK(requests(questions->prepare(asked)) ==
         Texts{"*CLS\n", "ROUT:SCAN (@101,103,107)\n", "TRIG:SOUR IMM\n", "TRIG:COUN 1\n",
-              "FORM:READ:UNIT OFF\n", "FORM:READ:CHAN OFF\n", "FORM:READ:TIME:TYPE ABS\n",
-              "FORM:READ:TIME ON\n"});
+              "FORM:READ:ALAR OFF\n", "FORM:READ:UNIT OFF\n", "FORM:READ:CHAN OFF\n",
+              "FORM:READ:TIME:TYPE ABS\n", "FORM:READ:TIME ON\n"});
   const auto read = questions->read(asked);
   REQUIRE(read.size() == 1);
   CHECK(read[0].exchange.request == "READ?\n");

@@ -7,7 +7,7 @@ using namespace triax::lab;
 using Catch::Contains;
 
 TEST_CASE("a clock that runs as ours is not told, whatever the date on it", "[remote]") {
-  InstrumentClocks clocks(1);
+  InstrumentClocks clocks;
   for (int i = 0; i < 100'000; ++i) {
     const double t = i;
     // The stamp lies anywhere between question and answer, which may take long.
@@ -19,7 +19,7 @@ TEST_CASE("a clock that runs as ours is not told, whatever the date on it", "[re
 
 TEST_CASE("a clock that jumps is told once, with the size of its jump", "[remote]") {
   const double jump_s = GENERATE(3600.0, 7.0, -7.0);
-  InstrumentClocks clocks(1);
+  InstrumentClocks clocks;
   for (int t = 0; t < 100; ++t) clocks.take("scanner", t + (t < 50 ? 0 : jump_s), t, t + 0.1);
   const auto news = clocks.news();
   REQUIRE(news.size() == 1);
@@ -30,7 +30,7 @@ TEST_CASE("a clock that jumps is told once, with the size of its jump", "[remote
 
 TEST_CASE("a clock that drifts is told with its rate, each doubling once", "[remote]") {
   const double rate = GENERATE(1.01, 0.99);
-  InstrumentClocks clocks(1);
+  InstrumentClocks clocks;
   std::vector<std::string> all;
   for (int t = 0; t <= 1000; ++t) {
     clocks.take("scanner", rate * t, t, t);
