@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "src/python/signals.hpp"
+
 namespace triax::python {
 namespace {
 
@@ -56,7 +58,9 @@ Columns table_of_states(const db::Store& store, std::int64_t id) {
   auto& stage = table.add<std::int64_t>("stage", rows);
   Filled<double> filled;
   for (const StateColumn& column : kStateColumns) filled.push_back(&table.add(column.name, rows));
+  Signals signals;
   store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
+    signals.look();
     reading.push_back(state.reading);
     stage.push_back(state.stage);
     for (std::size_t i = 0; i < filled.size(); ++i)
@@ -79,7 +83,9 @@ Columns table_of_readings(const db::Store& store, const db::StoredTest& test) {
     const auto unit = lab::info(quantity).unit;
     units.push_back(unit.empty() ? 1 : sim::find_unit(unit)->scale);
   }
+  Signals signals;
   store.for_each_scan(test.id, 1, [&](const lab::Reading& r, const lab::State&) {
+    signals.look();
     reading.push_back(r.number);
     stage.push_back(r.stage);
     time.push_back(r.time_s);
@@ -99,7 +105,9 @@ Columns table_of_work(const db::Store& store, std::int64_t id) {
       &table.add("small_strain", rows),    &table.add("eulerian", rows),
       &table.add("semi_lagrangian", rows), &table.add("normalised", rows),
       &table.add("normalised_error", rows)};
+  Signals signals;
   for (const lab::SecondOrderWorkPoint& point : points) {
+    signals.look();
     reading.push_back(point.reading);
     window.push_back(point.window_readings);
     const sim::SecondOrderWork& w = point.work;
