@@ -103,10 +103,10 @@ TEST_CASE("each rule is told when it alone is broken") {
   CHECK(broken(good + table("abcd", "ABCD_X", "", "X", "1")) == "19");
   CHECK(broken(good + table("ABCD", "ABCD_x", "", "X", "1")) == "19a");
   CHECK(broken(good + table("ABCD", "ABCDX", "", "X", "1")) == "19b");
-  CHECK(broken(kGood + table("SAMP", kSampNames + "|FILE_FSET", "|m||||",
-                             "ID|2DP|X|PA|ID|X", "BH1|1.50|1|U||F1")) == "20");
-  CHECK(broken(kGood + table("SAMP", kSampNames + "|SAMP_LINK", "|m||||",
-                             "ID|2DP|X|PA|ID|RL", "BH1|1.50|1|U||")) == "17 11a 11b");
+  CHECK(broken(kGood + table("SAMP", kSampNames + "|FILE_FSET", "|m||||", "ID|2DP|X|PA|ID|X",
+                             "BH1|1.50|1|U||F1")) == "20");
+  CHECK(broken(kGood + table("SAMP", kSampNames + "|SAMP_LINK", "|m||||", "ID|2DP|X|PA|ID|RL",
+                             "BH1|1.50|1|U||")) == "17 11a 11b");
 }
 
 TEST_CASE("headings that DICT declares are known, and held to what it says") {
