@@ -24,6 +24,8 @@ class ByteSource {
   virtual std::size_t read(std::span<char> into) = 0;
   /// Back to the first byte.
   virtual void rewind() = 0;
+  /// The bytes as they lie on disk, where read() gives a sheet in them as text; else this one.
+  virtual ByteSource& file() { return *this; }
 };
 
 /// Throws BadInput for a file that is missing, cannot be read, is a directory or no regular file.

@@ -166,6 +166,7 @@ Dialect parse_dialect(std::string_view toml, const std::string& file) {
     if (table->has("heading_separator"))
       dialect.heading_separator = read_separator(*table, "heading_separator");
     if (table->has("decimal")) dialect.decimal = read_decimal(*table);
+    dialect.sheet = table->text("sheet").value_or(dialect.sheet);
     dialect.comment = table->text("comment").value_or(dialect.comment);
     dialect.comment_is_toml = table->flag("comment_is_toml").value_or(dialect.comment_is_toml);
     dialect.missing_words = table->flag("missing_words").value_or(dialect.missing_words);

@@ -40,6 +40,7 @@ struct Dialect {
   Separator separator = Separator::automatic;
   Separator heading_separator = Separator::automatic;  ///< where the heading line has its own
   DecimalMark decimal = DecimalMark::open;
+  std::string sheet;             ///< of a workbook; empty: the first that fits
   std::string comment;           ///< lines that begin so are no rows
   bool comment_is_toml = false;  ///< and hold the metadata as TOML
   bool missing_words = true;     ///< NaN, NA, - and the like mean a missing value, as "" does

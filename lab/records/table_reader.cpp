@@ -2,6 +2,7 @@
 #include "lab/records/table_reader.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -37,6 +38,16 @@ bool is_end_mark(std::string_view line) {
   const auto last = line.find_last_not_of(kAround);
   const auto text = line.substr(first, last - first + 1);
   return text == "\x1A" || text == "_x001A_";
+}
+
+/// A number of more digits, or with an exponent, as spreadsheets and programs write doubles.
+bool parse_long(const char*& at, const char* end, double& value) {
+  const char* const digit = at != end && *at == '-' ? at + 1 : at;
+  if (digit == end || static_cast<unsigned>(*digit - '0') > 9U) return false;
+  const auto [stop, error] = std::from_chars(at, end, value);
+  if (error != std::errc{}) return false;
+  at = stop;
+  return true;
 }
 
 double limit_of(const PlannedColumn& column) {
@@ -101,7 +112,7 @@ bool TableReader::parse_fast(std::string_view line) {
       continue;
     }
     double value = 0;
-    if (!parse_plain(at, end, value)) return false;
+    if (!parse_plain(at, end, value) && !parse_long(at, end, value)) return false;
     values_[plan.slot] = value * plan.scale;
     if (std::abs(values_[plan.slot]) > plan.limit) return false;  // said by parse_general
   }

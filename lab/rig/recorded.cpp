@@ -21,6 +21,7 @@
 #include "lab/records/stage_number.hpp"
 #include "lab/records/table_reader.hpp"
 #include "lab/records/time_line.hpp"
+#include "lab/rig/sheet_record.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
@@ -65,12 +66,13 @@ struct RecordedRig::Impl {
         stage_numbers(layout.file),
         time_line(layout.has(ColumnRole::time), layout.has(ColumnRole::stage_time)) {
     describe_record(header, layout, findings);
+    take_cells(header, *source, layout, findings);
     read_document(metadata_file, metadata);
     apply_sets(options, false);
     settle_stages();
     check_stages_to_set(options);
     apply_sets(options, true);
-    header.digest = sha256(*source);
+    header.digest = sha256(source->file());
     table.emplace(*source, layout, findings);
     waiting = draw(first);
     if (!waiting) throw BadInput(layout.file, layout.heading_line, "no row of readings");
@@ -355,19 +357,19 @@ double RecordedRig::progress() const {
 }
 
 std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOptions& options) {
-  auto source = open_file(path);
+  auto source = open_readings(path, options);
   const auto beside = std::filesystem::path(path).replace_extension(".toml");
   std::error_code unreadable;
   if (beside == path || beside == options.dialect ||
       !std::filesystem::is_regular_file(beside, unreadable))
-    return open_record(std::move(source), options);
+    return std::make_unique<RecordedRig>(std::move(source), options, "", "");
   return std::make_unique<RecordedRig>(std::move(source), options, beside.string(),
                                        read_text_file(beside.string()));
 }
 
 std::unique_ptr<RecordedRig> open_record(std::unique_ptr<ByteSource> source,
                                          const RecordOptions& options) {
-  return std::make_unique<RecordedRig>(std::move(source), options, "", "");
+  return std::make_unique<RecordedRig>(sheet_or_text(std::move(source), options), options, "", "");
 }
 
 }  // namespace triax::lab

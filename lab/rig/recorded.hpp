@@ -13,6 +13,7 @@ namespace triax::lab {
 
 struct RecordOptions {
   std::string dialect;  ///< name of a shipped one or path of a .toml file; empty: recognise it
+  std::string sheet;    ///< of a workbook; empty: the dialect's, else the first that is recognised
   /// KEY=VALUE of --set, stronger than what the file says ("specimen.height_mm", "140").
   std::vector<std::pair<std::string, std::string>> sets;
 };

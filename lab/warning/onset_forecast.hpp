@@ -23,6 +23,7 @@
 //
 // Past the onset, where y comes down for certain, the forecast is the η of the largest y.
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lab/results/outlook.hpp"
@@ -61,7 +62,7 @@ struct DrivenFit;
 
 class OnsetForecast {
  public:
-  explicit OnsetForecast(const EarlierTests& earlier = {}) : earlier_(earlier) {}
+  explicit OnsetForecast(EarlierTests earlier = {}) : earlier_(std::move(earlier)) {}
   /// A stage begins, and all is forgotten.
   void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   /// The next reading in shear; true where the forecast was made anew. Pre-condition:

@@ -31,6 +31,7 @@ namespace {
 struct ReplayOptions {
   std::vector<std::string> records;
   std::string dialect;
+  std::string sheet;
   std::vector<std::string> sets;
   lab::MembraneCorrection membrane = lab::MembraneCorrection::none;
   std::string db = "triax.db";
@@ -97,8 +98,8 @@ std::vector<Looked> look_at_all(const ReplayOptions& o, const lab::RecordOptions
 }
 
 void run_replay(const ReplayOptions& o) {
-  const lab::RecordOptions record{.dialect = o.dialect,
-                                  .sets = key_values(o.sets, "specimen.height_mm=140")};
+  const lab::RecordOptions record{
+      .dialect = o.dialect, .sheet = o.sheet, .sets = key_values(o.sets, "specimen.height_mm=140")};
   const lab::ReductionOptions reduction{.membrane = o.membrane};
   refuse_overwriting("--db", o.db, o.records, "a record that is read");
   BadRecords bad(o.records.size());
@@ -187,6 +188,9 @@ Command replay_command() {
         app.add_option("RECORD", o->records, "record files")->required()->type_name("");
         app.add_option("--dialect", o->dialect, "name of a dialect, or file that describes one")
             ->type_name("NAME|FILE.toml");
+        app.add_option("--sheet", o->sheet,
+                       "sheet of a workbook; the first that is recognised if not given")
+            ->type_name("NAME");
         app.add_option("--set", o->sets,
                        "what the file does not hold, or holds wrongly; may be repeated")
             ->type_name("KEY=VALUE")

@@ -15,6 +15,7 @@
 #include "lab/rig/recorded.hpp"
 #include "lab/wire/modbus/frames.hpp"
 #include "lab/wire/modbus/pdu.hpp"
+#include "tests/lab/workbook/made_workbook.hpp"
 
 using namespace triax::lab;
 
@@ -49,6 +50,15 @@ TEST_CASE("the fuzzers' seeds are accepted") {
     if (!tcp) CHECK(crc_holds(frame));
     if (!path.ends_with("unknown"))
       CHECK((asked ? request_length(pdu) : answer_length(pdu)) == pdu.size());
+  }
+  for (const auto& path : seeds("workbook_fuzz")) {
+    const auto parts =
+        test::workbook({{"S", read_text_file(path)}},
+                       "<si><t>axial_strain</t></si><si><t>deviator_stress_kPa</t></si>"
+                       "<si><t>mean_effective_stress_kPa</t></si><si><t>0,5</t></si>");
+    const auto rig = open_record(test::source_of(parts), {});
+    Reading reading;
+    while (rig->next(reading)) CHECK(reading.number >= 0);
   }
   std::vector<std::string> dialects;
   for (const auto& path : seeds("record_fuzz")) {

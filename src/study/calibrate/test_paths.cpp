@@ -164,6 +164,7 @@ std::vector<MeasuredPath> paths_of_tests(const db::Store& store,
                                          const std::vector<std::int64_t>& ids,
                                          const PathOptions& options) {
   std::vector<TestResult> tests;
+  tests.reserve(ids.size());
   for (const std::int64_t id : ids) tests.push_back(load_test_result(store, id, WithCurves::no));
   const auto left_out = read_again(tests);
   std::vector<MeasuredPath> paths;
@@ -174,7 +175,7 @@ std::vector<MeasuredPath> paths_of_tests(const db::Store& store,
     if (const auto& first = paths.front();
         !path.material.empty() && !first.material.empty() && path.material != first.material)
       throw lab::BadInput(
-          fmt::format("tests of two soils: {} is of \"{}\", {} of \"{}\"; calibrate on one soil",
+          fmt::format(R"(tests of two soils: {} is of "{}", {} of "{}"; calibrate on one soil)",
                       first.name, first.material, path.name, path.material));
   return paths;
 }

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/workbook/sheet_cells.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
+
+namespace triax::lab {
+namespace {
+
+/// No text of a cell is longer in any spreadsheet.
+constexpr std::size_t kLongestText = 32767 * 4;
+
+std::string column_name(std::size_t column) {
+  std::string name;
+  for (auto rest = column + 1; rest > 0; rest = (rest - 1) / 26)
+    name.insert(name.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return name;
+}
+
+/// "0,5" and "-1,2e-3", but no "1,234,567" and no text.
+bool is_comma_number(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return !text.empty() && std::ranges::count(text, ',') == 1 &&
+         text.find_first_not_of("0123456789,eE+-") == std::string_view::npos &&
+         text.front() != ',' && text.back() != ',';
+}
+
+}  // namespace
+
+std::optional<CellPlace> cell_place(std::string_view address) {
+  CellPlace place;
+  std::size_t i = 0, column = 0;
+  for (; i < address.size() && address[i] >= 'A' && address[i] <= 'Z' && i < 4; ++i)
+    column = column * 26 + static_cast<std::size_t>(address[i] - 'A' + 1);
+  const auto row = whole_text_as<std::int64_t>(address.substr(i));
+  if (i == 0 || column > kMostColumns || !row || *row < 1 || *row > kMostRows) return std::nullopt;
+  place.column = column - 1;
+  place.row = *row;
+  return place;
+}
+
+SheetCells::SheetCells(const Workbook& book, const SheetEntry& sheet, CellListener listener)
+    : book_(book),
+      sheet_(sheet.name),
+      listener_(std::move(listener)),
+      stream_(book.name(), book.archive().part(sheet.part),
+              {.start = [this](std::string_view e, XmlAttributes a) { start(e, a); },
+               .end = [this](std::string_view e) { end(e); },
+               .text =
+                   [this](std::string_view piece) {
+                     if (!taken_) return;
+                     if (value_.size() + piece.size() > kLongestText)
+                       fail("a text longer than any spreadsheet has");
+                     value_ += piece;
+                   }}) {}
+
+void SheetCells::fail(const std::string& what) const {
+  throw BadInput(
+      book_.name(), row_,
+      fmt::format("sheet {}, cell {}{}: {}", excerpt(sheet_), column_name(column_), row_, what));
+}
+
+void SheetCells::start(std::string_view element, XmlAttributes attributes) {
+  if (element == "c") return begin_cell(attributes.pairs());
+  if (element == "v" || (element == "t" && phonetic_ == 0)) {
+    taken_ = true;
+    return;
+  }
+  if (element == "row") return begin_row(attributes["r"]);
+  if (element == "f") formula_ = true;
+  if (element == "rPh") ++phonetic_;
+}
+
+void SheetCells::end(std::string_view element) {
+  taken_ = false;
+  if (element == "c") return end_cell();
+  if (element == "row") return listener_.end_row();
+  if (element == "rPh") --phonetic_;
+}
+
+void SheetCells::begin_row(std::string_view number) {
+  const auto said = number.empty() ? row_ + 1 : whole_text_as<std::int64_t>(number).value_or(0);
+  if (said <= row_ || said > kMostRows)
+    fail(fmt::format("behind it a row {}; rows run from 1 to {}, and on", excerpt(number),
+                     kMostRows));
+  row_ = said;
+  column_ = next_column_ = 0;
+  listener_.row(row_);
+}
+
+void SheetCells::begin_cell(const char** attributes) {
+  kind_ = Kind::number;
+  style_ = CellStyle::number;
+  formula_ = false;
+  value_.clear();
+  column_ = next_column_;
+  for (; *attributes != nullptr; attributes += 2) {
+    const std::string_view name = attributes[0], value = attributes[1];
+    if (name == "r") {
+      const auto place = cell_place(value);
+      if (!place || place->column < next_column_ || place->row != row_)
+        fail(fmt::format("behind it the cell {}; columns run from A to XFD, and on, in row {}",
+                         excerpt(value), row_));
+      column_ = place->column;
+    } else if (name == "s") {
+      style_ = book_.style(whole_text_as<std::uint64_t>(value).value_or(0));
+    } else if (name == "t") {
+      kind_ = value == "s"                             ? Kind::shared
+              : value == "str" || value == "inlineStr" ? Kind::text
+              : value == "b"                           ? Kind::boolean
+              : value == "e"                           ? Kind::error
+              : value == "d"                           ? Kind::iso_date
+                                                       : Kind::number;
+    }
+  }
+  if (column_ >= kMostColumns) fail("columns run from A to XFD");
+  next_column_ = column_ + 1;
+}
+
+void SheetCells::end_cell() {
+  if (row_ == 0) fail("a cell outside of a row");
+  if (value_.empty()) {
+    if (formula_ && kind_ != Kind::text)
+      fail("a formula without a value: open the workbook in a spreadsheet, and save it");
+    return;
+  }
+  const auto text = cell_text();
+  if (!text.empty()) listener_.cell(column_, text);
+}
+
+std::string_view SheetCells::cell_text() {
+  switch (kind_) {
+    case Kind::number:
+      return date_or_number();
+    case Kind::boolean:
+    case Kind::iso_date:
+      return value_;
+    case Kind::error:
+      return value_.starts_with('#') ? std::string_view(value_) : "#N/A";
+    case Kind::shared: {
+      const auto index = whole_text_as<std::uint64_t>(value_);
+      const auto shared = index ? book_.shared_text(*index) : std::nullopt;
+      if (!shared) fail("refers to a text that the workbook does not have");
+      if (!is_comma_number(trimmed(*shared))) return *shared;
+      written_ = trimmed(*shared);
+      break;
+    }
+    case Kind::text:
+      written_ = value_;
+      std::ranges::replace_if(
+          written_, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+      if (!is_comma_number(trimmed(written_))) return written_;
+  }
+  std::ranges::replace(written_, ',', '.');
+  return written_;
+}
+
+std::string_view SheetCells::date_or_number() {
+  if (style_ == CellStyle::number) return value_;
+  const auto days = whole_text_as<double>(value_);
+  if (!days) return value_;
+  written_ = date_text(*days, style_, book_.from_1904());
+  return written_;
+}
+
+}  // namespace triax::lab

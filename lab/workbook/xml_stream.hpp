@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// XML as it comes, in constant memory (expat).
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "lab/workbook/zip_archive.hpp"
+
+namespace triax::lab {
+
+/// Attributes of an element.
+class XmlAttributes {
+ public:
+  explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
+  /// By its name without a namespace; empty where it is not there.
+  std::string_view operator[](std::string_view name) const;
+  const char** pairs() const { return pairs_; }
+
+ private:
+  const char** pairs_;
+};
+
+/// The element's name without its namespace ("x:row" is "row").
+std::string_view local_name(const char* name);
+
+struct XmlListener {
+  std::function<void(std::string_view name, XmlAttributes)> start;
+  std::function<void(std::string_view name)> end;
+  std::function<void(std::string_view text)> text;  ///< in pieces
+};
+
+/// Tells a part of an archive to a listener, a block at a time.
+class XmlStream {
+ public:
+  /// `name` is that of the file, for messages.
+  XmlStream(std::string name, ZipPart part, XmlListener listener);
+  ~XmlStream();
+  XmlStream(const XmlStream&) = delete;
+  XmlStream& operator=(const XmlStream&) = delete;
+
+  /// The next block; false at the end of the part. Throws BadInput on XML that is broken, declares
+  /// a document type, nests deeper than kDeepest or has a single piece of more than 8 MB; what the
+  /// listener throws passes through.
+  bool advance();
+  void stop() { stopped_ = true; }  ///< nothing further is wanted
+  static constexpr int kDeepest = 100;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+  bool stopped_ = false;
+};
+
+}  // namespace triax::lab

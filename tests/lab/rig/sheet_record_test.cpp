@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/rig/sheet_record.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/digest.hpp"
+#include "tests/lab/workbook/made_workbook.hpp"
+
+using namespace triax::lab;
+using namespace triax::lab::test;
+
+namespace {
+
+std::string cell(const std::string& text) {
+  return "<c t=\"inlineStr\"><is><t>" + text + "</t></is></c>";
+}
+
+std::string own_rows() {
+  return "<row>" + cell("axial_strain") + cell("deviator_stress_kPa") +
+         cell("mean_effective_stress_kPa") +
+         "</row><row><c><v>0</v></c><c><v>0</v></c><c><v>100</v></c></row>"
+         "<row><c><v>0.10000000000000001</v></c><c><v>5</v></c>" +
+         cell("101,5") + "</row>";
+}
+
+std::vector<Reading> readings(RecordedRig& rig) {
+  std::vector<Reading> all;
+  Reading reading;
+  while (rig.next(reading)) all.push_back(reading);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a sheet is a record: the first that is recognised, numbers to the last bit") {
+  const auto parts = workbook(
+      {{"Notes", sheet("<row>" + cell("nothing") + "</row>")}, {"Data", sheet(own_rows())}});
+  const auto rig = open_record(source_of(parts), {});
+  const auto all = readings(*rig);
+  REQUIRE(all.size() == 2);
+  CHECK(all[1][Quantity::axial_strain] == 0.1);
+  CHECK(all[1][Quantity::mean_effective_stress] == 101.5e3);
+  CHECK(all[1].line == 3);  // the row of the sheet
+  CHECK(rig->header().digest == sha256(*source_of(parts)));
+  bool told = false;
+  for (const auto& warning : rig->header().warnings)
+    told |= warning.text.find("sheet 'Data'") != std::string::npos;
+  CHECK(told);
+}
+
+TEST_CASE("a sheet that is asked for, one that is not there, none that fits") {
+  const auto parts = workbook({{"A", sheet(own_rows())}, {"B", sheet(own_rows())}});
+  CHECK_NOTHROW(open_record(source_of(parts), {.sheet = "B"}));
+  CHECK_THROWS_WITH(open_record(source_of(parts), {.sheet = "C"}), Catch::Contains("'A', 'B'"));
+  const auto none = workbook({{"A", sheet("")}, {"B", sheet("<row>" + cell("x") + "</row>")}});
+  CHECK_THROWS_WITH(open_record(source_of(none), {}), Catch::Contains("none of its 2 sheets"));
+}
+
+TEST_CASE("a dialect names sheet and cells") {
+  const auto path = std::filesystem::temp_directory_path() / "triax_sheet_dialect.toml";
+  std::ofstream(path)
+      << "name = \"mine\"\n[table]\nsheet = \"Versuch*\"\n[columns]\n"
+         "axial_strain = { names = \"axial_strain\", unit = \"\" }\n"
+         "deviator_stress = { names = \"deviator_stress_kPa\", unit = \"kPa\" }\n"
+         "mean_effective_stress = { names = \"mean_effective_stress_kPa\", unit = \"kPa\" }\n"
+         "[specimen]\nheight_mm = \"Tabelle!B2\"\n";
+  const auto parts = workbook({{"Tabelle", sheet("<row r=\"2\"><c r=\"B2\"><v>98.5</v></c></row>")},
+                               {"Versuch01", sheet(own_rows())}});
+  const auto rig = open_record(source_of(parts), {.dialect = path.string()});
+  std::filesystem::remove(path);
+  REQUIRE(rig->header().specimen.height_m);
+  CHECK(*rig->header().specimen.height_m == Approx(0.0985));
+}
+
+TEST_CASE("a workbook of others reads as its sheet saved as CSV", "[of-others]") {
+  const std::filesystem::path folder = "../shared/data/tuhh";
+  if (!std::filesystem::exists(folder / "Triax-CU_01.xlsx")) {
+    std::cout << "skipped: no workbook of others beside the checkout\n";
+    return;
+  }
+  const RecordOptions options{
+      .sets = {{"specimen.height_mm", "100"}, {"specimen.diameter_mm", "50"}}};
+  const auto sheet = open_record((folder / "Triax-CU_01.xlsx").string(), options);
+  const auto csv = open_record((folder / "Triax-CU_01__Versuch01.csv").string(), options);
+  const auto a = readings(*sheet), b = readings(*csv);
+  REQUIRE(a.size() == b.size());
+  REQUIRE(a.size() > 100);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].time_s == Approx(b[i].time_s).margin(1));
+    for (std::size_t q = 0; q < kQuantityCount; ++q)
+      CHECK(((std::isnan(a[i].si[q]) && std::isnan(b[i].si[q])) || a[i].si[q] == b[i].si[q]));
+  }
+}
