@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
-#include "lab/base/toml_reader.hpp"
 #include "src/study/calibrate/search_space.hpp"
 
 namespace triax::study {
@@ -98,13 +99,11 @@ void take(CalibrationStart& start, const Source& source, const sim::Range& possi
 
 }  // namespace
 
-bool is_soil_result(std::string_view text, const std::string& file) {
-  const auto root = lab::TomlTable::parse(text, file);
+bool is_soil_result(const lab::TomlTable& root) {
   return root.has("kind") && root.text("kind") == "soil";
 }
 
-void take_soil_result(CalibrationStart& start, std::string_view text, const std::string& file) {
-  const auto root = lab::TomlTable::parse(text, file);
+void take_soil_result(CalibrationStart& start, const lab::TomlTable& root) {
   const bool with_line = same_pressure(start, root);
   for (const Source& source : kSources) {
     const auto* parameter = parameter_of(*start.set.law, source);
