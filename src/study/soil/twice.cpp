@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
+
+#include "src/study/triaxial/read_again.hpp"
 
 namespace triax::study {
 namespace {
@@ -27,7 +28,7 @@ bool same(const ShearedTest& a, const ShearedTest& b) {
 }
 
 bool counts_before(const ShearedTest& a, const ShearedTest& b) {
-  return std::pair(a.complete, a.id) > std::pair(b.complete, b.id);
+  return RankOfReading(a.complete, a.id) > RankOfReading(b.complete, b.id);
 }
 
 }  // namespace
