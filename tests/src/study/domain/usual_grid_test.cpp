@@ -32,7 +32,7 @@ TEST_CASE("localisation is possible for a law with tangents of the full tensor, 
                            .q = {0, 400, 4},
                            .void_ratio = 0.9,
                            .plane = "axisymmetric",
-                           .directions = 0,
+                           .directions = 36,
                            .criteria = std::move(criteria)};
   };
   using Names = std::vector<std::string>;
