@@ -8,7 +8,7 @@
 using namespace triax;
 using namespace triax::study;
 
-TEST_CASE("numbers of a UMAT are found from tests that it made") {
+TEST_CASE("numbers of a UMAT are found from tests that it made", "[slow]") {
   if (!sim::test::umat_fixture_is_there()) return;
   lab::MaterialSet start{.name = "umat/cone", .law = sim::find_law("umat")};
   start.parameters = sim::test::umat_fixture();
