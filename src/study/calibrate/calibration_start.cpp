@@ -18,6 +18,7 @@ namespace {
 const sim::LawDescription& law_called(const std::string& name) {
   if (const auto* law = sim::find_law(name)) return *law;
   std::vector<std::string> known;
+  known.reserve(sim::laws().size());
   for (const auto& law : sim::laws()) known.push_back(law.name);
   throw lab::BadInput(
       fmt::format("unknown law {}; {}", lab::excerpt(name), lab::suggestion(name, known)));
@@ -66,6 +67,7 @@ CalibrationStart begin_with(const StartWish& wish) {
 
 void keep_only(std::vector<lab::SearchRange>& free, const std::vector<std::string>& wanted) {
   std::vector<std::string> known;
+  known.reserve(free.size());
   for (const auto& range : free) known.push_back(range.key);
   std::vector<lab::SearchRange> kept;
   for (const std::string& key : wanted) {

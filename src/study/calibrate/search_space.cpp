@@ -133,7 +133,7 @@ bool SearchSpace::possible(const Unknowns& x) const {
 }
 
 Unknowns SearchSpace::possible_near(const Unknowns& x) const {
-  const Unknowns inside = x.cwiseMax(0.0).cwiseMin(1.0);
+  Unknowns inside = x.cwiseMax(0.0).cwiseMin(1.0);
   if (possible(inside)) return inside;
   double no = 0, yes = 1;  // share of the way to the anchor
   for (int i = 0; i < 30; ++i) {

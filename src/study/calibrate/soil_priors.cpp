@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,7 @@ struct Source {
   const char* name;          ///< there
 };
 
-constexpr Source kSources[] = {
+constexpr auto kSources = std::to_array<Source>({
     {"hypoplastic", "critical_friction_angle_deg", "friction", "critical_friction_angle_deg"},
     {"", "critical_stress_ratio", "friction", "critical_stress_ratio"},
     {"", "extension_ratio", "friction", "extension_ratio"},
@@ -34,20 +35,20 @@ constexpr Source kSources[] = {
     {"cam_clay", "compression_slope", "critical_state_line.log_linear", "lambda"},
     {"mohr_coulomb", "friction_angle_deg", "strength", "friction_angle_deg"},
     {"mohr_coulomb", "cohesion_kPa", "strength", "cohesion_kPa"},
-};
+});
 
 std::optional<lab::TomlTable> section_of(const lab::TomlTable& root, std::string_view path) {
   const auto dot = path.find('.');
-  const auto table = root.table(path.substr(0, dot));
+  auto table = root.table(path.substr(0, dot));
   if (!table || dot == std::string::npos) return table;
   return table->table(path.substr(dot + 1));
 }
 
 /// The law's number for the pressure at which a power line has its slope.
-constexpr Source kPressures[] = {
+constexpr auto kPressures = std::to_array<Source>({
     {"norsand", "critical_pressure_kPa", "critical_state_line.power", "critical_pressure_kPa"},
     {"sanisand", "atmospheric_pressure_kPa", "critical_state_line.power", "critical_pressure_kPa"},
-};
+});
 
 const sim::ParameterDescription* parameter_of(const sim::LawDescription& law, const Source& from) {
   if (*from.law != '\0' && law.name != from.law) return nullptr;
@@ -107,7 +108,8 @@ void take_soil_result(CalibrationStart& start, const lab::TomlTable& root) {
   const bool with_line = same_pressure(start, root);
   for (const Source& source : kSources) {
     const auto* parameter = parameter_of(*start.set.law, source);
-    if (parameter == nullptr || (!with_line && source.section == kPressures->section)) continue;
+    if (parameter == nullptr || (!with_line && source.section == kPressures.front().section))
+      continue;
     const auto section = section_of(root, source.section);
     const auto measured = section ? section->table(source.name) : std::nullopt;
     if (measured)
