@@ -2,6 +2,7 @@
 #include "src/page/api/routes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -51,7 +52,7 @@ constexpr Route kRoutes[] = {
     {false, "api/programmes", [](auto&, auto&, auto) { return list_of_programmes(); }},
     {false, "api/materials", [](auto&, auto&, auto) { return list_of_materials(); }},
     {true, "api/probe", [](auto&, auto& r, auto) { return probe(r.body); }},
-    {true, "api/domain", [](auto&, auto& r, auto) { return domain(r.body); }},
+    {true, "api/domain", [](auto& l, auto& r, auto) { return domain(r.body, l.ending); }},
 };
 
 /// Whether the path is that of the route; `test` is what stands for "#".
@@ -90,6 +91,13 @@ PageAnswer file_called(std::string_view name) {
 }
 
 }  // namespace
+
+bool is_order(const PageRequest& request) {
+  const auto& path = request.target.path;
+  constexpr std::array<std::string_view, 3> kOrders = {"hold", "resume", "stop"};
+  return request.post && request.target.begins("api", "runs") && path.size() == 4 &&
+         std::ranges::find(kOrders, path[3]) != kOrders.end();
+}
 
 PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request) {
   const auto& path = request.target.path;

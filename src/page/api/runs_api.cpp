@@ -56,7 +56,7 @@ PageAnswer begin_run(PageLaboratory& laboratory, const std::string& body) {
   run.speed = number_in(asked, "speed").value_or(0);
   if (!(run.speed >= 0) || !(run.speed <= 1e9))
     throw Refused(400, "speed: expected how many times faster than the clock, or 0 for any");
-  if (asked.value("rig", false)) {
+  if (flag_in(asked, "rig")) {
     if (laboratory.rig.empty())
       throw Refused(409, "triax open was started without a rig: `triax open RIG.toml`");
     run.rig = laboratory.rig;
