@@ -11,6 +11,7 @@
 #include <chrono>
 #include <ctime>
 #include <random>
+#include <regex>
 
 #include "bench/calibrate/virtual_tests.hpp"
 #include "src/study/calibrate/calibration.hpp"
@@ -29,6 +30,7 @@ struct Options {
   bool verbose = false;
   bool intervals_only = false;
   bool bare = false;
+  bool labels = false;
 };
 
 /// Of a grid of pressures and densities, drained and undrained in turn.
@@ -64,22 +66,30 @@ lab::MaterialSet moved(const lab::MaterialSet& base, const std::vector<lab::Sear
 /// Of all threads: what does not depend on what else the machine does.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// With labels # in place of every number that stands by itself.
+void told(const std::string& text, bool labels) {
+  static const std::regex number(R"(([ (])[-+]?[0-9][0-9.]*(e[-+]?[0-9]+)?)");
+  fmt::print("{}", labels ? std::regex_replace(text, number, "$1#") : text);
+}
+
 /// The same paths driven by the law itself, on one thread.
 void time_bare(const lab::MaterialSet& base, const std::vector<study::MeasuredPath>& paths,
-               const char* what, int knots, double tolerance) {
+               const char* what, int knots, double tolerance, bool labels) {
   std::vector<study::MeasuredPath> thin;
   for (const auto& path : paths) thin.push_back(study::thinned(path, knots));
   int runs = 0;
   const double start = processor_seconds();
   double seconds = 0;
-  while (seconds < 2) {
+  while (runs == 0 || (seconds < 2 && !labels)) {
     for (const auto& path : thin) {
       study::drive(*base.material.axisymmetric, path, {.tolerance = tolerance});
       ++runs;
     }
     seconds = processor_seconds() - start;
   }
-  fmt::print("bare driver, {}: {:.0f} runs a second of one processor\n", what, runs / seconds);
+  told(
+      fmt::format("bare driver, {}: {:.0f} runs a second of one processor\n", what, runs / seconds),
+      labels);
 }
 
 struct Sums {
@@ -107,8 +117,8 @@ void one_set(const Options& o, const lab::MaterialSet& base,
   request.threads = o.threads;
   request.left_out = false;
   if (o.bare) {
-    time_bare(truth, request.paths, "global search", 20, 1e-4);
-    time_bare(truth, request.paths, "least squares", 60, 1e-7);
+    time_bare(truth, request.paths, "global search", 20, 1e-4, o.labels);
+    time_bare(truth, request.paths, "least squares", 60, 1e-7, o.labels);
   }
   const auto before = std::chrono::steady_clock::now();
   const double processor_before = processor_seconds();
@@ -175,7 +185,13 @@ int main(int argc, char** argv) {
   app.add_flag("--intervals-only", o.intervals_only);
   app.add_flag("--bare", o.bare, "also time the driver alone, at the tolerance of the searches");
   app.add_flag("--verbose", o.verbose);
+  app.add_flag("--labels", o.labels, "one small set from the truth, # in place of the numbers");
   CLI11_PARSE(app, argc, argv);
+  if (o.labels) {
+    o.sets = 1;
+    o.tests = 4;
+    o.intervals_only = true;
+  }
   if (o.material.empty())
     o.material = o.law == "cam_clay"      ? "cam_clay/check"
                  : o.law == "hypoplastic" ? "hypoplastic/Hochstetten-HG99"
@@ -189,13 +205,16 @@ int main(int argc, char** argv) {
                   [&](const auto& r) { return std::ranges::find(o.free, r.key) == o.free.end(); });
   Sums sums;
   for (int k = 0; k < o.sets; ++k) one_set(o, base, free, o.seed + static_cast<unsigned>(k), sums);
-  fmt::print(
-      "{}: {} sets of {} tests, noise {:g} kPa and {:g}: {} parameters determined, {} not; within "
-      "1 % {} ({:.1f} %), worst {:.3g} %; intervals hold {} ({:.1f} %); searches at the best {} of "
-      "{}; {} runs of the driver in {:.1f} s, {:.1f} s of processors: {:.0f} runs a second of "
-      "one\n",
-      base.name, sums.sets, o.tests, o.stress_kPa, o.strain, sums.known, sums.unknown, sums.near,
-      100.0 * sums.near / std::max(1, sums.known), 100 * sums.worst, sums.held,
-      100.0 * sums.held / std::max(1, sums.known), sums.agreeing, sums.searches, sums.runs,
-      sums.seconds, sums.processor, static_cast<double>(sums.runs) / sums.processor);
+  told(
+      fmt::format(
+          "{}: {} sets of {} tests, noise {:g} kPa and {:g}: {} parameters determined, {} not; "
+          "within 1 % {} ({:.1f} %), worst {:.3g} %; intervals hold {} ({:.1f} %); searches at the "
+          "best {} of {}; {} runs of the driver in {:.1f} s, {:.1f} s of processors: {:.0f} runs a "
+          "second of "
+          "one\n",
+          base.name, sums.sets, o.tests, o.stress_kPa, o.strain, sums.known, sums.unknown,
+          sums.near, 100.0 * sums.near / std::max(1, sums.known), 100 * sums.worst, sums.held,
+          100.0 * sums.held / std::max(1, sums.known), sums.agreeing, sums.searches, sums.runs,
+          sums.seconds, sums.processor, static_cast<double>(sums.runs) / sums.processor),
+      o.labels);
 }

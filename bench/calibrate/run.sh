@@ -1,34 +1,37 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# bench/calibrate/run.sh [recovery|coverage|seeds|speed] [--sets N]: calibration of virtual tests with known parameters: how near the true ones
+# bench/calibrate/run.sh [recovery|coverage|seeds|speed] [--sets N] [--labels]: calibration of virtual tests with known parameters: how near the true ones
 # are from exact tests, how often intervals of noisy ones hold them, how often ten seeds end in one optimum, and how long 12 tests and 8
 # parameters take, with runs of the driver a second beside those of the bare driver. N sets a law (20), five times as many for coverage.
+# --labels: small, # in place of the numbers.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 [[ ${TRIAX_BUILT:-} ]] || tools/build release bench_calibrate >/dev/null
-bench=build/release/bench/bench_calibrate
+bench() { build/release/bench/bench_calibrate "$@" ${labels:+--labels}; }
+labels=
 part=all
 sets=20
 while [[ $# -gt 0 ]]; do
   case $1 in
     --sets) sets=$2; shift ;;
+    --labels) labels=1 ;;
     *) part=$1 ;;
   esac
   shift
 done
 wanted() { [[ $part == all || $part == "$1" ]]; }
 if wanted recovery; then
-  for law in mohr_coulomb cam_clay norsand hypoplastic sanisand; do "$bench" --law "$law" --sets "$sets" --tests 8; done
+  for law in mohr_coulomb cam_clay norsand hypoplastic sanisand; do bench --law "$law" --sets "$sets" --tests 8; done
 fi
 if wanted coverage; then
   for law in mohr_coulomb cam_clay norsand hypoplastic sanisand; do
-    "$bench" --law "$law" --sets "$((sets * 5))" --tests 8 --stress-noise-kPa 0.5 --strain-noise 2e-5 --intervals-only
+    bench --law "$law" --sets "$((sets * 5))" --tests 8 --stress-noise-kPa 0.5 --strain-noise 2e-5 --intervals-only
   done
 fi
 if wanted seeds; then
-  "$bench" --law hypoplastic --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
-  "$bench" --law norsand --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
+  bench --law hypoplastic --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
+  bench --law norsand --sets 1 --tests 8 --searches 10 --stress-noise-kPa 0.5 --strain-noise 2e-5
 fi
 if wanted speed; then
-  "$bench" --law hypoplastic --sets 1 --tests 12 --searches 3 --threads 2 --stress-noise-kPa 0.5 --strain-noise 2e-5 --bare
+  bench --law hypoplastic --sets 1 --tests 12 --searches 3 --threads 2 --stress-noise-kPa 0.5 --strain-noise 2e-5 --bare
 fi

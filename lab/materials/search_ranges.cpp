@@ -17,7 +17,7 @@ SearchRange range_of(const TomlTable& table, const std::string& key) {
   const auto ends = table.numbers(key);
   if (ends.size() != 2 || !(ends[0] < ends[1]))
     table.fail(key, "must be two numbers, [lowest, highest]");
-  return {key, ends[0], ends[1], ends[0] > 0 && ends[1] > kManyTimes * ends[0], {}};
+  return {key, ends[0], ends[1], is_of_ratios(ends[0], ends[1]), {}};
 }
 
 void read_prior(const TomlTable& table, const std::string& key, std::vector<SearchRange>& ranges) {
@@ -30,6 +30,8 @@ void read_prior(const TomlTable& table, const std::string& key, std::vector<Sear
 }
 
 }  // namespace
+
+bool is_of_ratios(double low, double high) { return low > 0 && high > kManyTimes * low; }
 
 std::vector<SearchRange> read_search(const TomlTable& root) {
   std::vector<SearchRange> ranges;

@@ -28,6 +28,9 @@ struct SearchRange {
   std::optional<Prior> prior;
 };
 
+/// Whether a range between these is searched in ratios.
+bool is_of_ratios(double low, double high);
+
 /// [search] and [prior] of a document, whose keys become known by it; empty where it has neither.
 /// Throws BadInput.
 std::vector<SearchRange> read_search(const TomlTable& root);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lab/base/text.hpp"
+#include "lab/base/toml_number.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "lab/paths/condition_text.hpp"
 #include "sim/mechanics/units.hpp"
@@ -17,12 +18,7 @@
 namespace triax::lab {
 namespace {
 
-std::string kPa(double pa) { return fmt::format("{}", sim::to_field(pa, *sim::find_unit("kPa"))); }
-
-/// A TOML float: a whole number needs a point.
-std::string toml_number(const std::string& number) {
-  return number.find_first_of(".en") == std::string::npos ? number + ".0" : number;
-}
+std::string kPa(double pa) { return toml_number(sim::to_field(pa, *sim::find_unit("kPa"))); }
 
 /// True where the label is what the reader would make this row of.
 template <class Space>
@@ -70,12 +66,10 @@ template <class Space>
 std::string stress_toml(const sim::Vector<Space>& stress) {
   using std::numbers::sqrt2;
   if constexpr (Space::kSize == 2)
-    return fmt::format("{{axial = {}, radial = {}}}", toml_number(kPa(stress(0))),
-                       toml_number(kPa(stress(1) / sqrt2)));
+    return fmt::format("{{axial = {}, radial = {}}}", kPa(stress(0)), kPa(stress(1) / sqrt2));
   std::vector<std::string> values;
   values.reserve(Space::kSize);
-  for (int i = 0; i < Space::kSize; ++i)
-    values.push_back(toml_number(kPa(stress(i) / (i < 3 ? 1 : sqrt2))));
+  for (int i = 0; i < Space::kSize; ++i) values.push_back(kPa(stress(i) / (i < 3 ? 1 : sqrt2)));
   return "[" + joined(values) + "]";
 }
 
@@ -107,13 +101,11 @@ std::string failed_increment_toml(const PathDescription& description,
   for (const auto& [key, value] : description.parameters)
     text += fmt::format("{} = {}\n", key, toml_quoted(value));
   text += fmt::format("\n[start]\nstress_kPa = {}\nvoid_ratio = {}\npore_pressure_kPa = {}\n",
-                      stress_toml<Space>(failed.from.stress),
-                      toml_number(fmt::format("{}", failed.from.void_ratio)),
-                      toml_number(kPa(failed.from.pore_pressure)));
+                      stress_toml<Space>(failed.from.stress), toml_number(failed.from.void_ratio),
+                      kPa(failed.from.pore_pressure));
   if (!failed.from.memory.empty()) {
     std::vector<std::string> values;
-    for (const double value : failed.from.memory)
-      values.push_back(toml_number(fmt::format("{}", value)));
+    for (const double value : failed.from.memory) values.push_back(toml_number(value));
     text += "memory = [" + joined(values) + "]\n";
   }
   const sim::Segment<Space>& segment = failed.segment;

@@ -125,7 +125,7 @@ double stress_unit_of(const ParameterSet& set) {
   return unit->scale;
 }
 
-Material make_umat(const ParameterSet& set, const MaterialFinder&) {
+std::pair<UmatPlugin, UmatSettings> read_umat(const ParameterSet& set) {
   const UmatNumbers numbers = parameters_from(set, umat_table());
   UmatPlugin plugin{library_of(set),
                     text_of(set, "name", ""),
@@ -147,6 +147,11 @@ Material make_umat(const ParameterSet& set, const MaterialFinder&) {
     throw std::invalid_argument("void_ratio_index is " + std::to_string(settings.void_ratio_index) +
                                 ", state_variables is " + std::to_string(n));
   settings.initial_state.resize(n);
+  return {std::move(plugin), std::move(settings)};
+}
+
+Material make_umat(const ParameterSet& set, const MaterialFinder&) {
+  auto [plugin, settings] = read_umat(set);
   const auto worker = std::make_shared<UmatWorker>(std::move(plugin));
   return {std::make_shared<Umat<Axisymmetric>>(worker, settings),
           std::make_shared<Umat<Tensor>>(worker, settings),
@@ -218,6 +223,8 @@ LawDescription umat_law() {
       "umat",   "an Abaqus UMAT in a shared library", "the library's author", {}, umat_parameters(),
       make_umat};
 }
+
+void check_umat(const ParameterSet& set) { read_umat(set); }
 
 template <class Space>
 Umat<Space>::Umat(std::shared_ptr<UmatWorker> worker, UmatSettings settings)

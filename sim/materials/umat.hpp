@@ -19,6 +19,9 @@ namespace triax::sim {
 
 LawDescription umat_law();
 
+/// Throws as making the law does, but for what the library itself refuses: no process is started.
+void check_umat(const ParameterSet& set);
+
 /// Most state variables that a UMAT may have here.
 inline constexpr int kMostUmatState = kMostMemory - 8;
 

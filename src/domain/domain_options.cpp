@@ -15,7 +15,6 @@
 #include "lab/base/text.hpp"
 #include "sim/stability/domain_criteria.hpp"
 #include "src/cli/shared_options.hpp"
-#include "src/study/domain/domain_piece.hpp"
 #include "src/study/domain/usual_grid.hpp"
 
 namespace triax::src {
@@ -42,24 +41,6 @@ study::GridLine line(const char* option, const std::string& text, const study::G
   } catch (const std::invalid_argument& error) {
     throw lab::BadInput(fmt::format("{} {}", option, error.what()));
   }
-}
-
-void check_law(const DomainOptions& o, const lab::MaterialSet& material) {
-  const bool axisymmetric = o.plane == "axisymmetric";
-  const auto& law = material.material;
-  const std::string why = law.no_tensor.empty() ? "" : ": " + law.no_tensor;
-  if (axisymmetric ? law.axisymmetric == nullptr : law.tensor == nullptr)
-    throw lab::BadInput(fmt::format("--plane {}: {} is not formulated for it{}", o.plane,
-                                    material.name, axisymmetric ? "" : why));
-}
-
-std::string no_tangents(const std::string& criterion, const lab::MaterialSet& material) {
-  const auto& law = material.material;
-  if (law.tensor != nullptr)
-    return fmt::format("--{}: {} is a law of finite increments, without the tangents that it needs",
-                       criterion, material.name);
-  return fmt::format("--{} needs the full tensor, and {} is not formulated for it{}", criterion,
-                     material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
 }
 
 }  // namespace
@@ -129,22 +110,14 @@ void check_domain_options(const CLI::App& app, const DomainOptions& o) {
 study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {
   const study::GridLine p = line("--p-kPa", o.p, study::usual_p(material));
   const study::GridLine q = line("--q-kPa", o.q, study::usual_q(material, p));
-  study::DomainSettings::Grid grid{.p_from_kPa = p.from,
-                                   .p_to_kPa = p.to,
-                                   .q_from_kPa = q.from,
-                                   .q_to_kPa = q.to,
-                                   .columns = p.count,
-                                   .rows = q.count,
-                                   .void_ratio = chosen_void_ratio(o.material, material),
-                                   .plane = o.plane,
-                                   .directions = o.directions,
-                                   .criteria = {}};
-  study::check_grid(grid, "the grid");
-  check_law(o, material);
-  grid.criteria = study::possible_criteria(material, grid, o.criteria);
-  for (const std::string& asked : o.criteria)
-    if (!grid.looks_for(asked)) throw lab::BadInput(no_tangents(asked, material));
-  return grid;
+  return study::asked_grid(material,
+                           {.p = p,
+                            .q = q,
+                            .void_ratio = chosen_void_ratio(o.material, material),
+                            .plane = o.plane,
+                            .directions = o.directions,
+                            .criteria = o.criteria},
+                           {.plane = "--plane ", .criterion = "--"});
 }
 
 }  // namespace triax::src

@@ -6,12 +6,12 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/results/reading.hpp"
+#include "sim/stability/domain_criteria.hpp"
 #include "src/python/bindings.hpp"
 #include "src/python/columns.hpp"
 #include "src/python/documents.hpp"
 #include "src/python/material.hpp"
 #include "src/python/signals.hpp"
-#include "src/study/domain/domain_piece.hpp"
 #include "src/study/domain/domain_run.hpp"
 #include "src/study/domain/usual_grid.hpp"
 
@@ -48,37 +48,29 @@ study::GridLine line_of(const Line& given, const study::GridLine& usual) {
   return line;
 }
 
-void check_plane(const lab::MaterialSet& material, const std::string& plane) {
+void check_names(const std::string& plane, const std::vector<std::string>& criteria) {
   if (plane != "axisymmetric" && plane != "plane-strain")
     throw lab::BadInput("plane '" + plane + "': not known; expected axisymmetric or plane-strain");
-  const auto& law = material.material;
-  if (plane == "axisymmetric" ? law.axisymmetric == nullptr : law.tensor == nullptr)
-    throw lab::BadInput(fmt::format("plane {}: {} is not formulated for it", plane, material.name));
+  for (const std::string& asked : criteria)
+    if (std::ranges::find(sim::domain_criterion_kinds(), asked, &sim::DomainCriterionKind::name) ==
+        sim::domain_criterion_kinds().end())
+      throw lab::BadInput(fmt::format("criterion '{}' is not known", asked));
 }
 
 std::shared_ptr<Domain> domain(const py::object& material, double void_ratio, const Line& p_kPa,
                                const Line& q_kPa, const std::string& plane, int directions,
                                const std::vector<std::string>& criteria, int threads) {
   const lab::MaterialSet set = material_of(material);
-  check_plane(set, plane);
+  check_names(plane, criteria);
   const auto p = line_of(p_kPa, study::usual_p(set));
-  const auto q = line_of(q_kPa, study::usual_q(set, p));
-  study::DomainSettings::Grid grid{.p_from_kPa = p.from,
-                                   .p_to_kPa = p.to,
-                                   .q_from_kPa = q.from,
-                                   .q_to_kPa = q.to,
-                                   .columns = p.count,
-                                   .rows = q.count,
-                                   .void_ratio = checked_void_ratio(void_ratio),
-                                   .plane = plane,
-                                   .directions = directions,
-                                   .criteria = {}};
-  study::check_grid(grid, "the grid");
-  grid.criteria = study::possible_criteria(set, grid, criteria);
-  for (const std::string& asked : criteria)
-    if (!grid.looks_for(asked))
-      throw lab::BadInput(fmt::format("criterion '{}' is not known, or {} cannot be asked for it",
-                                      asked, set.name));
+  const auto grid = study::asked_grid(set,
+                                      {.p = p,
+                                       .q = line_of(q_kPa, study::usual_q(set, p)),
+                                       .void_ratio = checked_void_ratio(void_ratio),
+                                       .plane = plane,
+                                       .directions = directions,
+                                       .criteria = criteria},
+                                      {.plane = "plane ", .criterion = "criterion "});
   if (threads < 0)
     throw lab::BadInput(
         fmt::format("threads {}: out of range; expected 0 (all cores) or more", threads));

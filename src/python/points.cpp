@@ -48,8 +48,19 @@ std::shared_ptr<Points> points_at(const std::shared_ptr<Material>& material, con
                          : started<Tensor>(material, std::move(rows), std::move(e));
 }
 
-std::shared_ptr<Points> copy(const Points& points) {
-  return std::make_shared<Points>(points.material, points.arrays, points.memory_names);
+/// What is read of points that another thread may be advancing. The GIL is released while it waits,
+/// so that the other can end.
+template <class Read>
+auto alone(Points& points, const Read& read) {
+  const py::gil_scoped_release free;
+  const std::lock_guard lock(points.one_at_a_time);
+  return read(points.arrays);
+}
+
+std::shared_ptr<Points> copy(Points& points) {
+  return alone(points, [&](const study::PointArrays& arrays) {
+    return std::make_shared<Points>(points.material, arrays, points.memory_names);
+  });
 }
 
 template <class Space>
@@ -65,7 +76,12 @@ std::vector<double> invariant(const study::PointArrays& points,
   return values;
 }
 
-Array owned(const std::vector<double>& values) {
+Array invariant_of(Points& points, double (*of)(const sim::Vector<Axisymmetric>&),
+                   double (*of_tensor)(const sim::Vector<Tensor>&)) {
+  const auto values = alone(points, [&](const study::PointArrays& arrays) {
+    return points.tensor() ? invariant<Tensor>(arrays, of_tensor)
+                           : invariant<Axisymmetric>(arrays, of);
+  });
   return Array(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
@@ -108,18 +124,15 @@ void bind_points(py::module_& module) {
           "Names of the columns of memory; those in _root2 hold sqrt(2) times the component.")
       .def_property_readonly(
           "p_kPa",
-          [](const Points& p) {
-            return owned(p.tensor()
-                             ? invariant<Tensor>(p.arrays, &sim::mean_stress<Tensor>)
-                             : invariant<Axisymmetric>(p.arrays, &sim::mean_stress<Axisymmetric>));
+          [](Points& p) {
+            return invariant_of(p, &sim::mean_stress<Axisymmetric>, &sim::mean_stress<Tensor>);
           },
           "Mean effective stress of each point, kPa.")
       .def_property_readonly(
           "q_kPa",
-          [](const Points& p) {
-            return owned(p.tensor() ? invariant<Tensor>(p.arrays, &sim::deviator_stress<Tensor>)
-                                    : invariant<Axisymmetric>(p.arrays,
-                                                              &sim::deviator_stress<Axisymmetric>));
+          [](Points& p) {
+            return invariant_of(p, &sim::deviator_stress<Axisymmetric>,
+                                &sim::deviator_stress<Tensor>);
           },
           "Deviator stress of each point, kPa: sigma1 - sigma3, of a tensor sqrt(3/2)|s|.")
       .def("advance", &advance, py::arg("strain") = py::none(), py::kw_only(),

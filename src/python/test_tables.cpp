@@ -3,33 +3,11 @@
 
 #include <array>
 
+#include "src/python/signals.hpp"
+#include "src/study/handover/state_columns.hpp"
+
 namespace triax::python {
 namespace {
-
-struct StateColumn {
-  const char* name;
-  double (*of)(const lab::State&);
-};
-
-constexpr double kKilo = 1e3;
-
-constexpr std::array kStateColumns = {
-    StateColumn{"time_s", [](const lab::State& s) { return s.time_s; }},
-    StateColumn{"axial_strain", [](const lab::State& s) { return s.strain.axial; }},
-    StateColumn{"radial_strain", [](const lab::State& s) { return s.strain.radial; }},
-    StateColumn{"volumetric_strain", [](const lab::State& s) { return s.volumetric_strain; }},
-    StateColumn{"shear_strain", [](const lab::State& s) { return sim::shear_strain(s.strain); }},
-    StateColumn{"void_ratio", [](const lab::State& s) { return s.void_ratio; }},
-    StateColumn{"current_area_mm2", [](const lab::State& s) { return 1e6 * s.area_m2; }},
-    StateColumn{"effective_axial_stress_kPa",
-                [](const lab::State& s) { return s.effective_stress.axial / kKilo; }},
-    StateColumn{"effective_radial_stress_kPa",
-                [](const lab::State& s) { return s.effective_stress.radial / kKilo; }},
-    StateColumn{"pore_pressure_kPa", [](const lab::State& s) { return s.pore_pressure / kKilo; }},
-    StateColumn{"q_kPa", [](const lab::State& s) { return s.q / kKilo; }},
-    StateColumn{"p_eff_kPa", [](const lab::State& s) { return s.p_eff / kKilo; }},
-    StateColumn{"eta", [](const lab::State& s) { return s.eta(); }},
-    StateColumn{"phi_mob_deg", [](const lab::State& s) { return sim::degrees(s.phi_mob_rad()); }}};
 
 /// Columns of a table while it is filled.
 template <class Number>
@@ -51,16 +29,23 @@ struct Table {
 
 Columns table_of_states(const db::Store& store, std::int64_t id) {
   const std::int64_t rows = store.scan_count(id);
-  Table table(kStateColumns.size());
+  const auto& held = study::state_columns();
+  Table table(held.size());
   auto& reading = table.add<std::int64_t>("reading", rows);
   auto& stage = table.add<std::int64_t>("stage", rows);
   Filled<double> filled;
-  for (const StateColumn& column : kStateColumns) filled.push_back(&table.add(column.name, rows));
+  std::vector<double (*)(const lab::State&)> values;
+  for (const auto& column : held) {
+    if (column.name == "reading" || column.name == "stage") continue;  // whole numbers, above
+    filled.push_back(&table.add(column.name, rows));
+    values.push_back(column.value);
+  }
+  Signals signals;
   store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
+    signals.look();
     reading.push_back(state.reading);
     stage.push_back(state.stage);
-    for (std::size_t i = 0; i < filled.size(); ++i)
-      filled[i]->push_back(kStateColumns[i].of(state));
+    for (std::size_t i = 0; i < filled.size(); ++i) filled[i]->push_back(values[i](state));
   });
   return std::move(table.columns);
 }
@@ -79,7 +64,9 @@ Columns table_of_readings(const db::Store& store, const db::StoredTest& test) {
     const auto unit = lab::info(quantity).unit;
     units.push_back(unit.empty() ? 1 : sim::find_unit(unit)->scale);
   }
+  Signals signals;
   store.for_each_scan(test.id, 1, [&](const lab::Reading& r, const lab::State&) {
+    signals.look();
     reading.push_back(r.number);
     stage.push_back(r.stage);
     time.push_back(r.time_s);
@@ -99,7 +86,9 @@ Columns table_of_work(const db::Store& store, std::int64_t id) {
       &table.add("small_strain", rows),    &table.add("eulerian", rows),
       &table.add("semi_lagrangian", rows), &table.add("normalised", rows),
       &table.add("normalised_error", rows)};
+  Signals signals;
   for (const lab::SecondOrderWorkPoint& point : points) {
+    signals.look();
     reading.push_back(point.reading);
     window.push_back(point.window_readings);
     const sim::SecondOrderWork& w = point.work;

@@ -7,7 +7,8 @@
 
 namespace triax::python {
 
-/// All states of a test under the names of the view `states` of the database.
+/// All states of a test under the names of the view `states` of the database. Signals are looked
+/// for while they are read, here and below. Pre-condition: this thread does not hold the GIL.
 Columns table_of_states(const db::Store& store, std::int64_t id);
 /// The readings that the record holds, in units of the field, under its headings.
 Columns table_of_readings(const db::Store& store, const db::StoredTest& test);

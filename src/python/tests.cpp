@@ -7,6 +7,7 @@
 #include "src/python/bindings.hpp"
 #include "src/python/database.hpp"
 #include "src/python/documents.hpp"
+#include "src/python/signals.hpp"
 #include "src/python/test_tables.hpp"
 #include "src/triaxial/json_report.hpp"
 
@@ -75,12 +76,19 @@ py::list rows_of(const std::string& path, const std::string& name_or_sql) {
   std::vector<std::vector<db::Value>> rows;
   {
     const py::gil_scoped_release free;
+    Signals signals;
     db::query(
         path, name_or_sql, [&](const std::vector<std::string>& columns) { names = columns; },
-        [&](const std::vector<db::Value>& row) { rows.push_back(row); });
+        [&](const std::vector<db::Value>& row) {
+          signals.look();
+          rows.push_back(row);
+        });
   }
+  constexpr std::size_t kBetweenSignals = 1024;
   py::list all;
   for (const auto& row : rows) {
+    if (all.size() % kBetweenSignals == 0 && PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
     py::dict one;
     for (std::size_t i = 0; i < row.size(); ++i) one[py::str(names[i])] = python_value(row[i]);
     all.append(std::move(one));

@@ -3,6 +3,7 @@
 """replay, simulate and element give what the program gives, refuse in its words, and heed Ctrl-C."""
 import signal
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -100,6 +101,28 @@ class Runs(InAFolder):
             if statuses[-1] != "complete":
                 break
         self.assertIn(statuses[-1], ("interrupted", "running"))  # without a sign of life
+
+    def test_ctrl_c_ends_a_query_between_two_rows(self):
+        triax.replay(SAMPLES / "records/icu_6.csv", self.db)
+        many = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 50000000) SELECT i FROM n"
+        seen = []
+
+        def heed(number, frame):
+            seen.append(number)
+            raise KeyboardInterrupt
+
+        usual = signal.signal(signal.SIGINT, heed)
+        timer = threading.Timer(0.2, lambda: signal.raise_signal(signal.SIGINT))
+        begin = time.monotonic()
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                triax.Database(self.db).query(many)
+        finally:
+            signal.signal(signal.SIGINT, usual)
+        timer.join()
+        self.assertEqual(seen, [signal.SIGINT])
+        self.assertLess(time.monotonic() - begin, 5)  # fifty million rows take longer
 
 
 if __name__ == "__main__":

@@ -73,7 +73,11 @@ class Domains(unittest.TestCase):
     def test_what_is_no_domain(self):
         for call, words in ((lambda: triax.domain(LOOSE, 1.0, p_kPa=(300, 50, 6)), "the grid: p' from 300 to 50 kPa"),
                             (lambda: triax.domain(LOOSE, 1.0, plane="3d"), "plane '3d': not known"),
-                            (lambda: triax.domain(LOOSE, 1.0, p_kPa=(50, 60, 2), q_kPa=(0, 1, 2), criteria=["x"]), "criterion 'x'")):
+                            (lambda: triax.domain(LOOSE, 1.0, p_kPa=(50, 60, 2), q_kPa=(0, 1, 2), criteria=["x"]), "criterion 'x' is not known"),
+                            (lambda: triax.domain("norsand/S28-MT", 0.9, criteria=["localisation"]),
+                             "criterion localisation needs the full tensor, and norsand/S28-MT is not formulated for it"),
+                            (lambda: triax.domain("norsand/S28-MT", 0.9, plane="plane-strain"),
+                             "plane plane-strain: norsand/S28-MT is not formulated for it: ")):
             with self.assertRaisesRegex(triax.BadInput, words):
                 call()
         small = triax.domain(LOOSE, 1.0, p_kPa=(50, 60, 2), q_kPa=(0, 1, 2), directions=8)

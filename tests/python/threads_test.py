@@ -56,6 +56,18 @@ class Threads(InAFolder):
             np.testing.assert_array_equal(points.stress_kPa, alone.stress_kPa)
             np.testing.assert_array_equal(points.memory, alone.memory)
 
+    def test_what_is_read_of_points_that_advance_is_one_state(self):
+        points = triax.Points(triax.Material("sanisand/S28-general"), np.full((20_000, 2), 100.0), 0.8)
+        thread = threading.Thread(target=lambda: [points.advance([1e-4, -0.5e-4]) for _ in range(3)])
+        thread.start()
+        read = 0
+        while thread.is_alive() or read == 0:
+            self.assertEqual(np.ptp(points.copy().stress_kPa, axis=0).max(), 0)
+            self.assertEqual(np.ptp(points.p_kPa), 0)
+            self.assertEqual(np.ptp(points.q_kPa), 0)
+            read += 1
+        thread.join()
+
     def test_one_test_is_loaded_from_two_threads(self):
         triax.replay(SAMPLES / "records/icu_6.csv", self.db)
         test = triax.Database(self.db)[1]

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The numbers of docs/calibrate.md (tools/pages)."""
 
-from remade.benchmark import run_now
-from remade.program import ROOT
+import pathlib
 
-DATA = ROOT.parent / "shared" / "data" / "kfs"
+from remade.benchmark import timed
+from remade.others import of_others
+
 DRAINED = ("TMD1", "TMD3", "TMD5", "TMD8", "TMD10", "TMD13", "TMD16", "TMD18", "TMD21", "TMD24")
 PUBLISHED = """law = "hypoplastic"
 [sets.published]
@@ -21,29 +22,27 @@ LIMITS = ("--fix", "densest_void_ratio", "--fix", "critical_void_ratio", "--fix"
 
 
 def recovery(triax) -> str:
-    return triax.standing if triax.checking else run_now("bench/calibrate/run.sh recovery --sets 3")
+    return timed(triax, "bench/calibrate/run.sh recovery --sets 3")
 
 
 def coverage(triax) -> str:
-    return triax.standing if triax.checking else run_now("bench/calibrate/run.sh coverage --sets 8")
+    return timed(triax, "bench/calibrate/run.sh coverage --sets 8")
 
 
 def seeds(triax) -> str:
-    return triax.standing if triax.checking else run_now("bench/calibrate/run.sh seeds")
+    return timed(triax, "bench/calibrate/run.sh seeds")
 
 
 def speed(triax) -> str:
-    return triax.standing if triax.checking else run_now("bench/calibrate/run.sh speed")
+    return timed(triax, "bench/calibrate/run.sh speed")
 
 
-def karlsruhe(triax) -> str:
-    """Costs of laws on Karlsruhe fine sand; where the records are missing the page stays as it is."""
-    if triax.checking or not DATA.is_dir():
-        return triax.standing
+def costs(triax, folder: pathlib.Path) -> str:
+    """Costs of laws on Karlsruhe fine sand."""
     (triax.folder / "published.toml").write_text(PUBLISHED, encoding="utf-8")
     for name in DRAINED:
-        triax.run("replay", str(DATA / f"{name}.dat"), "--db", "kfs.db")
-    triax.run("replay", str(DATA / "TMU1.dat"), "--db", "kfs.db", "--set", "specimen.void_ratio=0.828")
+        triax.run("replay", str(folder / f"kfs/{name}.dat"), "--db", "kfs.db")
+    triax.run("replay", str(folder / "kfs/TMU1.dat"), "--db", "kfs.db", "--set", "specimen.void_ratio=0.828")
     rows = ["| law | free | cost | searches at the best | not determined |", "|---|---|---|---|---|"]
     for words, law, options in (("hypoplastic", "hypoplastic", ("--start", "published.toml")),
                                 ("hypoplastic, void ratios at p' = 0 as published", "hypoplastic", ("--start", "published.toml", *LIMITS)),
@@ -55,3 +54,7 @@ def karlsruhe(triax) -> str:
         rows.append(f"| {words} | {len(told['parameters'])} | {told['cost']:.1f} | {told['searches']['at_the_best']} of {told['searches']['run']} | "
                     f"{', '.join(f'`{name}`' for name in open_ones) or 'none'} |")
     return "\n".join(rows)
+
+
+def karlsruhe(triax) -> str:
+    return of_others(triax, "calibrate", costs)

@@ -3,7 +3,8 @@
 
 Compression is positive. Units are in the names: q_kPa, time_s; a name without one is a plain number. What is unknown is
 NaN in an array and None elsewhere. What the program would refuse raises BadInput, what fails on the way WorkFailed, with
-the program's own words. Nothing holds the GIL while it computes; Ctrl-C is heeded within a tenth of a second.
+the program's own words. Nothing holds the GIL while it computes; Ctrl-C is heeded within a tenth of a second,
+of query between two rows.
 """
 from ._triax import (DOMAIN_KINDS, OUTCOMES, BadInput, Columns, Database, Domain, ElementRun, Material, Points,
                      ProbedState, ProbeRun, Steps, Test, WorkFailed, __version__, domain, element, materials, probe,

@@ -8,17 +8,12 @@
 #include <cctype>
 #include <filesystem>
 
+#include "lab/base/toml_number.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "src/study/version.hpp"
 
 namespace triax::study {
 namespace {
-
-std::string number_in_toml(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
 
 std::string tests_in_words(const Calibration& c) {
   std::vector<std::string> names;
@@ -76,17 +71,17 @@ std::string table_of(const Calibration& c, const std::string& name, Imposed impo
       "{:.4g} at the start of shear, that of the tests\"\n"
       "void_ratio_range = [{}, {}]\np_eff_range_kPa = [{}, {}]\n",
       lab::toml_quoted(name), lab::toml_quoted(fmt::format("{}, calibrated", c.material.law->name)),
-      lab::toml_quoted(source_of(c)), p.low, p.high, e.low, e.high, number_in_toml(e.low),
-      number_in_toml(e.high), number_in_toml(p.low), number_in_toml(p.high));
+      lab::toml_quoted(source_of(c)), p.low, p.high, e.low, e.high, lab::toml_number(e.low),
+      lab::toml_number(e.high), lab::toml_number(p.low), lab::toml_number(p.high));
   for (const auto& parameter : c.material.law->parameters) {
     const std::string& key = parameter.key;
     if (const auto text = set.texts.find(key); text != set.texts.end())
       out += fmt::format("{} = {}\n", key, text_value(set, key, text->second));
     if (const auto number = set.numbers.find(key); number != set.numbers.end())
-      out += fmt::format("{} = {}{}\n", key, number_in_toml(number->second), remark_on(c, key));
+      out += fmt::format("{} = {}{}\n", key, lab::toml_number(number->second), remark_on(c, key));
     if (const auto list = set.lists.find(key); list != set.lists.end()) {
       std::vector<std::string> values;
-      for (const double value : list->second) values.push_back(number_in_toml(value));
+      for (const double value : list->second) values.push_back(lab::toml_number(value));
       out += fmt::format("{}{} = [{}]\n", list_remark(c, key), key, fmt::join(values, ", "));
     }
   }

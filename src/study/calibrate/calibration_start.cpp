@@ -57,8 +57,11 @@ CalibrationStart begin_with(const StartWish& wish) {
   const std::string file = start.substr(0, end + 5);
   const std::string name = start.size() > file.size() + 1 ? start.substr(file.size() + 1) : "";
   const std::string text = lab::read_text_file(file);
-  if (!is_soil_result(text, file)) return from_file(wish.law, file, name, text);
-  return {first_shipped(wish.law), {}, {}};
+  const auto root = lab::TomlTable::parse(text, file);
+  if (!is_soil_result(root)) return from_file(wish.law, file, name, text);
+  CalibrationStart found{first_shipped(wish.law), lab::shipped_search(wish.law), {}};
+  take_soil_result(found, root);
+  return found;
 }
 
 void keep_only(std::vector<lab::SearchRange>& free, const std::vector<std::string>& wanted) {
@@ -99,11 +102,6 @@ CalibrationStart calibration_start(const StartWish& wish) {
         "{} has no ranges to be searched: give them under [search] in the file of --start, as "
         "\"properties.1\" = [0.1, 0.6]",
         wish.law));
-  if (wish.start.find(".toml") != std::string::npos) {
-    const std::string text =
-        lab::read_text_file(wish.start.substr(0, wish.start.find(".toml") + 5));
-    if (is_soil_result(text, wish.start)) take_soil_result(start, text, wish.start);
-  }
   if (!wish.free.empty()) keep_only(start.free, wish.free);
   for (const auto& [key, value] : wish.fixed) fix(start, key, value);
   return start;

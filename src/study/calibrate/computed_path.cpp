@@ -82,12 +82,15 @@ class Way {
       refusal_ = error.what();
       return 0;
     }
-    state_ = step.state;
-    strain_ += step.strain_increment;
     const bool done =
         step.outcome == sim::StepOutcome::accepted || step.outcome == sim::StepOutcome::inaccurate;
-    if (!done || !std::isfinite(strain_.sum() + state_.stress.sum()))
+    const bool finite =
+        std::isfinite(step.strain_increment.sum() + step.state.stress.sum() + step.done);
+    if (!done || !finite)
       refusal_ = step.message.empty() ? "the conditions cannot be held" : step.message;
+    if (!finite) return 0;  // the way ends where it was
+    state_ = step.state;
+    strain_ += step.strain_increment;
     return done ? 1 : step.done;
   }
 

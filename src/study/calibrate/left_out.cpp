@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "src/study/student.hpp"
 
 namespace triax::study {
 namespace {
@@ -46,12 +49,13 @@ struct Single {
   double degrees = 1;
 };
 
-Single predict(const Misfit& misfit, const Unknowns& x, std::size_t left, double void_ratio_error) {
+Single predict(const Misfit& misfit, const Unknowns& x, std::size_t left, double void_ratio_error,
+               const std::function<bool()>& go_on) {
   const MeasuredPath& path = misfit.paths()[left];
   std::vector<MeasuredPath> others = misfit.paths();
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
   const Misfit rest(misfit.space(), others, misfit.threads(), misfit.driving());
-  const auto refit = least_squares(rest, x, kRefitIterations, [] { return true; });
+  const auto refit = least_squares(rest, x, kRefitIterations, go_on);
   Single one{.told = {.test = path.name,
                       .measured = *path.onset_eta,
                       .measured_error = path.onset_eta_error,
@@ -92,8 +96,13 @@ std::vector<Prediction> predict_left_out(const Misfit& misfit, const Unknowns& x
   if (paths.size() < 2) return {};
   for (std::size_t k = 0; k < paths.size(); ++k) {
     if (!paths[k].onset_eta) continue;
-    if (!go_on(static_cast<double>(k) / static_cast<double>(paths.size()))) break;
-    all.push_back(predict(misfit, x, k, void_ratio_error));
+    const auto still = [&] {
+      return go_on(static_cast<double>(k) / static_cast<double>(paths.size()));
+    };
+    if (!still()) break;
+    auto one = predict(misfit, x, k, void_ratio_error, still);
+    if (!still()) break;  // its refit may not have come to its end
+    all.push_back(std::move(one));
   }
   for (std::size_t k = 0; k < all.size(); ++k)
     if (all[k].told.predicted) widen(all, k);

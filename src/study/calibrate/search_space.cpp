@@ -9,6 +9,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "sim/materials/umat.hpp"
 
 namespace triax::study {
 namespace {
@@ -122,7 +123,13 @@ std::optional<sim::Material> SearchSpace::material(const Unknowns& x, Imposed im
 }
 
 bool SearchSpace::possible(const Unknowns& x) const {
-  return material(x, Imposed::drained).has_value();
+  if (start_.law->name != "umat") return material(x, Imposed::drained).has_value();
+  try {  // the library has been loaded with the start: no process of it for each question
+    sim::check_umat(parameters(x));
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
 }
 
 Unknowns SearchSpace::possible_near(const Unknowns& x) const {

@@ -21,8 +21,6 @@ namespace {
 constexpr double kLeastPressure_Pa = 100, kMostPressure_Pa = 1e8;
 constexpr double kMostStrain = 0.8, kMostVolumetricStrain = 0.5;
 constexpr double kLeastVoidRatio = 0.1, kMostVoidRatio = 5;
-/// ε_v of a closed drainage: no more than instruments say of nothing.
-constexpr double kNoVolumeChange = 1e-5;
 constexpr std::size_t kNumbersOfATest = 4;
 
 [[noreturn]] void refuse(const db::StoredTest& test, const std::string& why) {
@@ -31,7 +29,6 @@ constexpr std::size_t kNumbersOfATest = 4;
 
 struct Shear {
   std::vector<lab::State> states;
-  std::optional<bool> closed;  ///< drainage, where stages say it
   bool constant_q = false;
 };
 
@@ -42,10 +39,7 @@ Shear shear_of(const db::Store& store, const db::StoredTest& test) {
     if (!std::isfinite(state.strain.axial + state.q + state.p_eff)) return;
     shear.states.push_back(state);
     const auto* stage = test.header.stage(state.stage);
-    if (stage == nullptr) return;
-    shear.constant_q |= stage->control == lab::AxialControl::constant_q;
-    if (stage->drainage != lab::Drainage::unknown)
-      shear.closed = shear.closed.value_or(true) && stage->drainage == lab::Drainage::closed;
+    shear.constant_q |= stage != nullptr && stage->control == lab::AxialControl::constant_q;
   });
   return shear;
 }
@@ -55,13 +49,10 @@ bool has_volume(const Shear& shear) {
       shear.states, [](const lab::State& s) { return std::isfinite(s.volumetric_strain); });
 }
 
-Imposed imposed_on(const Shear& shear) {
+Imposed imposed_on(const db::StoredTest& test, const Shear& shear) {
   if (shear.constant_q) return Imposed::stress_path;
-  if (shear.closed) return *shear.closed ? Imposed::undrained : Imposed::drained;
-  if (!has_volume(shear)) return Imposed::undrained;
-  double largest = 0;
-  for (const auto& s : shear.states) largest = std::max(largest, std::abs(s.volumetric_strain));
-  return largest > kNoVolumeChange ? Imposed::drained : Imposed::undrained;
+  return drainage_of_shear(test.header, shear.states) == lab::Drainage::open ? Imposed::drained
+                                                                             : Imposed::undrained;
 }
 
 void check_units(const db::StoredTest& test, const MeasuredPath& path, const Shear& shear) {
@@ -152,7 +143,7 @@ MeasuredPath path_of_test(const db::Store& store, std::int64_t id, const PathOpt
                     .name = test.header.name,
                     .material = test.header.specimen.material,
                     .simulated = test.header.origin == lab::Origin::simulated,
-                    .imposed = imposed_on(shear),
+                    .imposed = imposed_on(test, shear),
                     .void_ratio = *e};
   if (path.imposed != Imposed::undrained && !has_volume(shear))
     refuse(test, "is drained but has no change of volume; leave it out");

@@ -3,8 +3,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+
+#include "src/study/student.hpp"
 
 namespace triax::study {
 namespace {
@@ -120,12 +121,6 @@ std::vector<bool> determined(const Eigen::MatrixXd& a) {
 }
 
 }  // namespace
-
-double student_quantile(double degrees_of_freedom, double confidence) {
-  const boost::math::students_t_distribution<double> t(
-      std::max(degrees_of_freedom, kFewestDegrees));
-  return boost::math::quantile(t, (1 + confidence) / 2);
-}
 
 Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
                            const UncertaintyOptions& options) {

@@ -43,7 +43,4 @@ struct UncertaintyOptions {
 Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
                            const UncertaintyOptions& options = {});
 
-/// Half the width of an interval of this confidence, in standard errors.
-double student_quantile(double degrees_of_freedom, double confidence);
-
 }  // namespace triax::study

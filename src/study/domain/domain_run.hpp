@@ -8,7 +8,7 @@ namespace triax::study {
 
 struct DomainRequest {
   lab::MaterialSet material;
-  DomainSettings::Grid grid;  ///< as check_grid() and possible_criteria() let it pass
+  DomainSettings::Grid grid;  ///< as asked_grid() gives it
   int threads = 0;            ///< 0: all cores; the result does not depend on it
   int piece = 1, pieces = 1;  ///< every `pieces`-th column from this one on, which is from 1
 };

@@ -9,31 +9,43 @@ namespace {
 
 double in_kilopascal(double pa) { return pa / 1e3; }
 
+std::vector<StateColumn> handed_over() {
+  std::vector<StateColumn> columns = state_columns();
+  std::erase_if(columns, [](const StateColumn& column) { return column.heading.empty(); });
+  return columns;
+}
+
 }  // namespace
 
 const std::vector<StateColumn>& state_columns() {
   using S = const lab::State&;
   static const std::vector<StateColumn> columns{
-      {"reading", [](S s) { return static_cast<double>(s.reading); }},
-      {"time_s", [](S s) { return s.time_s; }},
-      {"stage", [](S s) { return static_cast<double>(s.stage); }},
-      {"axial_strain", [](S s) { return s.strain.axial; }},
-      {"volumetric_strain", [](S s) { return s.volumetric_strain; }},
-      {"void_ratio", [](S s) { return s.void_ratio; }},
-      {"current_area_mm2", [](S s) { return s.area_m2 * 1e6; }},
-      {"effective_axial_stress_kPa", [](S s) { return in_kilopascal(s.effective_stress.axial); }},
-      {"effective_radial_stress_kPa", [](S s) { return in_kilopascal(s.effective_stress.radial); }},
-      {"pore_pressure_kPa", [](S s) { return in_kilopascal(s.pore_pressure); }},
-      {"deviator_stress_kPa", [](S s) { return in_kilopascal(s.q); }},
-      {"mean_effective_stress_kPa", [](S s) { return in_kilopascal(s.p_eff); }},
-      {"stress_ratio", [](S s) { return s.eta(); }},
-      {"mobilised_friction_angle_deg", [](S s) { return sim::degrees(s.phi_mob_rad()); }}};
+      {"reading", "reading", [](S s) { return static_cast<double>(s.reading); }},
+      {"time_s", "time_s", [](S s) { return s.time_s; }},
+      {"stage", "stage", [](S s) { return static_cast<double>(s.stage); }},
+      {"axial_strain", "axial_strain", [](S s) { return s.strain.axial; }},
+      {"radial_strain", "", [](S s) { return s.strain.radial; }},
+      {"volumetric_strain", "volumetric_strain", [](S s) { return s.volumetric_strain; }},
+      {"shear_strain", "", [](S s) { return sim::shear_strain(s.strain); }},
+      {"void_ratio", "void_ratio", [](S s) { return s.void_ratio; }},
+      {"current_area_mm2", "current_area_mm2", [](S s) { return s.area_m2 * 1e6; }},
+      {"effective_axial_stress_kPa", "effective_axial_stress_kPa",
+       [](S s) { return in_kilopascal(s.effective_stress.axial); }},
+      {"effective_radial_stress_kPa", "effective_radial_stress_kPa",
+       [](S s) { return in_kilopascal(s.effective_stress.radial); }},
+      {"pore_pressure_kPa", "pore_pressure_kPa",
+       [](S s) { return in_kilopascal(s.pore_pressure); }},
+      {"q_kPa", "deviator_stress_kPa", [](S s) { return in_kilopascal(s.q); }},
+      {"p_eff_kPa", "mean_effective_stress_kPa", [](S s) { return in_kilopascal(s.p_eff); }},
+      {"eta", "stress_ratio", [](S s) { return s.eta(); }},
+      {"phi_mob_deg", "mobilised_friction_angle_deg",
+       [](S s) { return sim::degrees(s.phi_mob_rad()); }}};
   return columns;
 }
 
 std::vector<std::string> state_headings() {
   std::vector<std::string> out;
-  for (const StateColumn& column : state_columns()) out.push_back(column.heading);
+  for (const StateColumn& column : handed_over()) out.push_back(column.heading);
   out.insert(out.end(), {"second_order_work_normalised", "second_order_work_error"});
   return out;
 }
@@ -42,7 +54,7 @@ void for_each_state_row(const db::Store& store, std::int64_t id,
                         const std::function<void(const std::vector<double>&)>& use) {
   const auto points = store.second_order_work(id);
   auto point = points.begin();
-  const auto& columns = state_columns();
+  const auto columns = handed_over();
   std::vector<double> row(columns.size() + 2);
   store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
     for (std::size_t i = 0; i < columns.size(); ++i) row[i] = columns[i].value(state);

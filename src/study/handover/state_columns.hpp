@@ -10,15 +10,16 @@
 namespace triax::study {
 
 struct StateColumn {
-  std::string heading;  ///< "deviator_stress_kPa"
-  /// In the unit of the heading; NaN where it is not known.
+  std::string name;     ///< in the view `states` of the database, and in Python: "q_kPa"
+  std::string heading;  ///< where it is handed over: "deviator_stress_kPa"; empty: it is not
+  /// In the unit of the name; NaN where it is not known.
   double (*value)(const lab::State& state);
 };
 
 /// Reading, time, stage, strains, void ratio, area, stresses, η and φ_mob.
 const std::vector<StateColumn>& state_columns();
 
-/// The headings of state_columns(), then second-order work, normalised and its error.
+/// The headings that state_columns() has, then second-order work, normalised and its error.
 std::vector<std::string> state_headings();
 
 /// Row by row, NaN for what is not known: second-order work stands in the row of the reading at the

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/mechanics/axisymmetric.hpp"
+#include "src/study/student.hpp"
 
 namespace triax::study {
 namespace {
@@ -17,9 +18,7 @@ double friction_angle_deg(double ratio, bool extension) {
 
 }  // namespace
 
-double t_of_95(double degrees) {
-  return boost::math::quantile(boost::math::students_t(degrees), 0.975);
-}
+double t_of_95(double degrees) { return student_quantile(degrees, 0.95); }
 
 double chance_beyond(double t, double degrees) {
   return 2 *

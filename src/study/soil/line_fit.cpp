@@ -105,15 +105,11 @@ double LineFit::correlation() const {
   return var_a > 0 && var_b > 0 ? cov_ab / std::sqrt(var_a * var_b) : 0;
 }
 
-double weight_of(const LineFit& line, const FitPoint& point) {
-  return weight(point, line.b, line.scatter);
-}
-
 double weighted_residuals(const LineFit& line, const std::vector<FitPoint>& points) {
   double sum = 0;
   for (const auto& p : points) {
     const double r = p.y - line.at(p.x);
-    sum += weight_of(line, p) * r * r;
+    sum += weight(p, line.b, line.scatter) * r * r;
   }
   return sum;
 }

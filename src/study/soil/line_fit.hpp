@@ -49,8 +49,6 @@ std::optional<LineFit> fit_line(const std::vector<FitPoint>& points);
 std::optional<LineFit> fit_line_with_scatter(const std::vector<FitPoint>& points, double scatter);
 /// Σ W_i r_i² of the line.
 double weighted_residuals(const LineFit& line, const std::vector<FitPoint>& points);
-/// W_i of the line at that point.
-double weight_of(const LineFit& line, const FitPoint& point);
 
 /// The mean of y likewise, x left out. Its variance is taken from the residuals r themselves, since
 /// errors that are too large for some tests would make it too small: with shares v_i = W_i/ΣW,

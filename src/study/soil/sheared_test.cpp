@@ -12,23 +12,6 @@ namespace {
 
 constexpr std::int64_t kStates = 20000;
 
-/// Of the last stage of shear; what moved says it where the record does not.
-lab::Drainage drainage_of(const ShearedTest& test, const lab::RecordHeader& header) {
-  if (test.states.empty()) return lab::Drainage::unknown;
-  const auto* stage = header.stage(test.states.back().stage);
-  if (stage != nullptr && stage->drainage != lab::Drainage::unknown) return stage->drainage;
-  double least = 0, most = 0;
-  bool known = false;
-  for (const auto& s : test.states) {
-    if (!std::isfinite(s.volumetric_strain)) continue;
-    known = true;
-    least = std::min(least, s.volumetric_strain);
-    most = std::max(most, s.volumetric_strain);
-  }
-  constexpr double kMoved = 1e-3;
-  return known && most - least > kMoved ? lab::Drainage::open : lab::Drainage::closed;
-}
-
 }  // namespace
 
 ShearedTest load_sheared_test(const db::Store& store, std::int64_t id) {
@@ -50,7 +33,7 @@ ShearedTest load_sheared_test(const db::Store& store, std::int64_t id) {
   store.for_each_scan(id, every, [&](const lab::Reading&, const lab::State& state) {
     if (is_shear(header, state.stage)) test.states.push_back(state);
   });
-  test.drainage = drainage_of(test, header);
+  test.drainage = drainage_of_shear(header, test.states);
   if (!test.void_ratio && !test.states.empty() && std::isfinite(test.states.front().void_ratio))
     test.void_ratio = test.states.front().void_ratio;
   return test;

@@ -52,11 +52,6 @@ void set_state_parameters(Soil& soil) {
 
 double CyclicResistance::at_cycles(double n) const { return std::exp(trend.line.at(std::log(n))); }
 
-double Soil::critical_void_ratio(double p_eff_kPa) const {
-  return power_is_better ? critical_power->at(p_eff_kPa)
-                         : critical_line->line.at(std::log(p_eff_kPa));
-}
-
 Soil study_soil(const std::vector<ShearedTest>& tests, const std::string& group,
                 const SoilOptions& options) {
   Soil soil;

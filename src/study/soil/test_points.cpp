@@ -36,8 +36,8 @@ std::vector<CurvePoint> around(const std::vector<CurvePoint>& points, std::size_
   return near;
 }
 
-/// Dilation slows around its largest rate as a parabola does: the slope of a window there is a mean
-/// of rates that are all smaller, by a third of what they are smaller at its ends.
+/// The slope of a straight line through the points around. Where they lie around the largest rate,
+/// it is a mean of rates that are smaller than that one, and is not corrected for it.
 std::optional<Estimate> dilatancy_at(const std::vector<CurvePoint>& points, std::size_t i) {
   std::vector<double> x, y;
   for (const auto& p : around(points, i))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "lab/base/toml_number.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "src/study/soil/soil_json.hpp"
 
@@ -21,17 +22,11 @@ bool list_of_tables(const Json& value) {
   return tables != 0;
 }
 
-std::string number_text_of(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
 std::string inline_value(const Json& value) {
   if (value.is_string()) return lab::toml_quoted(value.get<std::string>());
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number_integer()) return fmt::format("{}", value.get<std::int64_t>());
-  if (value.is_number()) return number_text_of(value.get<double>());
+  if (value.is_number()) return lab::toml_number(value.get<double>());
   std::string parts;
   const auto add = [&](const std::string& part) { parts += (parts.empty() ? "" : ", ") + part; };
   if (value.is_array()) {

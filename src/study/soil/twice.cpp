@@ -3,16 +3,22 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <cmath>
+
+#include "src/study/triaxial/read_again.hpp"
 
 namespace triax::study {
 namespace {
 
+/// A value that is not known in either is no difference.
+bool same_value(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
 bool same_states(const ShearedTest& a, const ShearedTest& b) {
   if (a.states.size() != b.states.size() || a.states.empty()) return false;
   for (std::size_t i = 0; i < a.states.size(); ++i)
-    if (a.states[i].q != b.states[i].q || a.states[i].p_eff != b.states[i].p_eff ||
-        a.states[i].strain.axial != b.states[i].strain.axial)
+    if (!same_value(a.states[i].q, b.states[i].q) ||
+        !same_value(a.states[i].p_eff, b.states[i].p_eff) ||
+        !same_value(a.states[i].strain.axial, b.states[i].strain.axial))
       return false;
   return true;
 }
@@ -22,7 +28,7 @@ bool same(const ShearedTest& a, const ShearedTest& b) {
 }
 
 bool counts_before(const ShearedTest& a, const ShearedTest& b) {
-  return std::pair(a.complete, a.id) > std::pair(b.complete, b.id);
+  return RankOfReading(a.complete, a.id) > RankOfReading(b.complete, b.id);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include "src/study/triaxial/collapse_points.hpp"
@@ -48,6 +49,25 @@ bool is_shear(const lab::RecordHeader& header, int stage) {
   const auto* info = header.stage(stage);
   return info == nullptr || info->role == lab::StageRole::shear ||
          info->role == lab::StageRole::unknown;
+}
+
+lab::Drainage drainage_of_shear(const lab::RecordHeader& header,
+                                const std::vector<lab::State>& states) {
+  constexpr double kMoved = 1e-3;
+  if (states.empty()) return lab::Drainage::unknown;
+  auto said = lab::Drainage::unknown;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const auto& state : states) {
+    const auto* stage = header.stage(state.stage);
+    if (stage != nullptr && stage->drainage != lab::Drainage::unknown &&
+        said != lab::Drainage::open)
+      said = stage->drainage;
+    if (!std::isfinite(state.volumetric_strain)) continue;
+    least = std::min(least, state.volumetric_strain);
+    most = std::max(most, state.volumetric_strain);
+  }
+  if (said != lab::Drainage::unknown) return said;
+  return most - least > kMoved ? lab::Drainage::open : lab::Drainage::closed;
 }
 
 ShearSeries shear_series(const std::vector<TestResult>& tests) {

@@ -14,6 +14,13 @@ namespace triax::study {
 /// True for a stage of shear, and where the record does not say what the stage was.
 bool is_shear(const lab::RecordHeader& header, int stage);
 
+/// Of a shear with these states. Closed where every stage of them whose drainage is known was
+/// closed: one that was open for a while has another void ratio. Where the record does not say it,
+/// what moved does: closed where ε_v moves by a thousandth at most, or is not known. Unknown
+/// without states.
+lab::Drainage drainage_of_shear(const lab::RecordHeader& header,
+                                const std::vector<lab::State>& states);
+
 struct SeriesTest {
   std::string name;
   std::vector<lab::State> states;     ///< of shear, in order

@@ -108,3 +108,44 @@ critical_slope = { value = 0.08, error = 0.01, low = 0.06, high = 0.1, tests = 6
   CHECK(range_called(norsand, "critical_stress_ratio")->prior->value == 1.33);
   CHECK_FALSE(range_called(norsand, "hardening_modulus")->prior);
 }
+
+TEST_CASE("a measured slope keeps its pressure, and what the law refuses is not taken") {
+  const TextFile file("calibration_soil_line_test.toml", R"(kind = "soil"
+[critical_state_line.log_linear]
+lambda = { value = -0.004, error = 0.02, low = -0.05, high = 0.04, tests = 6 }
+[critical_state_line.power]
+critical_void_ratio = { value = 1.04, error = 0.02, low = 1.0, high = 1.08, tests = 6 }
+critical_slope = { value = 0.004, error = 0.001, low = 0.002, high = 0.006, tests = 6 }
+critical_pressure_kPa = 50.0
+)");
+  const auto norsand = calibration_start({.law = "norsand", .start = file.path});
+  CHECK(norsand.set.parameters.numbers.at("critical_pressure_kPa") == 50);
+  CHECK(norsand.set.parameters.numbers.at("critical_slope") == 0.004);
+  // The range is wider than it ships, and of ratios as it was.
+  CHECK(range_called(norsand, "critical_slope")->low == 0.004);
+  CHECK(range_called(norsand, "critical_slope")->in_logarithm);
+
+  const auto usual = calibration_start({.law = "sanisand"});
+  const auto sanisand = calibration_start({.law = "sanisand", .start = file.path});
+  CHECK(sanisand.set.parameters.numbers == usual.set.parameters.numbers);
+  REQUIRE(sanisand.notes.size() == 1);
+  CHECK_THAT(sanisand.notes[0], Contains("its pressure is 50 kPa, atmospheric_pressure_kPa 100"));
+
+  const auto clay = calibration_start({.law = "cam_clay", .start = file.path});
+  CHECK(clay.set.parameters.numbers.at("compression_slope") > 0);
+  CHECK(range_called(clay, "compression_slope")->low > 0);
+  REQUIRE(clay.notes.size() == 1);
+  CHECK_THAT(clay.notes[0], Contains("compression_slope -0.004 ± 0.02") && Contains("not taken"));
+}
+
+TEST_CASE("a range that a measured value widens beyond ratios is searched in steps") {
+  const TextFile file("calibration_soil_zero_test.toml", R"(kind = "soil"
+[critical_state_line.power]
+critical_slope = { value = 0.0, error = 0.01, low = -0.02, high = 0.02, tests = 6 }
+critical_pressure_kPa = 100.0
+)");
+  const auto start = calibration_start({.law = "sanisand", .start = file.path});
+  CHECK(range_called(start, "critical_slope")->low == 0);
+  CHECK_FALSE(range_called(start, "critical_slope")->in_logarithm);
+  CHECK_NOTHROW(SearchSpace(start.set, start.free));
+}

@@ -121,6 +121,16 @@ TEST_CASE("a parameter that the tests do not determine is named, the others hold
   c.tests = {{Imposed::drained, 100, 0.8}, {Imposed::drained, 100, 0.8}};
   c.truth = {{"young_modulus_kPa", 33e3}, {"friction_angle_deg", 31}, {"dilation_angle_deg", 4}};
   CHECK(std::ranges::all_of(calibrate(request_of(c)).parameters, &ParameterEstimate::determined));
+  c.truth.emplace_back("pressure_exponent", 0.4);
+  const auto pair = calibrate(request_of(c));
+  REQUIRE(pair.parameters.size() == 4);
+  for (const auto& p : pair.parameters) {
+    INFO(p.key);
+    if (p.key == "friction_angle_deg" || p.key == "dilation_angle_deg") CHECK(p.determined);
+  }
+  CHECK(std::ranges::any_of(pair.parameters, [](const auto& p) {
+    return !p.determined && (p.key == "young_modulus_kPa" || p.key == "pressure_exponent");
+  }));
   Case undetermined = kCases[4];
   undetermined.truth = {{"critical_stress_ratio", 1.22}, {"critical_exponent", 0.4}};
   undetermined.tests = {{Imposed::drained, 100, 0.85}};
@@ -129,6 +139,28 @@ TEST_CASE("a parameter that the tests do not determine is named, the others hold
   const auto found = calibrate(request_of(undetermined));
   CHECK(found.parameters[0].determined);
   CHECK(found.parameters[0].value == Approx(1.22).epsilon(0.01));
+}
+
+TEST_CASE("how many readings a test has does not move the parameters, where the law does not fit") {
+  const auto soil = lab::find_material("hypoplastic/Toyoura-HG99");
+  const auto start = lab::find_material("mohr_coulomb/Hostun-loose");
+  const auto found = [&](int readings) {
+    CalibrationRequest request{.start = start, .searches = 1, .seed = 1, .threads = 2};
+    for (const auto& range : lab::shipped_search("mohr_coulomb"))
+      if (range.key == "young_modulus_kPa" || range.key == "friction_angle_deg")
+        request.free.push_back(range);
+    std::mt19937_64 dice(1);
+    for (const double p_kPa : {100, 300})
+      request.paths.push_back(
+          bench::virtual_path(soil, {Imposed::drained, p_kPa, 0.8}, {}, dice, readings));
+    return calibrate(request);
+  };
+  const auto few = found(50), many = found(10000);
+  CHECK(many.cost > 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    INFO(few.parameters[i].key);
+    CHECK(few.parameters[i].value == Approx(many.parameters[i].value).epsilon(0.01));
+  }
 }
 
 TEST_CASE("stopped at once, a calibration gives the best it has and says so") {

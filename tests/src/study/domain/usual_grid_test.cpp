@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/src/sample_domain.hpp"
+#include "lab/base/bad_input.hpp"
 
 using namespace triax;
 
@@ -25,12 +25,21 @@ TEST_CASE("the usual grid stays within what a set is for, up to its limit surfac
 }
 
 TEST_CASE("localisation is possible for a law with tangents of the full tensor, where asked for") {
-  const auto grid = study::sample_domain({}).settings.grid;
   const auto inl2 = lab::find_material("inl2/S28-general");
   const auto norsand = lab::find_material("norsand/S28-MT");
+  const auto wish = [](std::vector<std::string> criteria) {
+    return study::GridWish{.p = {10, 300, 4},
+                           .q = {0, 400, 4},
+                           .void_ratio = 0.9,
+                           .plane = "axisymmetric",
+                           .directions = 0,
+                           .criteria = std::move(criteria)};
+  };
   using Names = std::vector<std::string>;
-  CHECK(study::possible_criteria(inl2, grid, {}) == Names{"determinant"});
-  CHECK(study::possible_criteria(inl2, grid, {"localisation"}) ==
+  CHECK(study::asked_grid(inl2, wish({}), {}).criteria == Names{"determinant"});
+  CHECK(study::asked_grid(inl2, wish({"localisation"}), {}).criteria ==
         Names{"determinant", "localisation"});
-  CHECK(study::possible_criteria(norsand, grid, {"localisation"}) == Names{"determinant"});
+  CHECK(study::asked_grid(norsand, wish({}), {}).criteria == Names{"determinant"});
+  CHECK_THROWS_WITH(study::asked_grid(norsand, wish({"localisation"}), {"--plane ", "--"}),
+                    Catch::Contains("--localisation needs the full tensor"));
 }

@@ -92,6 +92,17 @@ TEST_CASE("The same test twice counts once, whatever it is called") {
   CHECK(soil.critical_ratio->fit.mean.tests == 6);
 }
 
+TEST_CASE("Values that are not known do not make a test another one") {
+  auto tests = campaign();
+  tests[1].states[3].p_eff = lab::kMissing;
+  tests.push_back(tests[1]);
+  tests.back().id = 7;
+  tests.back().name = "again";
+  CHECK_FALSE(study::study_soil(tests, "sand").tests[1].used);
+  tests.back().states[3].p_eff = 1e5;
+  CHECK(study::study_soil(tests, "sand").tests[1].used);
+}
+
 TEST_CASE("Tests without void ratio are told and count for M") {
   auto tests = campaign();
   for (auto& test : tests) {

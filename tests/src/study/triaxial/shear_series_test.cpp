@@ -2,6 +2,7 @@
 #include "src/study/triaxial/shear_series.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/src/sample_tests.hpp"
 
@@ -18,6 +19,33 @@ TEST_CASE("a stage counts as shear where it is said, and where nothing is said o
   CHECK_FALSE(is_shear(header, 1));
   CHECK(is_shear(header, 2));
   CHECK(is_shear(header, 3));
+}
+
+TEST_CASE("the drainage of a shear is what its stages say, and what moved where they do not") {
+  using lab::Drainage;
+  lab::RecordHeader header;
+  header.stages = {{.number = 1, .name = "?"},
+                   {.number = 2, .name = "o", .drainage = Drainage::open},
+                   {.number = 3, .name = "c", .drainage = Drainage::closed}};
+  const auto shear = [](std::vector<std::pair<int, double>> of) {
+    std::vector<lab::State> states(of.size());
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      states[i].stage = of[i].first;
+      states[i].volumetric_strain = of[i].second;
+    }
+    return states;
+  };
+  const auto of = [&](std::vector<std::pair<int, double>> states) {
+    return drainage_of_shear(header, shear(std::move(states)));
+  };
+  CHECK(of({}) == Drainage::unknown);
+  CHECK(of({{1, 0}, {3, 0.1}}) == Drainage::closed);
+  CHECK(of({{2, 0}, {2, 0}}) == Drainage::open);
+  CHECK(of({{2, 0}, {3, 0.02}}) == Drainage::open);
+  CHECK(of({{1, 0}, {1, 0.0011}}) == Drainage::open);
+  CHECK(of({{1, 0}, {1, -9e-4}}) == Drainage::closed);
+  CHECK(of({{1, 0.03}, {1, 0.0301}}) == Drainage::closed);  // what consolidation left
+  CHECK(of({{1, std::nan("")}, {1, std::nan("")}}) == Drainage::closed);
 }
 
 TEST_CASE("a series leaves out other stages than shear") {
