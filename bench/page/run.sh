@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 [[ ${TRIAX_BUILT:-} ]] || tools/build release triax bench_make_record bench_recorder_timing >/dev/null
 work=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$work"' EXIT
 status=0
 held() { "$@" || { local ended=$?; ((ended == 1)) || exit "$ended"; status=1; }; }  # 1: a bound is not held
 part() { held python3 "bench/page/$1.py" "$2" build/release/triax "$work" "${@:3}"; }

@@ -16,7 +16,7 @@ minutes=${3:-10}
 scans=${4:-400}
 [[ ${TRIAX_BUILT:-} ]] || tools/build release bench_bare_echo bench_seven_meters scpi_station triax >/dev/null
 work=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$work"' EXIT
 build/release/tests/wire/scpi_station >"$work/ours" &
 build/release/bench/bench_bare_echo >"$work/echo" &
 python3 bench/wire/stand_in.py >"$work/python" &
