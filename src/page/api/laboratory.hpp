@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "src/page/api/column_cache.hpp"
 #include "src/page/api/desk.hpp"
@@ -16,8 +17,8 @@
 namespace triax::src {
 
 struct PageLaboratory {
-  PageLaboratory(const std::string& database, const std::string& rig_file)
-      : db(database), rig(rig_file), live(database) {}
+  PageLaboratory(const std::string& database, std::string rig_file)
+      : db(database), rig(std::move(rig_file)), live(database) {}
 
   std::string db;
   std::string rig;                                         ///< file of instruments; empty: none

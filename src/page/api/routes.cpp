@@ -30,7 +30,7 @@ PageAnswer live_of(PageLaboratory& laboratory, const PageRequest& request, std::
   return {.live = LiveStart{laboratory.live.feed_of(test), std::move(after)}};
 }
 
-constexpr Route kRoutes[] = {
+constexpr auto kRoutes = std::to_array<Route>({
     {false, "api/tests", [](auto& l, auto&, auto) { return list_of_tests(l); }},
     {false, "api/tests/#", [](auto& l, auto&, auto id) { return test_of(l, id); }},
     {false, "api/tests/#/outline", [](auto& l, auto&, auto id) { return outline_of(l, id); }},
@@ -53,7 +53,7 @@ constexpr Route kRoutes[] = {
     {false, "api/materials", [](auto&, auto&, auto) { return list_of_materials(); }},
     {true, "api/probe", [](auto&, auto& r, auto) { return probe(r.body); }},
     {true, "api/domain", [](auto& l, auto& r, auto) { return domain(r.body, l.ending); }},
-};
+});
 
 /// Whether the path is that of the route; `test` is what stands for "#".
 bool fits(const Route& route, const std::vector<std::string>& path, std::int64_t& test) {

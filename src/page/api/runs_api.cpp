@@ -33,7 +33,7 @@ std::vector<lab::TomlEdit> edits_of(const Json& body) {
 
 /// One line of people's text.
 std::string who_of(const Json& body) {
-  const std::string who(lab::trimmed(text_in(body, "who")));
+  std::string who(lab::trimmed(text_in(body, "who")));
   constexpr std::size_t kMost = 100;
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
   if (who.empty() || who.size() > kMost || !lab::is_utf8(who) ||

@@ -35,6 +35,7 @@ std::string in_brackets(const std::string& name) {
 std::vector<std::string> names_of(const std::vector<std::string>& listen) {
   if (listen.empty()) return {"127.0.0.1", "localhost", "[::1]"};
   std::vector<std::string> names;
+  names.reserve(listen.size());
   for (const std::string& name : listen) names.push_back(in_brackets(name));
   return names;
 }
