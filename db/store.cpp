@@ -16,6 +16,7 @@
 #include "db/scans/scan_codec.hpp"
 #include "db/summary_reader.hpp"
 #include "db/test_reader.hpp"
+#include "db/test_rows.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 
@@ -145,6 +146,9 @@ struct Store::Impl {
     }
   }
 
+  [[noreturn]] void no_test(std::int64_t id) const {
+    throw lab::BadInput(path, 0, "there is no test " + std::to_string(id));
+  }
   std::int64_t find_one(const std::string& name) const;
   std::int64_t find_by_short_name(const std::string& name) const;
   /// For messages: of the last twenty tests.
@@ -215,10 +219,28 @@ std::vector<std::int64_t> Store::find(const std::vector<std::string>& names) con
 StoredTest Store::load(std::int64_t id) const {
   return impl_->guarded([&] {
     StoredTest test = read_test(impl_->database, id);
-    if (test.id == 0) throw lab::BadInput(impl_->path, 0, "there is no test " + std::to_string(id));
+    if (test.id == 0) impl_->no_test(id);
     if (const auto& onset = test.summary.collapse.onset)
       test.state_at_onset = state_at(id, onset->reading);
     return test;
+  });
+}
+
+TestVersion Store::version(std::int64_t id) const {
+  return impl_->guarded([&] {
+    std::optional<TestVersion> found;
+    for_rows(impl_->database, id,
+             "SELECT s.status, t.stored_at, t.digest, s.readings "
+             "FROM tests t JOIN seen_tests s ON s.test_id = t.id WHERE t.id = ?",
+             [&found](Columns& c) {
+               found.emplace();
+               found->status = status_of(c.text());
+               found->stored_at = c.text();
+               found->digest = c.text();
+               found->readings = c.integer().value_or(0);
+             });
+    if (!found) impl_->no_test(id);
+    return *found;
   });
 }
 

@@ -56,6 +56,14 @@ struct StoredTest {
   std::optional<lab::State> state_at_onset{};
 };
 
+/// What tells whether a test is still what it was when something was made of it.
+struct TestVersion {
+  TestStatus status = TestStatus::running;
+  std::string stored_at;  ///< as in StoredTest
+  std::string digest;     ///< of the record
+  std::int64_t readings = 0;
+};
+
 /// Reads a database of tests (the Recorder writes it), also while it is written. One thread at a
 /// time.
 class Store {
@@ -73,6 +81,8 @@ class Store {
   /// 26") as long as one name is meant. Throws lab::BadInput otherwise.
   std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
   StoredTest load(std::int64_t id) const;
+  /// One row of it, where load() reads all that was said of the test.
+  TestVersion version(std::int64_t id) const;
 
   /// Every scan of a test in order, bit for bit as recorded but for Reading::line, which is not
   /// kept (0); `every` > 1 gives only readings whose number it divides (figures of long tests).

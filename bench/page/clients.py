@@ -10,6 +10,15 @@ import time
 import urllib.parse
 
 
+def held(bounds):
+    """What is asked, of WHAT: WHETHER it holds. Ends with 1 where one does not."""
+    print(f"    asked: {', '.join(bounds)}")
+    broken = [what for what, holds in bounds.items() if not holds]
+    if broken:
+        print(f"NOT held: {', '.join(broken)}", file=sys.stderr)
+        sys.exit(1)
+
+
 def share(values, part):
     values = sorted(values)
     return values[round(part * (len(values) - 1))]

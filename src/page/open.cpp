@@ -50,6 +50,7 @@ void run_open(const OpenOptions& o) {
   PageServer server({.listen = o.listen,
                      .port = o.port,
                      .upload_folder = folder.empty() ? "." : folder,
+                     .is_urgent = is_order,
                      .answer = [&laboratory](const PageRequest& request) {
                        return answer(laboratory, request);
                      }});
@@ -76,7 +77,9 @@ Command open_command() {
            "draws them while they run. Everything is inside the program: no other server, nothing "
            "from elsewhere.",
            "The address works once and lets one browser in; that browser can ask for another "
-           "address. Nobody else on this machine or elsewhere is given anything.",
+           "address. Who has neither is given nothing; but a browser sends what lets it in to "
+           "every server of this machine that it visits, whatever its port: leave servers of other "
+           "people on this machine alone with that browser.",
            "With RIG.toml programmes can be run on the instruments of that rig as `triax run` "
            "does. A test that another triax records into the same database is shown while it "
            "runs.",

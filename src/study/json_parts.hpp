@@ -23,5 +23,7 @@ Json json_text(const std::string& value);
 Json json_material(const lab::MaterialSet& material);
 /// The document as it is printed, its line ended.
 std::string json_document(const Json& document);
+/// The same in one line that is not ended, for programs.
+std::string json_line(const Json& document);
 
 }  // namespace triax::study

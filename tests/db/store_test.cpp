@@ -136,6 +136,11 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   const db::StoredTest test = store.load(id);
   CHECK(test.status == db::TestStatus::complete);
   CHECK(test.stored_at.size() == 20);
+  const db::TestVersion version = store.version(id);
+  CHECK(version.status == test.status);
+  CHECK(version.stored_at == test.stored_at);
+  CHECK(version.digest == test.header.digest);
+  CHECK(version.readings == test.summary.readings);
   CHECK(test.header.name == "csu 26");
   CHECK(test.header.origin == lab::Origin::simulated);
   CHECK(test.header.seed == header.seed);
@@ -255,6 +260,7 @@ TEST_CASE("tests are found by name, latest first, or by id") {
   CHECK(store.find({"a", "b", "2", "1"}) == std::vector<std::int64_t>{3, 2, 2, 4});
   CHECK_THROWS_AS(store.find({"c"}), lab::BadInput);
   CHECK_THROWS_AS(store.load(77), lab::BadInput);
+  CHECK_THROWS_AS(store.version(77), lab::BadInput);
 }
 
 TEST_CASE("a short name is enough where it can mean one test only") {

@@ -37,7 +37,12 @@ def apparatus(triax) -> str:
 
 def wire(triax) -> str:
     """On an otherwise quiet machine: it measures milliseconds."""
-    return timed(triax, "bench/wire/run.sh 20000 5 3")
+    return timed(triax, "bench/wire/run.sh")
+
+
+def page(triax) -> str:
+    """On an otherwise quiet machine, with chromium: it measures milliseconds. An hour and a quarter."""
+    return timed(triax, "bench/page/run.sh")
 
 
 def grains(triax) -> str:

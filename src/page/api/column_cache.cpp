@@ -46,8 +46,8 @@ void ColumnCache::with(std::int64_t test, const std::string& version,
                   "this test has too many readings to be drawn here; `triax report` "
                   "draws tests of any length");
   if (needed > kept->bytes) {
-    kept->share = {};
-    kept->share = room_for(needed, kept.get());
+    // What is held already stays paid for where there is no room for more.
+    kept->share.add(room_for(needed - kept->bytes, kept.get()));
     kept->bytes = needed;
   }
   use(kept->columns);

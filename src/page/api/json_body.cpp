@@ -54,6 +54,13 @@ std::optional<double> number_in(const Json& body, const char* key) {
   return found->get<double>();
 }
 
+bool flag_in(const Json& body, const char* key) {
+  const auto found = body.find(key);
+  if (found == body.end() || found->is_null()) return false;
+  if (!found->is_boolean()) refuse(key, "true or false");
+  return found->get<bool>();
+}
+
 std::vector<double> numbers_in(const Json& body, const char* key) {
   const auto found = body.find(key);
   if (found == body.end() || found->is_null()) return {};

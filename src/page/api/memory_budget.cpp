@@ -18,6 +18,13 @@ MemoryBudget::Share& MemoryBudget::Share::operator=(Share&& other) noexcept {
   return *this;
 }
 
+void MemoryBudget::Share::add(Share more) {
+  if (of_ == nullptr)
+    *this = std::move(more);
+  else if (std::exchange(more.of_, nullptr) != nullptr)
+    bytes_ += more.bytes_;
+}
+
 MemoryBudget::Share MemoryBudget::take(std::size_t bytes) {
   std::size_t taken = taken_;
   do {

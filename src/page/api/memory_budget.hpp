@@ -18,6 +18,8 @@ class MemoryBudget {
     Share& operator=(Share&& other) noexcept;
     ~Share() { give_back(); }
     explicit operator bool() const { return of_ != nullptr; }
+    /// This one becomes as much larger. Pre-condition: of the same budget, where neither is empty.
+    void add(Share more);
 
    private:
     friend class MemoryBudget;

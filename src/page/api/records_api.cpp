@@ -148,7 +148,7 @@ PageAnswer take_record(PageLaboratory& laboratory, const PageRequest& request) {
   } catch (const lab::BadInput& error) {
     answer["error"] = error.what();
   }
-  return json_answer(answer.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return json_answer(study::json_line(answer));
 }
 
 }  // namespace triax::src

@@ -2,6 +2,7 @@
 #include "src/page/api/routes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -29,7 +30,7 @@ PageAnswer live_of(PageLaboratory& laboratory, const PageRequest& request, std::
   return {.live = LiveStart{laboratory.live.feed_of(test), std::move(after)}};
 }
 
-constexpr Route kRoutes[] = {
+constexpr auto kRoutes = std::to_array<Route>({
     {false, "api/tests", [](auto& l, auto&, auto) { return list_of_tests(l); }},
     {false, "api/tests/#", [](auto& l, auto&, auto id) { return test_of(l, id); }},
     {false, "api/tests/#/outline", [](auto& l, auto&, auto id) { return outline_of(l, id); }},
@@ -51,8 +52,8 @@ constexpr Route kRoutes[] = {
     {false, "api/programmes", [](auto&, auto&, auto) { return list_of_programmes(); }},
     {false, "api/materials", [](auto&, auto&, auto) { return list_of_materials(); }},
     {true, "api/probe", [](auto&, auto& r, auto) { return probe(r.body); }},
-    {true, "api/domain", [](auto&, auto& r, auto) { return domain(r.body); }},
-};
+    {true, "api/domain", [](auto& l, auto& r, auto) { return domain(r.body, l.ending); }},
+});
 
 /// Whether the path is that of the route; `test` is what stands for "#".
 bool fits(const Route& route, const std::vector<std::string>& path, std::int64_t& test) {
@@ -90,6 +91,13 @@ PageAnswer file_called(std::string_view name) {
 }
 
 }  // namespace
+
+bool is_order(const PageRequest& request) {
+  const auto& path = request.target.path;
+  constexpr std::array<std::string_view, 3> kOrders = {"hold", "resume", "stop"};
+  return request.post && request.target.begins("api", "runs") && path.size() == 4 &&
+         std::ranges::find(kOrders, path[3]) != kOrders.end();
+}
 
 PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request) {
   const auto& path = request.target.path;

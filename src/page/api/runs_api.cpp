@@ -33,7 +33,7 @@ std::vector<lab::TomlEdit> edits_of(const Json& body) {
 
 /// One line of people's text.
 std::string who_of(const Json& body) {
-  const std::string who(lab::trimmed(text_in(body, "who")));
+  std::string who(lab::trimmed(text_in(body, "who")));
   constexpr std::size_t kMost = 100;
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
   if (who.empty() || who.size() > kMost || !lab::is_utf8(who) ||
@@ -56,7 +56,7 @@ PageAnswer begin_run(PageLaboratory& laboratory, const std::string& body) {
   run.speed = number_in(asked, "speed").value_or(0);
   if (!(run.speed >= 0) || !(run.speed <= 1e9))
     throw Refused(400, "speed: expected how many times faster than the clock, or 0 for any");
-  if (asked.value("rig", false)) {
+  if (flag_in(asked, "rig")) {
     if (laboratory.rig.empty())
       throw Refused(409, "triax open was started without a rig: `triax open RIG.toml`");
     run.rig = laboratory.rig;

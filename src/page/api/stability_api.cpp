@@ -5,6 +5,7 @@
 
 #include <mutex>
 
+#include "lab/base/bad_input.hpp"
 #include "src/domain/domain_options.hpp"
 #include "src/element/material_report.hpp"
 #include "src/page/api/json_body.hpp"
@@ -59,7 +60,7 @@ PageAnswer probe(const std::string& body) {
   return json_answer(probe_json(study::run_probe(probe_request(o))));
 }
 
-PageAnswer domain(const std::string& body) {
+PageAnswer domain(const std::string& body, const std::atomic<bool>& ending) {
   static std::mutex one_at_a_time;
   const Json asked = json_body(body);
   DomainOptions o;
@@ -74,8 +75,11 @@ PageAnswer domain(const std::string& body) {
   grid.rows = rows;
   const std::unique_lock lock(one_at_a_time, std::try_to_lock);
   if (!lock) throw Refused(503, "another domain is being computed; ask again in a while");
+  const auto look = [&ending](const std::string&, double) {
+    if (ending) throw lab::WorkFailed("triax open was ended while the domain was computed");
+  };
   return json_answer(study::domain_json(study::run_domain(
-      {.material = material, .grid = grid, .threads = 1, .piece = 1, .pieces = 1})));
+      {.material = material, .grid = grid, .threads = 1, .piece = 1, .pieces = 1}, look)));
 }
 
 }  // namespace triax::src

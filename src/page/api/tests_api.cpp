@@ -8,6 +8,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "src/study/json_parts.hpp"
+#include "src/study/triaxial/event_json.hpp"
 #include "src/study/triaxial/window.hpp"
 #include "src/triaxial/content.hpp"
 #include "src/triaxial/json_report.hpp"
@@ -17,13 +18,11 @@ namespace {
 
 using study::Json;
 
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-db::StoredTest loaded(const db::Store& store, std::int64_t id) {
+/// What the store has of a test.
+template <class Of>
+Of found(const db::Store& store, std::int64_t id, Of (db::Store::*read)(std::int64_t) const) {
   try {
-    return store.load(id);
+    return (store.*read)(id);
   } catch (const lab::BadInput& error) {
     throw Refused(404, error.what());
   }
@@ -52,17 +51,12 @@ std::string version_of(const db::ListedTest& test) {
 std::string summary_of(PageLaboratory& laboratory, const db::Store& store,
                        const db::ListedTest& listed) {
   return laboratory.summaries.of(listed.id, version_of(listed),
-                                 [&] { return text_of(in_short(store.load(listed.id))); });
+                                 [&] { return study::json_line(in_short(store.load(listed.id))); });
 }
 
 Json stages_json(const lab::RecordHeader& header) {
   Json list = Json::array();
-  for (const lab::StageInfo& stage : header.stages)
-    list.push_back({{"number", stage.number},
-                    {"name", study::json_text(stage.name)},
-                    {"role", to_string(stage.role)},
-                    {"drainage", to_string(stage.drainage)},
-                    {"control", to_string(stage.control)}});
+  for (const lab::StageInfo& stage : header.stages) list.push_back(study::stage_json(stage));
   return list;
 }
 
@@ -104,20 +98,25 @@ std::int64_t number_asked(const Target& target, std::string_view name, std::int6
   return *number;
 }
 
-PageAnswer cut(PageLaboratory& laboratory, std::int64_t id, study::WindowAsked asked) {
-  const db::Store store(laboratory.db);
-  const db::StoredTest test = loaded(store, id);
+/// What must not have changed for columns that were read to stand: with its end a test has readings
+/// that it had not while it ran.
+std::string columns_version_of(const db::TestVersion& test) {
+  return test.stored_at + '\n' + test.digest + '\n' + std::string(to_string(test.status));
+}
+
+PageAnswer cut(PageLaboratory& laboratory, const db::Store& store, std::int64_t id,
+               const db::TestVersion& test, const study::WindowAsked& asked) {
   const bool grows = test.status == db::TestStatus::running;
   const auto scans =
-      static_cast<std::size_t>(test.status == db::TestStatus::complete ? test.summary.readings
+      static_cast<std::size_t>(test.status == db::TestStatus::complete ? test.readings
                                                                        : store.scan_count(id)) *
       (grows ? 2 : 1);
   constexpr std::size_t kOfWork = std::size_t{1} << 20;
   PageAnswer answer;
   laboratory.columns.with(
-      id, test.stored_at + '\n' + test.header.digest,
+      id, columns_version_of(test),
       [&](const study::TestColumns& columns) {
-        return columns.bytes_with(asked.columns, scans) + kOfWork;
+        return columns.bytes_with(asked.columns, asked.work, scans) + kOfWork;
       },
       [&](study::TestColumns& columns) {
         columns.read(store, asked.columns, grows);
@@ -142,12 +141,13 @@ PageAnswer list_of_tests(PageLaboratory& laboratory) {
     }
   }
   return json_answer(json + "],\"running\":[" + running +
-                     "],\"rig\":" + (laboratory.rig.empty() ? "false" : "true") + '}');
+                     "],\"rig\":" + (laboratory.rig.empty() ? "false" : "true") +
+                     ",\"record_bytes\":" + std::to_string(laboratory.record_bytes) + '}');
 }
 
 PageAnswer test_of(PageLaboratory& laboratory, std::int64_t id) {
   const db::Store store(laboratory.db);
-  const study::TestResult result{loaded(store, id), {}};
+  const study::TestResult result{found(store, id, &db::Store::load), {}};
   const TestContent content = test_content(result);
   Json document = test_document(result.stored);
   document["stages"] = stages_json(result.stored.header);
@@ -159,19 +159,20 @@ PageAnswer test_of(PageLaboratory& laboratory, std::int64_t id) {
   document["live"] = {{"running", result.stored.status == db::TestStatus::running},
                       {"controlled", run.controlled},
                       {"held", run.held}};
-  return json_answer(text_of(document));
+  return json_answer(study::json_line(document));
 }
 
 PageAnswer outline_of(PageLaboratory& laboratory, std::int64_t id) {
   constexpr std::int64_t kAll = std::int64_t{1} << 32;
-  const auto test = loaded(db::Store(laboratory.db), id);
+  const db::Store store(laboratory.db);
+  const auto test = found(store, id, &db::Store::version);
   const auto made = [&] {
-    return cut(laboratory, id,
+    return cut(laboratory, store, id, test,
                {.from = 0, .to = kAll, .pixels = 24, .columns = columns_asked("q_kPa,p_eff_kPa")})
         .body;
   };
   if (test.status != db::TestStatus::complete) return json_answer(made());
-  return json_answer(laboratory.outlines.of(id, test.stored_at + test.header.digest, made));
+  return json_answer(laboratory.outlines.of(id, columns_version_of(test), made));
 }
 
 PageAnswer window_of(PageLaboratory& laboratory, std::int64_t id, const Target& target) {
@@ -183,7 +184,8 @@ PageAnswer window_of(PageLaboratory& laboratory, std::int64_t id, const Target& 
   asked.columns = columns_asked(target.value("columns").value_or(
       "time_s,stage,axial_strain,volumetric_strain,q_kPa,p_eff_kPa,pore_pressure_kPa"));
   asked.work = target.value("work").value_or("0") == "1";
-  return cut(laboratory, id, std::move(asked));
+  const db::Store store(laboratory.db);
+  return cut(laboratory, store, id, found(store, id, &db::Store::version), asked);
 }
 
 }  // namespace triax::src

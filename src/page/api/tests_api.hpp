@@ -6,7 +6,7 @@
 
 namespace triax::src {
 
-/// All tests in short, and which of them run.
+/// All tests in short, which of them run, and how long a record may be that is sent.
 PageAnswer list_of_tests(PageLaboratory& laboratory);
 /// The document of `report --json` with stages, facts, columns and whether this program runs it.
 PageAnswer test_of(PageLaboratory& laboratory, std::int64_t id);

@@ -36,6 +36,7 @@ std::string_view field(const http::fields& fields, std::string_view name) {
 RequestHead head_of(const http::request<http::empty_body>& request, const Target& target) {
   RequestHead head;
   head.post = request.method() == http::verb::post;
+  head.api = target.begins("api");
   head.host = field(request, "Host");
   head.cookie = field(request, "Cookie");
   head.site = field(request, "Sec-Fetch-Site");
@@ -62,11 +63,12 @@ PageAnswer turned_away(Gate::Ruling ruling) {
     case Gate::Ruling::no_field:
       return text_answer(403, "Changes need the header X-Triax: 1.");
     default:
-      return text_answer(401,
-                         "This browser has not been let in, or triax open was started anew.\n"
-                         "Open the address that triax open printed when it was started; it works "
-                         "once. In a browser that is in already, \"another browser\" gives a new "
-                         "one.");
+      return text_answer(
+          401,
+          "This browser has not been let in, or triax open was started anew.\n"
+          "Open the address that triax open printed when it was started; it works "
+          "once. A browser that is in already gives a new one: \"Address for another "
+          "browser\", at the foot of the page.");
   }
 }
 
@@ -121,6 +123,7 @@ asio::awaitable<bool> PageConnection::serve_one() {
   if (error) co_return co_await send(error_answer(400, "this is no request of HTTP/1.1"), false);
   body_left_ = has_body(head);
   const bool keep = head.get().keep_alive();
+  head_only_ = head.get().method() == http::verb::head;
   PageAnswer answered = co_await answer(head);
   if (answered.live) {
     co_await send_live(std::move(*answered.live));
@@ -129,42 +132,60 @@ asio::awaitable<bool> PageConnection::serve_one() {
   co_return co_await send(std::move(answered), keep && !body_left_);
 }
 
-/// Nothing of a body is read before it is known that its sender may.
+PageAnswer PageConnection::let_in() {
+  trusted_ = true;
+  return {.status = 303,
+          .type = "text/plain; charset=utf-8",
+          .body = "",
+          .fields = {
+              {"Location", "/"},
+              {"Set-Cookie", house_.gate->new_cookie() + "; HttpOnly; SameSite=Strict; Path=/"}}};
+}
+
+/// Nothing of a body is read before it is known that its sender may, and no token is used up by
+/// what is not answered.
 asio::awaitable<PageAnswer> PageConnection::answer(Head& head) {
   const auto target = parse_target(head.get().target());
   if (!target) co_return error_answer(400, "the address of the request is not valid");
   const auto method = head.get().method();
-  const Gate::Ruling ruling = house_.gate->judge(head_of(head.get(), *target));
-  if (ruling == Gate::Ruling::enters) {
-    trusted_ = true;
-    co_return PageAnswer{.status = 303,
-                         .type = "text/plain; charset=utf-8",
-                         .body = "",
-                         .fields = {{"Location", "/"},
-                                    {"Set-Cookie", house_.gate->new_cookie() +
-                                                       "; HttpOnly; SameSite=Strict; Path=/"}}};
+  if (method != http::verb::get && method != http::verb::post) {
+    PageAnswer other = error_answer(405, "only GET and POST are answered");
+    other.fields = {{"Allow", "GET, POST"}};
+    co_return other;
   }
-  if (ruling != Gate::Ruling::admitted) co_return turned_away(ruling);
-  trusted_ = true;
-  if (method != http::verb::get && method != http::verb::post)
-    co_return error_answer(405, "only GET and POST are answered");
-  PageRequest request{.post = method == http::verb::post, .target = *target};
-  if (const auto last = field(head.get(), "Last-Event-ID"); !last.empty())
-    request.last_event = std::string(last);
-  if (!request.post && has_body(head)) co_return error_answer(400, "a GET has no body");
   PageAnswer refused;
   try {
-    if (request.post && target->begins("api", "records"))
-      co_await read_record(head, request);
-    else if (request.post)
-      co_await read_json(head, request);
-    co_return co_await work_out(std::move(request));
+    const Gate::Ruling ruling = house_.gate->judge(head_of(head.get(), *target));
+    if (ruling == Gate::Ruling::enters) co_return let_in();
+    if (ruling != Gate::Ruling::admitted) co_return turned_away(ruling);
+    trusted_ = true;
+    co_return co_await admitted_answer(head, *target);
   } catch (const Refused& error) {
     refused = error_answer(error.status(), error.what());
   } catch (const lab::WorkFailed& error) {
     refused = error_answer(507, error.what());
   }
   co_return refused;
+}
+
+asio::awaitable<PageAnswer> PageConnection::admitted_answer(Head& head, const Target& target) {
+  PageRequest request{.post = head.get().method() == http::verb::post, .target = target};
+  if (const auto last = field(head.get(), "Last-Event-ID"); !last.empty())
+    request.last_event = std::string(last);
+  if (!request.post && has_body(head)) co_return error_answer(400, "a GET has no body");
+  if (request.post && target.begins("api", "records"))
+    co_return co_await answer_to_record(head, std::move(request));
+  if (request.post) co_await read_json(head, request);
+  co_return co_await work_out(std::move(request));
+}
+
+/// Records that come lie on the disk already: there are few at a time.
+asio::awaitable<PageAnswer> PageConnection::answer_to_record(Head& head, PageRequest request) {
+  if (house_.records >= house_.options.limits.records)
+    throw Refused(503, "too many records are sent at once; send it again in a while");
+  const Counted counted(house_.records);
+  co_await read_record(head, request);
+  co_return co_await work_out(std::move(request));
 }
 
 /// A client that asks first whether its body is wanted.
@@ -231,11 +252,15 @@ asio::awaitable<PageAnswer> PageConnection::worked_out(const PageHouse& house,
 }
 
 asio::awaitable<PageAnswer> PageConnection::work_out(PageRequest request) {
+  const auto shared = std::make_shared<const PageRequest>(std::move(request));
+  if (house_.options.is_urgent && house_.options.is_urgent(*shared)) {
+    stream_.expires_never();
+    co_return co_await asio::co_spawn(house_.urgent, worked_out(house_, shared), use_awaitable);
+  }
   if (house_.being_answered >= house_.options.limits.waiting_answers)
     co_return error_answer(503, "too much is asked for at once; ask again in a while");
-  const CountedAnswer counted(house_.being_answered);
+  const Counted counted(house_.being_answered);
   stream_.expires_never();
-  const auto shared = std::make_shared<const PageRequest>(std::move(request));
   co_return co_await asio::co_spawn(house_.workers, worked_out(house_, shared), use_awaitable);
 }
 
@@ -245,6 +270,7 @@ asio::awaitable<bool> PageConnection::send(PageAnswer answer, bool keep) {
   response.keep_alive(keep);
   response.body() = std::move(answer.body);
   response.prepare_payload();
+  if (head_only_) response.body().clear();
   constexpr std::size_t kSlowest = 100'000;  // bytes a second
   stream_.expires_after(house_.options.limits.write_time +
                         std::chrono::seconds(response.body().size() / kSlowest));

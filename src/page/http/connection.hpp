@@ -21,20 +21,21 @@ struct PageHouse {
   PageServerOptions options;
   std::unique_ptr<Gate> gate;
   boost::asio::thread_pool workers;
-  std::atomic<std::size_t> being_answered = 0;
+  boost::asio::thread_pool urgent{1};
+  std::atomic<std::size_t> being_answered = 0, records = 0;
   FeedWakers wakers;  ///< of the thread that waits on sockets
 
   explicit PageHouse(PageServerOptions o)
       : options(std::move(o)), workers(static_cast<std::size_t>(options.threads)) {}
 };
 
-/// One more answer is being worked out as long as this lives.
-class CountedAnswer {
+/// There is one more of something as long as this lives.
+class Counted {
  public:
-  explicit CountedAnswer(std::atomic<std::size_t>& count) : count_(count) { ++count_; }
-  ~CountedAnswer() { --count_; }
-  CountedAnswer(const CountedAnswer&) = delete;
-  CountedAnswer& operator=(const CountedAnswer&) = delete;
+  explicit Counted(std::atomic<std::size_t>& count) : count_(count) { ++count_; }
+  ~Counted() { --count_; }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
 
  private:
   std::atomic<std::size_t>& count_;
@@ -57,9 +58,12 @@ class PageConnection {
 
   boost::asio::awaitable<bool> serve_one();
   boost::asio::awaitable<PageAnswer> answer(Head& head);
+  boost::asio::awaitable<PageAnswer> admitted_answer(Head& head, const Target& target);
+  PageAnswer let_in();
   boost::asio::awaitable<void> read_json(Head& head, PageRequest& request);
   boost::asio::awaitable<void> read_record(Head& head, PageRequest& request);
   boost::asio::awaitable<void> go_ahead(const Head& head);
+  boost::asio::awaitable<PageAnswer> answer_to_record(Head& head, PageRequest request);
   boost::asio::awaitable<PageAnswer> work_out(PageRequest request);
   static boost::asio::awaitable<PageAnswer> worked_out(const PageHouse& house,
                                                        std::shared_ptr<const PageRequest> request);
@@ -73,6 +77,7 @@ class PageConnection {
   boost::beast::flat_buffer buffer_;
   bool trusted_ = false;
   bool body_left_ = false;  ///< a body that nobody reads follows: nothing else can
+  bool head_only_ = false;  ///< answers have no body
   bool is_first_ = true;
 };
 

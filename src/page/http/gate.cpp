@@ -10,7 +10,6 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
-#include "src/page/request/request.hpp"
 
 namespace triax::src {
 namespace {
@@ -20,6 +19,13 @@ constexpr std::size_t kMostTokens = 32, kMostCookies = 256;
 bool same_name(std::string_view a, std::string_view b) {
   return std::ranges::equal(
       a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+/// A new word behind those that are there, of which there are at most so many.
+const std::string& add_word(std::deque<std::string>& words, std::size_t most) {
+  words.push_back(random_word());
+  if (words.size() > most) words.pop_front();
+  return words.back();
 }
 
 }  // namespace
@@ -51,7 +57,7 @@ bool Gate::has_cookie(std::string_view cookies) const {
     const std::string_view one = lab::trimmed(cookies.substr(0, end));
     const auto equals = std::min(one.find('='), one.size());
     if (one.substr(0, equals) == cookie_name_ && equals < one.size() &&
-        cookies_.contains(one.substr(equals + 1)))
+        std::ranges::find(cookies_, one.substr(equals + 1)) != cookies_.end())
       return true;
     cookies.remove_prefix(std::min(end + 1, cookies.size()));
   }
@@ -68,10 +74,14 @@ Gate::Ruling Gate::judge(const RequestHead& head) {
   // Of no use to a page elsewhere: it may lead a browser to our first page, by a link, and no more.
   if (head.post && (!head.origin || (!head.site.empty() && head.site != "same-origin")))
     return Ruling::foreign_origin;
+  // Cookies know no ports: to a browser a page of another server of this machine is of the same
+  // site as ours.
+  if (head.api && !head.site.empty() && head.site != "same-origin" && head.site != "none")
+    return Ruling::foreign_origin;
   if (head.post && head.own_field != "1") return Ruling::no_field;
   if (head.token) {
     const std::lock_guard lock(mutex_);
-    const auto found = tokens_.find(*head.token);
+    const auto found = std::ranges::find(tokens_, *head.token);
     if (found != tokens_.end()) {
       tokens_.erase(found);
       return Ruling::enters;
@@ -82,16 +92,12 @@ Gate::Ruling Gate::judge(const RequestHead& head) {
 
 std::string Gate::new_cookie() {
   const std::lock_guard lock(mutex_);
-  if (cookies_.size() >= kMostCookies)
-    throw Refused(503, "too many browsers have entered; start triax open again");
-  return cookie_name_ + "=" + *cookies_.insert(random_word()).first;
+  return cookie_name_ + "=" + add_word(cookies_, kMostCookies);
 }
 
 std::string Gate::new_token() {
   const std::lock_guard lock(mutex_);
-  if (tokens_.size() >= kMostTokens)
-    throw Refused(503, "too many addresses wait to be used; open one of them");
-  return *tokens_.insert(random_word()).first;
+  return add_word(tokens_, kMostTokens);
 }
 
 std::string Gate::address(const std::string& token) const {

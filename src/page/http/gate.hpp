@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Who may: what a request says of itself against what this server gave out. Knows no socket.
+#include <deque>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +13,7 @@ namespace triax::src {
 /// What counts of the head of a request. Empty: the field is not there.
 struct RequestHead {
   bool post = false;
+  bool api = false;  ///< asks for what is of the laboratory, and not for a file of the page
   std::string_view host, cookie, content_type, site;  ///< site: Sec-Fetch-Site
   std::optional<std::string_view> origin;
   std::string_view own_field;             ///< X-Triax
@@ -34,9 +35,10 @@ class Gate {
 
   /// Uses up the token where one is good.
   Ruling judge(const RequestHead& head);
-  /// "triax_8080=..." of the browser that has just entered.
+  /// "triax_8080=..." of the browser that has just entered. Of many browsers the one that entered
+  /// first has to enter anew.
   std::string new_cookie();
-  /// A token that lets one browser in, once. Throws Refused where a dozen wait unused.
+  /// A token that lets one browser in, once. Of many that nobody uses the oldest is good no more.
   std::string new_token();
   /// The address with that token.
   std::string address(const std::string& token) const;
@@ -48,7 +50,7 @@ class Gate {
   std::vector<std::string> hosts_;  ///< with ports
   std::string cookie_name_;
   mutable std::mutex mutex_;
-  std::set<std::string, std::less<>> tokens_, cookies_;
+  std::deque<std::string> tokens_, cookies_;  ///< oldest first
 };
 
 /// 128 bits of the system's randomness in hexadecimal figures.

@@ -12,7 +12,8 @@ struct PageLimits {
   std::uint64_t json_bytes = std::uint64_t{1} << 20;
   std::uint64_t record_bytes = std::uint64_t{512} << 20;
   std::size_t connections = 256;
-  std::size_t waiting_answers = 64;  ///< that are being worked out
+  std::size_t waiting_answers = 64;  ///< that are being worked out, but for urgent ones
+  std::size_t records = 4;           ///< that come, or are read
 
   std::chrono::milliseconds header_time{10'000};     ///< for all of a head
   std::chrono::milliseconds idle{60'000};            ///< until the next request has its head

@@ -35,8 +35,39 @@ std::string in_brackets(const std::string& name) {
 std::vector<std::string> names_of(const std::vector<std::string>& listen) {
   if (listen.empty()) return {"127.0.0.1", "localhost", "[::1]"};
   std::vector<std::string> names;
+  names.reserve(listen.size());
   for (const std::string& name : listen) names.push_back(in_brackets(name));
   return names;
+}
+
+/// What a name of --listen stands for on this machine.
+struct PlacesOfName {
+  std::string name;
+  std::vector<asio::ip::address> addresses;
+};
+
+bool is_loopback(const asio::ip::address& address) {
+  return address.is_loopback() ||
+         (address.is_v6() && address.to_v6().is_v4_mapped() &&
+          asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).is_loopback());
+}
+
+/// Whoever gives this machine's own name means other machines too; here it may stand for this one
+/// only (127.0.1.1 of Debian).
+void check_reached(const std::vector<PlacesOfName>& all) {
+  const auto is_within = [](const PlacesOfName& places) {
+    return std::ranges::all_of(places.addresses, is_loopback);
+  };
+  if (!std::ranges::all_of(all, is_within)) return;
+  for (const PlacesOfName& places : all) {
+    boost::system::error_code is_name;
+    asio::ip::make_address(places.name, is_name);
+    if (!is_name || places.name == "localhost") continue;
+    throw lab::BadInput(fmt::format(
+        "--listen {}: on this machine that name stands for the machine itself only ({}), where no "
+        "other comes; give the address by which others reach it",
+        places.name, places.addresses.front().to_string()));
+  }
 }
 
 }  // namespace
@@ -53,11 +84,14 @@ struct PageServer::Impl {
     context.stop();
     thread.join();
     house.workers.join();
+    house.urgent.join();
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   void open();
+  PlacesOfName places_of(const std::string& name);
+  void open_at(const PlacesOfName& places);
   void open_at(const tcp::endpoint& endpoint);
   asio::awaitable<void> accept(tcp::acceptor& acceptor);
   void take_in(tcp::socket socket);
@@ -83,39 +117,61 @@ void PageServer::Impl::open_at(const tcp::endpoint& endpoint) {
   acceptors.push_back(std::move(acceptor));
 }
 
-void PageServer::Impl::open() {
-  port = house.options.port;
-  const bool local = house.options.listen.empty();
-  for (const std::string& name :
-       local ? std::vector<std::string>{"127.0.0.1"} : house.options.listen) {
-    boost::system::error_code error;
-    tcp::resolver resolver(context);
-    const auto found = resolver.resolve(name, std::to_string(port), error);
-    if (error)
+PlacesOfName PageServer::Impl::places_of(const std::string& name) {
+  boost::system::error_code error;
+  tcp::resolver resolver(context);
+  const auto found = resolver.resolve(name, std::to_string(port), error);
+  if (error)
+    throw lab::BadInput(
+        fmt::format("--listen {}: no such name; give a name or an address of this machine",
+                    lab::excerpt(name)));
+  PlacesOfName places{name, {}};
+  for (const auto& entry : found) {
+    if (entry.endpoint().address().is_unspecified())
+      throw lab::BadInput(fmt::format(
+          "--listen {}: give the name or the address by which browsers reach this machine; any "
+          "other name in their requests is refused",
+          name));
+    places.addresses.push_back(entry.endpoint().address());
+  }
+  return places;
+}
+
+/// Each place once: two names may stand for one.
+void PageServer::Impl::open_at(const PlacesOfName& places) {
+  for (const auto& address : places.addresses) {
+    const tcp::endpoint endpoint(address, port);
+    if (std::ranges::any_of(acceptors, [&](const tcp::acceptor& acceptor) {
+          return acceptor.local_endpoint() == endpoint;
+        }))
+      continue;
+    try {
+      open_at(endpoint);
+    } catch (const boost::system::system_error& failure) {
       throw lab::BadInput(
-          fmt::format("--listen {}: no such name; give a name or an address of this machine",
-                      lab::excerpt(name)));
-    for (const auto& entry : found) {
-      if (entry.endpoint().address().is_unspecified())
-        throw lab::BadInput(fmt::format(
-            "--listen {}: give the name or the address by which browsers reach this machine; any "
-            "other name in their requests is refused",
-            name));
-      try {
-        open_at({entry.endpoint().address(), port});
-      } catch (const boost::system::system_error& failure) {
-        throw lab::BadInput(
-            fmt::format("cannot listen at {} port {}: {}; give another --port, or "
-                        "an address of this machine by --listen",
-                        name, port, failure.code().message()));
-      }
+          fmt::format("cannot listen at {} port {}: {}; give another --port, or "
+                      "an address of this machine by --listen",
+                      places.name, port, failure.code().message()));
     }
   }
-  if (local) try {
+}
+
+void PageServer::Impl::open() {
+  port = house.options.port;
+  if (house.options.listen.empty()) {
+    open_at(places_of("127.0.0.1"));
+    try {
       open_at({asio::ip::address_v6::loopback(), port});
     } catch (const boost::system::system_error&) {  // NOLINT(bugprone-empty-catch)
       // A machine without IPv6.
     }
+    return;
+  }
+  std::vector<PlacesOfName> all;
+  all.reserve(house.options.listen.size());
+  for (const std::string& name : house.options.listen) all.push_back(places_of(name));
+  check_reached(all);
+  for (const PlacesOfName& places : all) open_at(places);
 }
 
 asio::awaitable<void> PageServer::Impl::accept(tcp::acceptor& acceptor) {

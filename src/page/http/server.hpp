@@ -20,6 +20,9 @@ struct PageServerOptions {
   PageLimits limits{};
   std::string upload_folder = ".";
   int threads = 3;
+  /// What is never to wait for other answers, and is answered at once: a rig has to be stopped
+  /// however much is asked for. Empty: nothing.
+  std::function<bool(const PageRequest&)> is_urgent{};
   /// Called by several threads at a time. Refused and lab::BadInput go to the browser.
   std::function<PageAnswer(const PageRequest&)> answer;
 };

@@ -12,10 +12,6 @@ namespace {
 
 using study::Json;
 
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 struct Told {
   const char* event;
   std::string data;
@@ -35,29 +31,26 @@ Told told(const LiveReading& reading) {
                                  1e-3 * static_cast<double>(told_us.count()))};
 }
 
-Told told(const lab::Event& event) { return {"event", text_of(study::event_json(event))}; }
+Told told(const lab::Event& event) { return {"event", study::json_line(study::event_json(event))}; }
 Told told(const lab::Outlook& outlook) {
-  return {"forecast", text_of(study::outlook_json(outlook))};
+  return {"forecast", study::json_line(study::outlook_json(outlook))};
 }
 
 Told told(const lab::SensorFinding& finding) {
-  return {"channels", text_of({{"channel", lab::heading(finding.channel)},
-                               {"state", to_string(finding.fault)},
-                               {"from", finding.from},
-                               {"until", finding.until ? Json(*finding.until) : Json()},
-                               {"detail", describe(finding)}})};
+  return {"channels", study::json_line({{"channel", lab::heading(finding.channel)},
+                                        {"state", to_string(finding.fault)},
+                                        {"from", finding.from},
+                                        {"until", finding.until ? Json(*finding.until) : Json()},
+                                        {"detail", describe(finding)}})};
 }
 
 Told told(const lab::StageInfo& stage) {
-  return {"stage", text_of({{"number", stage.number},
-                            {"name", study::json_text(stage.name)},
-                            {"role", to_string(stage.role)},
-                            {"drainage", to_string(stage.drainage)},
-                            {"control", to_string(stage.control)}})};
+  return {"stage", study::json_line(study::stage_json(stage))};
 }
 
 Told told(const LiveEnd& end) {
-  return {"end", text_of({{"status", end.status}, {"error", study::json_text(end.error)}})};
+  return {"end",
+          study::json_line({{"status", end.status}, {"error", study::json_text(end.error)}})};
 }
 
 }  // namespace

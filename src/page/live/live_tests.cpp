@@ -86,26 +86,54 @@ LiveTests::Control LiveTests::control_of(std::int64_t test) {
   return {.controlled = true, .held = found->second->is_held()};
 }
 
-std::shared_ptr<LiveFeed> LiveTests::feed_of(std::int64_t test) {
-  std::vector<std::shared_ptr<LiveWatch>> forgotten;
-  const std::lock_guard lock(mutex_);
+/// A feed that stands already. Inside the lock.
+std::shared_ptr<LiveFeed> LiveTests::known_feed(std::int64_t test) const {
   if (const auto run = runs_.find(test); run != runs_.end()) return run->second->feed();
   const auto watch = watches_.find(test);
-  if (watch != watches_.end() && !watch->second->is_over()) return watch->second->feed();
-  const db::StoredTest stored = db::Store(db_).load(test);
-  // One that was taken for interrupted may run again.
-  if (watch != watches_.end() && stored.status != db::TestStatus::running)
-    return watch->second->feed();
-  if (stored.status != db::TestStatus::running) {
-    auto feed = std::make_shared<LiveFeed>();
-    feed->begin_behind(std::max<std::int64_t>(stored.summary.readings - 1, -1));
-    feed->ended(std::string(to_string(stored.status)));
-    return feed;
-  }
-  forget_those_over(watches_, forgotten);
+  return watch != watches_.end() && !watch->second->is_over() ? watch->second->feed() : nullptr;
+}
+
+/// Inside the lock.
+void LiveTests::check_room_to_watch() const {
+  if (ended_) throw Refused(503, "triax open is about to end");
   if (std::ranges::count_if(watches_, [](const auto& e) { return at_work(e); }) >= kMostAtWork)
     throw Refused(503, "eight tests of other programs are watched already");
-  return (watches_[test] = std::make_shared<LiveWatch>(db_, test))->feed();
+}
+
+std::shared_ptr<LiveFeed> LiveTests::watched_feed(std::int64_t test) {
+  std::vector<std::shared_ptr<LiveWatch>> forgotten;
+  {
+    const std::lock_guard lock(mutex_);
+    check_room_to_watch();
+  }
+  auto watch = std::make_shared<LiveWatch>(db_, test);
+  const std::lock_guard lock(mutex_);
+  if (auto feed = known_feed(test)) return feed;
+  forget_those_over(watches_, forgotten);
+  check_room_to_watch();
+  std::swap(watches_[test], watch);  // what stood there ends outside the lock
+  return watches_[test]->feed();
+}
+
+/// Nothing is asked of the database inside the lock: orders to tests that run need it.
+std::shared_ptr<LiveFeed> LiveTests::feed_of(std::int64_t test) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (auto feed = known_feed(test)) return feed;
+  }
+  const db::TestVersion stored = db::Store(db_).version(test);
+  // One that was taken for interrupted may run again.
+  if (stored.status == db::TestStatus::running) return watched_feed(test);
+  {
+    const std::lock_guard lock(mutex_);
+    if (auto feed = known_feed(test)) return feed;
+    if (const auto watch = watches_.find(test); watch != watches_.end())
+      return watch->second->feed();
+  }
+  auto feed = std::make_shared<LiveFeed>();
+  feed->begin_behind(std::max<std::int64_t>(stored.readings - 1, -1));
+  feed->ended(std::string(to_string(stored.status)));
+  return feed;
 }
 
 void LiveTests::end() {

@@ -34,6 +34,10 @@ class LiveTests {
   void end();
 
  private:
+  std::shared_ptr<LiveFeed> known_feed(std::int64_t test) const;
+  std::shared_ptr<LiveFeed> watched_feed(std::int64_t test);
+  void check_room_to_watch() const;
+
   std::string db_;
   std::mutex mutex_;
   std::list<std::shared_ptr<LiveRun>> beginning_;

@@ -11,17 +11,31 @@ namespace triax::src {
 
 /// How far the test has been told.
 struct LiveWatch::Seen {
-  explicit Seen(const std::string& db) : store(db) {}
+  Seen(const std::string& db, std::int64_t test, LiveFeed& feed);
 
   db::Store store;
-  bool begun = false;
   std::int64_t next = 0;  ///< reading
   std::size_t events = 0, forecasts = 0;
   int stage = 0;
 };
 
-LiveWatch::LiveWatch(std::string db, std::int64_t test)
-    : db_(std::move(db)), test_(test), thread_([this] { watch(); }) {}
+/// Of what is there only the tail is told.
+LiveWatch::Seen::Seen(const std::string& db, std::int64_t test, LiveFeed& feed) : store(db) {
+  const db::StoredTest stored = store.load(test);
+  constexpr std::int64_t kTail = 4000;
+  next = std::max<std::int64_t>(store.scan_count(test) - kTail, 0);
+  if (next > 0) feed.begin_behind(next - 1);
+  const auto first = std::ranges::find_if(stored.events, [this](const lab::Event& event) {
+    return event.noticed && event.noticed->reading >= next;
+  });
+  events = static_cast<std::size_t>(first - stored.events.begin());
+  forecasts = store.forecasts(test).size();
+}
+
+// Where the feed begins is known before anybody has it: a browser that is told nothing of what it
+// missed would never ask for it.
+LiveWatch::LiveWatch(const std::string& db, std::int64_t test)
+    : test_(test), seen_(std::make_unique<Seen>(db, test, *feed_)), thread_([this] { watch(); }) {}
 
 LiveWatch::~LiveWatch() {
   ending_ = true;
@@ -29,19 +43,10 @@ LiveWatch::~LiveWatch() {
 }
 
 /// Tells what is new; false once the test is over.
-bool LiveWatch::look(Seen& seen) {
+bool LiveWatch::look() {
+  Seen& seen = *seen_;
   // Whether it runs is asked before its readings: the last of them come with its end.
   const db::StoredTest test = seen.store.load(test_);
-  if (!std::exchange(seen.begun, true)) {
-    constexpr std::int64_t kTail = 4000;
-    seen.next = std::max<std::int64_t>(seen.store.scan_count(test_) - kTail, 0);
-    if (seen.next > 0) feed_->begin_behind(seen.next - 1);
-    const auto first = std::ranges::find_if(test.events, [&](const lab::Event& event) {
-      return event.noticed && event.noticed->reading >= seen.next;
-    });
-    seen.events = static_cast<std::size_t>(first - test.events.begin());
-    seen.forecasts = seen.store.forecasts(test_).size();
-  }
   const std::int64_t before = seen.next;
   seen.store.for_each_scan_from(test_, seen.next,
                                 [&](const lab::Reading& reading, const lab::State& state) {
@@ -64,10 +69,9 @@ bool LiveWatch::look(Seen& seen) {
 
 void LiveWatch::watch() {
   try {
-    Seen seen(db_);
     for (bool more = true; more && !ending_;) {
       try {
-        more = look(seen);
+        more = look();
       } catch (const db::MayPass&) {  // NOLINT(bugprone-empty-catch)
         // The lock of another program: at the next look.
       }

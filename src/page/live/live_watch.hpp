@@ -15,7 +15,8 @@ class LiveWatch {
  public:
   static constexpr std::chrono::milliseconds kLook{200};
 
-  LiveWatch(std::string db, std::int64_t test);
+  /// Throws as db::Store does.
+  LiveWatch(const std::string& db, std::int64_t test);
   ~LiveWatch();
   LiveWatch(const LiveWatch&) = delete;
   LiveWatch& operator=(const LiveWatch&) = delete;
@@ -27,11 +28,11 @@ class LiveWatch {
  private:
   struct Seen;
   void watch();
-  bool look(Seen& seen);
+  bool look();
 
-  std::string db_;
   std::int64_t test_;
   std::shared_ptr<LiveFeed> feed_ = std::make_shared<LiveFeed>();
+  std::unique_ptr<Seen> seen_;
   std::atomic<bool> ending_ = false, over_ = false;
   std::thread thread_;
 };

@@ -7,9 +7,7 @@ namespace triax::src {
 PageAnswer json_answer(std::string json) { return {.body = std::move(json)}; }
 
 PageAnswer error_answer(unsigned status, const std::string& what) {
-  const study::Json error = {{"error", what}};
-  return {.status = status,
-          .body = error.dump(-1, ' ', false, study::Json::error_handler_t::replace)};
+  return {.status = status, .body = study::json_line({{"error", what}})};
 }
 
 }  // namespace triax::src

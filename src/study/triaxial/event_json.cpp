@@ -32,4 +32,12 @@ Json event_json(const lab::Event& event) {
           {"detail", event.detail}};
 }
 
+Json stage_json(const lab::StageInfo& stage) {
+  return {{"number", stage.number},
+          {"name", json_text(stage.name)},
+          {"role", to_string(stage.role)},
+          {"drainage", to_string(stage.drainage)},
+          {"control", to_string(stage.control)}};
+}
+
 }  // namespace triax::study

@@ -3,6 +3,7 @@
 // What was said while a test ran, as parts of JSON documents.
 #include <optional>
 
+#include "lab/results/record_header.hpp"
 #include "lab/results/summary.hpp"
 #include "src/study/json_parts.hpp"
 
@@ -14,5 +15,6 @@ Json moment_json(const std::optional<lab::Moment>& moment);
 Json outlook_json(const std::optional<lab::Outlook>& outlook);
 /// Of which reading it speaks, and at which it was known.
 Json event_json(const lab::Event& event);
+Json stage_json(const lab::StageInfo& stage);
 
 }  // namespace triax::study

@@ -20,15 +20,18 @@ void TestColumns::read_whole(const db::Store& store, const std::vector<std::size
   std::vector<std::vector<double>> read(missing.size());
   const std::size_t count =
       first ? static_cast<std::size_t>(store.scan_count(test_)) : readings_.size();
-  if (first) readings_.reserve(count);
+  std::vector<std::int64_t> readings;
+  if (first) readings.reserve(count);
   for (auto& column : read) column.reserve(count);
   store.for_each_row(test_, 0, missing, [&](std::int64_t reading, std::span<const double> values) {
     if (first)
-      readings_.push_back(reading);
+      readings.push_back(reading);
     else if (read.front().size() == readings_.size())
       return;
     for (std::size_t i = 0; i < values.size(); ++i) read[i].push_back(values[i]);
   });
+  // Only now, when nothing can fail any more: numbers without their columns would stand for all.
+  if (first) readings_ = std::move(readings);
   for (std::size_t i = 0; i < missing.size(); ++i) columns_[missing[i]] = std::move(read[i]);
 }
 
@@ -50,19 +53,13 @@ void TestColumns::read_work(const db::Store& store, bool grows) {
   has_work_ = true;
 }
 
-std::size_t TestColumns::bytes() const {
-  std::size_t all = readings_.capacity() * sizeof(std::int64_t) +
-                    work_.capacity() * sizeof(lab::SecondOrderWorkPoint);
-  for (const auto& column : columns_)
-    if (column) all += column->capacity() * sizeof(double);
-  return all;
-}
-
-std::size_t TestColumns::bytes_with(std::span<const std::size_t> columns, std::size_t scans) const {
+std::size_t TestColumns::bytes_with(std::span<const std::size_t> columns, bool work,
+                                    std::size_t scans) const {
   std::size_t held = 1;  // numbers of readings
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i] || std::ranges::find(columns, i) != columns.end()) ++held;
-  return held * scans * sizeof(double);
+  const std::size_t points = work || has_work_ ? scans : 0;  // of a scan there is one at most
+  return held * scans * sizeof(double) + points * sizeof(lab::SecondOrderWorkPoint);
 }
 
 }  // namespace triax::study

@@ -28,9 +28,9 @@ class TestColumns {
   /// Pre-condition: it was read.
   const std::vector<double>& column(std::size_t place) const { return *columns_[place]; }
   const std::vector<lab::SecondOrderWorkPoint>& work() const { return work_; }
-  std::size_t bytes() const;
-  /// What it takes to hold so many scans of these columns and of those that are there already.
-  std::size_t bytes_with(std::span<const std::size_t> columns, std::size_t scans) const;
+  /// What it takes at most to hold so many scans of these columns and of those that are there
+  /// already; with `work`, or where they are there, the points of second-order work as well.
+  std::size_t bytes_with(std::span<const std::size_t> columns, bool work, std::size_t scans) const;
 
  private:
   void read_whole(const db::Store& store, const std::vector<std::size_t>& missing);

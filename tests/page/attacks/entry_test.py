@@ -13,6 +13,13 @@ with Opened() as page:
     same("a token by POST", page.ask("POST", f"/?token={page.token}", cookie=None)[0], 401)
     same("a token with a foreign Host", page.ask("GET", f"/?token={page.token}", cookie=None, Host="evil.example")[0], 403)
 
+    with page.socket() as one:  # another method uses up no token, and HEAD has no body
+        one.sendall(f"HEAD /?token={page.token} HTTP/1.1\r\nHost: {page.host}\r\nConnection: close\r\n\r\n".encode())
+        come = b""
+        while part := one.recv(65536):
+            come += part
+        same("HEAD", (come[:12], come.endswith(b"\r\n\r\n")), (b"HTTP/1.1 405", True))
+
     status, _, fields = page.ask("GET", f"/?token={page.token}", cookie=None)
     same("the token", status, 303)
     cookie = fields["Set-Cookie"]
@@ -44,6 +51,10 @@ with Opened() as page:
     same("another field", page.ask("POST", "/api/browsers", b"{}", X_Triax="0")[0], 403)
     same("cross-site", page.ask("POST", "/api/browsers", b"{}", Sec_Fetch_Site="cross-site")[0], 403)
     same("same-site, another port", page.ask("POST", "/api/browsers", b"{}", Sec_Fetch_Site="same-site")[0], 403)
+    for site in ("cross-site", "same-site"):
+        same(f"GET, {site}", page.ask("GET", "/api/tests", Sec_Fetch_Site=site)[0], 403)
+    for site in ("same-origin", "none"):
+        same(f"GET, {site}", page.ask("GET", "/api/tests", Sec_Fetch_Site=site)[0], 200)
     same("a change by GET", page.ask("GET", "/api/browsers")[0], 405)
     for method in ("PUT", "DELETE", "OPTIONS", "TRACE", "HEAD"):
         same(method, page.ask(method, "/api/tests")[0], 405)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Records that are none: what is dropped on the page cannot fill memory or disk, and is told in words."""
+"""Records that are none take little memory, and of the disk at most four times the 512 MB that one may have, while they come; they are told in words."""
 import json
 import os
 import time
@@ -9,8 +9,32 @@ from opened import Opened, same, within
 MB = 1 << 20
 
 
-def left_in(folder):
-    return sorted(name for name in os.listdir(folder) if not name.startswith("tests.db"))
+def left_by(page):
+    """Files in the folder, and those that have no name any more but are held open by the program."""
+    held = []
+    for number in os.listdir(f"/proc/{page.program.pid}/fd"):
+        try:
+            to = os.readlink(f"/proc/{page.program.pid}/fd/{number}")
+        except FileNotFoundError:
+            continue
+        if to.startswith(page.folder) and "(deleted)" in to:
+            held.append(to)
+    return sorted(name for name in os.listdir(page.folder) if not name.startswith("tests.db")) + held
+
+
+def nothing_left(page):
+    until = time.monotonic() + 5
+    while left_by(page) and time.monotonic() < until:  # the last part of a body may be under way
+        time.sleep(0.05)
+    same("files left", left_by(page), [])
+
+
+def slow_record(page):
+    """A record of which only the beginning comes; what is answered is read by the caller."""
+    one = page.socket()
+    one.sendall(f"POST /api/records?name=slow.csv HTTP/1.1\r\nHost: {page.host}\r\nOrigin: http://{page.host}\r\nCookie: {page.cookie}\r\n"
+                "X-Triax: 1\r\nContent-Length: 1000000\r\n\r\ntime_s".encode())
+    return one
 
 
 def chunked(page, megabytes):
@@ -45,7 +69,19 @@ with Opened() as page:
     answer = json.loads(page.ask("POST", "/api/records?name=nothing.csv", b"")[1])
     same("nothing", (answer["test"], bool(answer["error"])), (None, True))
     within("memory all that took, kB", page.memory_kB() - before, 0, 120_000)
-    same("files left in the folder", left_in(page.folder), [])
+    nothing_left(page)
+
+    # Four records that come slowly: they are seen in the program, and a fifth is refused.
+    slow = [slow_record(page) for _ in range(4)]
+    until = time.monotonic() + 5
+    while len(left_by(page)) < 4 and time.monotonic() < until:
+        time.sleep(0.05)
+    same("records that come", len(left_by(page)), 4)
+    with slow_record(page) as fifth:
+        same("a fifth record", fifth.recv(12), b"HTTP/1.1 503")
+    for one in slow:
+        one.close()
+    nothing_left(page)
 
     record = b"time_s,axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n" + b"".join(
         b"%d,%f,%f,100\n" % (i, i * 0.01, i * 0.5) for i in range(200))
@@ -56,7 +92,7 @@ with Opened() as page:
     for key in ("test.origin=simulated", "nothing=1", "specimen.height_mm=", "=", "specimen.height_mm=nan"):
         status, content, _ = page.ask("POST", f"/api/records?name=x.csv&set={key.replace('=', '%3D')}", record)
         same(f"set {key}", status == 400 or bool(json.loads(content)["error"]), True)
-    same("files left in the folder", left_in(page.folder), [])
+    nothing_left(page)
 
     # Programmes must name nothing of this machine.
     programme = '[test]\nname = "x"\ntype = "ICU"\nseed = 1\nscan_interval_s = 1.0\n[specimen]\nmaterial = "umat/x"\nmaterial_file = "/etc/passwd"\n'
@@ -67,6 +103,6 @@ with Opened() as page:
     for name in ("../../etc/passwd", "/etc/passwd", "nothing", ""):
         same(f"programme {name!r}", page.post("/api/runs", {"programme": name})[0], 400)
     for wrong in ({}, [], {"programme": 1}, {"programme": "icu_6", "speed": -1}, {"programme": "icu_6", "speed": "fast"}, {"programme": "icu_6", "seed": 0.5},
-                  {"programme": "icu_6", "set": {"specimen.void_ratio": []}}, {"programme": "icu_6", "rig": True, "speed": 1}):
+                  {"programme": "icu_6", "set": {"specimen.void_ratio": []}}, {"programme": "icu_6", "rig": True, "speed": 1}, {"programme": "icu_6", "rig": "yes"}):
         same(f"run {wrong}", page.post("/api/runs", wrong)[0] in (400, 409), True)
 print("upload: refused")

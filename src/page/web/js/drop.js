@@ -20,17 +20,16 @@ function missingForm(answer, answers, send) {
   return form;
 }
 
-const MOST = 512 * 2 ** 20;
-
-/** `main` takes the drop, wherever on the page it falls. */
-export function dropZone(main) {
+/** `main` takes the drop, wherever on the page it falls. The server's answer to a file of more than `most` bytes would be lost
+ *  while the file is sent: it is refused here. */
+export function dropZone(main, most) {
   const result = el("div", { "aria-live": "polite" });
   const input = el("input", { type: "file", hidden: true, "aria-label": "Record file", tabindex: -1, id: "record-file" });
   const choose = el("button", { type: "button", on: { click: () => input.click() } }, "Open a record…");
   const zone = el("div", { class: "drop" }, el("span", {}, "Drop a record of a logger here"), choose, input);
 
   async function send(file, answers) {
-    if (file.size > MOST) return fill(result, failed(new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MB; the page takes in at most ${MOST / 2 ** 20}. "triax replay" has no such limit.`)));
+    if (file.size > most) return fill(result, failed(new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MB; the page takes in at most ${most / 2 ** 20}. "triax replay" has no such limit.`)));
     fill(result, el("p", { class: "notice", role: "status" }, `Reading ${file.name}…`));
     try {
       const answer = await postRecord(file, answers);

@@ -52,12 +52,16 @@ export class LiveRows {
     return whole;
   }
 
-  /** The window of the server stands for all up to its last reading; what came after it stays. */
-  replace(columns) {
+  /** The window of the server stands for all between `first` and its last reading; what came before and after stays. */
+  replace(columns, first = 0) {
     const last = columns.reading.at(-1) ?? -1;
-    const from = this.columns.reading.findIndex((r) => r > last);
-    for (const name of this.names)
-      this.columns[name] = [...(columns[name] ?? columns.reading.map(() => null)), ...(from < 0 ? [] : this.columns[name].slice(from))];
+    const readings = this.columns.reading;
+    const kept = (which) => readings.flatMap((r, i) => (which(r) ? [i] : []));
+    const [before, after] = [kept((r) => r < first), kept((r) => r >= first && r > last)];
+    for (const name of this.names) {
+      const values = this.columns[name];
+      this.columns[name] = [...before.map((i) => values[i]), ...(columns[name] ?? columns.reading.map(() => null)), ...after.map((i) => values[i])];
+    }
     if (this.last === null || this.last < last) this.last = last >= 0 ? last : null;
     if (this.length > MOST) this.thin();
   }

@@ -125,7 +125,7 @@ class RunPage {
         continue;
       }
       if (exact) columns.reading.forEach((_, i) => this.rows.add(Object.fromEntries(this.rows.names.map((name) => [name, columns[name][i]]))));
-      else this.rows.replace(columns);
+      else this.rows.replace(columns, from);
       break;
     }
     (await get(`/api/tests/${this.test.id}`)).events.forEach((event) => this.happened(event));

@@ -11,7 +11,7 @@ import { TestTable } from "./test_table.js";
 let view = "table";
 
 export async function show(main) {
-  const { tests, running } = await get("/api/tests");
+  const { tests, running, record_bytes: most } = await get("/api/tests");
   const badge = document.getElementById("running-count");
   badge.hidden = running.length === 0;
   badge.textContent = String(running.length);
@@ -46,7 +46,7 @@ export async function show(main) {
     draw();
   });
   fill(main, el("div", { class: "stack" }, takeNotice(), el("div", { class: "head" }, el("h1", { tabindex: -1 }, "Tests"), el("div", { class: "row" }, compare, switched)),
-    dropZone(main), tests.length ? filters.node : null, count, list));
+    dropZone(main, most), tests.length ? filters.node : null, count, list));
   draw();
   return { title: "Tests", end: () => small?.end() };
 }

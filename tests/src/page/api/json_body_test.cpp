@@ -25,4 +25,8 @@ TEST_CASE("numbers and texts are what they are called") {
   CHECK_THROWS_AS(number_in(body, "t"), Refused);
   CHECK_THROWS_AS(numbers_in(body, "t"), Refused);
   CHECK_THROWS_AS(text_in(body, "p"), Refused);
+  CHECK(flag_in(json_body(R"({"rig":true})"), "rig"));
+  CHECK_FALSE(flag_in(body, "n"));
+  CHECK_FALSE(flag_in(body, "absent"));
+  CHECK_THROWS_AS(flag_in(body, "t"), Refused);
 }

@@ -23,4 +23,12 @@ TEST_CASE("shares are given until the budget is taken, and come back") {
   CHECK(budget.taken() == 60);
   moved = budget.take(10);
   CHECK(budget.taken() == 10);
+  {
+    MemoryBudget::Share grown;
+    grown.add(budget.take(20));
+    grown.add(budget.take(30));
+    grown.add({});
+    CHECK(budget.taken() == 60);
+  }
+  CHECK(budget.taken() == 10);
 }

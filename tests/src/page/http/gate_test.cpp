@@ -3,8 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "src/page/request/request.hpp"
-
 using namespace triax::src;
 using Ruling = Gate::Ruling;
 
@@ -72,6 +70,36 @@ TEST_CASE("changes need an Origin of ours and our field") {
 
 TEST_CASE("addresses that nobody opens do not pile up") {
   Gate gate({"127.0.0.1"}, 8080);
-  for (int i = 0; i < 32; ++i) gate.new_token();
-  CHECK_THROWS_AS(gate.new_token(), Refused);
+  const std::string oldest = gate.new_token(), second = gate.new_token();
+  for (int i = 0; i < 31; ++i) gate.new_token();
+  RequestHead head = get_from("127.0.0.1:8080");
+  head.token = oldest;
+  CHECK(gate.judge(head) == Ruling::unknown);
+  head.token = second;
+  CHECK(gate.judge(head) == Ruling::enters);
+}
+
+TEST_CASE("of many browsers the one that entered first is let go") {
+  Gate gate({"127.0.0.1"}, 8080);
+  const std::string oldest = gate.new_cookie(), second = gate.new_cookie();
+  for (int i = 0; i < 255; ++i) gate.new_cookie();
+  CHECK(gate.judge(get_from("127.0.0.1:8080", oldest)) == Ruling::unknown);
+  CHECK(gate.judge(get_from("127.0.0.1:8080", second)) == Ruling::admitted);
+}
+
+TEST_CASE("a page of another server of this machine gets nothing of the laboratory") {
+  Gate gate({"127.0.0.1"}, 8080);
+  const std::string cookie = gate.new_cookie();
+  RequestHead head = get_from("127.0.0.1:8080", cookie);
+  head.api = true;
+  for (const char* site : {"", "none", "same-origin"}) {
+    head.site = site;
+    CHECK(gate.judge(head) == Ruling::admitted);
+  }
+  for (const char* site : {"same-site", "cross-site", "x"}) {
+    head.site = site;
+    CHECK(gate.judge(head) == Ruling::foreign_origin);
+  }
+  head.api = false;  // a link to our first page
+  CHECK(gate.judge(head) == Ruling::admitted);
 }

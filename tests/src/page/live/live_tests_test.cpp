@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <future>
 #include <thread>
 
 #include "db/recording/recorder.hpp"
@@ -36,6 +37,15 @@ std::vector<LiveItem> taken_until(LiveFeed& feed, LiveFeed::Cursor& cursor, cons
 }
 
 bool is_over(const std::vector<LiveItem>&, const LiveTaken& taken) { return taken.over; }
+
+auto is_event(lab::EventKind kind) {
+  return [kind](const std::vector<LiveItem>& all, const LiveTaken&) {
+    return std::ranges::any_of(all, [kind](const LiveItem& item) {
+      const auto* event = std::get_if<lab::Event>(&item.what);
+      return event && event->kind == kind;
+    });
+  };
+}
 
 std::vector<std::int64_t> readings_of(const std::vector<LiveItem>& items) {
   std::vector<std::int64_t> numbers;
@@ -73,14 +83,6 @@ TEST_CASE("a run is held, goes on and is stopped, each an event of the record wi
   CHECK(tests.control_of(id).controlled);
   CHECK_THROWS_AS(tests.order(id, {RunOrder::Kind::resume, "Anna"}), Refused);
   tests.order(id, {RunOrder::Kind::hold, "Anna"});
-  const auto is_event = [](lab::EventKind kind) {
-    return [kind](const std::vector<LiveItem>& all, const LiveTaken&) {
-      return std::ranges::any_of(all, [kind](const LiveItem& item) {
-        const auto* event = std::get_if<lab::Event>(&item.what);
-        return event && event->kind == kind;
-      });
-    };
-  };
   taken_until(*feed, cursor, is_event(lab::EventKind::held));
   CHECK(tests.control_of(id).held);
   CHECK_THROWS_AS(tests.order(id, {RunOrder::Kind::hold, "Ben"}), Refused);
@@ -98,19 +100,22 @@ TEST_CASE("a run is held, goes on and is stopped, each an event of the record wi
 TEST_CASE("a run that is held as fast as it can does not fill the disk") {
   const triax::testing::TemporaryFolder folder;
   LiveTests tests(folder.file("held.db"));
+  // Scans so dense that it is not over before it can be held.
   RunAsked run = asked(0);
+  run.programme = programme_of("icu_6", {{"test.scan_interval_s", "0.01"}});
   const std::int64_t id = tests.run(std::move(run));
-  try {
-    tests.order(id, {RunOrder::Kind::hold, "Anna"});
-  } catch (const Refused&) {
-    return;  // it was over before that
-  }
   const auto feed = tests.feed_of(id);
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   LiveFeed::Cursor cursor;
-  for (int i = 0; i < 200; ++i) feed->take(cursor, 500);
+  feed->take(cursor, 1);  // where it is by now
+  tests.order(id, {RunOrder::Kind::hold, "Anna"});
+  taken_until(*feed, cursor, is_event(lab::EventKind::held));
+  REQUIRE(tests.control_of(id).held);
+  taken_until(*feed, cursor, [](auto&, const LiveTaken& taken) { return taken.items.empty(); });
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  CHECK(readings_of(feed->take(cursor, 500).items).size() <= 8);
+  const LiveTaken taken = feed->take(cursor, 500);
+  CHECK_FALSE(taken.missed);
+  CHECK_FALSE(taken.over);
+  CHECK(readings_of(taken.items).size() <= 8);
 }
 
 TEST_CASE("all that run are stored when the page ends, and nothing begins any more") {
@@ -179,6 +184,26 @@ TEST_CASE("a test that another program records is told reading by reading, to it
   CHECK(told == 1);
   REQUIRE(std::holds_alternative<LiveEnd>(items.back().what));
   CHECK(std::get<LiveEnd>(items.back().what).status == "complete");
+}
+
+TEST_CASE("who comes back to a watched test from before its tail is told what was missed") {
+  const triax::testing::TemporaryFolder folder;
+  const std::string path = folder.file("tail.db");
+  db::Recorder recorder(path);
+  std::promise<std::int64_t> entered;
+  recorder.when_entered([&entered](std::int64_t id) { entered.set_value(id); });
+  const auto listener = recorder.listener();
+  listener.started(triax::testing::raw_header("watched"));
+  triax::testing::send_scans(listener, 0, 12000);  // more than a batch, and than the tail
+  REQUIRE(entered.get_future().get() == 1);
+  LiveTests tests(path);
+  LiveFeed::Cursor cursor;
+  cursor.after = LivePosition{100, 0};
+  const auto taken = tests.feed_of(1)->take(cursor, 100);  // at once
+  REQUIRE(taken.missed);
+  CHECK(taken.missed->first == 101);
+  CHECK(taken.missed->second > 101);
+  recorder.finish({});
 }
 
 TEST_CASE("a test that is over has a stream that says so") {
