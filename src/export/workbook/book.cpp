@@ -61,11 +61,11 @@ void Sheet::text(std::size_t row, std::size_t column, const std::string& text, L
 
 void Sheet::number(std::size_t row, std::size_t column, double value) {
   if (!std::isfinite(value)) return;
-  const double written = as_written(value);
-  if (written == value) {
-    worksheet_write_number(sheet_, row_of(row), column_of(column), value, nullptr);
-    return;
-  }
+  worksheet_write_number(sheet_, row_of(row), column_of(column), value, nullptr);
+}
+
+void Sheet::exact(std::size_t row, std::size_t column, double value) {
+  if (!std::isfinite(value) || as_written(value) == value) return number(row, column, value);
   const double begin = std::strtod(fmt::format("{:.15g}", value).c_str(), nullptr);
   const auto exact = fmt::format("=SUM({},{})", constant(begin).text, constant(value - begin).text);
   worksheet_write_formula_num(sheet_, row_of(row), column_of(column), exact.c_str(), nullptr,
@@ -76,7 +76,7 @@ void Sheet::formula(std::size_t row, std::size_t column, const Term& term, doubl
   if (!std::isfinite(stored)) return;
   if (term.text.empty() || !comes_to(term.value, stored)) {
     ++book_->without_formula_;
-    return number(row, column, stored);
+    return exact(row, column, stored);
   }
   worksheet_write_formula_num(sheet_, row_of(row), column_of(column), ('=' + term.text).c_str(),
                               nullptr, stored);

@@ -29,8 +29,10 @@ class Sheet {
   /// Text stays text, whatever it begins with; without control characters, and cut where no cell
   /// holds more.
   void text(std::size_t row, std::size_t column, const std::string& text, Look look = Look::plain);
-  /// All digits of it; nothing where it is not known.
+  /// Sixteen digits; nothing where it is not known.
   void number(std::size_t row, std::size_t column, double value);
+  /// What formulas rest on: to the last bit, as a sum where sixteen digits are not enough.
+  void exact(std::size_t row, std::size_t column, double value);
   /// The formula with `stored` as the value of the last save, where it comes to that (a part in
   /// 10¹³ aside); the number alone where it does not, which is counted (Book::without_formula).
   void formula(std::size_t row, std::size_t column, const Term& term, double stored);

@@ -21,7 +21,7 @@ class NumberRows {
     Term term;
     if (si) {
       const double field = sim::to_field(*si, unit);
-      sheet_.number(row_, 1, field);
+      sheet_.exact(row_, 1, field);
       term = cell(on_sheet(kSpecimenSheet, 1, row_), field);
       if (unit.scale != 1) term = times(term, constant(unit.scale));
     } else {
@@ -74,6 +74,7 @@ SpecimenTerms write_specimen(Sheet& sheet, const db::StoredTest& test,
   terms.membrane_thickness_m = rows.add("thickness of the membrane", s.membrane_thickness_m, "mm");
   terms.membrane_modulus_pa = rows.add("modulus of the membrane", s.membrane_modulus_pa, "kPa");
   rows.add("limit friction angle", s.limit_friction_angle_rad, "deg");
+  // Results: nothing rests on their last bit.
   const lab::Consolidation& c = test.summary.consolidation;
   rows.add("p′ at the start of shear", c.p_eff_pa, "kPa");
   rows.add("B value", c.b_value, "");

@@ -67,11 +67,11 @@ void write_reading_headings(Sheet& sheet, const lab::RecordHeader& header) {
 void write_reading(Sheet& sheet, std::size_t row, const lab::RecordHeader& header,
                    const lab::Reading& reading) {
   std::size_t column = 0;
-  if (header.has_time) sheet.number(row, column++, reading.time_s);
+  if (header.has_time) sheet.exact(row, column++, reading.time_s);
   sheet.number(row, column++, reading.stage);
   for (const lab::Quantity quantity : header.columns)
-    sheet.number(row, column++,
-                 sim::to_field(reading[quantity], *sim::find_unit(lab::info(quantity).unit)));
+    sheet.exact(row, column++,
+                sim::to_field(reading[quantity], *sim::find_unit(lab::info(quantity).unit)));
 }
 
 std::size_t StatesSheet::column(StateCell place) {

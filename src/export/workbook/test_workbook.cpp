@@ -90,7 +90,7 @@ void write_references(Sheet& sheet, const std::vector<ReferenceRow>& references,
     sheet.number(row, column(ReferenceCell::stage), reference.stage);
     const auto put = [&](ReferenceCell place, const Term& term) {
       if (term.text.empty())
-        sheet.number(row, column(place), term.value);
+        sheet.exact(row, column(place), term.value);
       else
         sheet.formula(row, column(place), term);
     };

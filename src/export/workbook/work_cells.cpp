@@ -91,10 +91,12 @@ void WorkCells::keep(const WorkWindow& window, StateTerms& row) const {
   const Term work = row.keep(StateCell::work, dot(stress_1, axial, stress_3, strain_3));
   const Term norms = times(square_root(dot(stress_1, stress_1, stress_3, stress_3)),
                            square_root(dot(axial, axial, strain_3, strain_3)));
-  if (!(norms.value > 0)) return;
-  const Term normalised = over(work, norms);
-  row.keep(StateCell::work_normalised, {std::clamp(normalised.value, -1.0, 1.0),
-                                        "MAX(-1,MIN(1," + normalised.text + "))", false});
+  const Term ratio = over(work, norms);
+  const std::string bounded = "MAX(-1,MIN(1," + ratio.text + "))";
+  if (norms.value > 0)
+    row.keep(StateCell::work_normalised, {std::clamp(ratio.value, -1.0, 1.0), bounded, false});
+  else
+    row.keep(StateCell::work_normalised, {0, "IF(" + norms.text + ">0," + bounded + ",0)", false});
 }
 
 void WorkCells::write_blocks(Sheet& sheet) const {

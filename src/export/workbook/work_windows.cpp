@@ -24,6 +24,7 @@ void WorkWindows::add(const lab::State& state, std::size_t row) {
   const auto& s = sample->signal;
   close_blocks({s[S::progress], s[S::q], s[S::p_eff], s[S::axial_strain], s[S::volumetric_strain]},
                row);
+  readings_.push_back(state.reading);
   rates_.add(*sample);
 }
 
@@ -47,18 +48,23 @@ void WorkWindows::close_blocks(const Block& sample, std::size_t row) {
 
 void WorkWindows::take(const lab::PathPoint& point) {
   WorkWindow window{.reading = std::llround(point.reading)};
-  if (!ending_) {
-    window.level = std::countr_zero(
-        static_cast<std::uint64_t>(point.window_readings / lab::BlockPyramid::kBlocks));
-    window.first = blocks(window.level).size() - lab::BlockPyramid::kBlocks;
-    middle_ = point.reading;
-  } else if (!windows_.empty()) {
-    window.level = windows_.back().level;
-    window.first = windows_.back().first;
+  window.level = std::countr_zero(
+      static_cast<std::uint64_t>(point.window_readings / lab::BlockPyramid::kBlocks));
+  const bool of_the_last = ending_ && !windows_.empty() && windows_.back().level == window.level;
+  window.first = of_the_last ? windows_.back().first
+                             : blocks(window.level).size() - lab::BlockPyramid::kBlocks;
+  if (ending_)
     window.offset =
-        static_cast<int>(std::lround(std::ldexp(point.reading - middle_, -window.level)));
-  }
+        static_cast<int>(std::lround(std::ldexp(point.reading - middle_of(window), -window.level)));
   windows_.push_back(window);
+}
+
+/// Number of the reading at the middle of a window.
+double WorkWindows::middle_of(const WorkWindow& window) const {
+  std::size_t first = window.first + lab::BlockPyramid::kBlocks / 2;
+  for (int level = window.level; level > 0; --level) first = first_half(level, first);
+  const std::size_t last = first + (std::size_t{1} << window.level) - 1;
+  return (static_cast<double>(readings_[first]) + static_cast<double>(readings_[last])) / 2;
 }
 
 void WorkWindows::end_stage() {

@@ -55,6 +55,7 @@ class WorkWindows {
 
  private:
   void take(const lab::PathPoint& point);
+  double middle_of(const WorkWindow& window) const;
   void end_stage();
   void close_blocks(const Block& block, std::size_t row);
 
@@ -64,11 +65,11 @@ class WorkWindows {
   std::optional<int> stage_;
   bool ending_ = false;
   std::vector<WorkWindow> windows_;
-  double middle_ = 0;  ///< reading at the middle of the latest window
   std::vector<std::vector<Block>> blocks_;
   std::vector<std::vector<std::size_t>> halves_;
-  std::vector<std::size_t> begun_;  ///< blocks of each level before the stage under way
-  std::vector<std::size_t> rows_;
+  std::vector<std::size_t> begun_;      ///< blocks of each level before the stage under way
+  std::vector<std::size_t> rows_;       ///< of blocks of level 0
+  std::vector<std::int64_t> readings_;  ///< likewise
 };
 
 }  // namespace triax::src
