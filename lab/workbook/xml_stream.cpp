@@ -60,11 +60,11 @@ struct XmlStream::Impl {
     Impl& me = of(self);
     me.guarded([&] {
       --me.depth;
-      const auto name = local_name(element);
-      if (me.listener.rows && name == "row")
+      const auto local = local_name(element);
+      if (me.listener.rows && local == "row")
         me.row_ended_at = static_cast<long long>(XML_GetCurrentByteIndex(me.parser)) +
                           XML_GetCurrentByteCount(me.parser);
-      if (me.listener.end) me.listener.end(name);
+      if (me.listener.end) me.listener.end(local);
     });
   }
   static void on_text(void* self, const char* text, int length) {

@@ -18,8 +18,8 @@ inline constexpr const char* kBlocksSheet = "blocks";
 inline constexpr const char* kVerdictSheet = "verdict";
 inline constexpr const char* kChartsSheet = "charts";
 
-/// Title of the sheet, headings, then rows: reading i stands in the same row of readings and
-/// states.
+/// Title of the sheet, headings, then rows. The readings' headings stand below the metadata of
+/// their record (ReadingsSheet).
 inline constexpr std::size_t kTitleRow = 0, kHeadingRow = 1, kFirstRow = 2;
 
 /// Columns of the states behind those of study::state_columns().

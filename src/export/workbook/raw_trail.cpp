@@ -19,13 +19,14 @@ Term less(const Term& a, const Term& b) { return b.text == "0" ? a : difference(
 }  // namespace
 
 RawTrail::RawTrail(const lab::RecordHeader& header, std::string membrane, SpecimenTerms specimen,
-                   std::size_t first_reference_row, std::size_t state_columns)
+                   std::size_t first_reference_row, std::size_t state_columns,
+                   ReadingTerms readings)
     : header_(header),
       membrane_(std::move(membrane)),
       specimen_(std::move(specimen)),
       first_row_(first_reference_row),
       state_columns_(state_columns),
-      readings_(header),
+      readings_(std::move(readings)),
       height_now_(specimen_.height_m),
       volume_now_(specimen_.volume_m3),
       shortening_(kNought),

@@ -23,7 +23,7 @@ class RawTrail {
   /// References stand from `first_reference_row` of the stages' sheet on, states have so many
   /// columns before their own (StateCell).
   RawTrail(const lab::RecordHeader& header, std::string membrane, SpecimenTerms specimen,
-           std::size_t first_reference_row, std::size_t state_columns);
+           std::size_t first_reference_row, std::size_t state_columns, ReadingTerms readings);
 
   ReducedTerms reduce(const lab::Reading& reading, StateTerms& keep);
   const std::vector<ReferenceRow>& references() const { return references_; }

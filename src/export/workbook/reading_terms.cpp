@@ -14,7 +14,7 @@ Term ReadingTerms::of(lab::Quantity quantity, const lab::Reading& reading, std::
       static_cast<std::size_t>(found - header_.columns.begin()) + (header_.has_time ? 2 : 1);
   const sim::Unit unit = *sim::find_unit(lab::info(quantity).unit);
   const Term field =
-      cell(on_sheet(kReadingsSheet, column, row), sim::to_field(reading[quantity], unit));
+      cell(on_sheet(kReadingsSheet, column, row + below_), sim::to_field(reading[quantity], unit));
   return unit.scale == 1 ? field : times(field, constant(unit.scale));
 }
 

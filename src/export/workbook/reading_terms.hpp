@@ -14,13 +14,16 @@ namespace triax::src {
 /// Cells of the sheet of readings in SI.
 class ReadingTerms {
  public:
-  explicit ReadingTerms(const lab::RecordHeader& header) : header_(header) {}
+  /// A reading stands so many rows below its state.
+  ReadingTerms(const lab::RecordHeader& header, std::size_t rows_below)
+      : header_(header), below_(rows_below) {}
 
-  /// Unknown where the reading does not hold it.
+  /// Of the reading whose state stands in `row`; unknown where it does not hold it.
   Term of(lab::Quantity quantity, const lab::Reading& reading, std::size_t row) const;
 
  private:
   lab::RecordHeader header_;
+  std::size_t below_;
 };
 
 /// The states' cells of one row, in no order: column and what gives it. A cell of the row that was

@@ -2,6 +2,7 @@
 #include "src/export/workbook/reduced_trail.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace triax::src {
 namespace {
@@ -19,9 +20,10 @@ Term ratio(const Term& a, const Term& b) { return b.value != 0 ? over(a, b) : Te
 
 }  // namespace
 
-ReducedTrail::ReducedTrail(const lab::RecordHeader& header, const SpecimenTerms& specimen)
+ReducedTrail::ReducedTrail(const lab::RecordHeader& header, const SpecimenTerms& specimen,
+                           ReadingTerms readings)
     : header_(header),
-      readings_(header),
+      readings_(std::move(readings)),
       void_ratio_start_(specimen.consolidated_void_ratio.known() ? specimen.consolidated_void_ratio
                                                                  : specimen.void_ratio) {
   using enum lab::Quantity;

@@ -9,7 +9,8 @@ namespace triax::src {
 
 class ReducedTrail {
  public:
-  ReducedTrail(const lab::RecordHeader& header, const SpecimenTerms& specimen);
+  ReducedTrail(const lab::RecordHeader& header, const SpecimenTerms& specimen,
+               ReadingTerms readings);
   ReducedTerms reduce(const lab::Reading& reading, StateTerms& keep);
 
  private:

@@ -13,11 +13,14 @@ namespace {
 
 std::variant<RawTrail, ReducedTrail> trail_of(const db::StoredTest& test,
                                               const SpecimenTerms& specimen,
-                                              std::size_t first_reference_row) {
+                                              std::size_t first_reference_row,
+                                              std::size_t first_reading_row) {
   using Trail = std::variant<RawTrail, ReducedTrail>;
-  if (!test.header.is_raw()) return Trail(std::in_place_type<ReducedTrail>, test.header, specimen);
+  const ReadingTerms readings(test.header, first_reading_row - kFirstRow);
+  if (!test.header.is_raw())
+    return Trail(std::in_place_type<ReducedTrail>, test.header, specimen, readings);
   return Trail(std::in_place_type<RawTrail>, test.header, test.summary.membrane_correction,
-               specimen, first_reference_row, study::state_columns().size());
+               specimen, first_reference_row, study::state_columns().size(), readings);
 }
 
 /// In the order of StateCell; "_per" stands for the unit of progress.
@@ -56,36 +59,19 @@ Term friction_angle(const Term& eta) {
 
 }  // namespace
 
-void write_reading_headings(Sheet& sheet, const lab::RecordHeader& header) {
-  const auto headings = study::reading_headings(header);
-  for (std::size_t i = 0; i < headings.size(); ++i)
-    sheet.text(kHeadingRow, i, headings[i], Look::heading);
-  sheet.widths(0, headings.size() - 1, 16);
-  sheet.freeze_above(kFirstRow);
-}
-
-void write_reading(Sheet& sheet, std::size_t row, const lab::RecordHeader& header,
-                   const lab::Reading& reading) {
-  std::size_t column = 0;
-  if (header.has_time) sheet.exact(row, column++, reading.time_s);
-  sheet.number(row, column++, reading.stage);
-  for (const lab::Quantity quantity : header.columns)
-    sheet.exact(row, column++,
-                sim::to_field(reading[quantity], *sim::find_unit(lab::info(quantity).unit)));
-}
-
 std::size_t StatesSheet::column(StateCell place) {
   return study::state_columns().size() + static_cast<std::size_t>(place);
 }
 
 StatesSheet::StatesSheet(Sheet& sheet, const db::StoredTest& test, const SpecimenTerms& specimen,
-                         std::size_t first_reference_row, const WorkWindows& windows,
-                         std::vector<lab::SecondOrderWorkPoint> points)
+                         std::size_t first_reference_row, std::size_t first_reading_row,
+                         const WorkWindows& windows, std::vector<lab::SecondOrderWorkPoint> points)
     : sheet_(sheet),
       header_(test.header),
+      first_reading_row_(first_reading_row),
       windows_(windows),
       points_(std::move(points)),
-      trail_(trail_of(test, specimen, first_reference_row)),
+      trail_(trail_of(test, specimen, first_reference_row, first_reading_row)),
       work_(windows, test.header, study::state_columns().size()) {
   const auto& columns = study::state_columns();
   for (std::size_t i = 0; i < columns.size(); ++i)
@@ -112,12 +98,12 @@ const std::vector<ReferenceRow>& StatesSheet::references() const {
 
 void StatesSheet::keep_states(const ReducedTerms& s, const lab::Reading& reading,
                               const lab::State& state, StateTerms& row) {
-  const std::size_t sheet_row = row.row();
+  const std::size_t reading_row = row.row() - kFirstRow + first_reading_row_;
   row.keep_in(0, {static_cast<double>(state.reading), "", false});
   std::size_t column = 0;
   if (header_.has_time)
-    row.keep_in(1, cell(on_sheet(kReadingsSheet, column++, sheet_row), reading.time_s));
-  row.keep_in(2, cell(on_sheet(kReadingsSheet, column, sheet_row), reading.stage));
+    row.keep_in(1, cell(on_sheet(kReadingsSheet, column++, reading_row), reading.time_s));
+  row.keep_in(2, cell(on_sheet(kReadingsSheet, column, reading_row), reading.stage));
   row.keep_in(5, s.void_ratio);
   row.keep_in(6, times(s.area_m2, constant(1e6)));
   row.keep_in(7, in_kilopascals(s.axial_pa));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Readings, and the states beside them as formulas.
+// States as formulas of the readings.
 #include <optional>
 #include <variant>
 
@@ -11,15 +11,11 @@
 
 namespace triax::src {
 
-void write_reading_headings(Sheet& sheet, const lab::RecordHeader& header);
-void write_reading(Sheet& sheet, std::size_t row, const lab::RecordHeader& header,
-                   const lab::Reading& reading);
-
 class StatesSheet {
  public:
   StatesSheet(Sheet& sheet, const db::StoredTest& test, const SpecimenTerms& specimen,
-              std::size_t first_reference_row, const WorkWindows& windows,
-              std::vector<lab::SecondOrderWorkPoint> points);
+              std::size_t first_reference_row, std::size_t first_reading_row,
+              const WorkWindows& windows, std::vector<lab::SecondOrderWorkPoint> points);
 
   /// In the order of the readings.
   void write(std::size_t row, const lab::Reading& reading, const lab::State& state);
@@ -36,6 +32,7 @@ class StatesSheet {
 
   Sheet& sheet_;
   lab::RecordHeader header_;
+  std::size_t first_reading_row_;
   const WorkWindows& windows_;
   std::vector<lab::SecondOrderWorkPoint> points_;
   std::variant<RawTrail, ReducedTrail> trail_;

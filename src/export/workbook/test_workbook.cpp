@@ -8,14 +8,13 @@
 
 #include "lab/base/bad_input.hpp"
 #include "src/export/workbook/charts_sheet.hpp"
+#include "src/export/workbook/readings_sheet.hpp"
 #include "src/export/workbook/states_sheet.hpp"
 #include "src/export/workbook/verdict_sheet.hpp"
 #include "src/study/triaxial/shear_series.hpp"
 
 namespace triax::src {
 namespace {
-
-constexpr std::size_t kMostReadings = kRowsOfSheet - kFirstRow;
 
 /// What is known of a test once its scans were seen: then the sheets can be written row by row.
 struct Overview {
@@ -129,7 +128,7 @@ std::vector<Fact> facts_of_record(const TestContent& content) {
 
 void refuse_longer_than_a_sheet(const db::Store& store, const db::StoredTest& test) {
   const auto readings = static_cast<std::size_t>(store.scan_count(test.id));
-  if (readings > kMostReadings)
+  if (readings > ReadingsSheet(test).room())
     throw lab::BadInput(fmt::format(
         "test {} has {} readings, a sheet of a workbook ends at row {}: nothing is written; "
         "--format csv has no end",
@@ -143,34 +142,37 @@ std::size_t export_workbook(const db::Store& store, const study::TestResult& res
   Overview seen(test.header);
   look_over(store, test, seen);
 
+  const std::string title =
+      content.banner.empty() ? content.title : content.title + ". " + content.banner;
   Book book(content.title, content.banner, test.stored_at);
   std::vector<Sheet*> sheets;
   for (const char* const name : {kSpecimenSheet, kStagesSheet, kReadingsSheet, kStatesSheet,
                                  kBlocksSheet, kVerdictSheet, kChartsSheet}) {
     Sheet& sheet = *sheets.emplace_back(&book.add_sheet(name));
-    if (content.banner.empty())
-      sheet.text(kTitleRow, 0, content.title, Look::heading);
-    else
-      sheet.text(kTitleRow, 0, content.title + ". " + content.banner, Look::warning);
+    if (name != kReadingsSheet)
+      sheet.text(kTitleRow, 0, title, content.banner.empty() ? Look::heading : Look::warning);
   }
   Sheet &specimen = *sheets[0], &stages = *sheets[1], &readings = *sheets[2], &states = *sheets[3];
   const SpecimenTerms terms = write_specimen(specimen, test, facts_of_record(content));
   write_stages(stages, test, seen);
-  write_reading_headings(readings, test.header);
+  const ReadingsSheet record(test);
+  record.begin(readings, title);
   const std::size_t references = reference_heading_row(seen);
-  StatesSheet rows(states, test, terms, references + 1, seen.windows,
+  StatesSheet rows(states, test, terms, references + 1, record.first_row(), seen.windows,
                    store.second_order_work(test.id));
-  std::size_t row = kFirstRow;
+  std::size_t reading_row = record.first_row(), state_row = kFirstRow;
   store.for_each_scan(test.id, 1, [&](const lab::Reading& reading, const lab::State& state) {
-    write_reading(readings, row, test.header, reading);
-    rows.write(row++, reading, state);
+    record.write(readings, reading_row++, reading);
+    rows.write(state_row++, reading, state);
   });
+  record.end(readings, reading_row);
   write_references(stages, rows.references(), references);
   rows.work().write_blocks(*sheets[4]);
   write_verdict(*sheets[5], test, content);
   if (seen.shear)
     write_charts(book, *sheets[6], *seen.shear, is_closed_in_shear(test.header),
-                 content.banner.empty() ? test.header.name : test.header.name + " (see row 1)");
+                 test.header.origin == lab::Origin::simulated ? test.header.name + ", SIMULATED"
+                                                              : test.header.name);
   const std::size_t plain = book.without_formula();
   book.finish(path);
   return plain;
