@@ -53,7 +53,9 @@ Term in_kilopascals(const Term& pa) { return over(pa, constant(1000)); }
 
 Term friction_angle(const Term& eta) {
   const Term part = over(times(constant(eta.value >= 0 ? 3 : -3), eta), sum(constant(6), eta));
-  const Term angle = function("ASIN", part, [](double x) { return std::asin(x); });
+  // Where σ₃′ vanishes it is 1, and must not become more by a last bit of another computation.
+  const Term sine{part.value, "MIN(1," + part.text + ')', false};
+  const Term angle = function("ASIN", sine, [](double x) { return std::asin(x); });
   return over(times(angle, constant(180)), {std::numbers::pi, "PI()", false});
 }
 
