@@ -56,7 +56,8 @@ SheetCells::SheetCells(const Workbook& book, const SheetEntry& sheet, CellListen
                      if (value_.size() + piece.size() > kLongestText)
                        fail("a text longer than any spreadsheet has");
                      value_ += piece;
-                   }}) {}
+                   },
+               .rows = [this](std::string_view bytes) { return take_plain_rows(bytes); }}) {}
 
 void SheetCells::fail(const std::string& what) const {
   throw BadInput(
@@ -65,7 +66,7 @@ void SheetCells::fail(const std::string& what) const {
 }
 
 void SheetCells::start(std::string_view element, XmlAttributes attributes) {
-  if (element == "c") return begin_cell(attributes.pairs());
+  if (element == "c") return begin_cell({attributes["r"], attributes["s"], attributes["t"]});
   if (element == "v" || (element == "t" && phonetic_ == 0)) {
     taken_ = true;
     return;
@@ -88,37 +89,57 @@ void SheetCells::begin_row(std::string_view number) {
     fail(fmt::format("behind it a row {}; rows run from 1 to {}, and on", excerpt(number),
                      kMostRows));
   row_ = said;
+  row_text_ = std::to_string(said);
   column_ = next_column_ = 0;
   listener_.row(row_);
 }
 
-void SheetCells::begin_cell(const char** attributes) {
-  kind_ = Kind::number;
-  style_ = CellStyle::number;
+std::size_t SheetCells::column_of(std::string_view text) const {
+  // Nearly always the row's own number stands behind one or two letters.
+  std::size_t letters = 0, column = 0;
+  for (; letters < text.size() && letters < 2 && text[letters] >= 'A' && text[letters] <= 'Z';
+       ++letters)
+    column = column * 26 + static_cast<std::size_t>(text[letters] - 'A' + 1);
+  if (letters > 0 && column > next_column_ && text.substr(letters) == row_text_) return column - 1;
+  const auto place = cell_place(text);
+  if (!place || place->column < next_column_ || place->row != row_)
+    fail(fmt::format("behind it the cell {}; columns run from A to XFD, and on, in row {}",
+                     excerpt(text), row_));
+  return place->column;
+}
+
+void SheetCells::begin_cell(const CellTag& tag) {
   formula_ = false;
   value_.clear();
   column_ = next_column_;
-  for (; *attributes != nullptr; attributes += 2) {
-    const std::string_view name = attributes[0], value = attributes[1];
-    if (name == "r") {
-      const auto place = cell_place(value);
-      if (!place || place->column < next_column_ || place->row != row_)
-        fail(fmt::format("behind it the cell {}; columns run from A to XFD, and on, in row {}",
-                         excerpt(value), row_));
-      column_ = place->column;
-    } else if (name == "s") {
-      style_ = book_.style(whole_text_as<std::uint64_t>(value).value_or(0));
-    } else if (name == "t") {
-      kind_ = value == "s"                             ? Kind::shared
-              : value == "str" || value == "inlineStr" ? Kind::text
-              : value == "b"                           ? Kind::boolean
-              : value == "e"                           ? Kind::error
-              : value == "d"                           ? Kind::iso_date
-                                                       : Kind::number;
-    }
-  }
+  if (!tag.place.empty()) column_ = column_of(tag.place);
   if (column_ >= kMostColumns) fail("columns run from A to XFD");
+  style_ = tag.style.empty() ? CellStyle::number
+                             : book_.style(whole_text_as<std::uint64_t>(tag.style).value_or(0));
+  kind_ = tag.type.empty()                               ? Kind::number
+          : tag.type == "s"                              ? Kind::shared
+          : tag.type == "str" || tag.type == "inlineStr" ? Kind::text
+          : tag.type == "b"                              ? Kind::boolean
+          : tag.type == "e"                              ? Kind::error
+          : tag.type == "d"                              ? Kind::iso_date
+                                                         : Kind::number;
   next_column_ = column_ + 1;
+}
+
+std::size_t SheetCells::take_plain_rows(std::string_view bytes) {
+  std::size_t taken = 0;
+  while (const auto length = plain_.read(bytes.substr(taken))) {
+    begin_row(plain_.number());
+    for (const PlainRow::Cell& cell : plain_.cells()) {
+      begin_cell({cell.place, cell.style, cell.type});
+      formula_ = cell.formula;
+      value_ = cell.value;
+      end_cell();
+    }
+    listener_.end_row();
+    taken += length;
+  }
+  return taken;
 }
 
 void SheetCells::end_cell() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "lab/workbook/plain_row.hpp"
 #include "lab/workbook/workbook.hpp"
 #include "lab/workbook/xml_stream.hpp"
 
@@ -46,8 +47,14 @@ class SheetCells {
   void start(std::string_view element, XmlAttributes attributes);
   void end(std::string_view element);
   void begin_row(std::string_view number);
-  void begin_cell(const char** attributes);
+  /// What stands in the tag of a cell; empty where nothing does.
+  struct CellTag {
+    std::string_view place, style, type;
+  };
+  void begin_cell(const CellTag& tag);
   void end_cell();
+  std::size_t column_of(std::string_view place) const;
+  std::size_t take_plain_rows(std::string_view bytes);
   std::string_view cell_text();
   std::string_view date_or_number();
   [[noreturn]] void fail(const std::string& what) const;
@@ -57,7 +64,9 @@ class SheetCells {
   const Workbook& book_;
   std::string sheet_;
   CellListener listener_;
+  PlainRow plain_;
   std::int64_t row_ = 0;
+  std::string row_text_;  ///< as it stands in an address
   std::size_t column_ = 0, next_column_ = 0;
   Kind kind_ = Kind::number;
   CellStyle style_ = CellStyle::number;

@@ -11,8 +11,11 @@
 namespace triax::lab {
 namespace {
 
-constexpr int kXmlBlock = 1 << 16;
+constexpr std::size_t kXmlBlock = std::size_t{1} << 16;
 constexpr long long kLongestPiece = 8LL << 20;
+constexpr std::string_view kEndOfRow = "</row>";
+/// A row that is longer goes through the parser as it comes.
+constexpr std::size_t kLongestHeldRow = std::size_t{1} << 20;
 
 }  // namespace
 
@@ -57,7 +60,11 @@ struct XmlStream::Impl {
     Impl& me = of(self);
     me.guarded([&] {
       --me.depth;
-      if (me.listener.end) me.listener.end(local_name(element));
+      const auto local = local_name(element);
+      if (me.listener.rows && local == "row")
+        me.row_ended_at = static_cast<long long>(XML_GetCurrentByteIndex(me.parser)) +
+                          XML_GetCurrentByteCount(me.parser);
+      if (me.listener.end) me.listener.end(local);
     });
   }
   static void on_text(void* self, const char* text, int length) {
@@ -73,10 +80,18 @@ struct XmlStream::Impl {
     });
   }
 
+  void feed(std::string_view bytes, bool last);
+  /// Past what the listener takes and the parser is fed; what begins a row and does not end it is
+  /// left where more is to come.
+  void take_rows(std::string_view& bytes);
+  bool behind_row() const { return row_ended_at == fed; }
+
   std::string name;
   ZipPart part;
   XmlListener listener;
   XML_Parser parser = nullptr;
+  std::string held;             ///< a row whose end was not read yet
+  long long row_ended_at = -1;  ///< of the bytes that were fed
   std::exception_ptr thrown;
   int depth = 0;
   long long fed = 0;
@@ -95,25 +110,46 @@ XmlStream::XmlStream(std::string name, ZipPart part, XmlListener listener)
 
 XmlStream::~XmlStream() = default;
 
+void XmlStream::Impl::feed(std::string_view bytes, bool last) {
+  fed += static_cast<long long>(bytes.size());
+  const auto status = XML_Parse(parser, bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0);
+  if (thrown) std::rethrow_exception(thrown);
+  if (status != XML_STATUS_OK)
+    throw BadInput(name, 0,
+                   std::string("its XML is broken (") + XML_ErrorString(XML_GetErrorCode(parser)) +
+                       "); open it in a spreadsheet and save it again");
+  const auto at = static_cast<long long>(XML_GetCurrentByteIndex(parser));
+  if (at >= 0 && fed - at > kLongestPiece)
+    throw BadInput(name, 0, "its XML has a single piece of more than 8 MB: no workbook's cell");
+}
+
+void XmlStream::Impl::take_rows(std::string_view& bytes) {
+  while (!bytes.empty()) {
+    if (behind_row()) bytes.remove_prefix(listener.rows(bytes));
+    const auto end = bytes.find(kEndOfRow);
+    if (end == std::string_view::npos) {
+      if (behind_row() && bytes.starts_with('<') && bytes.size() < kLongestHeldRow) return;
+      return feed(std::exchange(bytes, {}), false);
+    }
+    feed(bytes.substr(0, end + kEndOfRow.size()), false);
+    bytes.remove_prefix(end + kEndOfRow.size());
+  }
+}
+
 bool XmlStream::advance() {
   Impl& me = *impl_;
   if (me.over || stopped_) return false;
-  void* const buffer = XML_GetBuffer(me.parser, kXmlBlock);
-  if (buffer == nullptr) throw WorkFailed(me.name + ": no memory for reading XML");
-  const auto count =
-      me.part.read({static_cast<char*>(buffer), static_cast<std::size_t>(kXmlBlock)});
+  const std::size_t kept = me.held.size();
+  me.held.resize(kept + kXmlBlock);
+  const auto count = me.part.read({me.held.data() + kept, kXmlBlock});
+  me.held.resize(kept + count);
   me.over = count == 0;
-  me.fed += static_cast<long long>(count);
-  const auto status = XML_ParseBuffer(me.parser, static_cast<int>(count), me.over ? 1 : 0);
-  if (me.thrown) std::rethrow_exception(me.thrown);
-  if (status != XML_STATUS_OK)
-    throw BadInput(me.name, 0,
-                   std::string("its XML is broken (") +
-                       XML_ErrorString(XML_GetErrorCode(me.parser)) +
-                       "); open it in a spreadsheet and save it again");
-  const auto at = static_cast<long long>(XML_GetCurrentByteIndex(me.parser));
-  if (at >= 0 && me.fed - at > kLongestPiece)
-    throw BadInput(me.name, 0, "its XML has a single piece of more than 8 MB: no workbook's cell");
+  std::string_view bytes = me.held;
+  if (me.over || !me.listener.rows)
+    me.feed(std::exchange(bytes, {}), me.over);
+  else
+    me.take_rows(bytes);
+  me.held.erase(0, me.held.size() - bytes.size());
   return !me.over;
 }
 

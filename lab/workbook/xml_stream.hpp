@@ -29,6 +29,10 @@ struct XmlListener {
   std::function<void(std::string_view name, XmlAttributes)> start;
   std::function<void(std::string_view name)> end;
   std::function<void(std::string_view text)> text;  ///< in pieces
+  /// Shown the bytes behind the end of an element called `row`, may take whole elements from their
+  /// beginning by itself, and says how many bytes those were; of them nothing else is told. Empty:
+  /// nobody does.
+  std::function<std::size_t(std::string_view bytes)> rows{};
 };
 
 /// Tells a part of an archive to a listener, a block at a time.

@@ -16,6 +16,7 @@
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/export/export_tables.hpp"
+#include "src/export/workbook/test_workbook.hpp"
 #include "src/output/file_names.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/output.hpp"
@@ -35,7 +36,7 @@ struct ExportOptions {
   bool states = false;
 };
 
-const std::vector<std::string> kFormats{"csv", "json", "ags"};
+const std::vector<std::string> kFormats{"csv", "xlsx", "json", "ags"};
 
 std::string format_of(const ExportOptions& o) {
   if (!o.format.empty()) return o.format;
@@ -77,6 +78,23 @@ std::vector<std::string> files_of_tests(const ExportOptions& o, const std::strin
          (names.take(exported_name(test.stored.header.name), test.stored.id) + '.' + format))
             .string());
   return files;
+}
+
+void export_workbooks(const db::Store& store, const std::vector<study::TestResult>& tests,
+                      const ExportOptions& o) {
+  const auto files = files_of_tests(o, "xlsx", tests);
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    refuse_overwriting("--output", files[i], database_files(o.db), "the database");
+    refuse_longer_than_a_sheet(store, tests[i].stored);
+  }
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const auto plain = export_workbook(store, tests[i], files[i]);
+    if (plain > 0)
+      notify(
+          fmt::format("{}: {} cells of states stand as numbers: no formula of the readings comes "
+                      "to what was stored",
+                      files[i], plain));
+  }
 }
 
 std::string today() {
@@ -122,7 +140,7 @@ void run_export(const ExportOptions& o) {
   if (!o.sets.empty() && format != "ags")
     throw lab::BadInput("--set says headings of --format ags");
   if (o.states && format != "csv")
-    throw lab::BadInput("--states is of --format csv; json has both");
+    throw lab::BadInput("--states is of --format csv; json and xlsx have both");
   refuse_overwriting("--output", o.output, database_files(o.db), "the database");
   const db::Store store(o.db);
   tell_of_what_waits(o.db);
@@ -131,6 +149,7 @@ void run_export(const ExportOptions& o) {
     tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   if (tests.empty()) throw lab::BadInput(o.db, 0, "no test in the database");
   if (format == "ags") return export_ags(store, tests, o);
+  if (format == "xlsx") return export_workbooks(store, tests, o);
   if (format == "json") return export_json(store, tests, o.output.empty() ? "-" : o.output);
   const auto files = files_of_tests(o, format, tests);
   for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -144,7 +163,7 @@ void run_export(const ExportOptions& o) {
 Command export_command() {
   return {
       .name = "export",
-      .purpose = "hand tests over: CSV, JSON or AGS4",
+      .purpose = "hand tests over: CSV, workbooks, JSON or AGS4",
       .description =
           {"Writes the named tests, or all, for other programs. A test is named by its number or "
            "its name; of several with one name it is the latest.",
@@ -153,6 +172,13 @@ Command export_command() {
            "it holds strains, stresses and second-order work instead. No cell is a formula to a "
            "spreadsheet. json is the document of `triax report --format json` with readings and "
            "states in it.",
+           "xlsx is a workbook a test, named as a csv is: specimen, stages, readings, states, the "
+           "blocks that second-order work rests on, verdict and charts. States are formulas of the "
+           "readings, so that each number can be followed, with the values that triax stored "
+           "beside "
+           "them. A text is never a formula. A sheet ends at row 1048576: a longer test is "
+           "refused, "
+           "and goes out as csv.",
            "ags is one file of AGS4 4.1.1 with all tests: TREG and TRET, TRIG and TRIT of a UU "
            "test, "
            "CTRG, CTRC, CTRP and CTRD of a cyclic one; the stress ratio at the onset of collapse "
@@ -172,6 +198,7 @@ Command export_command() {
                        "sign that AGS4 has not"}},
       .examples =
           {{"triax export csu_26 --format csv", "the record as csu_26.csv"},
+           {"triax export csu_26 --format xlsx", "a workbook with live formulas as csu_26.xlsx"},
            {"triax export 1 2 --format ags --set LOCA_ID=BH1 --set 1/SAMP_REF=22 --output lab.ags",
             "two tests as AGS4, with the client's references"},
            {"triax export --format json --output all.json", "all tests with readings and states"},

@@ -8,6 +8,10 @@
 
 #include "tests/cli/program.hpp"
 
+#ifndef __has_feature
+#define __has_feature(x) 0
+#endif
+
 using namespace triax::cli_tests;
 
 namespace {
@@ -127,4 +131,84 @@ TEST_CASE("what cannot be exported is one line and status 2") {
   }
   CHECK(here.triax("export --check broken.ags").status == 2);
   CHECK_FALSE(here.has("LOCA"));
+}
+
+TEST_CASE("workbooks: one a test, readings that come back as the same test, nothing half") {
+  const Workplace here;
+  for (const char* const record : {"icu_6", "csd_58"})
+    REQUIRE(
+        here.triax("replay " + source("samples/records/" + std::string(record) + ".csv")).status ==
+        0);
+  const auto one = here.triax("export 1 --output one.xlsx");
+  CHECK(one.status == 0);
+  CHECK(one.err == "triax: wrote one.xlsx\n");
+  CHECK(content(here / "one.xlsx").starts_with("PK"));
+  std::filesystem::create_directory(here / "all");
+  CHECK(here.triax("export --format xlsx --output all").status == 0);
+  CHECK(here.has("all/ICU_6.xlsx"));
+  CHECK(here.has("all/CSD_58.xlsx"));
+  REQUIRE(here.triax("replay one.xlsx").status == 0);
+  const auto before = nlohmann::json::parse(here.triax("report 1 --format json").out);
+  const auto after = nlohmann::json::parse(here.triax("report 3 --format json").out);
+  CHECK(after["test"]["origin"] == "simulated");
+  CHECK(after["collapse"]["kind"] == before["collapse"]["kind"]);
+  CHECK(after["test"]["readings"] == before["test"]["readings"]);
+  for (const char* const arguments :
+       {"export --output two.xlsx", "export 1 --format xlsx --output -",
+        "export 1 --format xlsx --states", "export 1 --format xlsx --output triax.db",
+        "export 1 --output nowhere/one.xlsx"}) {
+    const auto out = here.triax(arguments);
+    INFO(arguments << '\n' << out.err);
+    CHECK(out.status != 0);
+    CHECK(std::count(out.err.begin(), out.err.end(), '\n') == 1);
+  }
+  CHECK_FALSE(here.has("two.xlsx"));
+}
+
+TEST_CASE("spoiled workbooks are one line, status 2, in little memory") {
+  const Workplace here;
+  const std::string make =
+      "import sys, zipfile\n"
+      "book = '<workbook xmlns:r=\"r\"><sheets><sheet name=\"S\" "
+      "r:id=\"a\"/></sheets></workbook>'\n"
+      "rels = '<R><Relationship Id=\"a\" Type=\"x/worksheet\" Target=\"s.xml\"/></R>'\n"
+      "def made(name, sheet, more=()):\n"
+      "    with zipfile.ZipFile(name, 'w', zipfile.ZIP_DEFLATED) as z:\n"
+      "        for part, text in [('[Content_Types].xml', '<T/>'), ('xl/workbook.xml', book),\n"
+      "                           ('xl/_rels/workbook.xml.rels', rels), *more]: z.writestr(part, "
+      "text)\n"
+      "        if sheet is not None:\n"
+      "            with z.open('xl/s.xml', 'w', force_zip64=True) as f:\n"
+      "                for piece in sheet: f.write(piece)\n"
+      "head, tail = b'<worksheet><sheetData>', b'</sheetData></worksheet>'\n"
+      "made('bomb.xlsx', [b' ' * (1 << 20)] * 1000)\n"
+      "row = b'<row><c><v>1</v></c></row>' * 40000\n"
+      "made('rows.xlsx', [head] + [row] * 1000)\n"
+      "made('columns.xlsx', [head, b'<row r=\"1\">'] + [b'<c><v>%d</v></c>' % (i * 7919) for i in "
+      "range(1000000)])\n"
+      "made('circle.xlsx', [head, b'<row r=\"1\"><c r=\"A1\"><f>B1</f></c><c "
+      "r=\"B1\"><f>A1</f></c></row>', tail])\n"
+      "made('missing.xlsx', None)\n"
+      "made('macros.xlsx', [head, tail], [('xl/vbaProject.bin', 'x')])\n"
+      "with zipfile.ZipFile('nested.xlsx', 'w') as z: z.write('circle.xlsx')\n"
+      "made('broken.xlsx', [head, b'<row r=\"1\"><c r=\"A1\"><v>1</v></c></row>' * 3, tail])\n"
+      "data = open('circle.xlsx', 'rb').read()\n"
+      "open('cut.xlsx', 'wb').write(data[:len(data) // 2])\n";
+  write(here / "make.py", make);
+  REQUIRE(std::system(("cd '" + (here / "").string() + "' && python3 make.py").c_str()) == 0);
+  for (const char* const name :
+       {"bomb", "rows", "columns", "circle", "missing", "macros", "nested", "broken", "cut"}) {
+    const auto out = here.triax("replay " + std::string(name) + ".xlsx");
+    INFO(name << ": " << out.err);
+    CHECK(out.status == 2);
+    CHECK(std::count(out.err.begin(), out.err.end(), '\n') == 1);
+  }
+#if !defined(__SANITIZE_ADDRESS__) && !__has_feature(address_sanitizer)  // which takes its own
+  // A gigabyte that is packed costs no more memory than a record does.
+  for (const char* const name : {"bomb", "rows", "columns"})
+    CHECK(std::system(("cd '" + (here / "").string() +
+                       "' && /usr/bin/time -f %M -o kB " TRIAX_PROGRAM " replay " + name +
+                       ".xlsx >/dev/null 2>&1; test $(tail -n 1 kB) -lt 100000")
+                          .c_str()) == 0);
+#endif
 }

@@ -147,3 +147,50 @@ TEST_CASE("sheets are found by name, cells by their address") {
   CHECK(is_cell_reference("Tabelle!B3"));
   CHECK_FALSE(is_cell_reference("Hoehe (cm)!"));
 }
+
+TEST_CASE("plain rows are read as the parser reads them, wherever blocks end") {
+  // A blank in the tag of a cell, and the row is for the parser.
+  const auto rows = [](const std::string& blank) {
+    std::string text = "<row r=\"1\"><c r=\"A1\" t=\"inlineStr\"><is><t>x</t></is></c></row>";
+    for (int i = 2; i < 6000; ++i) {
+      const auto n = std::to_string(i);
+      text += "<row r=\"" + n + "\" spans=\"1:5\">";
+      if (i % 7 != 0) text += "<c r=\"A" + n + "\"" + blank + "><v>" + n + ".25</v></c>";
+      text += "<c r=\"C" + n + "\" s=\"2\"" + blank + "><f>A1+1</f><v>43507.5</v></c>";
+      text += "<c r=\"AB" + n + "\" t=\"s\"" + blank + "><v>" + std::to_string(i % 2) + "</v></c>";
+      if (i % 11 == 0) text += "<c" + blank + "><v>7</v></c><c s=\"1\"" + blank + "/>";
+      text += i % 5 == 0 ? "</row><row/>" : "</row>";
+      if (i % 5 == 0) ++i;
+    }
+    return sheet(text);
+  };
+  const std::string shared = "<si><t>a, b</t></si><si><t>0,5</t></si>";
+  const auto plain = text_of(workbook({{"S", rows("")}}, shared));
+  CHECK(plain == text_of(workbook({{"S", rows(" ")}}, shared)));
+  CHECK(plain.find("\n2999.25,,2019-02-11 12:00:00,") != std::string::npos);
+}
+
+TEST_CASE("what only looks like a row is none") {
+  const std::string row = "<row r=\"1\"><c><v>1</v></c></row>";
+  const std::string other = "<row r=\"2\"><c><v>2</v></c></row>";
+  CHECK(text_of(workbook({{"S", sheet(row + "<!-- " + other + " -->" + other)}})) == "1\n2\n");
+  CHECK(text_of(workbook({{"S", sheet(row + "<!--</row>" + other + "-->")}})) == "1\n");
+  CHECK(text_of(workbook({{"S", sheet(row + "\n " + other)}})) == "1\n2\n");
+  CHECK(text_of(workbook({{"S", sheet(row + "<x:row><x:c><x:v>2</x:v></x:c></x:row>")}})) ==
+        "1\n2\n");
+  const std::string hidden = "<rowBreaks><![CDATA[" + other + "]]></rowBreaks>";
+  CHECK(text_of(workbook({{"S", sheet(row).substr(0, sheet(row).size() - 12) + hidden +
+                                    "</worksheet>"}})) == "1\n");
+  // What begins as a plain row is held to the same rules.
+  using Catch::Contains;
+  CHECK_THAT(rows_fail(row + "<row r=\"1\"/>"), Contains("rows run"));
+  CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"XFE2\"><v>1</v></c></row>"), Contains("XFD"));
+  CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"B3\"><v>1</v></c></row>"),
+             Contains("columns run"));
+  CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"A2\"><f>A2</f></c></row>"),
+             Contains("without a value"));
+  CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"A2\" t=\"s\"><v>5</v></c></row>"),
+             Contains("does not have"));
+  CHECK_THAT(rows_fail(row + "<row r=\"2\"><c><v>1</c></row>"), Contains("XML is broken"));
+  CHECK_THAT(rows_fail(row + "<row r=\"2\"><c><v>1</v></c>"), Contains("XML is broken"));
+}

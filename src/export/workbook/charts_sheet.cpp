@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/export/workbook/charts_sheet.hpp"
+
+#include <xlsxwriter.h>
+
+#include "src/export/workbook/layout.hpp"
+#include "src/export/workbook/states_sheet.hpp"
+#include "src/output/table.hpp"
+
+namespace triax::src {
+namespace {
+
+struct ChartKind {
+  const char* title;
+  std::size_t x, y;
+  const char *x_axis, *y_axis;
+  bool points;  ///< values that not every row has
+};
+
+void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKind& kind,
+                  const std::string& test, std::size_t row, std::size_t column) {
+  lxw_chart* const chart =
+      workbook_add_chart(book.get(), kind.points ? LXW_CHART_SCATTER : LXW_CHART_SCATTER_STRAIGHT);
+  lxw_chart_series* const series = chart_add_series(chart, nullptr, nullptr);
+  const auto first = static_cast<lxw_row_t>(rows.first), last = static_cast<lxw_row_t>(rows.last);
+  const auto x = static_cast<lxw_col_t>(kind.x), y = static_cast<lxw_col_t>(kind.y);
+  chart_series_set_categories(series, kStatesSheet, first, x, last, x);
+  chart_series_set_values(series, kStatesSheet, first, y, last, y);
+  if (kind.points) {
+    chart_series_set_marker_type(series, LXW_CHART_MARKER_CIRCLE);
+    chart_series_set_marker_size(series, 3);
+  }
+  chart_title_set_name(chart, (test + ": " + kind.title).c_str());
+  lxw_chart_font small{};
+  small.size = 11;
+  chart_title_set_name_font(chart, &small);
+  chart_axis_set_name(chart->x_axis, kind.x_axis);
+  chart_axis_set_name(chart->y_axis, kind.y_axis);
+  chart_axis_set_label_position(chart->x_axis, LXW_CHART_AXIS_LABEL_POSITION_LOW);
+  chart_axis_set_label_position(chart->y_axis, LXW_CHART_AXIS_LABEL_POSITION_LOW);
+  chart_legend_set_position(chart, LXW_CHART_LEGEND_NONE);
+  worksheet_insert_chart(sheet.get(), static_cast<lxw_row_t>(row), static_cast<lxw_col_t>(column),
+                         chart);
+}
+
+}  // namespace
+
+void write_charts(Book& book, Sheet& sheet, const ShearRows& rows, bool pore_pressure,
+                  const std::string& title) {
+  constexpr std::size_t kStrain = 3, kVolume = 4, kPore = 9, kQ = 10, kP = 11;
+  const std::string name = on_one_line(title).substr(0, 200);
+  const ChartKind kinds[] = {
+      {"deviator stress", kStrain, kQ, "axial strain", "q (kPa)", false},
+      {"stress path", kP, kQ, "p′ (kPa)", "q (kPa)", false},
+      pore_pressure
+          ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", false}
+          : ChartKind{"volume", kStrain, kVolume, "axial strain", "volumetric strain", false},
+      {"second-order work, normalised", kStrain, StatesSheet::column(StateCell::work_normalised),
+       "axial strain", "W₂ (−1 to 1)", true}};
+  for (std::size_t i = 0; i < std::size(kinds); ++i)
+    insert_chart(book, sheet, rows, kinds[i], name, kHeadingRow + 1 + 16 * (i / 2), 8 * (i % 2));
+}
+
+}  // namespace triax::src
