@@ -36,6 +36,7 @@ class Browser:
         options.add_experimental_option("prefs", {"download.default_directory": str(self.folder / "downloads"), "download.prompt_for_download": False})
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options)
+        self.cdp("Emulation.setFocusEmulationEnabled", enabled=True)  # Tab behind the last control gives the window away
         self.size(width, height, phone)
         features = [("prefers-color-scheme", "dark" if dark else "light"), ("prefers-reduced-motion", "reduce" if still else "no-preference")]
         self.cdp("Emulation.setEmulatedMedia", features=[{"name": name, "value": value} for name, value in features])
