@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -20,10 +21,20 @@ std::string cell_of(const AgsCheckedGroup& group, const AgsCheckedRow& row, cons
   return place < row.cells.size() ? row.cells[place] : std::string();
 }
 
-/// Ours, and behind each group what the file's own DICT adds to it.
+/// What edition the file says it is of, in group TRAN.
+std::string edition_of(const AgsCheckedFile& file) {
+  const AgsCheckedGroup* const tran = file.find("TRAN");
+  return tran == nullptr || tran->rows.empty() ? ""
+                                               : cell_of(*tran, tran->rows.front(), "TRAN_AGS");
+}
+
+/// Ours, of the file's edition, and behind each group what the file's own DICT adds to it.
 Definitions definitions_of(const AgsCheckedFile& file) {
   Definitions all;
   for (const AgsGroupDefinition& group : ags_dictionary()) all[group.group] = group;
+  if (edition_of(file) == "4.2")
+    for (const AgsGroupDefinition& added : ags_added_in_4_2())
+      std::ranges::copy(added.headings, std::back_inserter(all[added.group].headings));
   const AgsCheckedGroup* const dict = file.find("DICT");
   if (dict == nullptr) return all;
   for (const AgsCheckedRow& row : dict->rows) {

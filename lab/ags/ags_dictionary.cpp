@@ -42,6 +42,11 @@ const std::vector<AgsGroupDefinition>& ags_dictionary() {
   return groups;
 }
 
+const std::vector<AgsGroupDefinition>& ags_added_in_4_2() {
+  static const auto groups = read_dictionary(kAgsDictionary[1].text);
+  return groups;
+}
+
 const AgsGroupDefinition* ags_definition(std::string_view group) {
   const auto found = std::ranges::find(ags_dictionary(), group, &AgsGroupDefinition::group);
   return found == ags_dictionary().end() ? nullptr : &*found;

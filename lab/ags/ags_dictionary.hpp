@@ -27,6 +27,8 @@ struct AgsGroupDefinition {
 /// lab/ags/dictionary: PROJ, TRAN, UNIT, TYPE, ABBR, DICT, FILE, LOCA, SAMP, TREG, TRET, TRIG,
 /// TRIT, CTRG, CTRC, CTRP and CTRD.
 const std::vector<AgsGroupDefinition>& ags_dictionary();
+/// Of the same groups, the headings that 4.2 has behind those of 4.1.1.
+const std::vector<AgsGroupDefinition>& ags_added_in_4_2();
 /// Null for a group that is not in it.
 const AgsGroupDefinition* ags_definition(std::string_view group);
 

@@ -88,13 +88,15 @@ int serve(const char* serial) {
   std::puts("ready");
   std::fflush(stdout);
   LineTimer tick;
+  const auto parent = ::getppid();
+  bool alone = false;
   const std::function<void()> move_on = [&] {
     scanner.process(loop.now_s());
+    alone = ::getppid() != parent;
     tick = loop.at(loop.now_s() + 0.01, move_on);
   };
   move_on();
-  const auto parent = ::getppid();
-  loop.run_until([&] { return ::getppid() != parent; }, 1e9);
+  loop.run_until([&] { return alone; }, 1e9);
   return 0;
 }
 }  // namespace

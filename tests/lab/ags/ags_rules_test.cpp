@@ -129,3 +129,17 @@ TEST_CASE("groups without a dictionary are named, not judged") {
 TEST_CASE("bytes that are no text are bad input") {
   CHECK_THROWS_AS(check_ags(*open_memory("x.ags", std::string("\"GROUP\",\"\0\"", 11))), BadInput);
 }
+
+TEST_CASE("headings that 4.2 added are those of a file that says it is of 4.2") {
+  const std::string with = "LOCA_ID|LOCA_NATE|LOCA_GLDT|LOCA_NSRI";
+  const std::string loca =
+      table("LOCA", with, "|m|yyyy-mm-ddThh:mm|", "ID|2DP|DT|0DP", "BH1|1.00|2026-11-25T10:00|7");
+  const std::string unit = table("UNIT", "UNIT_UNIT|UNIT_DESC", "|", "X|X",
+                                 "m|metre\nyyyy-mm-dd|date\nyyyy-mm-ddThh:mm|date and time");
+  const std::string type = table("TYPE", "TYPE_TYPE|TYPE_DESC", "|", "X|X",
+                                 "X|text\nID|name\nDT|date\n2DP|number\n0DP|number");
+  std::string newer = kTran;
+  newer.replace(newer.find("4.1.1"), 5, "4.2");
+  CHECK(broken(kProj + newer + unit + type + loca) == "");
+  CHECK(broken(kProj + kTran + unit + type + loca) == "18 9");
+}
