@@ -22,7 +22,7 @@ inline constexpr const char* kChartsSheet = "charts";
 /// their record (ReadingsSheet).
 inline constexpr std::size_t kTitleRow = 0, kHeadingRow = 1, kFirstRow = 2;
 
-/// Columns of the states behind those of study::state_columns().
+/// Columns of the states behind those of study::columns_handed_over().
 enum class StateCell : std::uint8_t {
   work_normalised,
   work_error,

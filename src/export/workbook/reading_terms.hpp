@@ -35,7 +35,7 @@ class StateTerms {
   Term keep(StateCell place, const Term& term) {
     return keep_in(before_ + static_cast<std::size_t>(place), term);
   }
-  /// In a column of study::state_columns(). What has no formula stands as a number.
+  /// In a column of study::columns_handed_over(). What has no formula stands as a number.
   Term keep_in(std::size_t column, const Term& term) {
     cells_.emplace_back(column, term);
     return cell(address(column, row_ + 1), term.value);
@@ -54,7 +54,7 @@ struct ReducedTerms {
   Term pore_pressure_pa, axial_pa, radial_pa, q_pa, p_eff_pa;
 };
 
-/// Places of study::state_columns() that formulas refer to.
+/// Places of study::columns_handed_over() that formulas refer to.
 inline constexpr std::size_t kAxialStrainColumn = 3, kVolumetricStrainColumn = 4;
 
 }  // namespace triax::src

@@ -20,7 +20,7 @@ std::variant<RawTrail, ReducedTrail> trail_of(const db::StoredTest& test,
   if (!test.header.is_raw())
     return Trail(std::in_place_type<ReducedTrail>, test.header, specimen, readings);
   return Trail(std::in_place_type<RawTrail>, test.header, test.summary.membrane_correction,
-               specimen, first_reference_row, study::state_columns().size(), readings);
+               specimen, first_reference_row, study::columns_handed_over().size(), readings);
 }
 
 /// In the order of StateCell; "_per" stands for the unit of progress.
@@ -62,7 +62,7 @@ Term friction_angle(const Term& eta) {
 }  // namespace
 
 std::size_t StatesSheet::column(StateCell place) {
-  return study::state_columns().size() + static_cast<std::size_t>(place);
+  return study::columns_handed_over().size() + static_cast<std::size_t>(place);
 }
 
 StatesSheet::StatesSheet(Sheet& sheet, const db::StoredTest& test, const SpecimenTerms& specimen,
@@ -74,8 +74,8 @@ StatesSheet::StatesSheet(Sheet& sheet, const db::StoredTest& test, const Specime
       windows_(windows),
       points_(std::move(points)),
       trail_(trail_of(test, specimen, first_reference_row, first_reading_row)),
-      work_(windows, test.header, study::state_columns().size()) {
-  const auto& columns = study::state_columns();
+      work_(windows, test.header, study::columns_handed_over().size()) {
+  const auto& columns = study::columns_handed_over();
   for (std::size_t i = 0; i < columns.size(); ++i)
     sheet.text(kHeadingRow, i, columns[i].heading, Look::heading);
   for (std::size_t i = 0; i < kStateCells; ++i) {
@@ -132,7 +132,7 @@ void StatesSheet::keep_path(const lab::State& state, StateTerms& row) {
 }
 
 double StatesSheet::stored_value(std::size_t at, const lab::State& state) const {
-  const auto& columns = study::state_columns();
+  const auto& columns = study::columns_handed_over();
   if (at < columns.size()) return columns[at].value(state);
   switch (static_cast<StateCell>(at - columns.size())) {
     case StateCell::work_normalised:
@@ -157,7 +157,7 @@ double StatesSheet::stored_value(std::size_t at, const lab::State& state) const 
 }
 
 void StatesSheet::write(std::size_t row, const lab::Reading& reading, const lab::State& state) {
-  StateTerms terms(study::state_columns().size(), row);
+  StateTerms terms(study::columns_handed_over().size(), row);
   keep_states(std::visit([&](auto& trail) { return trail.reduce(reading, terms); }, trail_),
               reading, state, terms);
   keep_path(state, terms);

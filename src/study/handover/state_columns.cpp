@@ -9,12 +9,6 @@ namespace {
 
 double in_kilopascal(double pa) { return pa / 1e3; }
 
-std::vector<StateColumn> handed_over() {
-  std::vector<StateColumn> columns = state_columns();
-  std::erase_if(columns, [](const StateColumn& column) { return column.heading.empty(); });
-  return columns;
-}
-
 }  // namespace
 
 const std::vector<StateColumn>& state_columns() {
@@ -43,9 +37,18 @@ const std::vector<StateColumn>& state_columns() {
   return columns;
 }
 
+const std::vector<StateColumn>& columns_handed_over() {
+  static const auto columns = [] {
+    auto all = state_columns();
+    std::erase_if(all, [](const StateColumn& column) { return column.heading.empty(); });
+    return all;
+  }();
+  return columns;
+}
+
 std::vector<std::string> state_headings() {
   std::vector<std::string> out;
-  for (const StateColumn& column : handed_over()) out.push_back(column.heading);
+  for (const StateColumn& column : columns_handed_over()) out.push_back(column.heading);
   out.insert(out.end(), {"second_order_work_normalised", "second_order_work_error"});
   return out;
 }
@@ -54,7 +57,7 @@ void for_each_state_row(const db::Store& store, std::int64_t id,
                         const std::function<void(const std::vector<double>&)>& use) {
   const auto points = store.second_order_work(id);
   auto point = points.begin();
-  const auto columns = handed_over();
+  const auto& columns = columns_handed_over();
   std::vector<double> row(columns.size() + 2);
   store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
     for (std::size_t i = 0; i < columns.size(); ++i) row[i] = columns[i].value(state);

@@ -19,7 +19,10 @@ struct StateColumn {
 /// Reading, time, stage, strains, void ratio, area, stresses, η and φ_mob.
 const std::vector<StateColumn>& state_columns();
 
-/// The headings that state_columns() has, then second-order work, normalised and its error.
+/// Those of them that have a heading.
+const std::vector<StateColumn>& columns_handed_over();
+
+/// The headings that columns_handed_over() has, then second-order work, normalised and its error.
 std::vector<std::string> state_headings();
 
 /// Row by row, NaN for what is not known: second-order work stands in the row of the reading at the
