@@ -32,13 +32,11 @@ void draw_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circle
                        const std::optional<DrawnEnvelope>& envelope, const std::string& note) {
   auto& rect = *plot.axisRect();
   style_axes(rect, "effective normal stress σ′ (kPa)", "shear stress τ (kPa)");
-  double most = 0, least = 0, tallest = 0;
   bool named = envelope.has_value();
+  double most = 0;
   std::size_t i = 0;
   for (const auto& circle : circles) {
     most = std::max(most, circle.major_kPa);
-    least = std::min(least, circle.minor_kPa);
-    tallest = std::max(tallest, (circle.major_kPa - circle.minor_kPa) / 2);
     draw_curve(rect, half_circle(circle), curve_pen(i++, 1.4), circle.name);
     named = named || !circle.name.empty();
   }
@@ -47,12 +45,25 @@ void draw_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circle
     const double c = envelope->cohesion_kPa;
     draw_curve(rect, {{0, c}, {most, c + most * slope}}, line(kInk, 2),
                fmt::format("c′ = {:.1f} kPa, φ′ = {:.1f}°", c, envelope->friction_angle_deg));
-    least = std::min(least, c);
   }
   if (named) legend_below(plot, 3);
   note_below(plot, note);
-  set_equal_ranges(rect, QCPRange(least, 1.02 * most),
-                   QCPRange(std::min(0.0, envelope ? envelope->cohesion_kPa : 0), 1.15 * tallest));
+  scale_mohr_circles(plot, circles, envelope);
+}
+
+void scale_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circles,
+                        const std::optional<DrawnEnvelope>& envelope) {
+  double most = 0, left = 0, tallest = 0;
+  for (const auto& circle : circles) {
+    most = std::max(most, circle.major_kPa);
+    left = std::min(left, circle.minor_kPa);
+    tallest = std::max(tallest, (circle.major_kPa - circle.minor_kPa) / 2);
+  }
+  const double bottom = std::min(0.0, envelope ? envelope->cohesion_kPa : 0);
+  set_equal_ranges(*plot.axisRect(), QCPRange(left, 1.02 * most), QCPRange(bottom, 1.15 * tallest));
+  // What one of the axes has to spare lies beyond the circles, not before them.
+  plot.xAxis->setRange(left, left + plot.xAxis->range().size());
+  plot.yAxis->setRange(bottom, bottom + plot.yAxis->range().size());
 }
 
 }  // namespace triax::src

@@ -23,4 +23,8 @@ struct DrawnEnvelope {
 void draw_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circles,
                        const std::optional<DrawnEnvelope>& envelope, const std::string& note = {});
 
+/// The scales again, for a plot that was given another size.
+void scale_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circles,
+                        const std::optional<DrawnEnvelope>& envelope);
+
 }  // namespace triax::src

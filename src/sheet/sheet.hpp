@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A page of boxes and figures in rows, as an engineer's sheet has them; nothing here knows a test.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct SheetPart {
   double share = 1;  ///< of the width of its row
   SheetBox box;
   OwnPlot plot{};
+  std::function<void(QCustomPlot&)> settle{};  ///< called once the plot has its size; may be empty
 };
 
 struct SheetRow {

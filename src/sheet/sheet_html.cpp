@@ -12,11 +12,12 @@ namespace {
 constexpr double kRowWidth = 3 * kSheetFigureWidth;  // px
 constexpr int kFigureHeight = 235;
 
-std::string part_html(const SheetPart& part, double shares, double weight) {
+std::string part_html(const SheetPart& part, double shares, double height) {
   std::string inside = box_markup(part.box);
   if (part.plot) {
     resize_plot(*part.plot, static_cast<int>(kRowWidth * part.share / shares),
-                static_cast<int>(kFigureHeight * weight));
+                static_cast<int>(kFigureHeight * height));
+    if (part.settle) part.settle(*part.plot);
     inside = to_svg(*part.plot);
   }
   return fmt::format("<div class=\"part{}{}\" style=\"flex: {:.3g}\">\n{}</div>\n",
@@ -55,7 +56,9 @@ std::string sheet_html(const Sheet& sheet, const std::string& id) {
     double shares = 0;
     for (const auto& part : row.parts) shares += part.share;
     html += "<div class=\"row\">\n";
-    for (const auto& part : row.parts) html += part_html(part, shares, row.weight);
+    // A figure beside boxes is as high as they usually are.
+    const double height = row.parts.front().plot ? row.weight : 0.8;
+    for (const auto& part : row.parts) html += part_html(part, shares, height);
     html += "</div>\n";
   }
   return html + fmt::format("<div class=\"foot\">{}</div>\n</section>\n", escaped(sheet.footer));

@@ -23,7 +23,7 @@ constexpr const char* kSheetStyle =
     "body { color: #222222; } table { border-collapse: collapse; }"
     ".title { font-weight: 700; color: #222222; }"
     ".label { color: #555555; } .value { color: #111111; }"
-    ".blank { border-bottom: 0.5px solid #999999; }"
+    ".blank { border-bottom: 0.5px solid #bbbbbb; }"
     ".rows th { font-weight: 400; color: #555555; border-bottom: 0.5px solid #999999; }"
     ".line { color: #222222; }";
 
@@ -147,18 +147,19 @@ class SheetLayout {
       page.setBrush(Qt::NoBrush);
       page.drawRect(frame);
       if (part.plot)
-        draw_figure(page, *part.plot, frame);
+        draw_figure(page, part, frame);
       else
         draw_box(page, *documents_[number][i], frame);
       x += widths[i] + kGap;
     }
   }
 
-  static void draw_figure(QPainter& page, QCustomPlot& plot, const QRectF& frame) {
+  static void draw_figure(QPainter& page, const SheetPart& part, const QRectF& frame) {
     const double px_per_pt = kSheetFigureWidth / ((kSheetWidth - 2 * kGap) / 3);
-    resize_plot(plot, static_cast<int>(frame.width() * px_per_pt),
+    resize_plot(*part.plot, static_cast<int>(frame.width() * px_per_pt),
                 static_cast<int>(frame.height() * px_per_pt));
-    draw_on_page(plot, page, frame);
+    if (part.settle) part.settle(*part.plot);
+    draw_on_page(*part.plot, page, frame);
   }
 
   static void draw_box(QPainter& page, QTextDocument& document, const QRectF& frame) {

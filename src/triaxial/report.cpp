@@ -142,14 +142,14 @@ ReportSheets sheets_of(const db::Store& store, const std::vector<std::int64_t>& 
   ReportSheets sheets{.tests = {}, .each = o.each, .evidence = o.evidence};
   const auto request = sheet_request(o);
   for (const auto id : ids) sheets.tests.push_back(load_sheet_test(store, id, request));
-  if (!sheets.has_page_of_each())
-    notify(fmt::format("{} tests: only the set has pages; --each gives a page of each test as well",
-                     sheets.tests.size()));
   return sheets;
 }
 
 void write_pages(const std::string& format, const ReportSheets& sheets,
                  const std::vector<db::StoredGrainRun>& runs, const std::string& output) {
+  if (!sheets.has_page_of_each())
+    notify(fmt::format("{} tests: only sets of them have pages; --each gives one of each test too",
+                       sheets.tests.size()));
   if (format == "pdf")
     pdf_report(sheets, output, grain_pages(runs));
   else
@@ -174,17 +174,22 @@ void run_report(const ReportOptions& o) {
     if (o.tests.empty()) run_ids.clear();
   }
   Reported all;
-  const auto curves = o.figures.empty() ? study::WithCurves::no : study::WithCurves::yes;
-  if (!drawn || !o.figures.empty())
-    for (const auto id : ids) all.tests.push_back(study::load_test_result(store, id, curves));
+  ReportSheets sheets;
+  if (drawn || !o.figures.empty()) sheets = sheets_of(store, ids, o);
+  if (!o.figures.empty())
+    for (const auto& test : sheets.tests) all.tests.push_back(test.result);
+  else if (!drawn)
+    for (const auto id : ids)
+      all.tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   for (const auto id : run_ids) all.runs.push_back(grains.load(id));
   if (!o.figures.empty()) {
     write_figures(all.tests, study::collapse_increments(store, ids), o.figures);
+    write_sheet_figures(sheets.tests, o.figures);
     write_grain_figures(all.runs, o.figures);
     if (format == "text" && o.output.empty()) return;
   }
   if (drawn)
-    write_pages(format, sheets_of(store, ids, o), all.runs, output);
+    write_pages(format, sheets, all.runs, output);
   else
     write_file(output, format == "json" ? json(all) : text(all));
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "src/study/sheet/sheet_values.hpp"
-#include "src/study/triaxial/shear_series.hpp"
+#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
 namespace {

@@ -20,6 +20,7 @@ constexpr std::array<std::pair<DrainageBoundary, std::string_view>, 5> kBoundari
 
 constexpr int kSteps = 400;          // of √t: the curve as its figure shows it
 constexpr double kStraightTo = 0.5;  // of the outflow: Terzaghi's series is straight to 0.6
+constexpr double kStraightFrom = 0.05;  // what jumped at once, behind the valve, is no part of it
 constexpr double kTaylor = 1.15;
 constexpr std::size_t kFewest = 5;
 
@@ -45,12 +46,16 @@ std::vector<RootPoint> over_root(const std::vector<ConsolidationPoint>& points) 
   return out;
 }
 
-/// Line of least squares through the curve up to that share of the way from `zero` to the end.
-std::optional<std::pair<double, double>> line_to(const std::vector<RootPoint>& curve, double zero) {
-  const double limit = kStraightTo * (curve.back().outflow - zero);
+/// Line of least squares through the part of the curve between these shares of the way from `zero`
+/// to the end.
+std::optional<std::pair<double, double>> straight_part(const std::vector<RootPoint>& curve,
+                                                       double zero) {
+  const double all = curve.back().outflow - zero;
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const auto& p : curve) {
-    if ((p.outflow - zero) / limit > 1) break;
+    const double share = (p.outflow - zero) / all;
+    if (share > kStraightTo) break;
+    if (share < kStraightFrom) continue;
     n += 1, x += p.root, y += p.outflow, xx += p.root * p.root, xy += p.root * p.outflow;
   }
   const double spread = n * xx - x * x;
@@ -108,7 +113,7 @@ std::optional<RootTime> root_time(const std::vector<ConsolidationPoint>& points)
   if (curve.size() < kFewest) return std::nullopt;
   RootTime fit{.zero = points.front().outflow, .final = points.back().outflow};
   for (int pass = 0; pass < 20; ++pass) {
-    const auto line = line_to(curve, fit.zero);
+    const auto line = straight_part(curve, fit.zero);
     if (!line) return std::nullopt;
     std::tie(fit.zero, fit.slope) = *line;
   }
@@ -119,15 +124,14 @@ std::optional<RootTime> root_time(const std::vector<ConsolidationPoint>& points)
   if (static_cast<std::size_t>(in_line) < kFewest || !(all / fit.slope > 0)) return std::nullopt;
   fit.t100_s = std::pow(all / fit.slope, 2);
   const double sign = fit.slope > 0 ? 1 : -1;
-  const double start = curve.front().root + 1e-3 * curve.back().root;
   fit.t90_s = time_at(curve, [&](const RootPoint& p) {
-    return p.root < start ? -1.0
-                          : sign * (fit.zero + fit.slope / kTaylor * p.root - p.outflow);
+    if ((p.outflow - fit.zero) / all < kStraightTo) return -1.0;
+    return sign * (fit.zero + fit.slope / kTaylor * p.root - p.outflow);
   });
   if (fit.t90_s) {
     const double at_90 = fit.zero + fit.slope / kTaylor * std::sqrt(*fit.t90_s);
-    const double half = fit.zero + 0.5 / 0.9 * (at_90 - fit.zero);
-    fit.t50_s = time_at(curve, [&](const RootPoint& p) { return sign * (p.outflow - half); });
+    const double middle = fit.zero + 0.5 / 0.9 * (at_90 - fit.zero);
+    fit.t50_s = time_at(curve, [&](const RootPoint& p) { return sign * (p.outflow - middle); });
   }
   return fit;
 }

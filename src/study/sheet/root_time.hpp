@@ -34,8 +34,8 @@ struct RootTime {
   std::optional<double> t90_s, t50_s;
 };
 
-/// The line is that of least squares through the first half of the outflow. Nothing where less than
-/// five points lie in it, or none of the water came out.
+/// The line is that of least squares through the first half of the outflow, without what jumped at
+/// once. Nothing where fewer than five points lie in it, or none of the water came out.
 std::optional<RootTime> root_time(const std::vector<ConsolidationPoint>& points);
 
 /// m²/s. Pre-condition: t100_s > 0.

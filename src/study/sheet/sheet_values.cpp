@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/study/triaxial/shear_series.hpp"
+#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
 namespace {
@@ -58,13 +59,6 @@ std::optional<double> PressureStep::b() const {
     return std::nullopt;
   const double b = (pore_to_pa - pore_from_pa) / (cell_to_pa - cell_from_pa);
   return std::isfinite(b) ? std::optional(b) : std::nullopt;
-}
-
-std::optional<std::int64_t> last_believed_reading(const db::StoredTest& test) {
-  const bool died = std::ranges::any_of(test.events, [](const lab::Event& event) {
-    return event.kind == lab::EventKind::sensor_fault;
-  });
-  return died ? test.summary.collapse.judged_until : std::nullopt;
 }
 
 SheetReader::SheetReader(const db::StoredTest& test, const SheetOptions& options)

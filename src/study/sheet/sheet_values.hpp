@@ -85,9 +85,6 @@ class SheetReader {
 SheetValues sheet_values(const db::Store& store, const db::StoredTest& test,
                          const SheetOptions& options);
 
-/// The last reading on sensors that can be believed, where one died; empty: all of them.
-std::optional<std::int64_t> last_believed_reading(const db::StoredTest& test);
-
 /// In which way the test is none of those of ISO 17892-9, ASTM D4767 and D7181 and BS 1377-8: a
 /// sentence each.
 std::vector<std::string> deviations_of(const db::StoredTest& test, const SheetValues& values);

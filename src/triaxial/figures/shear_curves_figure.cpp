@@ -16,6 +16,7 @@ namespace {
 constexpr int kShearCurvesWidth = 960, kShearCurvesHeight = 420 + kNoteHeight;
 /// The close view ends at so many times the largest strain at onset.
 constexpr double kOnsets = 3;
+constexpr double kLargestDetail = 0.6;  // of the whole
 
 double strain_pct(const lab::State& state) { return state.strain.axial * 100; }
 
@@ -29,7 +30,8 @@ Points onsets_of(const study::ShearSeries& series) {
 
 void fill(QCPAxisRect& rect, const study::ShearSeries& series, double strain_most) {
   for (std::size_t i = 0; i < series.tests.size(); ++i)
-    draw_series(rect, points_of(series.tests[i].states, strain_pct, q_kPa, strain_most), i);
+    draw_series(rect, points_of(series.tests[i].states, strain_pct, q_kPa, strain_most), i,
+                series.tests.size());
   draw_markers(rect, onsets_of(series), onset_marker());
 }
 
@@ -48,7 +50,9 @@ Drawing shear_curves_figure(const study::ShearSeries& series) {
     }
   if (!any) return {};
   const auto whole = from_zero(strain.with_margin(0.04, true));
-  const double close = std::min(kOnsets * (series.strain_at_onset * 100), whole.upper);
+  // A detail that shows most of the whole is none.
+  double close = kOnsets * (series.strain_at_onset * 100);
+  if (close > kLargestDetail * whole.upper) close = 0;
 
   auto plot = make_plot(kShearCurvesWidth, kShearCurvesHeight);
   auto& left = *plot->axisRect();

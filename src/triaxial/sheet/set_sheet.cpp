@@ -9,7 +9,6 @@
 #include <map>
 
 #include "src/output/words.hpp"
-#include "src/plot/mohr_circles.hpp"
 #include "src/study/version.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/sheet/sheet_figures.hpp"
@@ -18,7 +17,6 @@
 namespace triax::src {
 namespace {
 
-constexpr std::size_t kMostRows = 24;
 constexpr std::size_t kFewestCircles = 3;
 
 
@@ -91,7 +89,7 @@ SheetBox specimens_box(const TestSet& set) {
   box.table.columns = {{"test"}, {"type"}};
   for (const auto& column : set_columns())
     box.table.columns.push_back({column.heading, Align::right});
-  box.table.columns.push_back({"collapse"});
+  box.table.columns.push_back({"collapse", Align::right});
   box.table.columns.push_back({"η at onset", Align::right});
   for (const auto* test : set.tests) {
     const auto& stored = test->result.stored;
@@ -161,8 +159,7 @@ Strength strength_of(const TestSet& set) {
 
 SheetBox strength_box(const TestSet& set, const Strength& strength) {
   SheetBox box{.title = "Strength of the set, " +
-                        failure_words(set.tests.front()->values.options),
-               .columns = 2};
+                        failure_words(set.tests.front()->values.options)};
   if (!strength.set) {
     box.lines.push_back(strength.circles.size() < kFewestCircles
                             ? fmt::format("c′ and φ′ need {} specimens; {} came to failure",
@@ -183,18 +180,17 @@ SheetBox strength_box(const TestSet& set, const Strength& strength) {
   return box;
 }
 
-OwnPlot circles_figure(const Strength& strength) {
-  if (strength.circles.empty()) return nullptr;
-  auto plot = make_plot(2 * kSheetFigureWidth, 340);
+SheetPart circles_part(const Strength& strength) {
+  if (strength.circles.empty()) return {};
+  constexpr std::size_t kMostNames = 12;
   std::vector<DrawnCircle> circles;
   for (const auto& c : strength.circles)
     circles.push_back(
-        {strength.circles.size() <= kMostCurves ? c.name : "", c.minor_kPa, c.major_kPa});
+        {strength.circles.size() <= kMostNames ? c.name : "", c.minor_kPa, c.major_kPa});
   std::optional<DrawnEnvelope> envelope;
   if (strength.set)
     envelope = {strength.set->cohesion_kPa.value, strength.set->friction_angle_deg.value};
-  draw_mohr_circles(*plot, circles, envelope);
-  return plot;
+  return mohr_part(circles, envelope, 2 * kSheetFigureWidth);
 }
 
 SheetBox set_head(const TestSet& set) {
@@ -262,12 +258,13 @@ Sheet set_sheet(const TestSet& set) {
     sheet.rows.push_back(std::move(row));
   };
   add_boxes(set_head(set));
-  add_boxes(set.tests.size() > kMostRows ? spread_box(set) : specimens_box(set));
-  add_boxes(strength_box(set, strength));
+  add_boxes(set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set));
   std::vector<OwnPlot> first, second;
-  if (auto circles = circles_figure(strength)) {
-    SheetRow row = figure_row({}, 1.3);
-    row.parts.push_back({.share = 1, .plot = std::move(circles)});
+  if (auto circles = circles_part(strength); circles.plot) {
+    circles.share = 2;
+    SheetRow row{.parts = {}, .weight = 1.3};
+    row.parts.push_back(std::move(circles));
+    row.parts.push_back({.box = strength_box(set, strength)});
     sheet.rows.push_back(std::move(row));
   }
   first.push_back(set_figure(set.tests, axial_strain_axis(), q_axis()));

@@ -32,7 +32,12 @@ std::string rate_words(const std::optional<double>& per_s, const std::optional<d
 }
 
 std::string minutes(const std::optional<double>& seconds) {
-  return seconds ? fmt::format("{:.4g} min", *seconds / 60) : std::string();
+  return seconds ? fmt::format("{:.3g}", *seconds / 60) : std::string(kUnknown);
+}
+
+/// Blank where neither is known.
+std::string two(const std::string& a, const std::string& b) {
+  return a == kUnknown && b == kUnknown ? std::string() : a + ", " + b;
 }
 
 std::optional<double> height_of(const db::StoredTest& test) {
@@ -73,18 +78,18 @@ SheetBox specimen_box(const SheetTest& test) {
   const auto marked = [](const Phase& p, std::string text) {
     return p.saturation_is_assumed && text != kUnknown ? text + "*" : text;
   };
-  row("height H (mm)", [](const Phase& p) { return in_mm(p.height_m); });
-  row("diameter D (mm)", [](const Phase& p) { return in_mm(p.diameter_m); });
-  row("mass m (g)", [&](const Phase& p) {
+  row("H (mm)", [](const Phase& p) { return in_mm(p.height_m); });
+  row("D (mm)", [](const Phase& p) { return in_mm(p.diameter_m); });
+  row("m (g)", [&](const Phase& p) {
     return marked(p, number(p.mass_kg ? std::optional(*p.mass_kg * 1e3) : std::nullopt, 1));
   });
-  row("water content w (%)",
+  row("w (%)",
       [&](const Phase& p) { return marked(p, in_percent(p.water_content, 1)); });
-  row("dry density ρ_d (Mg/m³)", [](const Phase& p) {
+  row("ρ_d (Mg/m³)", [](const Phase& p) {
     return number(p.dry_density ? std::optional(*p.dry_density * 1e-3) : std::nullopt, 3);
   });
-  row("void ratio e", [](const Phase& p) { return number(p.void_ratio, 3); });
-  row("saturation S_r (%)", [&](const Phase& p) { return marked(p, in_percent(p.saturation, 0)); });
+  row("e", [](const Phase& p) { return number(p.void_ratio, 3); });
+  row("S_r (%)", [&](const Phase& p) { return marked(p, in_percent(p.saturation, 0)); });
   const auto& gs = test.result.stored.header.specimen.specific_gravity;
   box.lines.push_back(gs ? fmt::format("G_s = {:.3g}", *gs) : "G_s: not said");
   if (phases.start.saturation_is_assumed || phases.end.saturation_is_assumed)
@@ -130,12 +135,11 @@ SheetBox consolidation_box(const SheetTest& test) {
   box.facts.push_back(fact("p′₀ (kPa)", in_kPa(stored.summary.consolidation.p_eff_pa)));
   if (values.start) {
     box.facts.push_back(fact("σ_c, u at start (kPa)",
-                             fmt::format("{}, {}", kPa(values.start->cell_pressure),
-                                         kPa(values.start->state.pore_pressure))));
+                             two(kPa(values.start->cell_pressure), kPa(values.start->state.pore_pressure))));
     box.facts.push_back(
         fact("σ₁′, σ₃′ at start (kPa)",
-             fmt::format("{}, {}", kPa(values.start->state.effective_stress.axial),
-                         kPa(values.start->state.effective_stress.radial))));
+             two(kPa(values.start->state.effective_stress.axial),
+                 kPa(values.start->state.effective_stress.radial))));
   }
   const auto height = height_of(stored);
   const auto at = values.options.drained_at;
@@ -145,10 +149,9 @@ SheetBox consolidation_box(const SheetTest& test) {
     box.facts.push_back(fact(curve->in_m3 ? "water out (cm³)" : "ε_v (%)",
                              number(out * (curve->in_m3 ? 1e6 : 100), 2)));
     if (const auto& fit = curve->fit) {
-      box.facts.push_back(fact("t₁₀₀, t₉₀, t₅₀",
-                               fmt::format("{}, {}, {}", minutes(fit->t100_s),
-                                           or_unknown(minutes(fit->t90_s)),
-                                           or_unknown(minutes(fit->t50_s)))));
+      box.facts.push_back(fact("t₁₀₀, t₉₀, t₅₀ (min)",
+                               fmt::format("{}, {}, {}", minutes(fit->t100_s), minutes(fit->t90_s),
+                                           minutes(fit->t50_s))));
       if (const auto& d = stored.summary.consolidation.diameter_m)
         box.facts.push_back(fact(
             "c_v = π D²/(λ t₁₀₀)",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/sheet/sheet_figures.hpp"
 
+#include <fmt/format.h>
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -158,7 +159,7 @@ OwnPlot void_ratio_figure(const SheetTest& test) {
   Points all;
   for (const auto* part : {&before, &shear})
     for (const auto& p : *part)
-      if (p.x() > 0.1) all.push_back(p);
+      if (p.x() > 1) all.push_back(p);
   if (all.size() < 2) return nullptr;
   SmallFigure figure("p′ (kPa)", "void ratio e");
   figure.take_in(all);
@@ -174,7 +175,7 @@ OwnPlot void_ratio_figure(const SheetTest& test) {
   const auto positive = [](const Points& points) {
     Points out;
     for (const auto& p : points)
-      if (p.x() > 0.1) out.push_back(p);
+      if (p.x() > 1) out.push_back(p);
     return out;
   };
   draw_curve(*plot.axisRect(), positive(before), line(kGrey, 1.2));
@@ -182,17 +183,6 @@ OwnPlot void_ratio_figure(const SheetTest& test) {
   figure.marker(failure_in(test, p_axis(), void_ratio_axis()), failure_marker());
   figure.marker(onset_in(test, p_axis(), void_ratio_axis()), onset_ring());
   return figure.take();
-}
-
-OwnPlot circle_figure(const SheetTest& test) {
-  if (!test.values.failure) return nullptr;
-  const auto& s = test.values.failure->state.effective_stress;
-  const double major = std::max(s.axial, s.radial), minor = std::min(s.axial, s.radial);
-  if (!(major > minor)) return nullptr;
-  auto plot = make_plot(kWidth, kHeight);
-  for (auto* axis : plot->axisRect()->axes()) axis->setLabelFont(label_font());
-  draw_mohr_circles(*plot, {{"", minor * 1e-3, major * 1e-3}}, std::nullopt);
-  return plot;
 }
 
 /// Value of the curve at x; nothing outside of it.
@@ -209,12 +199,14 @@ void draw_band(SmallFigure& figure, const std::vector<Points>& curves) {
   constexpr int kSteps = 80;
   const auto range = figure.plot().xAxis->range();
   Points low, middle, high;
+  const auto known = static_cast<std::size_t>(
+      std::ranges::count_if(curves, [](const Points& curve) { return curve.size() > 1; }));
   for (int i = 0; i <= kSteps; ++i) {
     const double x = range.lower + range.size() * i / kSteps;
     std::vector<double> values;
     for (const auto& curve : curves)
       if (const auto value = value_at(curve, x)) values.push_back(*value);
-    if (2 * values.size() < curves.size()) continue;  // of less than half of them no band
+    if (2 * values.size() < known) continue;  // of less than half of them no band
     std::ranges::sort(values);
     const auto part = [&](double share) {
       return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
@@ -251,7 +243,7 @@ SheetAxis volumetric_strain_axis() {
 SheetAxis eta_axis() {
   // Of stresses that are gone there is no ratio.
   return {"η = q/p′", [](const lab::State& s) {
-            constexpr double kGone = 500;  // Pa
+            constexpr double kGone = 5e3;  // Pa
             return s.p_eff > kGone ? s.eta() : lab::kMissing;
           }};
 }
@@ -259,20 +251,48 @@ SheetAxis void_ratio_axis() {
   return {"e", [](const lab::State& s) { return s.void_ratio; }};
 }
 
-std::vector<OwnPlot> sheet_figures(const SheetTest& test) {
+std::vector<SheetFigure> sheet_figures(const SheetTest& test) {
   const bool drained = test.values.drainage == lab::Drainage::open;
-  std::vector<OwnPlot> figures;
-  figures.push_back(consolidation_figure(test));
-  figures.push_back(shear_figure(test, axial_strain_axis(), q_axis()));
-  OwnPlot u = drained ? nullptr : shear_figure(test, axial_strain_axis(), u_axis(), 1, false);
-  if (!u) u = shear_figure(test, axial_strain_axis(), volumetric_strain_axis(), 0.1);
-  figures.push_back(std::move(u));
-  figures.push_back(shear_figure(test, axial_strain_axis(), eta_axis(), 0.05));
-  figures.push_back(path_figure(test));
-  figures.push_back(void_ratio_figure(test));
-  figures.push_back(circle_figure(test));
-  std::erase_if(figures, [](const OwnPlot& plot) { return !plot; });
+  const std::string name = test.result.stored.header.name;
+  std::vector<SheetFigure> figures;
+  const auto add = [&](const char* file, const char* what, OwnPlot plot) {
+    if (plot) figures.push_back({file, {std::move(plot), fmt::format("{} of test {}.", what, name)}});
+  };
+  const auto strain = axial_strain_axis();
+  add("consolidation", "Consolidation over the root of time", consolidation_figure(test));
+  add("q", "Deviator stress over axial strain", shear_figure(test, strain, q_axis()));
+  OwnPlot u = drained ? nullptr : shear_figure(test, strain, u_axis(), 1, false);
+  if (u)
+    add("u", "Pore pressure over axial strain", std::move(u));
+  else
+    add("volume", "Volumetric strain over axial strain",
+        shear_figure(test, strain, volumetric_strain_axis(), 0.1));
+  add("eta", "Stress ratio over axial strain", shear_figure(test, strain, eta_axis(), 0.05));
+  add("path", "Effective stress path", path_figure(test));
+  add("void_ratio", "Void ratio over mean effective stress", void_ratio_figure(test));
   return figures;
+}
+
+SheetPart circle_part(const SheetTest& test) {
+  if (!test.values.failure) return {};
+  const auto& s = test.values.failure->state.effective_stress;
+  const double major = std::max(s.axial, s.radial), minor = std::min(s.axial, s.radial);
+  if (!(major > minor)) return {};
+  return mohr_part({{"", minor * 1e-3, major * 1e-3}}, std::nullopt, kSheetFigureWidth);
+}
+
+SheetPart mohr_part(const std::vector<DrawnCircle>& circles,
+                    const std::optional<DrawnEnvelope>& envelope, int width_px) {
+  SheetPart part{.plot = make_plot(width_px, kHeight)};
+  draw_mohr_circles(*part.plot, circles, envelope);
+  for (auto* axis : part.plot->axisRect()->axes()) axis->setLabelFont(label_font());
+  part.plot->xAxis->setLabel("σ′ (kPa)");
+  part.plot->yAxis->setLabel("τ (kPa)");
+  for (auto* axis : {part.plot->xAxis, part.plot->yAxis}) axis->ticker()->setTickCount(4);
+  part.settle = [circles, envelope](QCustomPlot& plot) {
+    scale_mohr_circles(plot, circles, envelope);
+  };
+  return part;
 }
 
 OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& x,

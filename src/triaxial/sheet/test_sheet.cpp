@@ -16,12 +16,12 @@ SheetRow boxes(std::vector<std::pair<double, SheetBox>> parts) {
   return row;
 }
 
-void add_figures(Sheet& sheet, std::vector<OwnPlot> figures) {
-  const std::size_t first = figures.size() > 4 ? (figures.size() + 1) / 2 : figures.size();
+void add_figures(Sheet& sheet, std::vector<SheetFigure> figures) {
+  const std::size_t first = figures.size() > 3 ? (figures.size() + 1) / 2 : figures.size();
   SheetRow row;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (i == first) sheet.rows.push_back(std::exchange(row, {}));
-    row.parts.push_back({.plot = std::move(figures[i])});
+    row.parts.push_back({.plot = std::move(figures[i].drawing.plot)});
   }
   if (!row.parts.empty()) sheet.rows.push_back(std::move(row));
 }
@@ -89,7 +89,12 @@ Sheet test_sheet(const SheetTest& test) {
   sheet.rows.push_back(boxes(
       {{1.05, specimen_box(test)}, {1, saturation_box(test)}, {1.15, consolidation_box(test)}}));
   add_figures(sheet, sheet_figures(test));
-  sheet.rows.push_back(boxes({{1, failure_box(test)}, {1.1, verdict_box(test)}}));
+  sheet.rows.push_back(boxes({{1.1, failure_box(test)}, {1.1, verdict_box(test)}}));
+  if (auto circle = circle_part(test); circle.plot) {
+    circle.share = 0.7;
+    auto& parts = sheet.rows.back().parts;
+    parts.insert(parts.begin() + 1, std::move(circle));
+  }
   sheet.rows.push_back(boxes({{1, corrections_box(test)}}));
   sheet.rows.push_back(boxes({{1, deviations_box(test)}, {1, remarks_box(test)}}));
   return sheet;
