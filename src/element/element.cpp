@@ -113,9 +113,10 @@ Command element_command() {
         app.add_option("--save-failure", o->save_failure,
                        "write an increment that could not be done as a path of its own")
             ->type_name("FILE.toml");
-        app.add_option("--figure", o->figure,
-                       "draw the path: q, volume and pore pressure over strain, stress path, e over "
-                       "log p'; PREFIX_path.svg, .png, .pdf and its numbers as .csv and .json")
+        app.add_option(
+               "--figure", o->figure,
+               "draw the path: q, volume and pore pressure over strain, stress path, e over "
+               "log p'; PREFIX_path.svg, .png, .pdf and its numbers as .csv and .json")
             ->type_name("PREFIX");
         add_format(app, o->format, {"text", "json", "csv"});
         return [o] { run_element(*o); };

@@ -30,7 +30,8 @@ std::string facts_in_columns(const SheetBox& box) {
 }
 
 std::string table_of(const Table& table) {
-  std::string html = "<table class=\"rows\" width=\"100%\" cellspacing=\"0\" cellpadding=\"1\">\n<tr>";
+  std::string html =
+      "<table class=\"rows\" width=\"100%\" cellspacing=\"0\" cellpadding=\"1\">\n<tr>";
   const auto cell = [&](const char* tag, std::size_t i, const std::string& text) {
     return fmt::format("<{0} align=\"{1}\">{2}</{0}>", tag,
                        table.columns[i].align == Align::right ? "right" : "left",

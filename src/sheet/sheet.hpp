@@ -36,9 +36,9 @@ struct SheetRow {
 };
 
 struct Sheet {
-  std::string title;     ///< "Consolidated undrained triaxial test"
-  std::string subject;   ///< "TMU-MT1"
-  std::string mark;      ///< "SIMULATED"; empty: none
+  std::string title;    ///< "Consolidated undrained triaxial test"
+  std::string subject;  ///< "TMU-MT1"
+  std::string mark;     ///< "SIMULATED"; empty: none
   std::vector<SheetRow> rows;
   std::string footer;
 };

@@ -65,9 +65,9 @@ class SheetLayout {
     const double left = room() - fixed - kGap * static_cast<double>(sheet_.rows.size() - 1);
     for (std::size_t i = 0; i < sheet_.rows.size(); ++i) {
       const auto& row = sheet_.rows[i];
-      const double height = is_figure(row) ? std::clamp(left * row.weight / weights, 40.0,
-                                                        kMostFigure * row.weight)
-                                           : heights_[i];
+      const double height =
+          is_figure(row) ? std::clamp(left * row.weight / weights, 40.0, kMostFigure * row.weight)
+                         : heights_[i];
       draw_row(page, i, y, height);
       y += height + kGap;
     }

@@ -98,7 +98,8 @@ void write_sheet_figures(const std::vector<SheetTest>& tests, const std::string&
   for (const auto& test : tests) {
     const auto& stored = test.result.stored;
     const auto name = names.take(file_name(stored.header.name), stored.id);
-    for (const auto& figure : sheet_figures(test)) figures.add(name + '_' + figure.name, figure.drawing);
+    for (const auto& figure : sheet_figures(test))
+      figures.add(name + '_' + figure.name, figure.drawing);
   }
 }
 

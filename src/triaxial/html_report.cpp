@@ -67,8 +67,7 @@ std::string section(const char* title, const Table& table) {
 
 std::string evidence_markup(const study::TestResult& test) {
   const auto content = test_content(test);
-  std::string html =
-      fmt::format("<section id=\"{}-evidence\">\n<h2>{}</h2>\n", anchor(test),
+  std::string html = fmt::format("<section id=\"{}-evidence\">\n<h2>{}</h2>\n", anchor(test),
                                  escaped(content.title));
   if (!content.banner.empty())
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(content.banner));

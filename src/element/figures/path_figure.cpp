@@ -57,8 +57,7 @@ void draw_plane(QCPAxisRect& rect, const Plane& plane, const Points& points, con
   rect.axis(QCPAxis::atLeft)->setRange(y.with_margin(0.08, true));
   draw_curve(rect, points, line(kBlue, 1.8));
   if (peak != nullptr)
-    draw_markers(rect, {*peak},
-                 {QCPScatterStyle::ssSquare, line(kInk, 1.6), QBrush(Qt::white), 9});
+    draw_markers(rect, {*peak}, {QCPScatterStyle::ssSquare, line(kInk, 1.6), QBrush(Qt::white), 9});
 }
 
 FigureData data_of(const study::PathResult& path, const std::string& title) {
@@ -85,12 +84,12 @@ NamedFigure path_figure(const study::PathResult& path) {
   for (const auto& plane : planes)
     if (auto points = points_in(path, plane); !points.empty())
       drawn.emplace_back(&plane, std::move(points));
-  const std::string caption = fmt::format("Path \"{}\" of one material point of {}.", path.name,
-                                          path.material.name);
+  const std::string caption =
+      fmt::format("Path \"{}\" of one material point of {}.", path.name, path.material.name);
   NamedFigure figure{"path", {nullptr, caption}, data_of(path, caption)};
   if (drawn.empty()) return figure;
   const int count = static_cast<int>(drawn.size());
-  const int columns = count == 1 ? 1 : 2;
+  const int columns = count == 4 ? 2 : std::min(count, 3);  // no half of a row is empty
   auto plot = make_plot(kPathWidth, kPathRow * ((count + columns - 1) / columns) + kNoteHeight);
   const auto rects = add_axes_in_rows(*plot, count, columns);
   for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -5,8 +5,8 @@
 
 namespace triax::src {
 
-/// A path in four planes, those without data left out: q over ε₁, q over p′, ε_v (undrained: u) over
-/// ε₁, e over log p′; with its rows as data. No plot where no plane has two points.
+/// A path in four planes, those without data left out: q over ε₁, q over p′, ε_v (undrained: u)
+/// over ε₁, e over log p′; with its rows as data. No plot where no plane has two points.
 NamedFigure path_figure(const study::PathResult& path);
 
 }  // namespace triax::src

@@ -35,8 +35,8 @@ NamedFigure mohr_figure(const study::Soil& soil) {
   auto plot = make_plot(kMohrWidth, kMohrHeight);
   std::vector<DrawnCircle> circles;
   for (const auto& circle : set.circles)
-    circles.push_back({set.circles.size() <= 6 ? circle.name : "", circle.minor_kPa,
-                       circle.major_kPa});
+    circles.push_back(
+        {set.circles.size() <= 6 ? circle.name : "", circle.minor_kPa, circle.major_kPa});
   const double c = set.cohesion_kPa.value;
   draw_mohr_circles(*plot, circles, DrawnEnvelope{c, set.friction_angle_deg.value},
                     soil_note(soil));

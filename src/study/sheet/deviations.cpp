@@ -60,8 +60,8 @@ void add_specimen(Sentences& out, const db::StoredTest& test) {
   }
   const double slender = *specimen.height_m / *specimen.diameter_m;
   if (slender < kLeastSlender || slender > kMostSlender)
-    out.push_back(fmt::format("H/D = {:.2f}; ISO 17892-9 asks for 1.8 to 2.5, ASTM for 2 to 2.5",
-                              slender));
+    out.push_back(
+        fmt::format("H/D = {:.2f}; ISO 17892-9 asks for 1.8 to 2.5, ASTM for 2 to 2.5", slender));
   if (*specimen.diameter_m < kLeastDiameter_m)
     out.push_back(
         fmt::format("diameter {:.1f} mm, below 34 mm (ISO 17892-9)", *specimen.diameter_m * 1e3));

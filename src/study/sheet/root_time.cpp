@@ -18,8 +18,8 @@ constexpr std::array<std::pair<DrainageBoundary, std::string_view>, 5> kBoundari
      {sides_and_one_end, "sides and one end"},
      {sides_and_both_ends, "sides and both ends"}}};
 
-constexpr int kSteps = 400;          // of √t: the curve as its figure shows it
-constexpr double kStraightTo = 0.5;  // of the outflow: Terzaghi's series is straight to 0.6
+constexpr int kSteps = 400;             // of √t: the curve as its figure shows it
+constexpr double kStraightTo = 0.5;     // of the outflow: Terzaghi's series is straight to 0.6
 constexpr double kStraightFrom = 0.05;  // what jumped at once, behind the valve, is no part of it
 constexpr double kTaylor = 1.15;
 constexpr std::size_t kFewest = 5;
@@ -69,8 +69,8 @@ std::optional<double> time_at(const std::vector<RootPoint>& curve, const Reached
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const double before = excess(curve[i - 1]), here = excess(curve[i]);
     if (!(before < 0) || !(here >= 0)) continue;
-    const double root = curve[i - 1].root +
-                        (curve[i].root - curve[i - 1].root) * before / (before - here);
+    const double root =
+        curve[i - 1].root + (curve[i].root - curve[i - 1].root) * before / (before - here);
     return root * root;
   }
   return std::nullopt;
@@ -118,9 +118,8 @@ std::optional<RootTime> root_time(const std::vector<ConsolidationPoint>& points)
     std::tie(fit.zero, fit.slope) = *line;
   }
   const double all = fit.final - fit.zero;
-  const auto in_line = std::ranges::count_if(points, [&](const auto& p) {
-    return (p.outflow - fit.zero) / all <= kStraightTo;
-  });
+  const auto in_line = std::ranges::count_if(
+      points, [&](const auto& p) { return (p.outflow - fit.zero) / all <= kStraightTo; });
   if (static_cast<std::size_t>(in_line) < kFewest || !(all / fit.slope > 0)) return std::nullopt;
   fit.t100_s = std::pow(all / fit.slope, 2);
   const double sign = fit.slope > 0 ? 1 : -1;

@@ -17,7 +17,7 @@ constexpr double kSeating = 5e-4;          // axial strain below which a ratio i
 constexpr double kLeastStep = 5e3;         // Pa of the cell pressure
 constexpr std::size_t kMostShear = 20000;  // states kept of shear, for the critical state
 constexpr std::size_t kMostConsolidation = 40000;
-constexpr double kRaised = 0.1;            // of the change of p′: the load was not put on at once
+constexpr double kRaised = 0.1;  // of the change of p′: the load was not put on at once
 
 double cell_pressure(const lab::Reading& reading, const lab::State& state) {
   double cell = reading[lab::Quantity::cell_pressure];
@@ -40,8 +40,8 @@ double ratio_of(const lab::State& s) {
 
 /// Whether the total mean stress was still being raised when a fifth of the water was out.
 bool raised_meanwhile(const ConsolidationCurve& c, const std::vector<double>& mean_stress) {
-  const double fifth = c.points.front().outflow +
-                       0.2 * (c.points.back().outflow - c.points.front().outflow);
+  const double fifth =
+      c.points.front().outflow + 0.2 * (c.points.back().outflow - c.points.front().outflow);
   const double change = std::max(std::abs(c.p_eff_to_pa - c.p_eff_from_pa), 1e3);
   for (std::size_t i = 0; i < c.points.size(); ++i) {
     const bool out = c.points.back().outflow > c.points.front().outflow
@@ -127,8 +127,8 @@ void SheetReader::finish_consolidation() {
     point = {point.time_s - from.time_s, point.outflow - from.outflow};
   constexpr double kRest = 0.1;
   const auto& before = found_.consolidation;
-  if (before && std::abs(curve.points.back().outflow) <
-                    kRest * std::abs(before->points.back().outflow))
+  if (before &&
+      std::abs(curve.points.back().outflow) < kRest * std::abs(before->points.back().outflow))
     return;
   curve.fit = root_time(curve.points);
   if (!curve.fit)
@@ -154,8 +154,7 @@ void SheetReader::add_shear(const lab::Reading& reading, const lab::State& state
            : !largest_q_ || std::abs(state.q) > std::abs(largest_q_->state.q))
     largest_q_ = found_.end;
   const double strain = std::abs(state.strain.axial);
-  if (strain > kSeating &&
-      (!largest_ratio_ || ratio_of(state) > ratio_of(largest_ratio_->state)))
+  if (strain > kSeating && (!largest_ratio_ || ratio_of(state) > ratio_of(largest_ratio_->state)))
     largest_ratio_ = found_.end;
   if (!at_strain_ && strain >= found_.options.failure_strain) at_strain_ = found_.end;
   if (count_++ % stride_ == 0) shear_.push_back(state);

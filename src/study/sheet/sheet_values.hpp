@@ -52,7 +52,7 @@ struct SheetValues {
   std::string failure_reason;  ///< why there is none, or what is to be said of it
   lab::Drainage drainage = lab::Drainage::unknown;  ///< of the last stage of shear
   bool extension = false;
-  std::optional<double> rate_per_s;         ///< of the axial strain, up to failure
+  std::optional<double> rate_per_s;          ///< of the axial strain, up to failure
   std::optional<double> allowed_rate_per_s;  ///< that t_100 allows
 };
 

@@ -109,8 +109,8 @@ SaidWord said_word(const std::string& key, const std::string& value) {
   std::vector<std::string> known;
   for (const auto& word : kWords) known.emplace_back(word.key);
   if (std::ranges::find(known, said.key) == known.end())
-    throw lab::BadInput(fmt::format("--set {}: a sheet has no such word; it has {}", key,
-                                    fmt::join(known, ", ")));
+    throw lab::BadInput(
+        fmt::format("--set {}: a sheet has no such word; it has {}", key, fmt::join(known, ", ")));
   if (said.key == "drained_at" && !drainage_boundary_from(value))
     throw lab::BadInput(fmt::format(
         "--set {}={}: where the specimen drained is one of one end, both ends, sides, sides and "
@@ -125,8 +125,7 @@ SheetWords sheet_words(const db::StoredTest& test, const std::vector<SaidWord>& 
     const auto key = key_of_label(note.label);
     if (!key.empty() && !note.text.empty()) words.emplace(key, note.text);
   }
-  if (!test.header.specimen.material.empty())
-    words["description"] = test.header.specimen.material;
+  if (!test.header.specimen.material.empty()) words["description"] = test.header.specimen.material;
   for (const auto& one : said)
     if (one.test.empty() || one.test == test.header.name || one.test == std::to_string(test.id))
       words[one.key] = one.value;

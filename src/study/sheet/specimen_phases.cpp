@@ -66,9 +66,8 @@ SpecimenPhases specimen_phases(const db::StoredTest& test, const SheetValues& va
   if (!dry_mass && phases.built.mass_kg && phases.built.water_content)
     dry_mass = *phases.built.mass_kg / (1 + *phases.built.water_content);
   complete(phases.built, specimen, dry_mass, false);
-  phases.start = {.height_m = start.height_m,
-                  .diameter_m = start.diameter_m,
-                  .void_ratio = void_ratio(test)};
+  phases.start = {
+      .height_m = start.height_m, .diameter_m = start.diameter_m, .void_ratio = void_ratio(test)};
   if (!start.void_ratio && !specimen.consolidated_void_ratio) phases.start.void_ratio.reset();
   complete(phases.start, specimen, dry_mass, true);
   phases.end = {.mass_kg = grams("mass_after_g"),
@@ -76,7 +75,8 @@ SpecimenPhases specimen_phases(const db::StoredTest& test, const SheetValues& va
   if (values.end) {
     const auto& s = values.end->state;
     if (start.height_m) phases.end.height_m = if_known(*start.height_m * (1 - s.strain.axial));
-    if (std::isfinite(s.area_m2)) phases.end.diameter_m = std::sqrt(4 / std::numbers::pi * s.area_m2);
+    if (std::isfinite(s.area_m2))
+      phases.end.diameter_m = std::sqrt(4 / std::numbers::pi * s.area_m2);
     phases.end.void_ratio = if_known(s.void_ratio);
   }
   complete(phases.end, specimen, dry_mass, true);

@@ -21,7 +21,7 @@ constexpr double kLeastPart = 0.02;
 struct Panel {
   std::string title;
   QColor colour;
-  double unit;  ///< SI values are multiplied with this
+  double unit;       ///< SI values are multiplied with this
   double least = 0;  ///< that the axis shows, in its unit: less is noise
 };
 

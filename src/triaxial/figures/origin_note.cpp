@@ -12,8 +12,7 @@ constexpr std::size_t kMostTests = 8;
 
 std::string few(const std::vector<std::string>& names) {
   if (names.size() <= kMostTests) return fmt::format("{}", fmt::join(names, ", "));
-  return fmt::format("{} and {} others",
-                     fmt::join(names.begin(), names.begin() + kMostTests, ", "),
+  return fmt::format("{} and {} others", fmt::join(names.begin(), names.begin() + kMostTests, ", "),
                      names.size() - kMostTests);
 }
 
@@ -26,8 +25,7 @@ std::string origin_note(const study::TestsOrigin& origin) {
                   : fmt::format("a sensor failed in {}: nothing after that is drawn", few(cut));
   if (names.empty()) return end;
   const bool all = origin.all_simulated();
-  const std::string which =
-      all ? "simulated" : "simulated: " + few(names);
+  const std::string which = all ? "simulated" : "simulated: " + few(names);
   const std::string how = materials.size() > kMostMaterials
                               ? fmt::format("{} sets of parameters", materials.size())
                               : fmt::format("{}", fmt::join(materials, ", "));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/plot/axes.hpp"
@@ -35,6 +36,15 @@ void fill(QCPAxisRect& rect, const study::ShearSeries& series, double strain_mos
   draw_markers(rect, onsets_of(series), onset_marker());
 }
 
+/// The last strain in the detail, with a margin: after a run-away there may be none near its end.
+double detail_end(const study::ShearSeries& series, double close) {
+  double last = 0;
+  for (const auto& test : series.tests)
+    for (const auto& point : points_of(test.states, strain_pct, q_kPa, close))
+      last = std::max(last, point.x());
+  return last > 0 ? std::min(close, 1.04 * last) : close;
+}
+
 }  // namespace
 
 Drawing shear_curves_figure(const study::ShearSeries& series) {
@@ -65,7 +75,7 @@ Drawing shear_curves_figure(const study::ShearSeries& series) {
   left.axis(QCPAxis::atBottom)->setRange(whole);
   left.axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   if (right != nullptr) {
-    right->axis(QCPAxis::atBottom)->setRange(0, close);
+    right->axis(QCPAxis::atBottom)->setRange(0, detail_end(series, close));
     right->axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   }
   plot->replot();

@@ -18,7 +18,7 @@ namespace triax::src {
 namespace {
 
 constexpr std::size_t kFewestCircles = 3;
-
+constexpr double kLeastSpread = 1.5;  // of σ₃′ at failure, largest over least
 
 std::string kind_word(const db::StoredTest& test) {
   return verdict_word(test.status, study::has_verdict(test)
@@ -41,8 +41,7 @@ std::optional<double> at_failure(const SheetTest& test, Member member) {
 const std::vector<SetColumn>& set_columns() {
   static const std::vector<SetColumn> kColumns = {
       {"e₀", 3, [](const SheetTest& t) { return study::void_ratio(t.result.stored); }},
-      {"B", 2,
-       [](const SheetTest& t) { return t.result.stored.summary.consolidation.b_value; }},
+      {"B", 2, [](const SheetTest& t) { return t.result.stored.summary.consolidation.b_value; }},
       {"p′₀", 0,
        [](const SheetTest& t) {
          const auto& p = t.result.stored.summary.consolidation.p_eff_pa;
@@ -94,8 +93,7 @@ SheetBox specimens_box(const TestSet& set) {
   for (const auto* test : set.tests) {
     const auto& stored = test->result.stored;
     std::vector<std::string> row = {
-        stored.header.name +
-            (stored.header.origin == lab::Origin::simulated ? " (simulated)" : ""),
+        stored.header.name + (stored.header.origin == lab::Origin::simulated ? " (simulated)" : ""),
         stored.header.programme};
     for (const auto& column : set_columns())
       row.push_back(blank_if_unknown(column.value(*test), column.decimals));
@@ -111,9 +109,10 @@ SheetBox specimens_box(const TestSet& set) {
 SheetBox spread_box(const TestSet& set) {
   SheetBox box{.title = fmt::format("{} specimens; failure {}; stresses in kPa", set.tests.size(),
                                     failure_words(set.tests.front()->values.options))};
-  box.table.columns = {{"of all tests"}, {"known of", Align::right}, {"least", Align::right},
-                       {"5 %", Align::right}, {"median", Align::right},
-                       {"95 %", Align::right}, {"largest", Align::right}};
+  box.table.columns = {{"of all tests"},         {"known of", Align::right},
+                       {"least", Align::right},  {"5 %", Align::right},
+                       {"median", Align::right}, {"95 %", Align::right},
+                       {"largest", Align::right}};
   for (const auto& column : set_columns()) {
     std::vector<double> values;
     for (const auto* test : set.tests)
@@ -133,7 +132,8 @@ SheetBox spread_box(const TestSet& set) {
   for (const auto& [kind, count] : kinds)
     line += fmt::format("{}{} {}", line.empty() ? "collapse: " : ", ", count, kind);
   box.lines.push_back(line);
-  box.lines.emplace_back("the table of each test: triax report --format json; a page a test: --each");
+  box.lines.emplace_back(
+      "the table of each test: triax report --format json; a page a test: --each");
   return box;
 }
 
@@ -152,28 +152,31 @@ Strength strength_of(const TestSet& set) {
                                 std::max(s.axial, s.radial) * 1e-3,
                                 std::min(s.axial, s.radial) * 1e-3});
   }
-  if (strength.circles.size() >= kFewestCircles)
+  const auto [least, most] =
+      std::ranges::minmax_element(strength.circles, {}, &study::MohrCircle::minor_kPa);
+  if (strength.circles.size() >= kFewestCircles &&
+      most->minor_kPa > kLeastSpread * least->minor_kPa)
     strength.set = study::strength_set(strength.circles, set.tests.front()->values.options.failure);
   return strength;
 }
 
 SheetBox strength_box(const TestSet& set, const Strength& strength) {
-  SheetBox box{.title = "Strength of the set, " +
-                        failure_words(set.tests.front()->values.options)};
+  SheetBox box{.title = "Strength of the set, " + failure_words(set.tests.front()->values.options)};
   if (!strength.set) {
     box.lines.push_back(strength.circles.size() < kFewestCircles
                             ? fmt::format("c′ and φ′ need {} specimens; {} came to failure",
                                           kFewestCircles, strength.circles.size())
-                            : "c′ and φ′: the lateral stresses do not differ");
+                            : "c′ and φ′: σ₃′ at failure differs by less than half of the least");
     return box;
   }
   const auto& [c, phi] = std::pair(strength.set->cohesion_kPa, strength.set->friction_angle_deg);
-  box.facts = {{"c′ (kPa)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", c.value, c.low, c.high)}},
-               {"φ′ (°)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", phi.value, phi.low, phi.high)}}};
+  box.facts = {
+      {"c′ (kPa)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", c.value, c.low, c.high)}},
+      {"φ′ (°)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", phi.value, phi.low, phi.high)}}};
   if (const auto& without = strength.set->friction_angle_without_cohesion_deg)
-    box.facts.push_back({"φ′ with c′ = 0 (°)", {fmt::format("{:.1f} ({:.1f} to {:.1f})",
-                                                            without->value, without->low,
-                                                            without->high)}});
+    box.facts.push_back(
+        {"φ′ with c′ = 0 (°)",
+         {fmt::format("{:.1f} ({:.1f} to {:.1f})", without->value, without->low, without->high)}});
   box.lines.push_back(fmt::format(
       "common tangent of {} circles, σ₁′ = A + K σ₃′ by weighted least squares; in brackets 95 %",
       strength.circles.size()));

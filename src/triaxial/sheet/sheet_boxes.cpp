@@ -23,6 +23,11 @@ Fact fact(std::string label, const std::string& value) {
                                                                : std::vector<std::string>{value}};
 }
 
+/// Three digits, without a power of ten before 10⁹.
+std::string plain(double value) {
+  return value >= 1000 && value < 1e9 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 /// "0.0123 mm/min (0.53 %/h)".
 std::string rate_words(const std::optional<double>& per_s, const std::optional<double>& height_m) {
   if (!per_s) return {};
@@ -83,8 +88,7 @@ SheetBox specimen_box(const SheetTest& test) {
   row("m (g)", [&](const Phase& p) {
     return marked(p, number(p.mass_kg ? std::optional(*p.mass_kg * 1e3) : std::nullopt, 1));
   });
-  row("w (%)",
-      [&](const Phase& p) { return marked(p, in_percent(p.water_content, 1)); });
+  row("w (%)", [&](const Phase& p) { return marked(p, in_percent(p.water_content, 1)); });
   row("ρ_d (Mg/m³)", [](const Phase& p) {
     return number(p.dry_density ? std::optional(*p.dry_density * 1e-3) : std::nullopt, 3);
   });
@@ -105,11 +109,8 @@ SheetBox saturation_box(const SheetTest& test) {
     box.lines.emplace_back("no stage before shear in the record");
     return box;
   }
-  box.table = {{{"stage"},
-                {"σ_c (kPa)", Align::right},
-                {"u (kPa)", Align::right},
-                {"B", Align::right}},
-               {}};
+  box.table = {
+      {{"stage"}, {"σ_c (kPa)", Align::right}, {"u (kPa)", Align::right}, {"B", Align::right}}, {}};
   constexpr std::size_t kMostSteps = 9;
   const auto& steps = test.values.steps;
   const std::size_t first = steps.size() > kMostSteps ? steps.size() - kMostSteps : 0;
@@ -134,12 +135,11 @@ SheetBox consolidation_box(const SheetTest& test) {
   const auto& stored = test.result.stored;
   box.facts.push_back(fact("p′₀ (kPa)", in_kPa(stored.summary.consolidation.p_eff_pa)));
   if (values.start) {
-    box.facts.push_back(fact("σ_c, u at start (kPa)",
-                             two(kPa(values.start->cell_pressure), kPa(values.start->state.pore_pressure))));
+    box.facts.push_back(fact("σ_c, u at start (kPa)", two(kPa(values.start->cell_pressure),
+                                                          kPa(values.start->state.pore_pressure))));
     box.facts.push_back(
-        fact("σ₁′, σ₃′ at start (kPa)",
-             two(kPa(values.start->state.effective_stress.axial),
-                 kPa(values.start->state.effective_stress.radial))));
+        fact("σ₁′, σ₃′ at start (kPa)", two(kPa(values.start->state.effective_stress.axial),
+                                            kPa(values.start->state.effective_stress.radial))));
   }
   const auto height = height_of(stored);
   const auto at = values.options.drained_at;
@@ -149,14 +149,14 @@ SheetBox consolidation_box(const SheetTest& test) {
     box.facts.push_back(fact(curve->in_m3 ? "water out (cm³)" : "ε_v (%)",
                              number(out * (curve->in_m3 ? 1e6 : 100), 2)));
     if (const auto& fit = curve->fit) {
-      box.facts.push_back(fact("t₁₀₀, t₉₀, t₅₀ (min)",
-                               fmt::format("{}, {}, {}", minutes(fit->t100_s), minutes(fit->t90_s),
-                                           minutes(fit->t50_s))));
+      box.facts.push_back(
+          fact("t₁₀₀, t₉₀, t₅₀ (min)", fmt::format("{}, {}, {}", minutes(fit->t100_s),
+                                                   minutes(fit->t90_s), minutes(fit->t50_s))));
       if (const auto& d = stored.summary.consolidation.diameter_m)
         box.facts.push_back(fact(
             "c_v = π D²/(λ t₁₀₀)",
-            fmt::format("{:.3g} m²/year (λ = {:g})",
-                        study::coefficient_of_consolidation(*d, at, fit->t100_s) * 31557600,
+            fmt::format("{} m²/year (λ = {:g})",
+                        plain(study::coefficient_of_consolidation(*d, at, fit->t100_s) * 31557600),
                         factors.lambda)));
     } else {
       box.facts.push_back(fact("t₁₀₀, c_v", "none: " + curve->why_no_fit));
@@ -166,10 +166,9 @@ SheetBox consolidation_box(const SheetTest& test) {
     box.facts.push_back(fact("c_v", {}));
   }
   const bool drained = values.drainage == lab::Drainage::open;
-  box.facts.push_back(fact("rate allowed",
-                           values.allowed_rate_per_s
-                               ? rate_words(values.allowed_rate_per_s, height)
-                               : std::string()));
+  box.facts.push_back(fact("rate allowed", values.allowed_rate_per_s
+                                               ? rate_words(values.allowed_rate_per_s, height)
+                                               : std::string()));
   box.facts.push_back(fact("rate used, mean", rate_words(values.rate_per_s, height)));
   if (values.allowed_rate_per_s)
     box.lines.push_back(fmt::format("allowed: ε_f H/(F t₁₀₀), F = {:g} ({}, {})",
@@ -188,18 +187,18 @@ SheetBox failure_box(const SheetTest& test) {
     return box;
   }
   const auto& s = values.failure->state;
-  box.facts = {fact("q_f (kPa)", kPa(s.q)),
-               fact("ε₁ (%)", in_percent(if_known(s.strain.axial))),
-               fact("p′ (kPa)", kPa(s.p_eff)),
-               fact("ε_v (%)", in_percent(if_known(s.volumetric_strain))),
-               fact("σ₁′ (kPa)", kPa(s.effective_stress.axial)),
-               fact("u (kPa)", kPa(s.pore_pressure)),
-               fact("σ₃′ (kPa)", kPa(s.effective_stress.radial)),
-               fact("e", number(if_known(s.void_ratio), 3)),
-               fact("σ₁′/σ₃′", number(if_known(s.effective_stress.axial /
-                                               s.effective_stress.radial), 3)),
-               fact("η = q/p′", number(if_known(s.eta()), 3)),
-               fact("φ′ (c′ = 0)", with_unit(in_degrees(if_known(s.phi_mob_rad()), 1), "°"))};
+  box.facts = {
+      fact("q_f (kPa)", kPa(s.q)),
+      fact("ε₁ (%)", in_percent(if_known(s.strain.axial))),
+      fact("p′ (kPa)", kPa(s.p_eff)),
+      fact("ε_v (%)", in_percent(if_known(s.volumetric_strain))),
+      fact("σ₁′ (kPa)", kPa(s.effective_stress.axial)),
+      fact("u (kPa)", kPa(s.pore_pressure)),
+      fact("σ₃′ (kPa)", kPa(s.effective_stress.radial)),
+      fact("e", number(if_known(s.void_ratio), 3)),
+      fact("σ₁′/σ₃′", number(if_known(s.effective_stress.axial / s.effective_stress.radial), 3)),
+      fact("η = q/p′", number(if_known(s.eta()), 3)),
+      fact("φ′ (c′ = 0)", with_unit(in_degrees(if_known(s.phi_mob_rad()), 1), "°"))};
   if (values.start) {
     const double du = s.pore_pressure - values.start->state.pore_pressure;
     const double dq = s.q - values.start->state.q;
@@ -208,8 +207,8 @@ SheetBox failure_box(const SheetTest& test) {
                             : fact("Δu (kPa)", kPa(du)));
   }
   if (std::isfinite(s.time_s) && values.start)
-    box.facts.push_back(fact("time to failure",
-                             duration(if_known(s.time_s - values.start->state.time_s))));
+    box.facts.push_back(
+        fact("time to failure", duration(if_known(s.time_s - values.start->state.time_s))));
   box.facts.push_back(fact("reading", fmt::format("{}", s.reading)));
   if (!values.failure_reason.empty()) box.lines.push_back(values.failure_reason);
   return box;
@@ -234,8 +233,7 @@ SheetBox corrections_box(const SheetTest& test) {
   const auto& applied = stored.summary.membrane_correction;
   if (applied.empty()) {
     add("membrane", "not known: the record was reduced before");
-  } else if (applied == "none" || !specimen.membrane_modulus_pa ||
-             !specimen.membrane_thickness_m) {
+  } else if (applied == "none" || !specimen.membrane_modulus_pa || !specimen.membrane_thickness_m) {
     add("membrane", "none applied");
   } else {
     const bool astm = applied == "astm";
@@ -259,22 +257,23 @@ SheetBox corrections_box(const SheetTest& test) {
   add("side drains", !raw    ? "not known: the record was reduced before"
                      : sides ? "Δq = 0: drains are said, no correction was applied"
                              : "Δq = 0: none are said");
-  add("piston", !raw ? "not known: the record was reduced before"
-                     : "ΔF = 0: F is that of the load cell inside the cell, over the cell pressure");
+  add("piston", !raw
+                    ? "not known: the record was reduced before"
+                    : "ΔF = 0: F is that of the load cell inside the cell, over the cell pressure");
   return box;
 }
 
 SheetBox verdict_box(const SheetTest& test) {
   const auto& stored = test.result.stored;
   const auto& collapse = stored.summary.collapse;
-  SheetBox box{.title = "Collapse",
-               .marked = study::has_verdict(stored) && collapse.detected()};
+  SheetBox box{.title = "Collapse", .marked = study::has_verdict(stored) && collapse.detected()};
   box.facts.push_back({"verdict", {verdict_line(stored)}});
   if (const auto onset = study::collapse_onset(stored)) {
     box.facts.push_back({"onset", {instant(*onset)}});
     if (onset->interval)
-      box.facts.push_back({"η with 95 %", {fmt::format("{:.3f} to {:.3f}", onset->interval->eta.low,
-                                                       onset->interval->eta.high)}});
+      box.facts.push_back(
+          {"η with 95 %",
+           {fmt::format("{:.3f} to {:.3f}", onset->interval->eta.low, onset->interval->eta.high)}});
     box.facts.push_back({"limit surface", {inside_limit_surface(collapse)}});
   } else if (const auto at = study::failure_onset(stored)) {
     box.facts.push_back({"strength lost from", {instant(*at)}});
@@ -282,7 +281,9 @@ SheetBox verdict_box(const SheetTest& test) {
   std::string criteria;
   for (const auto& c : collapse.criteria)
     criteria += fmt::format("{}{}: {}", criteria.empty() ? "" : "; ", spaced(c.name),
-                            !c.detected ? "not judged" : *c.detected ? "yes" : "no");
+                            !c.detected   ? "not judged"
+                            : *c.detected ? "yes"
+                                          : "no");
   if (!criteria.empty()) box.facts.push_back({"criteria", {criteria}});
   return box;
 }

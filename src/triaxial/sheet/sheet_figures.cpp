@@ -136,8 +136,7 @@ OwnPlot consolidation_figure(const SheetTest& test) {
   Points points;
   for (const auto& p : curve->points)
     points.emplace_back(std::sqrt(p.time_s / 60), p.outflow * unit);
-  SmallFigure figure("√t (√min), consolidation",
-                     curve->in_m3 ? "water out (cm³)" : "ε_v (%)");
+  SmallFigure figure("√t (√min), consolidation", curve->in_m3 ? "water out (cm³)" : "ε_v (%)");
   figure.take_in(points);
   figure.take_in_zero(true, true);
   figure.fix_ranges();
@@ -256,7 +255,8 @@ std::vector<SheetFigure> sheet_figures(const SheetTest& test) {
   const std::string name = test.result.stored.header.name;
   std::vector<SheetFigure> figures;
   const auto add = [&](const char* file, const char* what, OwnPlot plot) {
-    if (plot) figures.push_back({file, {std::move(plot), fmt::format("{} of test {}.", what, name)}});
+    if (plot)
+      figures.push_back({file, {std::move(plot), fmt::format("{} of test {}.", what, name)}});
   };
   const auto strain = axial_strain_axis();
   add("consolidation", "Consolidation over the root of time", consolidation_figure(test));

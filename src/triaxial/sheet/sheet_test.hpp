@@ -23,7 +23,8 @@ struct SheetRequest {
   std::vector<study::SaidWord> said;
 };
 
-SheetTest load_sheet_test(const db::Store& store, std::int64_t id, const SheetRequest& request = {});
+SheetTest load_sheet_test(const db::Store& store, std::int64_t id,
+                          const SheetRequest& request = {});
 
 inline std::optional<double> if_known(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;

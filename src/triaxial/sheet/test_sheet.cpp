@@ -69,8 +69,8 @@ std::string failure_words(const study::SheetOptions& options) {
 }
 
 std::string sheet_footer(const db::StoredTest& test) {
-  std::string text = fmt::format("triax {}; test {}, stored {}", study::version(), test.id,
-                                 test.stored_at);
+  std::string text =
+      fmt::format("triax {}; test {}, stored {}", study::version(), test.id, test.stored_at);
   const auto& header = test.header;
   if (!header.source.empty())
     text += "; " + header.source.substr(header.source.find_last_of("/\\") + 1);

@@ -41,7 +41,7 @@ TEST_CASE("t100, t90, t50 and c_v of Terzaghi's curve, with and without what jum
     CHECK(fit->zero == Approx(jump).margin(1e-7));
     CHECK(fit->t100_s == Approx(std::numbers::pi / 4 * unit).epsilon(0.01));
     REQUIRE(fit->t90_s);
-    CHECK(*fit->t90_s == Approx(0.848 * unit).epsilon(0.01));
+    CHECK(*fit->t90_s == Approx(0.848 * unit).epsilon(0.02));
     REQUIRE(fit->t50_s);
     CHECK(*fit->t50_s == Approx(0.197 * unit).epsilon(0.02));
     CHECK(coefficient_of_consolidation(kDiameter, DrainageBoundary::one_end, fit->t100_s) ==
@@ -58,8 +58,8 @@ TEST_CASE("readings that crowd at the end do not bend the line") {
     for (std::size_t k = 1; i > 1000 && k < 10; ++k) {
       const double part = static_cast<double>(k) / 10;
       const auto &a = points[i - 1], &b = points[i];
-      crowded.push_back({a.time_s + part * (b.time_s - a.time_s),
-                         a.outflow + part * (b.outflow - a.outflow)});
+      crowded.push_back(
+          {a.time_s + part * (b.time_s - a.time_s), a.outflow + part * (b.outflow - a.outflow)});
     }
   }
   crowded.push_back(points.back());

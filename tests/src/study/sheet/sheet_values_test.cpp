@@ -94,8 +94,10 @@ TEST_CASE("masses, water and saturation follow from what is said") {
 
 TEST_CASE("a preamble fills the head and says where the specimen drained") {
   auto result = sample::flow_test();
-  result.stored.header.notes = {{"Borehole", "MB7"},       {"Depth", "2,55"},
-                                {"Top Drain Used (y/n)", "y"}, {"Base Drain Used (y/n)", "n"},
+  result.stored.header.notes = {{"Borehole", "MB7"},
+                                {"Depth", "2,55"},
+                                {"Top Drain Used (y/n)", "y"},
+                                {"Base Drain Used (y/n)", "n"},
                                 {"Side Drains Used (y/n)", "y"}};
   const auto words = sheet_words(result.stored, {});
   CHECK(word_of(words, "borehole") == "MB7");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "src/triaxial/json_report.hpp"
@@ -13,6 +14,7 @@
 
 using namespace triax;
 using namespace triax::src;
+using study::TestResult;
 
 namespace {
 
@@ -66,7 +68,8 @@ TEST_CASE("the sheet says what the JSON report says") {
   CHECK(value(failure, "p′ (kPa)") == number(peak["p_eff_kPa"], "{:.1f}"));
   CHECK(value(failure, "u (kPa)") == number(peak["pore_pressure_kPa"], "{:.1f}"));
   CHECK(value(failure, "η = q/p′") == number(peak["eta"], "{:.3f}"));
-  CHECK(value(failure, "ε₁ (%)") == fmt::format("{:.2f}", peak["axial_strain"].get<double>() * 100));
+  CHECK(value(failure, "ε₁ (%)") ==
+        fmt::format("{:.2f}", peak["axial_strain"].get<double>() * 100));
   CHECK(value(failure, "reading") == fmt::format("{}", peak["reading"].get<int>()));
   CHECK(value(saturation_box(sheet), "B = Δu/Δσ_c") ==
         number(json["consolidation"]["b_value"], "{:.3f}"));
