@@ -33,17 +33,19 @@ const char* sheet_style() {
   font-size: 12pt; font-weight: 700; align-items: baseline; }
 .sheet .head .mark { color: #d55e00; } .sheet .head .subject { margin-left: auto; }
 .sheet .row { display: flex; gap: 1.4mm; margin-top: 1.4mm; }
-.sheet .part { border: 1px solid #888; padding: 0.8mm 1mm; min-width: 0; overflow-wrap: anywhere; }
+.sheet .part { border: 1px solid #888; padding: 0.8mm 1mm; min-width: 0; overflow-wrap: break-word; }
 .sheet .part.figure { padding: 0; } .sheet .part svg { display: block; width: 100%; height: auto; }
 .sheet .marked { background: #fbe3d3; border-color: #d55e00; print-color-adjust: exact; }
 .sheet .title { font-weight: 700; }
 .sheet table { font-size: inherit; width: 100%; border-collapse: collapse; }
 .sheet td, .sheet th { padding: 0 0.6mm; border: 0; vertical-align: top; font-weight: 400; }
+.sheet .rows [align=right] { white-space: nowrap; }
 .sheet th { color: #555; border-bottom: 1px solid #999; }
 .sheet .label { color: #555; white-space: nowrap; width: 1%; }
 .sheet .blank { border-bottom: 1px solid #999; min-width: 18mm; }
 .sheet .foot { color: #777; font-size: 6pt; margin-top: 1mm; }
-@media print { @page { size: A4; margin: 6mm; } .sheet { margin: 0; break-after: page; }
+@media print { @page { size: A4; margin: 6mm; } .sheet { margin: 0; }
+  .sheet + .sheet { break-before: page; }
   .sheet .row { break-inside: avoid; } })";
 }
 

@@ -42,7 +42,7 @@ figure svg { display: block; width: 100%; max-width: 620px; min-width: 27rem; he
 figcaption { font-size: 0.87rem; color: #444; }
 @media (max-width: 40rem) { .facts th, .facts td { display: block; border: 0; padding: 0.1rem 0; }
   .facts tr { display: block; border-bottom: 1px solid #ddd; padding: 0.3rem 0; } }
-@media print { body { font-size: 10pt; padding: 0; }
+@media print { body { font-size: 10pt; padding: 0; margin: 0; }
   h2 { break-before: page; border-top: 0; } h2, h3 { break-after: avoid; }
   figure, tr, .banner { break-inside: avoid; } .scroll { overflow: visible; }
   .figures { display: block; } figure { overflow: visible; }
