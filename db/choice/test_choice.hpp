@@ -15,8 +15,8 @@ struct ChosenTest {
 /// Tests for which `where` (empty: all) is true, oldest first; `group` is a column of the same
 /// table, or an expression of such columns; empty: none. The columns are test_id, test, origin,
 /// programme, status, source, tags (one text, blanks between), material, void_ratio, p0_eff_kPa,
-/// kind, eta (at the onset), csr. Throws as query() does, with SQLite's own words for what it does
-/// not understand.
+/// kind, eta (at the onset), csr, sweep. Throws as query() does, with SQLite's own words for what
+/// it does not understand.
 std::vector<ChosenTest> choose_tests(const std::string& path, const std::string& where,
                                      const std::string& group);
 

@@ -6,6 +6,7 @@
 #include "lab/base/bad_input.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/element/figures/path_figure.hpp"
 #include "src/element/path_csv.hpp"
 #include "src/element/path_json.hpp"
 #include "src/element/path_text.hpp"
@@ -22,6 +23,7 @@ struct ElementOptions {
   std::string output;
   std::string save_failure;
   std::string format;
+  std::string figure;
 };
 
 void run_element(const ElementOptions& o) {
@@ -42,6 +44,11 @@ void run_element(const ElementOptions& o) {
     write_file(o.save_failure, result.failed_increment);
   if (!o.output.empty())
     write_file(o.output, o.output.ends_with(".json") ? path_json(result) : path_csv(result));
+  if (!o.figure.empty()) {
+    const auto figure = path_figure(result);
+    if (!figure.drawing.plot) throw lab::BadInput("--figure: the path has no two rows to draw");
+    write_named_figure(figure, o.figure);
+  }
   print(o.format == "json"  ? path_json(result)
         : o.format == "csv" ? path_csv(result)
                             : path_text(result));
@@ -86,6 +93,8 @@ Command element_command() {
             "files of incrementalDriver; the folder alone says the same"},
            {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
             "the same with their UMAT, built as a shared library"},
+           {"triax element samples/paths/drained_100.toml --figure drained",
+            "the path as figures: drained_path.svg, .png, .pdf"},
            {"triax element path.toml --set material=sanisand/Toyoura-DM04 --output rows.csv",
             "another material, and all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
@@ -104,6 +113,11 @@ Command element_command() {
         app.add_option("--save-failure", o->save_failure,
                        "write an increment that could not be done as a path of its own")
             ->type_name("FILE.toml");
+        app.add_option(
+               "--figure", o->figure,
+               "draw the path: q, volume and pore pressure over strain, stress path, e over "
+               "log p'; PREFIX_path.svg, .png, .pdf and its numbers as .csv and .json")
+            ->type_name("PREFIX");
         add_format(app, o->format, {"text", "json", "csv"});
         return [o] { run_element(*o); };
       }};

@@ -110,7 +110,11 @@ std::string to_svg(const QCustomPlot& plot) {
   auto text = QString::fromUtf8(buffer.data());
   // Qt's own title would pop up over every figure.
   text.remove(QRegularExpression("<(title|desc)>[^<]*</(title|desc)>\n"));
-  return in_xml(with_text_lengths(text.mid(text.indexOf("<svg"))).toStdString());
+  auto svg_text = with_text_lengths(text.mid(text.indexOf("<svg")));
+  // On a dark page too the ink is dark.
+  svg_text.insert(svg_text.indexOf('>') + 1,
+                  "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+  return in_xml(svg_text.toStdString());
 }
 
 std::string to_png(const QCustomPlot& plot, double scale, const std::string& description) {

@@ -86,9 +86,20 @@ Pages::Pages(QIODevice& device, const std::string& title) : writer_(&device) {
   if (!painter_.begin(&writer_)) throw lab::WorkFailed("a PDF document cannot be begun");
 }
 
-void Pages::begin_page(const std::string& running_head) {
+void Pages::turn_page() {
   if (count_ > 0 && !writer_.newPage()) throw lab::WorkFailed("a PDF page cannot be begun");
   ++count_;
+}
+
+void Pages::add_page(const std::function<void(QPainter&, QPaintDevice&)>& draw) {
+  turn_page();
+  painter_.save();
+  draw(painter_, writer_);
+  painter_.restore();
+}
+
+void Pages::begin_page(const std::string& running_head) {
+  turn_page();
   const auto area = text_area();
   painter_.setFont(page_font(8));
   painter_.setPen(kGrey);

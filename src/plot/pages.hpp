@@ -3,6 +3,7 @@
 // Sections of rich text with vector figures on numbered A4 pages.
 #include <QPainter>
 #include <QPdfWriter>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,12 +24,15 @@ class Pages {
   /// Begins a document on `device`, which must be open and outlive this. Throws lab::WorkFailed.
   Pages(QIODevice& device, const std::string& title);
   void add(const PageSection& section);
+  /// A page without head and number, drawn by the function in points.
+  void add_page(const std::function<void(QPainter&, QPaintDevice&)>& draw);
   /// Pages written so far.
   int count() const { return count_; }
   /// Ends the document; without it the PDF is not complete. Throws lab::WorkFailed.
   void finish();
 
  private:
+  void turn_page();
   void begin_page(const std::string& running_head);
 
   QPdfWriter writer_;

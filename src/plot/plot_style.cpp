@@ -7,6 +7,7 @@
 namespace triax::src {
 namespace {
 
+constexpr double kLeastRange = 2e-4;  // of the largest value
 constexpr QMargins kLegendMargins(50, 0, 10, 4);
 
 }  // namespace
@@ -116,8 +117,12 @@ void RangeOf::widen_to(double width) {
 QCPRange RangeOf::with_margin(double margin, bool keep_zero) const {
   if (empty_) return {0, 1};
   double width = high_ - low_;
-  if (width <= 1e-12 * std::max(std::abs(low_), std::abs(high_)))
-    width = std::max(std::abs(high_) * 0.1, 1e-6);
+  const double size = std::max(std::abs(low_), std::abs(high_));
+  if (width <= 1e-12 * size) width = std::max(std::abs(high_) * 0.1, 1e-6);
+  // Numbers of six digits tell ticks apart only where the range is wider than this.
+  if (const double lack = kLeastRange * size - width; lack > 0)
+    return {low_ - lack / 2 - margin * size * kLeastRange,
+            high_ + lack / 2 + margin * size * kLeastRange};
   const bool keep_low = keep_zero && low_ == 0;
   const bool keep_high = keep_zero && high_ == 0 && low_ < 0;
   return {low_ - (keep_low ? 0 : margin * width), high_ + (keep_high ? 0 : margin * width)};

@@ -74,7 +74,8 @@ void add_options(CLI::App& app, SoilCommandOptions& o) {
   app.add_option(
          "--where", o.choice.where,
          "only tests for which this is true: a condition of SQL on test_id, test, origin, "
-         "programme, status, source, tags, material, void_ratio, p0_eff_kPa, kind, eta, csr")
+         "programme, status, source, tags, material, void_ratio, p0_eff_kPa, kind, eta, csr, "
+         "sweep")
       ->type_name("SQL");
   app.add_option("--group", o.choice.group,
                  "a result for each value of one of these columns, or of an expression of them")

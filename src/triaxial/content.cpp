@@ -216,21 +216,6 @@ Table summary_table(const std::vector<study::TestResult>& tests) {
   return table;
 }
 
-std::string summary_banner(const std::vector<study::TestResult>& tests) {
-  const auto counts = study::counts_of(tests);
-  std::vector<std::string> parts;
-  if (counts.simulated > 0)
-    parts.push_back(
-        fmt::format("{} of {} tests SIMULATED, not measured", counts.simulated, counts.tests));
-  if (counts.interrupted > 0)
-    parts.push_back(fmt::format("{} of {} tests INTERRUPTED: cut off, without verdict",
-                                counts.interrupted, counts.tests));
-  if (counts.read_again > 0)
-    parts.push_back(fmt::format("{} of {} rows: the file was READ AGAIN, the later reading counts",
-                                counts.read_again, tests.size()));
-  return fmt::format("{}", fmt::join(parts, ". "));
-}
-
 std::vector<std::string> summary_notes() {
   return {
       "p′₀, e₀: mean effective stress and void ratio at the start of shear",

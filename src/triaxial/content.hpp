@@ -24,13 +24,6 @@ struct TestContent {
 /// p'0 (kPa), e0, φ_mob (°), η at collapse; and origin, kind, limit surface, agreement.
 Table summary_table(const std::vector<study::TestResult>& tests);
 
-/// Column of summary_table that holds the name of the test.
-inline constexpr std::size_t kSummaryNameColumn = 1;
-
-/// What a reader of the summary must not miss: how many of the tests are SIMULATED or INTERRUPTED;
-/// empty if none is.
-std::string summary_banner(const std::vector<study::TestResult>& tests);
-
 /// What the columns of the summary mean, one sentence each.
 std::vector<std::string> summary_notes();
 

@@ -15,6 +15,7 @@
 #include "src/triaxial/figures/strains_over_p_figure.hpp"
 #include "src/triaxial/figures/stress_increments_figure.hpp"
 #include "src/triaxial/figures/stress_paths_figure.hpp"
+#include "src/triaxial/sheet/sheet_figures.hpp"
 #include "src/triaxial/test_figures.hpp"
 
 namespace triax::src {
@@ -89,6 +90,17 @@ std::vector<std::string> write_figures(const std::vector<study::TestResult>& tes
   figures.add("stress_increments",
               stress_increments_figure(increments, origin_note(study::origin_of(tests))));
   return figures.take();
+}
+
+void write_sheet_figures(const std::vector<SheetTest>& tests, const std::string& folder) {
+  FigureFolder figures(folder);
+  FileNames names;
+  for (const auto& test : tests) {
+    const auto& stored = test.result.stored;
+    const auto name = names.take(file_name(stored.header.name), stored.id);
+    for (const auto& figure : sheet_figures(test))
+      figures.add(name + '_' + figure.name, figure.drawing);
+  }
 }
 
 }  // namespace triax::src

@@ -6,6 +6,7 @@
 
 #include "src/study/triaxial/collapse_increment.hpp"
 #include "src/study/triaxial/test_result.hpp"
+#include "src/triaxial/sheet/sheet_test.hpp"
 
 namespace triax::src {
 
@@ -23,5 +24,9 @@ namespace triax::src {
 std::vector<std::string> write_figures(const std::vector<study::TestResult>& tests,
                                        const std::vector<study::CollapseIncrement>& increments,
                                        const std::string& folder);
+
+/// The figures of sheets in the same way: TEST_consolidation, TEST_q, TEST_u or TEST_volume,
+/// TEST_eta, TEST_path, TEST_void_ratio.
+void write_sheet_figures(const std::vector<SheetTest>& tests, const std::string& folder);
 
 }  // namespace triax::src

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "src/output/markup.hpp"
+#include "src/sheet/sheet_html.hpp"
 #include "src/triaxial/content.hpp"
-#include "src/triaxial/figures/collapse_points_figure.hpp"
+#include "src/triaxial/sheet/set_sheet.hpp"
+#include "src/triaxial/sheet/test_sheet.hpp"
 #include "src/triaxial/test_figures.hpp"
 
 namespace triax::src {
@@ -18,7 +18,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 <head>
 <meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
-<title>Triaxial tests: collapse report</title>
+<title>Triaxial tests</title>
 <style>
 body { font: 15px/1.45 "DejaVu Sans", Verdana, sans-serif; color: #222; background: #fff;
        max-width: 80rem; margin: 0 auto; padding: 1rem; }
@@ -42,14 +42,11 @@ figure svg { display: block; width: 100%; max-width: 620px; min-width: 27rem; he
 figcaption { font-size: 0.87rem; color: #444; }
 @media (max-width: 40rem) { .facts th, .facts td { display: block; border: 0; padding: 0.1rem 0; }
   .facts tr { display: block; border-bottom: 1px solid #ddd; padding: 0.3rem 0; } }
-@media print { @page { size: A4; margin: 15mm; } body { font-size: 10pt; padding: 0; }
+@media print { body { font-size: 10pt; padding: 0; margin: 0; }
   h2 { break-before: page; border-top: 0; } h2, h3 { break-after: avoid; }
   figure, tr, .banner { break-inside: avoid; } .scroll { overflow: visible; }
   .figures { display: block; } figure { overflow: visible; }
   figure svg { max-height: 235mm; min-width: 0; } .banner { print-color-adjust: exact; } }
-</style>
-</head>
-<body>
 )";
 
 std::string anchor(const study::TestResult& test) { return fmt::format("test-{}", test.stored.id); }
@@ -68,10 +65,10 @@ std::string section(const char* title, const Table& table) {
   return fmt::format("<h3>{}</h3>\n{}", title, scrolling(table_markup(table)));
 }
 
-std::string test_markup(const study::TestResult& test) {
+std::string evidence_markup(const study::TestResult& test) {
   const auto content = test_content(test);
-  std::string html =
-      fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", anchor(test), escaped(content.title));
+  std::string html = fmt::format("<section id=\"{}-evidence\">\n<h2>{}</h2>\n", anchor(test),
+                                 escaped(content.title));
   if (!content.banner.empty())
     html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(content.banner));
   html += facts_markup(content.facts);
@@ -83,29 +80,21 @@ std::string test_markup(const study::TestResult& test) {
   return html + "</section>\n";
 }
 
-std::string summary_markup(const std::vector<study::TestResult>& tests) {
-  const auto table = summary_table(tests);
-  std::vector<std::string> anchors;
-  for (const auto& test : tests) anchors.push_back(anchor(test));
-  std::string html = scrolling(table_markup(table, anchors, kSummaryNameColumn));
-  html += "<ul class=\"notes\">\n";
-  for (const auto& note : summary_notes()) html += fmt::format("<li>{}</li>\n", escaped(note));
-  html += "</ul>\n";
-  if (const auto points = collapse_points_figure(study::collapse_points(tests)); points.plot)
-    html += figure_markup(points);
-  return html;
-}
-
 }  // namespace
 
-std::string html_report(const std::vector<study::TestResult>& tests, const std::string& more) {
+std::string html_report(const ReportSheets& sheets, const std::string& more) {
   std::string html = kHead;
-  html += "<h1>Triaxial tests: when and why they became unstable</h1>\n";
-  if (tests.empty() && more.empty()) html += "<p>The database holds no test.</p>\n";
-  if (const auto banner = summary_banner(tests); !banner.empty())
-    html += fmt::format("<p class=\"banner\">{}</p>\n", escaped(banner));
-  if (!tests.empty()) html += summary_markup(tests);
-  for (const auto& test : tests) html += test_markup(test);
+  html += sheet_style();
+  html += "</style>\n</head>\n<body>\n";
+  if (sheets.tests.empty() && more.empty()) html += "<p>The database holds no test.</p>\n";
+  std::size_t number = 0;
+  for (const auto& set : test_sets(sheets.tests))
+    html += sheet_html(set_sheet(set), fmt::format("set-{}", ++number));
+  if (sheets.has_page_of_each())
+    for (const auto& test : sheets.tests) {
+      html += sheet_html(test_sheet(test), anchor(test.result));
+      if (sheets.evidence) html += evidence_markup(test.result);
+    }
   return html + more + "</body>\n</html>\n";
 }
 

@@ -3,14 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "src/study/triaxial/test_result.hpp"
+#include "src/triaxial/sheet/report_sheets.hpp"
 
 namespace triax::src {
 
-/// The whole report as one HTML file that needs nothing else: style and figures (SVG) are inside.
-/// Summary table and all collapse points first, then each test with its facts, figures, criteria,
-/// checks and warnings, then `more` sections. Reads on a phone, prints on A4. The text is also
-/// well-formed XML.
-std::string html_report(const std::vector<study::TestResult>& tests, const std::string& more = {});
+/// The sheets as one HTML file that needs nothing else: style and figures (SVG) are inside. Sets
+/// first, then each test, with its evidence where that is asked for, then `more` sections. A sheet
+/// prints on a page of A4. The text is also well-formed XML.
+std::string html_report(const ReportSheets& sheets, const std::string& more = {});
 
 }  // namespace triax::src

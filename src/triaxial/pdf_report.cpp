@@ -9,14 +9,16 @@
 #include "src/output/output.hpp"
 #include "src/plot/figure_files.hpp"
 #include "src/plot/pages.hpp"
+#include "src/sheet/sheet_pages.hpp"
 #include "src/triaxial/content.hpp"
-#include "src/triaxial/figures/collapse_points_figure.hpp"
+#include "src/triaxial/sheet/set_sheet.hpp"
+#include "src/triaxial/sheet/test_sheet.hpp"
 #include "src/triaxial/test_figures.hpp"
 
 namespace triax::src {
 namespace {
 
-constexpr const char* kTitle = "Triaxial tests: when and why they became unstable";
+constexpr const char* kTitle = "Triaxial tests";
 
 std::string banner_markup(const std::string& banner) {
   if (banner.empty()) return {};
@@ -37,21 +39,7 @@ void add_table(PageSection& section, const char* title, const Table& table) {
   section.markup += fmt::format("<h3>{}</h3>\n{}", title, table_markup(table));
 }
 
-PageSection summary_section(const std::vector<study::TestResult>& tests) {
-  PageSection section{kTitle, fmt::format("<h1>{}</h1>\n", kTitle), {}};
-  if (tests.empty()) {
-    section.markup += "<p>The database holds no test.</p>\n";
-    return section;
-  }
-  section.markup += banner_markup(summary_banner(tests)) + table_markup(summary_table(tests));
-  for (const auto& note : summary_notes())
-    section.markup += fmt::format("<div class=\"notes\">{}</div>\n", escaped(note));
-  if (auto points = collapse_points_figure(study::collapse_points(tests)); points.plot)
-    add_figure(section, std::move(points));
-  return section;
-}
-
-PageSection test_section(const study::TestResult& test) {
+PageSection evidence_section(const study::TestResult& test) {
   const auto content = test_content(test);
   PageSection section{content.title, fmt::format("<h2>{}</h2>\n", escaped(content.title)), {}};
   if (!content.banner.empty()) section.running_head += " – " + content.banner;
@@ -65,22 +53,30 @@ PageSection test_section(const study::TestResult& test) {
 
 }  // namespace
 
-std::string pdf_bytes(const std::vector<study::TestResult>& tests,
-                      const std::vector<PageSection>& more) {
+std::string pdf_bytes(const ReportSheets& sheets, const std::vector<PageSection>& more) {
   need_drawing();
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   Pages pages(buffer, kTitle);
-  if (!tests.empty() || more.empty()) pages.add(summary_section(tests));
-  for (const auto& test : tests) pages.add(test_section(test));
+  const auto add_sheet = [&](const Sheet& sheet) {
+    pages.add_page([&](QPainter& page, QPaintDevice& device) { draw_sheet(sheet, page, device); });
+  };
+  if (sheets.tests.empty() && more.empty())
+    pages.add({kTitle, "<p>The database holds no test.</p>", {}});
+  for (const auto& set : test_sets(sheets.tests)) add_sheet(set_sheet(set));
+  if (sheets.has_page_of_each())
+    for (const auto& test : sheets.tests) {
+      add_sheet(test_sheet(test));
+      if (sheets.evidence) pages.add(evidence_section(test.result));
+    }
   for (const auto& section : more) pages.add(section);
   pages.finish();
   return without_date(buffer.data().toStdString());
 }
 
-void pdf_report(const std::vector<study::TestResult>& tests, const std::string& path,
+void pdf_report(const ReportSheets& sheets, const std::string& path,
                 const std::vector<PageSection>& more) {
-  write_file(path, pdf_bytes(tests, more));
+  write_file(path, pdf_bytes(sheets, more));
 }
 
 }  // namespace triax::src

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/report.hpp"
 
+#include <fmt/format.h>
+
+#include <CLI/Validators.hpp>
 #include <filesystem>
 #include <memory>
+#include <set>
 
+#include "db/choice/test_choice.hpp"
 #include "db/grain_store.hpp"
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
@@ -13,6 +18,7 @@
 #include "src/grains/grain_json.hpp"
 #include "src/grains/grain_markup.hpp"
 #include "src/grains/grain_text.hpp"
+#include "src/output/notice.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/study/triaxial/collapse_increments.hpp"
@@ -35,14 +41,73 @@ struct ReportOptions {
   std::string output;
   std::string figures;
   bool live = false;
+  std::string where, type, sweep;  ///< which tests; empty: all that are named
+  std::string failure = "peak-q";
+  double failure_strain_pct = 15;
+  std::vector<std::string> sets;
+  bool each = false, evidence = false;
 };
 
-std::string chosen_format(const ReportOptions& o) {
-  if (!o.format.empty()) return o.format;
-  const std::string ending = std::filesystem::path(o.output).extension().string();
+/// The ending of the file, where it is that of a format.
+std::string format_of_ending(const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
   for (const char* format : {"json", "html", "pdf"})
     if (ending == std::string(".") + format) return format;
-  return "text";
+  return {};
+}
+
+std::string chosen_format(const ReportOptions& o) {
+  const std::string ending = format_of_ending(o.output);
+  if (o.format.empty()) return ending.empty() ? "text" : ending;
+  if (!ending.empty() && ending != o.format)
+    throw lab::BadInput(fmt::format(
+        "--output {} would hold {}, which its ending does not say: leave --format away, or give "
+        "the file another ending",
+        o.output, o.format));
+  return o.format;
+}
+
+std::string in_sql(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + '\'';
+}
+
+/// Those of `ids` that the filters leave, in their order.
+std::vector<std::int64_t> filtered(const ReportOptions& o, const std::vector<std::int64_t>& ids) {
+  std::vector<std::string> conditions;
+  if (!o.where.empty()) conditions.push_back("(" + o.where + ")");
+  if (!o.type.empty()) conditions.push_back("programme = " + in_sql(o.type));
+  if (!o.sweep.empty()) conditions.push_back("sweep = " + in_sql(o.sweep));
+  std::set<std::int64_t> chosen;
+  for (const auto& test :
+       db::choose_tests(o.db, fmt::format("{}", fmt::join(conditions, " AND ")), ""))
+    chosen.insert(test.id);
+  std::vector<std::int64_t> left;
+  for (const auto id : ids)
+    if (chosen.contains(id)) left.push_back(id);
+  if (left.empty())
+    throw lab::BadInput(
+        "no test is left that --where, --type and --sweep hold for; `triax tests list` shows what "
+        "there is");
+  return left;
+}
+
+bool has_filter(const ReportOptions& o) {
+  return !o.where.empty() || !o.type.empty() || !o.sweep.empty();
+}
+
+SheetRequest sheet_request(const ReportOptions& o) {
+  using enum study::FailureCriterion;
+  SheetRequest request;
+  request.options.failure = o.failure == "peak-ratio"       ? peak_stress_ratio
+                            : o.failure == "strain"         ? axial_strain
+                            : o.failure == "critical-state" ? critical_state
+                                                            : peak_deviator_stress;
+  request.options.failure_strain = o.failure_strain_pct / 100;
+  for (const auto& [key, value] : key_values(o.sets, "borehole=B3"))
+    request.said.push_back(study::said_word(key, value));
+  return request;
 }
 
 /// All that is reported.
@@ -72,13 +137,23 @@ std::string text(const Reported& all) {
   return all.tests.empty() ? runs : text_for_people(all.tests) + '\n' + runs;
 }
 
-void write(const std::string& format, const Reported& all, const std::string& output) {
+ReportSheets sheets_of(const db::Store& store, const std::vector<std::int64_t>& ids,
+                       const ReportOptions& o) {
+  ReportSheets sheets{.tests = {}, .each = o.each, .evidence = o.evidence};
+  const auto request = sheet_request(o);
+  for (const auto id : ids) sheets.tests.push_back(load_sheet_test(store, id, request));
+  return sheets;
+}
+
+void write_pages(const std::string& format, const ReportSheets& sheets,
+                 const std::vector<db::StoredGrainRun>& runs, const std::string& output) {
+  if (!sheets.has_page_of_each())
+    notify(fmt::format("{} tests: only sets of them have pages; --each gives one of each test too",
+                       sheets.tests.size()));
   if (format == "pdf")
-    pdf_report(all.tests, output, grain_pages(all.runs));
-  else if (format == "html")
-    write_file(output, html_report(all.tests, grain_html(all.runs)));
+    pdf_report(sheets, output, grain_pages(runs));
   else
-    write_file(output, format == "json" ? json(all) : text(all));
+    write_file(output, html_report(sheets, grain_html(runs)));
 }
 
 void run_report(const ReportOptions& o) {
@@ -93,17 +168,60 @@ void run_report(const ReportOptions& o) {
     return write_file(output, live_document(o.db, store.find(o.tests), format == "json"));
   }
   const db::GrainStore grains(o.db);
-  const auto [ids, run_ids] = report_choice(store, grains, o.tests);
-  const auto curves = drawn || !o.figures.empty() ? study::WithCurves::yes : study::WithCurves::no;
+  auto [ids, run_ids] = report_choice(store, grains, o.tests);
+  if (has_filter(o)) {
+    ids = filtered(o, ids);
+    if (o.tests.empty()) run_ids.clear();
+  }
   Reported all;
-  for (const auto id : ids) all.tests.push_back(study::load_test_result(store, id, curves));
+  ReportSheets sheets;
+  if (drawn || !o.figures.empty()) sheets = sheets_of(store, ids, o);
+  if (!o.figures.empty())
+    for (const auto& test : sheets.tests) all.tests.push_back(test.result);
+  else if (!drawn)
+    for (const auto id : ids)
+      all.tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   for (const auto id : run_ids) all.runs.push_back(grains.load(id));
   if (!o.figures.empty()) {
     write_figures(all.tests, study::collapse_increments(store, ids), o.figures);
+    write_sheet_figures(sheets.tests, o.figures);
     write_grain_figures(all.runs, o.figures);
     if (format == "text" && o.output.empty()) return;
   }
-  write(format, all, output);
+  if (drawn)
+    write_pages(format, sheets, all.runs, output);
+  else
+    write_file(output, format == "json" ? json(all) : text(all));
+}
+
+void add_choice(CLI::App& app, ReportOptions& o) {
+  app.add_option("--where", o.where,
+                 "only tests for which this is true: a condition of SQL on the columns that `triax "
+                 "soil --where` has")
+      ->type_name("SQL");
+  app.add_option("--type", o.type, "only tests of this type: ICU, CSD, ...")->type_name("TYPE");
+  app.add_option("--sweep", o.sweep, "only tests of this sweep")->type_name("NAME");
+}
+
+void add_sheet_options(CLI::App& app, ReportOptions& o) {
+  app.add_option("--failure", o.failure,
+                 "when a specimen counts as failed in sheets: at the largest q, at the largest "
+                 "s1'/s3', at --failure-strain, or at the critical state where it was reached")
+      ->type_name("peak-q|peak-ratio|strain|critical-state")
+      ->check(CLI::IsMember({"peak-q", "peak-ratio", "strain", "critical-state"}).description(""))
+      ->capture_default_str();
+  app.add_option("--failure-strain", o.failure_strain_pct, "axial strain of --failure strain")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(0.1, 50.0).description(""))
+      ->capture_default_str();
+  app.add_option("--set", o.sets,
+                 "a word of the sheet that the record does not hold: project, borehole, depth, "
+                 "operator, drained_at, remarks, ...; TEST/KEY=VALUE is of one test; may be "
+                 "repeated")
+      ->type_name("KEY=VALUE");
+  app.add_flag("--each", o.each, "a page of each test, however many there are");
+  app.add_flag("--evidence", o.evidence,
+               "behind the page of a test its criteria, events, checks and histories");
 }
 
 }  // namespace
@@ -116,20 +234,26 @@ Command report_command() {
           {"Reports the named tests and runs of grains, or all, from the database. A test is named "
            "by its number or its name, a run of grains by its name or by grains:NUMBER; of several "
            "with one name it is the latest.",
-           "HTML is one file with its figures inside; PDF is A4. Both hold the path in q-p' with "
-           "the onset, "
-           "the instability line and the Mohr-Coulomb line, and q, u, axial strain and normalised "
-           "second-order work on one axis. The ending of --output says the format unless --format "
-           "does. Without --output they are written to triax_report.html "
-           "or "
-           "triax_report.pdf in the current folder; text and JSON go to standard output.",
+           "HTML and PDF are sheets: a page of A4 for each test, and one for each set of tests of "
+           "one soil: head, specimen, saturation, consolidation with t100 and c_v, rate, failure, "
+           "corrections, the verdict on collapse, deviations from ISO 17892-9, ASTM D4767 and "
+           "D7181 and BS 1377-8, figures; of a set Mohr circles with c' and phi'. Of more than 24 "
+           "tests only the sets have pages. What nobody says stays a blank to be filled in by "
+           "hand; --set says it. The ending of --output says the format unless --format does. "
+           "Without --output they are written to triax_report.html or triax_report.pdf in the "
+           "current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
            "as SVG, PNG and PDF into a folder, those of runs of grains with the numbers behind "
            "them; without --format and --output nothing else."},
       .diagnostics = {{"FILE: ... no such database; ...",
-                       "there is no database yet, or --db names another file"}},
+                       "there is no database yet, or --db names another file"},
+                      {"no test is left ...", "the filters hold for none of the tests named"}},
       .examples = {{"triax report", "all tests and runs of grains as text"},
-                   {"triax report csu_26 --output csu_26.html", "one test with figures"},
+                   {"triax report csu_26 --output csu_26.html", "the sheet of one test"},
+                   {"triax report 1 2 3 --output set.pdf --failure peak-ratio --set borehole=B3",
+                    "the sheets of a set and of its tests"},
+                   {"triax report --sweep densities --output sweep.pdf",
+                    "all tests of a sweep on one page"},
                    {"triax report csu_26 --live", "what was said while the test ran, and when"},
                    {"triax report 1 2 3 --format json", "three tests as one JSON document"},
                    {"triax report grains:1 --format html", "a run of grains with its figures"},
@@ -146,6 +270,8 @@ Command report_command() {
         app.add_option("--output", o->output,
                        "file to write; .json, .html or .pdf at its end says the format")
             ->type_name("FILE");
+        add_choice(app, *o);
+        add_sheet_options(app, *o);
         add_live(app, o->live);
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");

@@ -82,14 +82,25 @@ std::string file_name(const std::string& test, const std::string& ending) {
   return (name.empty() ? "test" : name) + ending;
 }
 
+/// With the evidence: who looks at one test on a screen wants it.
+ReportSheets sheets_of(const PageLaboratory& laboratory, std::int64_t id) {
+  ReportSheets sheets{.evidence = true};
+  try {
+    sheets.tests.push_back(load_sheet_test(db::Store(laboratory.db), id));
+  } catch (const lab::BadInput& error) {
+    throw Refused(404, error.what());
+  }
+  return sheets;
+}
+
 std::string html_of(PageLaboratory& laboratory, std::int64_t id) {
-  const auto result = result_of(laboratory, id, study::WithCurves::yes);
-  return laboratory.desk.ask([&] { return html_report({result}); });
+  const ReportSheets sheets = sheets_of(laboratory, id);
+  return laboratory.desk.ask([&] { return html_report(sheets); });
 }
 
 std::string pdf_of(PageLaboratory& laboratory, std::int64_t id) {
-  const auto result = result_of(laboratory, id, study::WithCurves::yes);
-  return laboratory.desk.ask([&] { return pdf_bytes({result}); });
+  const ReportSheets sheets = sheets_of(laboratory, id);
+  return laboratory.desk.ask([&] { return pdf_bytes(sheets); });
 }
 
 std::string json_of(PageLaboratory& laboratory, std::int64_t id) {

@@ -36,6 +36,14 @@ std::optional<Estimate> angle_without_cohesion(const std::vector<MohrCircle>& ci
   return mean ? std::optional(angle(mean->mean)) : std::nullopt;
 }
 
+std::optional<TestPoint> reached_critical_state(const TestPoints& test) {
+  if (test.critical.kind != CriticalKind::reached || !test.end) return std::nullopt;
+  TestPoint point = *test.end;
+  point.p_eff_kPa = std::exp(test.critical.log_p.value);
+  point.q_kPa = test.critical.eta.value * point.p_eff_kPa;
+  return point;
+}
+
 }  // namespace
 
 std::string_view to_string(FailureCriterion criterion) {
@@ -44,6 +52,8 @@ std::string_view to_string(FailureCriterion criterion) {
       return "peak_stress_ratio";
     case FailureCriterion::axial_strain:
       return "axial_strain";
+    case FailureCriterion::critical_state:
+      return "critical_state";
     case FailureCriterion::peak_deviator_stress:
       break;
   }
@@ -54,6 +64,7 @@ std::optional<TestPoint> failure_of(const TestPoints& test, FailureCriterion cri
                                     double strain) {
   if (criterion == FailureCriterion::peak_stress_ratio) return test.peak_eta;
   if (criterion == FailureCriterion::peak_deviator_stress) return test.peak_q;
+  if (criterion == FailureCriterion::critical_state) return reached_critical_state(test);
   const auto at =
       std::ranges::find_if(test.path, [&](const auto& p) { return p.axial_strain >= strain; });
   return at == test.path.end() ? std::nullopt : std::optional(*at);

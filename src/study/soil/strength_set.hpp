@@ -12,7 +12,12 @@
 namespace triax::study {
 
 /// The instant at which a specimen counts as failed.
-enum class FailureCriterion { peak_deviator_stress, peak_stress_ratio, axial_strain };
+enum class FailureCriterion {
+  peak_deviator_stress,
+  peak_stress_ratio,
+  axial_strain,
+  critical_state
+};
 std::string_view to_string(FailureCriterion criterion);
 
 struct MohrCircle {

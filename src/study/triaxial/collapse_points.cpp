@@ -53,7 +53,7 @@ CollapsePoints collapse_points(const std::vector<TestResult>& tests) {
     found.points.push_back({*stress, header.name,
                             header.programme.empty() ? "other" : header.programme,
                             header.origin == lab::Origin::simulated});
-    found.origin.add(header);
+    found.origin.add(test);
   }
   found.instability_lines = fitted_slopes(found.points);
   found.limit_stress_ratios = limits_of(tests, left_out);

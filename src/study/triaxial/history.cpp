@@ -92,7 +92,7 @@ std::optional<History> history(const TestResult& test, Span span) {
   if (!test.curves.work.empty()) found.work = work_of(test.curves, *axis);
   if (found.curves.empty() && !found.work) return std::nullopt;
   found.marks = marks_of(test.stored, *axis);
-  found.origin.add(test.stored.header);
+  found.origin.add(test.stored);
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "src/study/triaxial/collapse_points.hpp"
@@ -33,6 +34,15 @@ void find_state_at_onset(SeriesTest& test) {
   test.at_onset =
       *std::min_element(test.states.begin(), test.states.end(),
                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+}
+
+/// Tests of one name have their number with it.
+void tell_apart(std::vector<SeriesTest>& series, const std::vector<TestResult>& tests) {
+  std::map<std::string, int> count;
+  for (const auto& test : series) ++count[test.name];
+  for (std::size_t i = 0; i < series.size(); ++i)
+    if (count[tests[i].stored.header.name] > 1)
+      series[i].name += " (" + std::to_string(tests[i].stored.id) + ")";
 }
 
 double largest_axial_strain(const std::vector<TestResult>& tests) {
@@ -81,6 +91,7 @@ ShearSeries shear_series(const std::vector<TestResult>& tests) {
     if (added.onset && added.onset->axial_strain)
       series.strain_at_onset = std::max(series.strain_at_onset, *added.onset->axial_strain);
   }
+  tell_apart(series.tests, tests);
   auto points = collapse_points(tests);
   series.instability_lines = std::move(points.instability_lines);
   series.limit_stress_ratios = std::move(points.limit_stress_ratios);

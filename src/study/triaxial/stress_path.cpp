@@ -23,7 +23,7 @@ StressPath stress_path(const TestResult& test) {
   if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)
     path.true_onset = {*truth->p_eff_pa, *truth->q_pa};
   path.limit_stress_ratio = summary.collapse.limit_stress_ratio;
-  path.origin.add(header);
+  path.origin.add(test.stored);
   return path;
 }
 

@@ -13,8 +13,10 @@ TestResult load_test_result(const db::Store& store, std::int64_t id, WithCurves 
   TestResult test{store.load(id), {}};
   if (with_curves == WithCurves::no) return test;
   CurveThinner thinner(store.scan_count(id), kCurveBuckets);
-  store.for_each_scan(id, 1,
-                      [&](const lab::Reading&, const lab::State& state) { thinner.add(state); });
+  const auto last = last_believed_reading(test.stored);
+  store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
+    if (!last || state.reading <= *last) thinner.add(state);
+  });
   test.curves.states = thinner.take();
   test.curves.work = thin(store.second_order_work(id), kCurveBuckets);
   test.curves.forecasts = thin(store.forecasts(id), kCurveBuckets);
@@ -43,6 +45,13 @@ lab::Instant true_instant(const lab::Truth& truth) {
   instant.p_eff_pa = truth.p_eff_pa;
   instant.pore_pressure_pa = truth.pore_pressure_pa;
   return instant;
+}
+
+std::optional<std::int64_t> last_believed_reading(const db::StoredTest& test) {
+  const bool died = std::ranges::any_of(test.events, [](const lab::Event& event) {
+    return event.kind == lab::EventKind::sensor_fault;
+  });
+  return died ? test.summary.collapse.judged_until : std::nullopt;
 }
 
 std::optional<double> void_ratio(const db::StoredTest& test) {

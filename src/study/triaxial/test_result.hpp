@@ -12,7 +12,8 @@ namespace triax::study {
 
 struct TestResult {
   db::StoredTest stored;
-  Curves curves;  ///< empty where the report draws no figure
+  /// Up to the last reading that can be believed; empty where the report draws no figure.
+  Curves curves;
 };
 
 enum class WithCurves { no, yes };
@@ -34,6 +35,9 @@ std::optional<lab::Instant> failure_onset(const db::StoredTest& test);
 /// When and at what stress the specimen of a simulation itself lost sustainability, as an instant
 /// without a reading: no instrument sees it. Empty where it did not.
 lab::Instant true_instant(const lab::Truth& truth);
+
+/// The last reading on sensors that can be believed, where one failed; empty: all of them.
+std::optional<std::int64_t> last_believed_reading(const db::StoredTest& test);
 
 /// Void ratio at the start of shear, else as the laboratory gives it, else as built.
 std::optional<double> void_ratio(const db::StoredTest& test);

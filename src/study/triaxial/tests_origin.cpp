@@ -8,8 +8,10 @@
 
 namespace triax::study {
 
-void TestsOrigin::add(const lab::RecordHeader& header) {
+void TestsOrigin::add(const db::StoredTest& test) {
+  const auto& header = test.header;
   ++tests;
+  if (last_believed_reading(test)) cut.push_back(header.name);
   if (header.origin != lab::Origin::simulated) return;
   simulated.push_back(header.name);
   const auto& material = header.specimen.material;
@@ -22,7 +24,7 @@ TestsOrigin origin_of(const std::vector<TestResult>& tests) {
   TestsOrigin origin;
   const auto left_out = read_again(tests);
   for (const auto& test : tests)
-    if (!left_out.contains(test.stored.id)) origin.add(test.stored.header);
+    if (!left_out.contains(test.stored.id)) origin.add(test.stored);
   return origin;
 }
 

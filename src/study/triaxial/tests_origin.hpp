@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/results/record_header.hpp"
+#include "db/store.hpp"
 
 namespace triax::study {
 
@@ -16,7 +16,10 @@ struct TestsOrigin {
   std::vector<std::string> simulated;  ///< names of those that were simulated, in order
   std::vector<std::string> materials;  ///< these were simulated with, each once
 
-  void add(const lab::RecordHeader& header);
+  /// Of these a sensor failed: what came after that is not drawn.
+  std::vector<std::string> cut;
+
+  void add(const db::StoredTest& test);
   bool all_simulated() const { return simulated.size() == tests; }
 };
 

@@ -152,7 +152,7 @@ std::optional<WarningHistory> warning_history(const TestResult& test) {
     if (const auto at = found.axis.place(mark.si)) found.marks.push_back({*at, mark.kind});
   if (found.marks.size() > kMostMarks)
     found.marks.erase(found.marks.begin(), found.marks.end() - kMostMarks);
-  found.origin.add(test.stored.header);
+  found.origin.add(test.stored);
   return found;
 }
 

@@ -21,20 +21,21 @@ constexpr double kLeastPart = 0.02;
 struct Panel {
   std::string title;
   QColor colour;
-  double unit;  ///< SI values are multiplied with this
+  double unit;       ///< SI values are multiplied with this
+  double least = 0;  ///< that the axis shows, in its unit: less is noise
 };
 
 Panel panel_for(study::HistoryQuantity quantity) {
   using enum study::HistoryQuantity;
   switch (quantity) {
     case q:
-      return {"q (kPa)", kBlue, 1e-3};
+      return {"q (kPa)", kBlue, 1e-3, 0.5};
     case pore_pressure:
-      return {"u (kPa)", kGreen, 1e-3};
+      return {"u (kPa)", kGreen, 1e-3, 0.5};
     case volumetric_strain:
-      return {"ε_v (%)", kGreen, 100};
+      return {"ε_v (%)", kGreen, 100, 0.02};
     case axial_strain:
-      return {"ε₁ (%)", kOrange, 100};
+      return {"ε₁ (%)", kOrange, 100, 0.005};
   }
   return {};
 }
@@ -48,6 +49,7 @@ void fill_panel(QCPAxisRect& rect, const Panel& panel, const study::HistoryCurve
     points.emplace_back(at, value * panel.unit);
     range.add(value * panel.unit);
   }
+  range.widen_to(panel.least);
   range.widen_to(kLeastPart * (curve.largest * panel.unit - curve.smallest * panel.unit));
   rect.axis(QCPAxis::atLeft)->setRange(range.with_margin(0.08, false));
 

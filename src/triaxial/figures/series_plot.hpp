@@ -16,6 +16,10 @@ namespace triax::src {
 /// A ring at each onset.
 QCPScatterStyle onset_marker();
 
+/// Of more tests than these the curves have one look and one entry of the legend, and only some are
+/// named in words.
+inline constexpr std::size_t kMostNamed = 12;
+
 /// Entries of the legend: a curve a test, and the onset if any test has one.
 void name_series(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests);
 
@@ -27,11 +31,11 @@ using StateValue = double (*)(const lab::State&);
 Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue y,
                  double x_most = std::numeric_limits<double>::infinity());
 
-/// The curve of the test with this number, thinned to what the eye can see. Ranges of the axes must
-/// be final.
-void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number);
+/// The curve of the test with this number among `tests`, thinned to what the eye can see. Ranges of
+/// the axes must be final.
+void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number, std::size_t tests);
 
-/// "ICU 6, ICU 42 and ICU 7".
+/// "ICU 6, ICU 42 and ICU 7"; of many "ICU 6, ICU 42, ICU 7 and 147 others".
 std::string names_of(const std::vector<study::SeriesTest>& tests);
 
 /// p′ and q in the unit of their axes.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/plot/axes.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr int kShearCurvesWidth = 960, kShearCurvesHeight = 420 + kNoteHeight;
 /// The close view ends at so many times the largest strain at onset.
 constexpr double kOnsets = 3;
+constexpr double kLargestDetail = 0.6;  // of the whole
 
 double strain_pct(const lab::State& state) { return state.strain.axial * 100; }
 
@@ -29,8 +31,18 @@ Points onsets_of(const study::ShearSeries& series) {
 
 void fill(QCPAxisRect& rect, const study::ShearSeries& series, double strain_most) {
   for (std::size_t i = 0; i < series.tests.size(); ++i)
-    draw_series(rect, points_of(series.tests[i].states, strain_pct, q_kPa, strain_most), i);
+    draw_series(rect, points_of(series.tests[i].states, strain_pct, q_kPa, strain_most), i,
+                series.tests.size());
   draw_markers(rect, onsets_of(series), onset_marker());
+}
+
+/// The last strain in the detail, with a margin: after a run-away there may be none near its end.
+double detail_end(const study::ShearSeries& series, double close) {
+  double last = 0;
+  for (const auto& test : series.tests)
+    for (const auto& point : points_of(test.states, strain_pct, q_kPa, close))
+      last = std::max(last, point.x());
+  return last > 0 ? std::min(close, 1.04 * last) : close;
 }
 
 }  // namespace
@@ -48,7 +60,9 @@ Drawing shear_curves_figure(const study::ShearSeries& series) {
     }
   if (!any) return {};
   const auto whole = from_zero(strain.with_margin(0.04, true));
-  const double close = std::min(kOnsets * (series.strain_at_onset * 100), whole.upper);
+  // A detail that shows most of the whole is none.
+  double close = kOnsets * (series.strain_at_onset * 100);
+  if (close > kLargestDetail * whole.upper) close = 0;
 
   auto plot = make_plot(kShearCurvesWidth, kShearCurvesHeight);
   auto& left = *plot->axisRect();
@@ -61,7 +75,7 @@ Drawing shear_curves_figure(const study::ShearSeries& series) {
   left.axis(QCPAxis::atBottom)->setRange(whole);
   left.axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   if (right != nullptr) {
-    right->axis(QCPAxis::atBottom)->setRange(0, close);
+    right->axis(QCPAxis::atBottom)->setRange(0, detail_end(series, close));
     right->axis(QCPAxis::atLeft)->setRange(from_zero(q.with_margin(0.08, true)));
   }
   plot->replot();

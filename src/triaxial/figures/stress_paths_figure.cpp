@@ -44,7 +44,7 @@ Drawing stress_paths_figure(const study::ShearSeries& series) {
   legend_below(*plot, 3);
   note_below(*plot, origin_note(series.origin));
   plot->replot();  // the layout gives pixels their meaning
-  for (std::size_t i = 0; i < paths.size(); ++i) draw_series(rect, paths[i], i);
+  for (std::size_t i = 0; i < paths.size(); ++i) draw_series(rect, paths[i], i, paths.size());
   Points onsets;
   for (const auto& test : series.tests)
     if (const auto onset = study::stress_at(test.onset))

@@ -105,3 +105,11 @@ TEST_CASE("without an onset, and where it comes late, the beginning is all of sh
   const double largest = late.curves.states.back().strain.axial;
   CHECK(shear_beginnings({late}).last_strain == largest);
 }
+
+TEST_CASE("tests of one name are told apart by their numbers") {
+  auto first = triax::src::test::flow_test(), second = triax::src::test::flow_test();
+  second.stored.id = 9;
+  const auto series = triax::study::shear_series({first, second});
+  CHECK(series.tests[0].name == "L<oose> 1 (3)");
+  CHECK(series.tests[1].name == "L<oose> 1 (9)");
+}

@@ -66,10 +66,19 @@ TEST_CASE("a series keeps its ends and its corners, and drops what nobody sees")
   Points points;
   for (int i = 0; i <= 50; ++i) points.emplace_back(i, i);
   for (int i = 51; i <= 100; ++i) points.emplace_back(i, 100 - i);
-  draw_series(*plot->axisRect(), points, 0);
+  draw_series(*plot->axisRect(), points, 0, 1);
   const auto curves = src::test::curves_of(*plot);
   REQUIRE(curves.size() == 1);
   CHECK(curves.front()->dataCount() < 8);
   CHECK(src::test::has_point(*curves.front(), 50, 50, 1e-9));
   CHECK(src::test::has_point(*curves.front(), 100, 0, 1e-9));
+}
+
+TEST_CASE("a sweep has one look and one entry of the legend, and few of its names are told") {
+  std::vector<triax::study::SeriesTest> many(150);
+  for (auto& test : many) test.name = "CSU 26";
+  auto plot = make_plot(620, 400);
+  name_series(*plot->axisRect(), many);
+  CHECK(triax::src::test::legend_of(*plot) == std::vector<std::string>{"150 tests"});
+  CHECK(names_of(many) == "CSU 26, CSU 26, CSU 26 and 147 others");
 }

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/study/sheet/sheet_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
+
+namespace triax::study {
+namespace {
+
+constexpr std::array kWords = {
+    SheetWord{"project", "Project"},
+    SheetWord{"location", "Location"},
+    SheetWord{"borehole", "Borehole"},
+    SheetWord{"sample", "Sample"},
+    SheetWord{"depth", "Depth (m)"},
+    SheetWord{"description", "Soil"},
+    SheetWord{"specimen_type", "Specimen"},
+    SheetWord{"laboratory", "Laboratory"},
+    SheetWord{"operator", "Operator"},
+    SheetWord{"date", "Begun"},
+    SheetWord{"date_end", "Ended"},
+    SheetWord{"checked", "Checked"},
+    SheetWord{"drained_at", "Drained at"},
+    SheetWord{"mass_g", "Mass as built (g)"},
+    SheetWord{"water_content_pct", "Water content as built (%)"},
+    SheetWord{"mass_after_g", "Mass after (g)"},
+    SheetWord{"dry_mass_after_g", "Dry mass after (g)"},
+    SheetWord{"water_content_after_pct", "Water content after (%)"},
+    SheetWord{"failure_mode", "Mode of failure"},
+    SheetWord{"remarks", "Remarks"},
+    SheetWord{"top_drain", "Top drain"},
+    SheetWord{"base_drain", "Base drain"},
+    SheetWord{"side_drains", "Side drains"},
+};
+
+/// Labels of preambles, folded and without a bracket at their end.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kLabels{
+    {{"project", "project"},
+     {"projekt", "project"},
+     {"job reference", "project"},
+     {"job ref", "project"},
+     {"job location", "location"},
+     {"location", "location"},
+     {"site", "location"},
+     {"borehole", "borehole"},
+     {"bohrung", "borehole"},
+     {"sample name", "sample"},
+     {"sample", "sample"},
+     {"probe", "sample"},
+     {"depth", "depth"},
+     {"tiefe", "depth"},
+     {"description of sample", "description"},
+     {"soil", "description"},
+     {"boden", "description"},
+     {"bodenart", "description"},
+     {"material", "description"},
+     {"specimen type", "specimen_type"},
+     {"laboratory", "laboratory"},
+     {"labor", "laboratory"},
+     {"operator", "operator"},
+     {"technician", "operator"},
+     {"tested by", "operator"},
+     {"bearbeiter", "operator"},
+     {"date test started", "date"},
+     {"date of test", "date"},
+     {"date", "date"},
+     {"datum", "date"},
+     {"date test finished", "date_end"},
+     {"checked by", "checked"},
+     {"initial mass", "mass_g"},
+     {"initial moisture content", "water_content_pct"},
+     {"final mass", "mass_after_g"},
+     {"final dry mass", "dry_mass_after_g"},
+     {"final moisture content", "water_content_after_pct"},
+     {"failure mode", "failure_mode"},
+     {"mode of failure", "failure_mode"},
+     {"remarks", "remarks"},
+     {"top drain used", "top_drain"},
+     {"base drain used", "base_drain"},
+     {"side drains used", "side_drains"}}};
+
+std::string_view key_of_label(const std::string& label) {
+  auto text = lab::folded(label.substr(0, label.find('(')));
+  if (text.ends_with(':')) text.pop_back();
+  const auto found = std::ranges::find(kLabels, text, [](const auto& row) { return row.first; });
+  return found == kLabels.end() ? std::string_view() : found->second;
+}
+
+bool says_yes(const SheetWords& words, std::string_view key) {
+  const auto text = lab::folded(word_of(words, key));
+  return text.starts_with('y') || text.starts_with('j') || text == "1" || text == "true";
+}
+
+}  // namespace
+
+std::span<const SheetWord> sheet_word_list() { return kWords; }
+
+SaidWord said_word(const std::string& key, const std::string& value) {
+  SaidWord said{.test = {}, .key = key, .value = value};
+  if (const auto slash = key.rfind('/'); slash != std::string::npos)
+    said = {key.substr(0, slash), key.substr(slash + 1), value};
+  std::vector<std::string> known;
+  for (const auto& word : kWords) known.emplace_back(word.key);
+  if (std::ranges::find(known, said.key) == known.end())
+    throw lab::BadInput(
+        fmt::format("--set {}: a sheet has no such word; it has {}", key, fmt::join(known, ", ")));
+  if (said.key == "drained_at" && !drainage_boundary_from(value))
+    throw lab::BadInput(fmt::format(
+        "--set {}={}: where the specimen drained is one of one end, both ends, sides, sides and "
+        "one end, sides and both ends",
+        key, value));
+  return said;
+}
+
+SheetWords sheet_words(const db::StoredTest& test, const std::vector<SaidWord>& said) {
+  SheetWords words;
+  for (const auto& note : test.header.notes) {
+    const auto key = key_of_label(note.label);
+    if (!key.empty() && !note.text.empty()) words.emplace(key, note.text);
+  }
+  if (!test.header.specimen.material.empty()) words["description"] = test.header.specimen.material;
+  for (const auto& one : said)
+    if (one.test.empty() || one.test == test.header.name || one.test == std::to_string(test.id))
+      words[one.key] = one.value;
+  return words;
+}
+
+std::string word_of(const SheetWords& words, std::string_view key) {
+  const auto found = words.find(key);
+  return found == words.end() ? std::string() : found->second;
+}
+
+std::optional<double> number_of(const SheetWords& words, std::string_view key) {
+  auto text = word_of(words, key);
+  std::ranges::replace(text, ',', '.');
+  const auto value = lab::whole_text_as<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<DrainageBoundary> drained_at(const SheetWords& words) {
+  if (const auto said = drainage_boundary_from(word_of(words, "drained_at"))) return said;
+  const int ends = (says_yes(words, "top_drain") ? 1 : 0) + (says_yes(words, "base_drain") ? 1 : 0);
+  using enum DrainageBoundary;
+  if (says_yes(words, "side_drains"))
+    return ends == 2 ? sides_and_both_ends : ends == 1 ? sides_and_one_end : sides;
+  if (ends == 0) return std::nullopt;
+  return ends == 2 ? both_ends : one_end;
+}
+
+}  // namespace triax::study

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/triaxial/sheet/set_sheet.hpp"
+
+#include <fmt/format.h>
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "src/output/words.hpp"
+#include "src/study/version.hpp"
+#include "src/triaxial/facts/verdict_fact.hpp"
+#include "src/triaxial/sheet/sheet_figures.hpp"
+#include "src/triaxial/sheet/test_sheet.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr std::size_t kFewestCircles = 3;
+constexpr double kLeastSpread = 1.5;  // of σ₃′ at failure, largest over least
+
+std::string kind_word(const db::StoredTest& test) {
+  return verdict_word(test.status, study::has_verdict(test)
+                                       ? std::optional(test.summary.collapse.kind)
+                                       : std::nullopt);
+}
+
+/// A column of numbers of a set: as it reads, and its value of a test.
+struct SetColumn {
+  std::string heading;
+  int decimals;
+  std::optional<double> (*value)(const SheetTest&);
+};
+
+template <class Member>
+std::optional<double> at_failure(const SheetTest& test, Member member) {
+  return test.values.failure ? if_known(member(test.values.failure->state)) : std::nullopt;
+}
+
+const std::vector<SetColumn>& set_columns() {
+  static const std::vector<SetColumn> kColumns = {
+      {"e₀", 3, [](const SheetTest& t) { return study::void_ratio(t.result.stored); }},
+      {"B", 2, [](const SheetTest& t) { return t.result.stored.summary.consolidation.b_value; }},
+      {"p′₀", 0,
+       [](const SheetTest& t) {
+         const auto& p = t.result.stored.summary.consolidation.p_eff_pa;
+         return p ? std::optional(*p * 1e-3) : std::nullopt;
+       }},
+      {"%/h", 2,
+       [](const SheetTest& t) {
+         const auto& rate = t.values.rate_per_s;
+         return rate ? std::optional(*rate * 3600 * 100) : std::nullopt;
+       }},
+      {"ε₁ (%)", 2,
+       [](const SheetTest& t) {
+         return at_failure(t, [](const lab::State& s) { return s.strain.axial * 100; });
+       }},
+      {"q", 1,
+       [](const SheetTest& t) {
+         return at_failure(t, [](const lab::State& s) { return s.q * 1e-3; });
+       }},
+      {"σ₁′", 1,
+       [](const SheetTest& t) {
+         return at_failure(t, [](const lab::State& s) { return s.effective_stress.axial * 1e-3; });
+       }},
+      {"σ₃′", 1,
+       [](const SheetTest& t) {
+         return at_failure(t, [](const lab::State& s) { return s.effective_stress.radial * 1e-3; });
+       }},
+      {"u", 1,
+       [](const SheetTest& t) {
+         return at_failure(t, [](const lab::State& s) { return s.pore_pressure * 1e-3; });
+       }},
+      {"η", 3, [](const SheetTest& t) {
+         return at_failure(t, [](const lab::State& s) { return s.eta(); });
+       }}};
+  return kColumns;
+}
+
+std::string blank_if_unknown(const std::optional<double>& value, int decimals) {
+  return value ? number(value, decimals) : std::string();
+}
+
+SheetBox specimens_box(const TestSet& set) {
+  SheetBox box{.title = fmt::format("Specimens; failure {}; stresses in kPa",
+                                    failure_words(set.tests.front()->values.options))};
+  box.table.columns = {{"test"}, {"type"}};
+  for (const auto& column : set_columns())
+    box.table.columns.push_back({column.heading, Align::right});
+  box.table.columns.push_back({"collapse", Align::right});
+  box.table.columns.push_back({"η at onset", Align::right});
+  for (const auto* test : set.tests) {
+    const auto& stored = test->result.stored;
+    std::vector<std::string> row = {
+        stored.header.name + (stored.header.origin == lab::Origin::simulated ? " (simulated)" : ""),
+        stored.header.programme};
+    for (const auto& column : set_columns())
+      row.push_back(blank_if_unknown(column.value(*test), column.decimals));
+    const auto onset = study::collapse_onset(stored);
+    row.push_back(kind_word(stored));
+    row.push_back(blank_if_unknown(onset ? onset->eta() : std::nullopt, 3));
+    box.table.rows.push_back(std::move(row));
+  }
+  return box;
+}
+
+/// Of many tests: the least, the median, the largest of each number; how many came to what.
+SheetBox spread_box(const TestSet& set) {
+  SheetBox box{.title = fmt::format("{} specimens; failure {}; stresses in kPa", set.tests.size(),
+                                    failure_words(set.tests.front()->values.options))};
+  box.table.columns = {{"of all tests"},         {"known of", Align::right},
+                       {"least", Align::right},  {"5 %", Align::right},
+                       {"median", Align::right}, {"95 %", Align::right},
+                       {"largest", Align::right}};
+  for (const auto& column : set_columns()) {
+    std::vector<double> values;
+    for (const auto* test : set.tests)
+      if (const auto value = column.value(*test)) values.push_back(*value);
+    if (values.empty()) continue;
+    std::ranges::sort(values);
+    std::vector<std::string> row = {column.heading, fmt::format("{}", values.size())};
+    for (const double share : {0.0, 0.05, 0.5, 0.95, 1.0})
+      row.push_back(number(
+          values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)],
+          column.decimals));
+    box.table.rows.push_back(std::move(row));
+  }
+  std::map<std::string, int> kinds;
+  for (const auto* test : set.tests) ++kinds[kind_word(test->result.stored)];
+  std::string line;
+  for (const auto& [kind, count] : kinds)
+    line += fmt::format("{}{} {}", line.empty() ? "collapse: " : ", ", count, kind);
+  box.lines.push_back(line);
+  box.lines.emplace_back(
+      "the table of each test: triax report --format json; a page a test: --each");
+  return box;
+}
+
+struct Strength {
+  std::vector<study::MohrCircle> circles;
+  std::optional<study::StrengthSet> set;
+};
+
+Strength strength_of(const TestSet& set) {
+  Strength strength;
+  for (const auto* test : set.tests) {
+    if (!test->values.failure || test->result.stored.summary.cyclic) continue;
+    const auto& s = test->values.failure->state.effective_stress;
+    if (!(std::max(s.axial, s.radial) > std::min(s.axial, s.radial))) continue;
+    strength.circles.push_back({strength.circles.size(), test->result.stored.header.name,
+                                std::max(s.axial, s.radial) * 1e-3,
+                                std::min(s.axial, s.radial) * 1e-3});
+  }
+  const auto [least, most] =
+      std::ranges::minmax_element(strength.circles, {}, &study::MohrCircle::minor_kPa);
+  if (strength.circles.size() >= kFewestCircles &&
+      most->minor_kPa > kLeastSpread * least->minor_kPa)
+    strength.set = study::strength_set(strength.circles, set.tests.front()->values.options.failure);
+  return strength;
+}
+
+SheetBox strength_box(const TestSet& set, const Strength& strength) {
+  SheetBox box{.title = "Strength of the set, " + failure_words(set.tests.front()->values.options)};
+  if (!strength.set) {
+    box.lines.push_back(strength.circles.size() < kFewestCircles
+                            ? fmt::format("c′ and φ′ need {} specimens; {} came to failure",
+                                          kFewestCircles, strength.circles.size())
+                            : "c′ and φ′: σ₃′ at failure differs by less than half of the least");
+    return box;
+  }
+  const auto& [c, phi] = std::pair(strength.set->cohesion_kPa, strength.set->friction_angle_deg);
+  box.facts = {
+      {"c′ (kPa)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", c.value, c.low, c.high)}},
+      {"φ′ (°)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", phi.value, phi.low, phi.high)}}};
+  if (const auto& without = strength.set->friction_angle_without_cohesion_deg)
+    box.facts.push_back(
+        {"φ′ with c′ = 0 (°)",
+         {fmt::format("{:.1f} ({:.1f} to {:.1f})", without->value, without->low, without->high)}});
+  box.lines.push_back(fmt::format(
+      "common tangent of {} circles, σ₁′ = A + K σ₃′ by weighted least squares; in brackets 95 %",
+      strength.circles.size()));
+  return box;
+}
+
+SheetPart circles_part(const Strength& strength) {
+  if (strength.circles.empty()) return {};
+  constexpr std::size_t kMostNames = 12;
+  std::vector<DrawnCircle> circles;
+  for (const auto& c : strength.circles)
+    circles.push_back(
+        {strength.circles.size() <= kMostNames ? c.name : "", c.minor_kPa, c.major_kPa});
+  std::optional<DrawnEnvelope> envelope;
+  if (strength.set)
+    envelope = {strength.set->cohesion_kPa.value, strength.set->friction_angle_deg.value};
+  return mohr_part(circles, envelope, 2 * kSheetFigureWidth);
+}
+
+SheetBox set_head(const TestSet& set) {
+  SheetBox box{.columns = 4};
+  for (const auto& [key, label] : study::sheet_word_list().first(12)) {
+    std::vector<std::string> said;
+    for (const auto* test : set.tests) {
+      auto word = study::word_of(test->words, key);
+      if (!word.empty() && std::ranges::find(said, word) == said.end())
+        said.push_back(std::move(word));
+    }
+    if (said.size() > 3) said = {said.front() + " …"};
+    box.facts.push_back({std::string(label), {}});
+    if (!said.empty()) box.facts.back().lines = {fmt::format("{}", fmt::join(said, ", "))};
+  }
+  return box;
+}
+
+SheetRow figure_row(std::vector<OwnPlot> plots, double weight) {
+  SheetRow row{.parts = {}, .weight = weight};
+  for (auto& plot : plots)
+    if (plot) row.parts.push_back({.plot = std::move(plot)});
+  return row;
+}
+
+}  // namespace
+
+std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests) {
+  std::map<std::string, TestSet> sets;
+  std::vector<const SheetTest*> once;
+  for (const auto& test : tests) {
+    const auto& digest = test.result.stored.header.digest;
+    // The later reading of a file counts.
+    std::erase_if(once, [&](const SheetTest* before) {
+      return !digest.empty() && before->result.stored.header.digest == digest;
+    });
+    once.push_back(&test);
+  }
+  for (const auto* test : once) {
+    const auto& material = test->result.stored.header.specimen.material;
+    sets[material].material = material;
+    sets[material].tests.push_back(test);
+  }
+  std::vector<TestSet> several;
+  for (auto& [material, set] : sets)
+    if (set.tests.size() > 1) several.push_back(std::move(set));
+  return several;
+}
+
+Sheet set_sheet(const TestSet& set) {
+  std::size_t simulated = 0;
+  for (const auto* test : set.tests)
+    if (test->result.stored.header.origin == lab::Origin::simulated) ++simulated;
+  Sheet sheet{.title = fmt::format("Set of {} triaxial tests", set.tests.size()),
+              .subject = set.material,
+              .footer = fmt::format("triax {}; □ failure, ○ onset of collapse", study::version())};
+  if (simulated == set.tests.size())
+    sheet.mark = "SIMULATED";
+  else if (simulated > 0)
+    sheet.mark = fmt::format("{} of {} SIMULATED", simulated, set.tests.size());
+  const auto strength = strength_of(set);
+  const auto add_boxes = [&](SheetBox box) {
+    SheetRow row;
+    row.parts.push_back({.box = std::move(box)});
+    sheet.rows.push_back(std::move(row));
+  };
+  add_boxes(set_head(set));
+  add_boxes(set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set));
+  std::vector<OwnPlot> first, second;
+  if (auto circles = circles_part(strength); circles.plot) {
+    circles.share = 2;
+    SheetRow row{.parts = {}, .weight = 1.3};
+    row.parts.push_back(std::move(circles));
+    row.parts.push_back({.box = strength_box(set, strength)});
+    sheet.rows.push_back(std::move(row));
+  }
+  first.push_back(set_figure(set.tests, axial_strain_axis(), q_axis()));
+  first.push_back(set_figure(set.tests, p_axis(), q_axis()));
+  first.push_back(set_figure(set.tests, axial_strain_axis(), eta_axis()));
+  second.push_back(set_figure(set.tests, axial_strain_axis(), u_axis()));
+  second.push_back(set_figure(set.tests, axial_strain_axis(), volumetric_strain_axis()));
+  second.push_back(set_figure(set.tests, p_axis(), void_ratio_axis()));
+  for (auto* plots : {&first, &second}) {
+    auto row = figure_row(std::move(*plots), 1);
+    if (!row.parts.empty()) sheet.rows.push_back(std::move(row));
+  }
+  SheetBox remarks{.title = "Remarks", .blank_lines = 2};
+  add_boxes(std::move(remarks));
+  return sheet;
+}
+
+}  // namespace triax::src

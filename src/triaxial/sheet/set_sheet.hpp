@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "src/sheet/sheet.hpp"
+#include "src/triaxial/sheet/sheet_test.hpp"
+
+namespace triax::src {
+
+/// Tests of one soil, each file once: by the material they are of.
+struct TestSet {
+  std::string material;
+  std::vector<const SheetTest*> tests;
+};
+std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests);
+
+/// One page of a set: specimens, Mohr circles with c′ and φ′, stress paths, curves of shear. Of
+/// many tests the table says how their values spread, and figures show bands.
+Sheet set_sheet(const TestSet& set);
+
+}  // namespace triax::src
