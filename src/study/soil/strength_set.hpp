@@ -14,6 +14,8 @@ namespace triax::study {
 /// The instant at which a specimen counts as failed.
 enum class FailureCriterion { peak_deviator_stress, peak_stress_ratio, axial_strain };
 std::string_view to_string(FailureCriterion criterion);
+/// Of "peak-q", "peak-ratio", "strain". Throws lab::BadInput.
+FailureCriterion failure_criterion(const std::string& word);
 
 struct MohrCircle {
   std::size_t test = 0;  ///< among those asked
