@@ -19,7 +19,7 @@ tests = [triax.simulate(programmes / programme, "tests.db", sets={
 sand = triax.soil("tests.db", tests=tests)
 m = sand.report["friction"]["critical_stress_ratio"]
 print(f"{sand.group}: M {m['value']:.2f}, 95 % between {m['low']:.2f} and {m['high']:.2f}")
-states, line = sand.critical_states, sand.critical_line(np.geomspace(20, 600, 50))
+states, line = sand.critical_states, sand.critical_line(np.geomspace(5, 600, 50))
 for test, reached, p, e in zip(states.test, states.reached, states.p_eff_kPa, states.void_ratio):
     print(f"test {test}: p' {p:.0f} kPa, e {e:.3f}, {'reached' if reached else 'extrapolated'}")
 sand.write("soil.toml")  # triax.calibrate starts from it
