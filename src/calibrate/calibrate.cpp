@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "src/calibrate/calibrate_figures.hpp"
 #include "src/calibrate/calibrate_options.hpp"
@@ -18,31 +17,18 @@
 #include "src/study/calibrate/calibrated_set.hpp"
 #include "src/study/calibrate/calibration_json.hpp"
 #include "src/study/calibrate/calibration_piece.hpp"
-#include "src/study/calibrate/test_paths.hpp"
+#include "src/study/calibrate/requested_calibration.hpp"
 
 namespace triax::src {
 namespace {
 
-struct Prepared {
-  study::CalibrationRequest request;
-  std::vector<std::string> notes;
-};
-
-Prepared prepared(const CalibrateOptions& o) {
-  auto start = study::calibration_start(start_wish(o));
-  if (!start.set.material.axisymmetric)
-    throw lab::BadInput(fmt::format("{} has no triaxial form", start.set.law->name));
-  const db::Store store(o.db);
-  Prepared p{.request = {.start = std::move(start.set),
-                         .free = std::move(start.free),
-                         .paths = study::paths_of_tests(store, store.find(o.tests)),
-                         .searches = o.searches,
-                         .seed = o.seed,
-                         .threads = o.jobs,
-                         .void_ratio_error = o.void_ratio_error},
-             .notes = std::move(start.notes)};
-  study::check_enough(p.request.free.size(), p.request.paths);
-  return p;
+study::CalibrationRequest requested(const CalibrateOptions& o) {
+  auto request = study::requested_calibration(start_wish(o), o.db, o.tests);
+  request.searches = o.searches;
+  request.seed = o.seed;
+  request.threads = o.jobs;
+  request.void_ratio_error = o.void_ratio_error;
+  return request;
 }
 
 /// Nothing that is read may be replaced, and what is to be written must be possible.
@@ -91,10 +77,9 @@ study::Calibration computed(const CalibrateOptions& o, const study::CalibrationR
 
 void run(const CalibrateOptions& o) {
   check_output(o);
-  const Prepared p = prepared(o);
-  if (!o.piece.empty()) return run_piece(o, p.request);
-  study::Calibration found = computed(o, p.request);
-  found.notes = p.notes;
+  const study::CalibrationRequest request = requested(o);
+  if (!o.piece.empty()) return run_piece(o, request);
+  const study::Calibration found = computed(o, request);
   if (!o.output.empty())
     write_file(o.output, study::calibrated_toml(found, study::set_name_from(o.output)));
   if (!o.figures.empty()) {

@@ -16,5 +16,7 @@ void bind_points(pybind11::module_& module);
 void bind_element(pybind11::module_& module);
 void bind_probe(pybind11::module_& module);
 void bind_domain(pybind11::module_& module);
+void bind_soil(pybind11::module_& module);
+void bind_calibrate(pybind11::module_& module);
 
 }  // namespace triax::python

@@ -23,6 +23,13 @@ struct Columns {
     columns.emplace_back(std::move(name), std::vector<Number>());
     return std::get<std::vector<Number>>(columns.back().second);
   }
+  /// A new column with what `of` gives of each row.
+  template <class Number = double, class Rows, class Of>
+  void add_of(std::string name, const Rows& rows, const Of& of) {
+    auto& values = add<Number>(std::move(name));
+    values.reserve(rows.size());
+    for (const auto& row : rows) values.push_back(static_cast<Number>(of(row)));
+  }
   [[nodiscard]] std::size_t rows() const;
   [[nodiscard]] const Values* find(const std::string& name) const;
 };

@@ -14,6 +14,13 @@ inline pybind11::object document(const std::string& json) {
   return pybind11::module_::import("json").attr("loads")(json);
 }
 
+/// Writes a text as Python does, and raises what Python raises.
+inline void write_text(const std::filesystem::path& path, const std::string& text) {
+  pybind11::module_::import("pathlib")
+      .attr("Path")(path.string())
+      .attr("write_text")(text, "utf-8");
+}
+
 /// {"specimen.height_mm": 140} as the --set of the program.
 inline std::vector<std::pair<std::string, std::string>> key_values(const pybind11::dict& sets) {
   std::vector<std::pair<std::string, std::string>> all;

@@ -8,6 +8,7 @@
 #include "src/python/bindings.hpp"
 #include "src/python/columns.hpp"
 #include "src/python/documents.hpp"
+#include "src/python/material.hpp"
 #include "src/python/signals.hpp"
 #include "src/study/element/run_element.hpp"
 
@@ -32,12 +33,14 @@ void fill_rows(ElementRun& run) {
   }
 }
 
-std::shared_ptr<ElementRun> element(const std::filesystem::path& path, const py::dict& sets) {
+std::shared_ptr<ElementRun> element(const std::filesystem::path& path, const py::dict& sets,
+                                    const std::shared_ptr<Material>& material) {
   const auto settings = key_values(sets);
+  const auto given = material ? std::optional(material->set) : std::nullopt;
   const py::gil_scoped_release free;
   Signals signals;
   auto run = std::make_shared<ElementRun>(
-      study::run_element(study::described_path(path.string(), settings),
+      study::run_element(study::described_path(path.string(), settings, given),
                          [&](const std::string&, double) { signals.look(); }));
   fill_rows(*run);
   return run;
@@ -82,9 +85,12 @@ void bind_element(py::module_& module) {
       });
   module.def(
       "element", &element, py::arg("path"), py::kw_only(), py::arg("sets") = py::dict(),
+      py::arg("material") = py::none(),
       "Takes one material point along the path of a file (.toml, or files of incrementalDriver): "
       "triax element.\n"
-      "`sets` changes material, void_ratio, p_eff_kPa, tolerance or a parameter of the law.");
+      "`sets` changes material, void_ratio, p_eff_kPa, tolerance or a parameter of the law; "
+      "`material` is a triax.Material "
+      "in place of the file's.");
 }
 
 }  // namespace triax::python

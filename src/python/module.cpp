@@ -19,4 +19,6 @@ PYBIND11_MODULE(_triax, module) {
   bind_element(module);
   bind_probe(module);
   bind_domain(module);
+  bind_soil(module);
+  bind_calibrate(module);
 }

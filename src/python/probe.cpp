@@ -11,6 +11,7 @@
 #include "src/python/columns.hpp"
 #include "src/python/documents.hpp"
 #include "src/python/material.hpp"
+#include "src/python/ranges.hpp"
 #include "src/python/signals.hpp"
 #include "src/study/probe/run_probe.hpp"
 
@@ -33,12 +34,6 @@ struct Probed {
   std::size_t place = 0;
   const study::ProbedState* operator->() const { return &of->result.states[place]; }
 };
-
-void must_lie(const char* name, double value, double lowest, double highest) {
-  if (!(value >= lowest && value <= highest))
-    throw lab::BadInput(fmt::format("{} {:g}: out of range; expected a number from {:g} to {:g}",
-                                    name, value, lowest, highest));
-}
 
 study::Probing probing_of(const std::string& plane, const std::string& kind,
                           std::optional<double> norm, int directions, bool finite) {

@@ -12,9 +12,9 @@
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/output/output.hpp"
-#include "src/soil/soil_choice.hpp"
 #include "src/soil/soil_files.hpp"
 #include "src/soil/soil_text.hpp"
+#include "src/study/soil/soil_choice.hpp"
 #include "src/study/soil/soil_json.hpp"
 #include "src/triaxial/left_waiting.hpp"
 
@@ -22,7 +22,7 @@ namespace triax::src {
 namespace {
 
 struct SoilCommandOptions {
-  SoilChoice choice;
+  study::SoilChoice choice;
   std::string criterion = "peak-q";
   double failure_strain_pct = 15, exponent = 0, stress_error_kPa = 1;
   bool has_exponent = false, keep_odd = false, json = false;
@@ -30,23 +30,13 @@ struct SoilCommandOptions {
 };
 
 study::SoilOptions study_options(const SoilCommandOptions& o) {
-  using enum study::FailureCriterion;
   study::SoilOptions options;
-  options.criterion = o.criterion == "peak-ratio" ? peak_stress_ratio
-                      : o.criterion == "strain"   ? axial_strain
-                                                  : peak_deviator_stress;
+  options.criterion = study::failure_criterion(o.criterion);
   options.failure_strain = o.failure_strain_pct / 100;
   if (o.has_exponent) options.exponent = o.exponent;
   options.stress_error_kPa = o.stress_error_kPa;
   options.keep_odd = o.keep_odd;
   return options;
-}
-
-std::string json_of(const std::vector<study::Soil>& soils) {
-  if (soils.size() == 1) return study::json_document(study::soil_json(soils.front()));
-  study::Json all = study::Json::array();
-  for (const auto& soil : soils) all.push_back(study::soil_json(soil));
-  return study::json_document(all);
 }
 
 std::string text_of(const std::vector<study::Soil>& soils) {
@@ -57,15 +47,13 @@ std::string text_of(const std::vector<study::Soil>& soils) {
 
 void run(const SoilCommandOptions& o) {
   if (!o.output.empty()) check_folder("--output", o.output, {});
-  std::vector<study::Soil> soils;
-  for (const auto& group : chosen_groups(o.choice))
-    soils.push_back(study::study_soil(group.tests, group.name, study_options(o)));
+  const auto soils = study::study_soils(o.choice, study_options(o));
   tell_of_what_waits(o.choice.db);
   if (!o.output.empty()) {
     make_folder("--output", o.output);
     write_soil_files(soils, o.output);
   }
-  print(o.json ? json_of(soils) : text_of(soils));
+  print(o.json ? study::json_of_soils(soils) : text_of(soils));
 }
 
 void add_options(CLI::App& app, SoilCommandOptions& o) {

@@ -22,17 +22,18 @@ class Examples(InAFolder):
         self.assertEqual((ended.returncode, ended.stderr), (0, ""), script.name)
         return ended.stdout
 
-    def test_there_are_ten_each_with_its_output(self):
-        self.assertEqual(len(EXAMPLES), 10)
+    def test_there_are_twelve_each_with_its_output(self):
+        self.assertEqual(len(EXAMPLES), 12)
         self.assertEqual({s.stem for s in EXAMPLES}, {g.stem for g in GOLDEN.glob("*.txt")})
 
-    def test_the_figure_shows_something(self):
-        self.run_example(SAMPLES / "python/figures.py")
-        pixels = matplotlib.image.imread(self.folder / "figures.png")
-        self.assertEqual(pixels.shape[:2], (630, 1500))
-        coloured = (pixels[..., :3].max(axis=2) - pixels[..., :3].min(axis=2)) > 0.3
-        for half in (coloured[:, :750], coloured[:, 750:]):
-            self.assertGreater(half.sum(), 1000)
+    def test_the_figures_show_something(self):
+        for name in ("figures", "soil"):
+            self.run_example(SAMPLES / f"python/{name}.py")
+            pixels = matplotlib.image.imread(self.folder / f"{name}.png")
+            self.assertEqual(pixels.shape[:2], (630, 1500))
+            coloured = (pixels[..., :3].max(axis=2) - pixels[..., :3].min(axis=2)) > 0.3
+            for half in (coloured[:, :750], coloured[:, 750:]):
+                self.assertGreater(half.sum(), 1000, name)
         self.assertIn("<svg", (self.folder / "figures.svg").read_text())
 
 

@@ -95,7 +95,7 @@ class Stubs(unittest.TestCase):
                     self.assertTrue(inspect.getattr_static(real, member).__doc__, f"{name}.{member}")
 
     def test_docstrings_say_more_than_the_signature(self):
-        for name in ("replay", "simulate", "element", "probe", "domain", "materials"):
+        for name in ("replay", "simulate", "element", "probe", "domain", "materials", "soil", "soils", "calibrate"):
             self.assertGreater(len(getattr(triax, name).__doc__.split("->", 1)[1].split()), 8, name)
 
 

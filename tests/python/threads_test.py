@@ -33,9 +33,13 @@ class Threads(InAFolder):
 
     def test_python_goes_on_beside_every_computation(self):
         points = many_points(100_000)
+        for void_ratio in (0.92, 0.96, 1.0):
+            triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db, sets={"specimen.void_ratio": void_ratio})
         for work in (lambda: points.advance([1e-4, -0.5e-4]),
                      lambda: triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db),
-                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 40), q_kPa=(0, 300, 60), directions=144, threads=1)):
+                     lambda: triax.domain("inl2/S28-general", 1.086, p_kPa=(10, 300, 40), q_kPa=(0, 300, 60), directions=144, threads=1),
+                     lambda: [triax.soil(self.db) for _ in range(20)],
+                     lambda: triax.calibrate(self.db, "sanisand", free=["critical_stress_ratio"], searches=1)):
             self.assertLess(self.share_without_python(work), 0.5)
 
     def test_two_threads_give_what_one_gives(self):

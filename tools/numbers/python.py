@@ -31,5 +31,9 @@ def cones(triax) -> str:
     return example(triax, "cones")
 
 
+def calibration(triax) -> str:
+    return example(triax, "calibrate")
+
+
 def speed(triax) -> str:
     return timed(triax, "bench/python/run.sh")

@@ -244,6 +244,7 @@ Calibration conclude(const CalibrationRequest& request, const std::vector<Search
     });
   c.interrupted = !go_on();
   c.runs = fine.runs();
+  c.notes = request.notes;
   for (const SearchEnd& end : ends) c.runs += end.runs;
   return c;
 }

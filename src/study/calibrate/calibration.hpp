@@ -34,9 +34,10 @@ struct CalibrationRequest {
   std::vector<MeasuredPath> paths;
   int searches = 3;  ///< global ones
   std::uint64_t seed = 1;
-  int threads = 0;              ///< 0: all cores; results do not depend on it
-  double void_ratio_error = 0;  ///< standard error of each test's void ratio
-  bool left_out = true;         ///< predict each collapse from the other tests
+  int threads = 0;                 ///< 0: all cores; results do not depend on it
+  double void_ratio_error = 0;     ///< standard error of each test's void ratio
+  bool left_out = true;            ///< predict each collapse from the other tests
+  std::vector<std::string> notes;  ///< what was taken from where
 };
 
 /// What separates one quantity of one test from the law.
@@ -52,6 +53,7 @@ struct SeriesMisfit {
 
 /// η at collapse of a test, from the parameters that the other tests give.
 struct Prediction {
+  std::int64_t id = 0;  ///< of the test in the database; 0: none
   std::string test;
   double measured = 0, measured_error = 0;
   std::optional<double> predicted;  ///< empty: the law does not collapse there

@@ -56,7 +56,8 @@ Single predict(const Misfit& misfit, const Unknowns& x, std::size_t left, double
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
   const Misfit rest(misfit.space(), others, misfit.threads(), misfit.driving());
   const auto refit = least_squares(rest, x, kRefitIterations, go_on);
-  Single one{.told = {.test = path.name,
+  Single one{.told = {.id = path.test,
+                      .test = path.name,
                       .measured = *path.onset_eta,
                       .measured_error = path.onset_eta_error,
                       .predicted = eta_at(misfit, refit.x, path)}};

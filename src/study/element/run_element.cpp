@@ -9,10 +9,16 @@
 namespace triax::study {
 
 lab::PathDescription described_path(const std::string& file,
-                                    std::vector<std::pair<std::string, std::string>> settings) {
+                                    std::vector<std::pair<std::string, std::string>> settings,
+                                    const std::optional<lab::MaterialSet>& material) {
   lab::PathDescription description = lab::is_incremental_driver(file)
                                          ? lab::describe_incremental_driver(file, settings)
                                          : lab::load_path(file);
+  if (material) {
+    description.material = *material;
+    description.material_name.clear();
+    description.parameters.clear();
+  }
   // The material first: parameters are changed in the one that is meant.
   std::stable_partition(settings.begin(), settings.end(),
                         [](const auto& one) { return one.first == "material"; });

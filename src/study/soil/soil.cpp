@@ -38,17 +38,20 @@ void set_state_parameters(Soil& soil) {
   if (!soil.critical_line) return;
   for (auto& test : soil.tests) {
     if (!test.used || !test.void_ratio || !test.p_eff_kPa) continue;
-    const LineFit& line =
-        soil.power_is_better ? soil.critical_power->line : soil.critical_line->line;
-    const double x = soil.power_is_better ? -std::pow(*test.p_eff_kPa / kPowerPressure_kPa,
-                                                      soil.critical_power->exponent.value)
-                                          : std::log(*test.p_eff_kPa);
-    test.state_parameter =
-        estimate(*test.void_ratio - line.at(x), line.error_at(x), line.degrees(), line.tests);
+    const Estimate e = soil.critical_void_ratio(*test.p_eff_kPa);
+    const double degrees =
+        (soil.power_is_better ? soil.critical_power->line : soil.critical_line->line).degrees();
+    test.state_parameter = estimate(*test.void_ratio - e.value, e.error, degrees, e.tests);
   }
 }
 
 }  // namespace
+
+Estimate Soil::critical_void_ratio(double p_eff_kPa) const {
+  if (!power_is_better) return critical_line->line.line_at(std::log(p_eff_kPa));
+  return critical_power->line.line_at(
+      -std::pow(p_eff_kPa / kPowerPressure_kPa, critical_power->exponent.value));
+}
 
 double CyclicResistance::at_cycles(double n) const { return std::exp(trend.line.at(std::log(n))); }
 

@@ -66,6 +66,10 @@ struct Soil {
   std::optional<Trend> strength_over_state;  ///< undrained q_peak/(2 p′₀) over ψ₀
   std::vector<CyclicResistance> cyclic;
   std::optional<double> densest, loosest;
+
+  /// e_c at p′ by the form that fits better, with the error of the line. Pre-condition: there is a
+  /// line.
+  Estimate critical_void_ratio(double p_eff_kPa) const;
 };
 
 /// Pre-condition: tests of one soil. A test that is in the list twice (the same file, or the same

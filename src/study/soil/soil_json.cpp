@@ -147,4 +147,11 @@ Json soil_json(const Soil& soil) {
   return document;
 }
 
+std::string json_of_soils(const std::vector<Soil>& soils) {
+  if (soils.size() == 1) return json_document(soil_json(soils.front()));
+  Json all = Json::array();
+  for (const auto& soil : soils) all.push_back(soil_json(soil));
+  return json_document(all);
+}
+
 }  // namespace triax::study

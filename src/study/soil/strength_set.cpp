@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/base/bad_input.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::study {
@@ -58,6 +59,13 @@ std::string_view to_string(FailureCriterion criterion) {
       break;
   }
   return "peak_deviator_stress";
+}
+
+FailureCriterion failure_criterion(const std::string& word) {
+  if (word == "peak-q") return FailureCriterion::peak_deviator_stress;
+  if (word == "peak-ratio") return FailureCriterion::peak_stress_ratio;
+  if (word == "strain") return FailureCriterion::axial_strain;
+  throw lab::BadInput("criterion '" + word + "': not known; expected peak-q, peak-ratio or strain");
 }
 
 std::optional<TestPoint> failure_of(const TestPoints& test, FailureCriterion criterion,

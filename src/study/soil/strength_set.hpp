@@ -19,6 +19,8 @@ enum class FailureCriterion {
   critical_state
 };
 std::string_view to_string(FailureCriterion criterion);
+/// Of "peak-q", "peak-ratio", "strain". Throws lab::BadInput.
+FailureCriterion failure_criterion(const std::string& word);
 
 struct MohrCircle {
   std::size_t test = 0;  ///< among those asked

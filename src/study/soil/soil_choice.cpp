@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/soil/soil_choice.hpp"
+#include "src/study/soil/soil_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 
-namespace triax::src {
+namespace triax::study {
 namespace {
 
 constexpr std::size_t kFewest = 3;
@@ -40,16 +40,17 @@ void refuse_too_few(const SoilGroup& group) {
 
 }  // namespace
 
-std::vector<SoilGroup> chosen_groups(const SoilChoice& choice) {
+std::vector<SoilGroup> chosen_groups(const SoilChoice& choice, const std::function<void()>& look) {
   const db::Store store(choice.db);
   std::set<std::int64_t> asked;
   for (const auto id : store.find(choice.tests)) asked.insert(id);
   std::map<std::string, SoilGroup> groups;
   for (const auto& [id, name] : db::choose_tests(choice.db, choice.where, choice.group)) {
     if (!asked.contains(id)) continue;
+    look();
     auto& group = groups[name];
     group.name = name;
-    group.tests.push_back(study::load_sheared_test(store, id));
+    group.tests.push_back(load_sheared_test(store, id));
   }
   if (groups.empty())
     throw lab::BadInput("no test is left" +
@@ -67,4 +68,16 @@ std::vector<SoilGroup> chosen_groups(const SoilChoice& choice) {
   return all;
 }
 
-}  // namespace triax::src
+std::vector<Soil> study_soils(const SoilChoice& choice, const SoilOptions& options,
+                              const std::function<void()>& look) {
+  std::vector<Soil> soils;
+  const auto groups = chosen_groups(choice, look);
+  soils.reserve(groups.size());
+  for (const auto& group : groups) {
+    look();
+    soils.push_back(study_soil(group.tests, group.name, options));
+  }
+  return soils;
+}
+
+}  // namespace triax::study
