@@ -89,7 +89,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kLabels{
 std::string_view key_of_label(const std::string& label) {
   auto text = lab::folded(label.substr(0, label.find('(')));
   if (text.ends_with(':')) text.pop_back();
-  const auto found = std::ranges::find(kLabels, text, [](const auto& row) { return row.first; });
+  const auto* const found =
+      std::ranges::find(kLabels, text, [](const auto& row) { return row.first; });
   return found == kLabels.end() ? std::string_view() : found->second;
 }
 
@@ -107,6 +108,7 @@ SaidWord said_word(const std::string& key, const std::string& value) {
   if (const auto slash = key.rfind('/'); slash != std::string::npos)
     said = {key.substr(0, slash), key.substr(slash + 1), value};
   std::vector<std::string> known;
+  known.reserve(kWords.size());
   for (const auto& word : kWords) known.emplace_back(word.key);
   if (std::ranges::find(known, said.key) == known.end())
     throw lab::BadInput(
