@@ -32,6 +32,7 @@ Estimate cohesion(const LineFit& fit) {
 
 std::optional<Estimate> angle_without_cohesion(const std::vector<MohrCircle>& circles) {
   std::vector<FitPoint> ratios;
+  ratios.reserve(circles.size());
   for (const auto& c : circles) ratios.push_back({0, c.major_kPa / c.minor_kPa, 0, 0, 0});
   const auto mean = fit_mean(ratios);
   return mean ? std::optional(angle(mean->mean)) : std::nullopt;
@@ -95,6 +96,7 @@ FitPoint strength_point(const MohrCircle& circle) {
 std::optional<StrengthSet> strength_set(std::vector<MohrCircle> circles,
                                         FailureCriterion criterion) {
   std::vector<FitPoint> points;
+  points.reserve(circles.size());
   for (const auto& c : circles) points.push_back(strength_point(c));
   const auto line = fit_line(points);
   if (!line) return std::nullopt;
