@@ -15,8 +15,8 @@ namespace triax::src {
 class ReadingTerms {
  public:
   /// A reading stands so many rows below its state.
-  ReadingTerms(const lab::RecordHeader& header, std::size_t rows_below)
-      : header_(header), below_(rows_below) {}
+  ReadingTerms(lab::RecordHeader header, std::size_t rows_below)
+      : header_(std::move(header)), below_(rows_below) {}
 
   /// Of the reading whose state stands in `row`; unknown where it does not hold it.
   Term of(lab::Quantity quantity, const lab::Reading& reading, std::size_t row) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/export/workbook/states_sheet.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -24,30 +25,30 @@ std::variant<RawTrail, ReducedTrail> trail_of(const db::StoredTest& test,
 }
 
 /// In the order of StateCell; "_per" stands for the unit of progress.
-constexpr const char* kHeadings[kStateCells] = {"second_order_work_normalised",
-                                                "second_order_work_error",
-                                                "window_readings",
-                                                "shortening_m",
-                                                "outflow_m3",
-                                                "current_area_m2",
-                                                "deviator_stress_as_measured_Pa",
-                                                "membrane_axial_Pa",
-                                                "membrane_radial_Pa",
-                                                "pore_pressure_Pa",
-                                                "effective_axial_stress_Pa",
-                                                "effective_radial_stress_Pa",
-                                                "deviator_stress_Pa",
-                                                "mean_effective_stress_Pa",
-                                                "axial_strain_path",
-                                                "progress_of_a_block",
-                                                "d_deviator_stress_Pa_per",
-                                                "d_mean_effective_stress_Pa_per",
-                                                "d_axial_strain_per",
-                                                "d_volumetric_strain_per",
-                                                "d_effective_axial_stress_Pa_per",
-                                                "d_effective_radial_stress_Pa_per",
-                                                "d_radial_strain_per",
-                                                "second_order_work_Pa_per"};
+constexpr std::array<const char*, kStateCells> kHeadings = {"second_order_work_normalised",
+                                                            "second_order_work_error",
+                                                            "window_readings",
+                                                            "shortening_m",
+                                                            "outflow_m3",
+                                                            "current_area_m2",
+                                                            "deviator_stress_as_measured_Pa",
+                                                            "membrane_axial_Pa",
+                                                            "membrane_radial_Pa",
+                                                            "pore_pressure_Pa",
+                                                            "effective_axial_stress_Pa",
+                                                            "effective_radial_stress_Pa",
+                                                            "deviator_stress_Pa",
+                                                            "mean_effective_stress_Pa",
+                                                            "axial_strain_path",
+                                                            "progress_of_a_block",
+                                                            "d_deviator_stress_Pa_per",
+                                                            "d_mean_effective_stress_Pa_per",
+                                                            "d_axial_strain_per",
+                                                            "d_volumetric_strain_per",
+                                                            "d_effective_axial_stress_Pa_per",
+                                                            "d_effective_radial_stress_Pa_per",
+                                                            "d_radial_strain_per",
+                                                            "second_order_work_Pa_per"};
 
 Term in_kilopascals(const Term& pa) { return over(pa, constant(1000)); }
 
@@ -99,7 +100,7 @@ const std::vector<ReferenceRow>& StatesSheet::references() const {
 }
 
 void StatesSheet::keep_states(const ReducedTerms& s, const lab::Reading& reading,
-                              const lab::State& state, StateTerms& row) {
+                              const lab::State& state, StateTerms& row) const {
   const std::size_t reading_row = row.row() - kFirstRow + first_reading_row_;
   row.keep_in(0, {static_cast<double>(state.reading), "", false});
   std::size_t column = 0;

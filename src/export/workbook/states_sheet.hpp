@@ -26,9 +26,9 @@ class StatesSheet {
 
  private:
   void keep_states(const ReducedTerms& s, const lab::Reading& reading, const lab::State& state,
-                   StateTerms& row);
+                   StateTerms& row) const;
   void keep_path(const lab::State& state, StateTerms& row);
-  double stored_value(std::size_t column, const lab::State& state) const;
+  double stored_value(std::size_t at, const lab::State& state) const;
 
   Sheet& sheet_;
   lab::RecordHeader header_;

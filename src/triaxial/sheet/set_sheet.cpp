@@ -227,9 +227,10 @@ std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests) {
   for (const auto& test : tests) {
     const auto& digest = test.result.stored.header.digest;
     // The later reading of a file counts.
-    std::erase_if(once, [&](const SheetTest* before) {
+    const auto earlier = std::erase_if(once, [&](const SheetTest* before) {
       return !digest.empty() && before->result.stored.header.digest == digest;
     });
+    sets[test.result.stored.header.specimen.material].read_again += earlier;
     once.push_back(&test);
   }
   for (const auto* test : once) {
@@ -281,6 +282,9 @@ Sheet set_sheet(const TestSet& set) {
     if (!row.parts.empty()) sheet.rows.push_back(std::move(row));
   }
   SheetBox remarks{.title = "Remarks", .blank_lines = 2};
+  if (set.read_again > 0)
+    remarks.lines.push_back(
+        fmt::format("{} more: the file was READ AGAIN, the later reading counts", set.read_again));
   add_boxes(std::move(remarks));
   return sheet;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace triax::src {
 struct TestSet {
   std::string material;
   std::vector<const SheetTest*> tests;
+  std::size_t read_again = 0;  ///< beside them: readings of a file that was read again
 };
 std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests);
 

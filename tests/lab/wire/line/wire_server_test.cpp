@@ -101,7 +101,7 @@ TEST_CASE("thousands of connections, long lines and slow senders delay nobody an
 }
 
 TEST_CASE("a client that takes no answers is asked no more, and is closed when it is idle") {
-  EchoLine echo({.idle_s = 1});
+  EchoLine echo({.idle_s = 3});
   REQUIRE(echo.open() == "");
   // Nobody reads on this socket but the system.
   const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
@@ -125,7 +125,7 @@ TEST_CASE("a client that takes no answers is asked no more, and is closed when i
   }
   CHECK(sent < std::size_t{40} << 20);  // of 64 MB
   CHECK(echo.server.clients(echo.link) == 2);
-  for (int i = 0; i < 15; ++i) {
+  for (int i = 0; i < 45; ++i) {
     echo.loop.run_for(0.1);
     CHECK(echo.ask("1", 2).values == std::vector{1.0});
   }
