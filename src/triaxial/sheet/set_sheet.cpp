@@ -121,9 +121,9 @@ SheetBox spread_box(const TestSet& set) {
     std::ranges::sort(values);
     std::vector<std::string> row = {column.heading, fmt::format("{}", values.size())};
     for (const double share : {0.0, 0.05, 0.5, 0.95, 1.0})
-      row.push_back(number(
-          values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)],
-          column.decimals));
+      row.push_back(number(values[static_cast<std::size_t>(
+                               std::lround(share * static_cast<double>(values.size() - 1)))],
+                           column.decimals));
     box.table.rows.push_back(std::move(row));
   }
   std::map<std::string, int> kinds;
