@@ -16,6 +16,7 @@ using RankOfReading = std::pair<bool, std::int64_t>;
 /// Ids of the tests that statistics over `tests` leave out, because their file was read again: of
 /// the readings of one file the one of the greatest rank counts, as in the view counted_tests of
 /// the database.
+std::set<std::int64_t> read_again(const std::vector<const db::StoredTest*>& tests);
 std::set<std::int64_t> read_again(const std::vector<TestResult>& tests);
 
 }  // namespace triax::study

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "src/output/words.hpp"
+#include "src/study/triaxial/read_again.hpp"
 #include "src/study/version.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/sheet/sheet_figures.hpp"
@@ -223,20 +224,18 @@ SheetRow figure_row(std::vector<OwnPlot> plots, double weight) {
 
 std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests) {
   std::map<std::string, TestSet> sets;
-  std::vector<const SheetTest*> once;
+  std::vector<const db::StoredTest*> stored;
+  stored.reserve(tests.size());
+  for (const auto& test : tests) stored.push_back(&test.result.stored);
+  const auto left_out = study::read_again(stored);
   for (const auto& test : tests) {
-    const auto& digest = test.result.stored.header.digest;
-    // The later reading of a file counts.
-    const auto earlier = std::erase_if(once, [&](const SheetTest* before) {
-      return !digest.empty() && before->result.stored.header.digest == digest;
-    });
-    sets[test.result.stored.header.specimen.material].read_again += earlier;
-    once.push_back(&test);
-  }
-  for (const auto* test : once) {
-    const auto& material = test->result.stored.header.specimen.material;
-    sets[material].material = material;
-    sets[material].tests.push_back(test);
+    const auto& material = test.result.stored.header.specimen.material;
+    TestSet& set = sets[material];
+    set.material = material;
+    if (left_out.contains(test.result.stored.id))
+      ++set.read_again;
+    else
+      set.tests.push_back(&test);
   }
   std::vector<TestSet> several;
   for (auto& [material, set] : sets)
@@ -283,8 +282,8 @@ Sheet set_sheet(const TestSet& set) {
   }
   SheetBox remarks{.title = "Remarks", .blank_lines = 2};
   if (set.read_again > 0)
-    remarks.lines.push_back(
-        fmt::format("{} more: the file was READ AGAIN, the later reading counts", set.read_again));
+    remarks.lines.push_back(fmt::format(
+        "{} more: the file was READ AGAIN, the later complete reading counts", set.read_again));
   add_boxes(std::move(remarks));
   return sheet;
 }

@@ -28,7 +28,7 @@ using Ids = std::set<std::int64_t>;
 
 TEST_CASE("of several readings of one file the latest that is complete counts") {
   using enum db::TestStatus;
-  CHECK(read_again({}).empty());
+  CHECK(read_again(std::vector<TestResult>{}).empty());
   CHECK(read_again({reading_of("", 1), reading_of("", 2), reading_of("a", 3)}).empty());
   CHECK(read_again({reading_of("a", 1), reading_of("b", 2), reading_of("a", 3)}) == Ids{1});
   CHECK(read_again({reading_of("a", 3), reading_of("a", 1)}) == Ids{1});

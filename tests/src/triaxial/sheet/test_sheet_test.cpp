@@ -118,6 +118,17 @@ TEST_CASE("tests of several soils are several sets, a file counts once, one test
   tests[1].stored.header.digest = tests[2].stored.header.digest = "abc";
   auto again = test::sheets_of(tests);
   CHECK(test_sets(again.tests).empty());
+
+  // Of two readings of a file the later complete one counts, as in all statistics.
+  tests = worked_set();
+  tests[1].stored.header.digest = tests[2].stored.header.digest = "abc";
+  tests[2].stored.status = db::TestStatus::interrupted;
+  again = test::sheets_of(tests);
+  const auto sets = test_sets(again.tests);
+  REQUIRE(sets.size() == 1);
+  CHECK(sets.front().read_again == 1);
+  REQUIRE(sets.front().tests.size() == 2);
+  CHECK(sets.front().tests.back()->result.stored.id == tests[1].stored.id);
 }
 
 TEST_CASE("of many tests the set tells the spread") {
