@@ -145,17 +145,18 @@ void bind_class(py::module_& module) {
 
 void bind_soil(py::module_& module) {
   bind_class(module);
-  module.def("soil", &soil, py::arg("db") = "triax.db", py::kw_only(),
-             py::arg("tests") = TestNames(), py::arg("where") = "", py::arg("criterion") = "peak-q",
-             py::arg("failure_strain") = 0.15, py::arg("exponent") = py::none(),
-             py::arg("stress_error_kPa") = 1.0, py::arg("keep_odd") = false,
-             "What the tests of a database (all, or these numbers and names) say of one soil, with "
-             "intervals: triax soil.\n"
-             "`where` is a condition of SQL, as in \"material = 'Hostun S28'\". `criterion` says "
-             "when a specimen counts as failed for\n"
-             "c' and phi': 'peak-q', 'peak-ratio', or 'strain' at failure_strain. `exponent` holds "
-             "that of the power form of the\n"
-             "critical state line. Odd tests are left out of the fits unless keep_odd is true.");
+  module.def(
+      "soil", &soil, py::arg("db") = "triax.db", py::kw_only(), py::arg("tests") = TestNames(),
+      py::arg("where") = "", py::arg("criterion") = "peak-q", py::arg("failure_strain") = 0.15,
+      py::arg("exponent") = py::none(), py::arg("stress_error_kPa") = 1.0,
+      py::arg("keep_odd") = false,
+      "What the tests of a database (all, or these numbers and names) say of one soil, with "
+      "intervals: triax soil.\n"
+      "`where` is a condition of SQL, as in \"material = 'Hostun S28'\". `criterion` says "
+      "when a specimen counts as failed for\n"
+      "c' and phi': 'peak-q', 'peak-ratio', 'strain' at failure_strain, or 'critical-state'. "
+      "`exponent` holds that of the power form of\n"
+      "the critical state line. Odd tests are left out of the fits unless keep_odd is true.");
   module.def("soils", &soils, py::arg("group"), py::arg("db") = "triax.db", py::kw_only(),
              py::arg("tests") = TestNames(), py::arg("where") = "", py::arg("criterion") = "peak-q",
              py::arg("failure_strain") = 0.15, py::arg("exponent") = py::none(),

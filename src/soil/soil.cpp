@@ -68,11 +68,12 @@ void add_options(CLI::App& app, SoilCommandOptions& o) {
   app.add_option("--group", o.choice.group,
                  "a result for each value of one of these columns, or of an expression of them")
       ->type_name("COLUMN");
-  app.add_option("--criterion", o.criterion,
-                 "when a specimen counts as failed for c' and phi': at the largest q, at the "
-                 "largest s1'/s3', or at --failure-strain")
-      ->type_name("peak-q|peak-ratio|strain")
-      ->check(CLI::IsMember({"peak-q", "peak-ratio", "strain"}).description(""))
+  app.add_option(
+         "--criterion", o.criterion,
+         "when a specimen counts as failed for c' and phi': at the largest q, at the "
+         "largest s1'/s3', at --failure-strain, or at the critical state where it was reached")
+      ->type_name("peak-q|peak-ratio|strain|critical-state")
+      ->check(CLI::IsMember({"peak-q", "peak-ratio", "strain", "critical-state"}).description(""))
       ->capture_default_str();
   app.add_option("--failure-strain", o.failure_strain_pct, "axial strain of --criterion strain")
       ->type_name("PERCENT")

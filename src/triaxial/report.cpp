@@ -98,12 +98,8 @@ bool has_filter(const ReportOptions& o) {
 }
 
 SheetRequest sheet_request(const ReportOptions& o) {
-  using enum study::FailureCriterion;
   SheetRequest request;
-  request.options.failure = o.failure == "peak-ratio"       ? peak_stress_ratio
-                            : o.failure == "strain"         ? axial_strain
-                            : o.failure == "critical-state" ? critical_state
-                                                            : peak_deviator_stress;
+  request.options.failure = study::failure_criterion(o.failure);
   request.options.failure_strain = o.failure_strain_pct / 100;
   for (const auto& [key, value] : key_values(o.sets, "borehole=B3"))
     request.said.push_back(study::said_word(key, value));

@@ -66,7 +66,9 @@ FailureCriterion failure_criterion(const std::string& word) {
   if (word == "peak-q") return FailureCriterion::peak_deviator_stress;
   if (word == "peak-ratio") return FailureCriterion::peak_stress_ratio;
   if (word == "strain") return FailureCriterion::axial_strain;
-  throw lab::BadInput("criterion '" + word + "': not known; expected peak-q, peak-ratio or strain");
+  if (word == "critical-state") return FailureCriterion::critical_state;
+  throw lab::BadInput("criterion '" + word +
+                      "': not known; expected peak-q, peak-ratio, strain or critical-state");
 }
 
 std::optional<TestPoint> failure_of(const TestPoints& test, FailureCriterion criterion,

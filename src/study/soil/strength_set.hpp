@@ -19,7 +19,7 @@ enum class FailureCriterion {
   critical_state
 };
 std::string_view to_string(FailureCriterion criterion);
-/// Of "peak-q", "peak-ratio", "strain". Throws lab::BadInput.
+/// Of "peak-q", "peak-ratio", "strain", "critical-state". Throws lab::BadInput.
 FailureCriterion failure_criterion(const std::string& word);
 
 struct MohrCircle {

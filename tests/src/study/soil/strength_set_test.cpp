@@ -74,3 +74,18 @@ TEST_CASE("Two specimens, or three at one pressure, are no set") {
   CHECK_FALSE(strength_set({circle(100, 350), circle(100, 340), circle(100, 345)},
                            FailureCriterion::axial_strain));
 }
+
+TEST_CASE("Failure at the critical state is its means, and none where none was reached") {
+  TestPoints test;
+  test.end = TestPoint{};
+  test.critical.kind = CriticalKind::reached;
+  test.critical.log_p.value = std::log(120.0);
+  test.critical.eta.value = 1.2;
+  const auto failed = failure_of(test, FailureCriterion::critical_state, 0.15);
+  REQUIRE(failed);
+  CHECK(failed->p_eff_kPa == Approx(120));
+  CHECK(failed->q_kPa == Approx(144));
+  test.critical.kind = CriticalKind::none;
+  CHECK_FALSE(failure_of(test, FailureCriterion::critical_state, 0.15));
+  CHECK(failure_criterion("critical-state") == FailureCriterion::critical_state);
+}
