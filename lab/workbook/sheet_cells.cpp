@@ -14,13 +14,6 @@ namespace {
 /// No text of a cell is longer in any spreadsheet.
 constexpr std::size_t kLongestText = 32767 * 4;
 
-std::string column_name(std::size_t column) {
-  std::string name;
-  for (auto rest = column + 1; rest > 0; rest = (rest - 1) / 26)
-    name.insert(name.begin(), static_cast<char>('A' + (rest - 1) % 26));
-  return name;
-}
-
 /// "0,5" and "-1,2e-3", but no "1,234,567" and no text.
 bool is_comma_number(std::string_view text) {
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
@@ -30,6 +23,13 @@ bool is_comma_number(std::string_view text) {
 }
 
 }  // namespace
+
+std::string column_name(std::size_t column) {
+  std::string name;
+  for (auto rest = column + 1; rest > 0; rest = (rest - 1) / 26)
+    name.insert(name.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return name;
+}
 
 std::optional<CellPlace> cell_place(std::string_view address) {
   CellPlace place;

@@ -21,6 +21,8 @@ struct CellPlace {
   std::int64_t row = 0;
 };
 std::optional<CellPlace> cell_place(std::string_view address);
+/// 0 is A, 26 is AA.
+std::string column_name(std::size_t column);
 inline constexpr std::size_t kMostColumns = 16384;
 inline constexpr std::int64_t kMostRows = 1'048'576;
 

@@ -34,12 +34,6 @@ constexpr const char* kStyle =
     ".banner { background-color: #fbe3d3; color: #8a3c00; font-weight: 700; }"
     ".caption, .notes { color: #444444; }";
 
-QFont page_font(double size) {
-  auto font = label_font();
-  font.setPointSizeF(size);
-  return font;
-}
-
 // Qt draws images of rich text as pixels; this draws ours as the lines they are.
 class FigureObject : public QObject, public QTextObjectInterface {
   Q_OBJECT
@@ -101,7 +95,7 @@ void Pages::add_page(const std::function<void(QPainter&, QPaintDevice&)>& draw) 
 void Pages::begin_page(const std::string& running_head) {
   turn_page();
   const auto area = text_area();
-  painter_.setFont(page_font(8));
+  painter_.setFont(text_font(8));
   painter_.setPen(kGrey);
   const QRectF head(area.left(), kMargin - 8, area.width(), kHeadHeight - 6);
   const QFontMetricsF metrics(painter_.font(), &writer_);
@@ -120,7 +114,7 @@ void Pages::add(const PageSection& section) {
   document.documentLayout()->setPaintDevice(&writer_);
   document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);
   document.setDocumentMargin(0);
-  document.setDefaultFont(page_font(8.5));
+  document.setDefaultFont(text_font(8.5));
   document.setDefaultStyleSheet(kStyle);
   document.setHtml(QString::fromStdString("<body>" + section.markup + "</body>"));
   document.setPageSize(area.size());

@@ -19,6 +19,12 @@ QFont label_font() {
   return font;
 }
 
+QFont text_font(double points) {
+  auto font = label_font();
+  font.setPointSizeF(points);
+  return font;
+}
+
 QFont title_font() {
   auto font = label_font();
   font.setPixelSize(13);

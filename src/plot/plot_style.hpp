@@ -20,6 +20,8 @@ inline const QColor kGridLine{0xE4, 0xE4, 0xE4};
 
 /// Fonts have sizes in pixels, so that a page, a picture and a screen look alike.
 QFont label_font();
+/// The same letters, of so many points.
+QFont text_font(double points);
 QFont title_font();
 QPen line(const QColor& colour, double width = 1.6, Qt::PenStyle style = Qt::SolidLine);
 

@@ -27,12 +27,6 @@ constexpr const char* kSheetStyle =
     ".rows th { font-weight: 400; color: #555555; border-bottom: 0.5px solid #999999; }"
     ".line { color: #222222; }";
 
-QFont sheet_font(double size) {
-  auto font = label_font();
-  font.setPointSizeF(size);
-  return font;
-}
-
 bool is_figure(const SheetRow& row) { return !row.parts.empty() && row.parts.front().plot; }
 
 std::vector<double> widths_of(const SheetRow& row) {
@@ -89,7 +83,7 @@ class SheetLayout {
         if (row.parts[i].plot) continue;
         document->documentLayout()->setPaintDevice(&device_);
         document->setDocumentMargin(0);
-        document->setDefaultFont(sheet_font(size));
+        document->setDefaultFont(text_font(size));
         document->setDefaultStyleSheet(kSheetStyle);
         document->setHtml(
             QString::fromStdString("<body>" + box_markup(row.parts[i].box) + "</body>"));
@@ -111,7 +105,7 @@ class SheetLayout {
     const QRectF bar(kSheetMargin, kSheetMargin, kSheetWidth, kTitleHeight);
     page.setPen(line(kInk, 0.8));
     page.drawRect(bar);
-    auto font = sheet_font(10.5);
+    auto font = text_font(10.5);
     font.setBold(true);
     page.setFont(font);
     const auto inside = bar.adjusted(6, 0, -6, 0);
@@ -128,7 +122,7 @@ class SheetLayout {
   }
 
   void draw_foot(QPainter& page) const {
-    page.setFont(sheet_font(5.6));
+    page.setFont(text_font(5.6));
     page.setPen(kGrey);
     page.drawText(QRectF(kSheetMargin, kSheetMargin + kSheetHeight - kFootHeight + 2, kSheetWidth,
                          kFootHeight),

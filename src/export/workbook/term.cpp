@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "lab/workbook/sheet_cells.hpp"
+
 namespace triax::src {
 namespace {
 
@@ -56,15 +58,8 @@ Term first_known(std::initializer_list<Term> terms) {
   return {};
 }
 
-std::string column_letters(std::size_t column) {
-  std::string letters;
-  for (auto rest = column + 1; rest > 0; rest = (rest - 1) / 26)
-    letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
-  return letters;
-}
-
 std::string address(std::size_t column, std::size_t row) {
-  return column_letters(column) + std::to_string(row);
+  return lab::column_name(column) + std::to_string(row);
 }
 
 }  // namespace triax::src

@@ -36,8 +36,6 @@ Term mean(const Term& a, const Term& b);
 /// The first that is known, or what is not.
 Term first_known(std::initializer_list<Term> terms);
 
-/// "A", "B" ... "XFD" of column 0 and on.
-std::string column_letters(std::size_t column);
 /// "C12" of column 2 and row 12, which counts from 1.
 std::string address(std::size_t column, std::size_t row);
 
