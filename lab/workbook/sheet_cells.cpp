@@ -12,7 +12,7 @@ namespace triax::lab {
 namespace {
 
 /// No text of a cell is longer in any spreadsheet.
-constexpr std::size_t kLongestText = 32767 * 4;
+constexpr std::size_t kLongestText = std::size_t{32767} * 4;
 
 /// "0,5" and "-1,2e-3", but no "1,234,567" and no text.
 bool is_comma_number(std::string_view text) {

@@ -55,7 +55,7 @@ class SheetCells {
   };
   void begin_cell(const CellTag& tag);
   void end_cell();
-  std::size_t column_of(std::string_view place) const;
+  std::size_t column_of(std::string_view text) const;
   std::size_t take_plain_rows(std::string_view bytes);
   std::string_view cell_text();
   std::string_view date_or_number();
