@@ -5,6 +5,7 @@
 
 #include "db/columns.hpp"
 #include "db/test_rows.hpp"
+#include "lab/results/reading.hpp"
 
 namespace triax::db {
 namespace {
