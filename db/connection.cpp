@@ -19,7 +19,7 @@
 #include "lab/base/embedded.hpp"
 
 namespace triax::lab {
-extern const std::span<const EmbeddedFile> kMigrations;
+extern const std::span<const EmbeddedFile> kMigrations, kSchema;
 }
 
 namespace triax::db {
@@ -166,9 +166,13 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   check_ours(database, path);
   const int present = read_int(database, "PRAGMA user_version");
-  for (const lab::EmbeddedFile& migration : lab::kMigrations) {
-    const int version = version_of(migration);
-    if (version > present && version <= target) database.exec(std::string(migration.text));
+  if (newest && is_empty(database)) {
+    database.exec(std::string(lab::kSchema.front().text));  // a tenth of the time of all steps
+  } else {
+    for (const lab::EmbeddedFile& migration : lab::kMigrations) {
+      const int version = version_of(migration);
+      if (version > present && version <= target) database.exec(std::string(migration.text));
+    }
   }
   if (present < target) {
     database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kRowsDue = 10000;
 constexpr std::chrono::milliseconds kTimeDue{500};
 /// The session waits for the disk beyond this: memory stays bounded.
-constexpr std::size_t kRowsAtMost = 20000;
+constexpr std::size_t kRowsAtMost = 40000;
 
 }  // namespace
 

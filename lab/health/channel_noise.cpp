@@ -17,6 +17,12 @@ constexpr double kWide = 1.5, kLeastWide = 0.08;
 /// Chance that nobody believes in.
 const double kImpossible = std::log(1e-9);
 
+/// Of the latest of `count` in an exponential mean that begins as a plain one.
+double weight_of(std::int64_t count) {
+  if (count >= ChannelNoise::kMemory) return 1.0 / ChannelNoise::kMemory;
+  return 1.0 / static_cast<double>(count);
+}
+
 }  // namespace
 
 void ChannelNoise::add(double value) {
@@ -30,7 +36,7 @@ void ChannelNoise::add(double value) {
     const double size = std::fabs(move);
     step_ = step_ > 0 ? std::min(step_, size) : size;
     if (moves_++ > 0) {
-      const double weight = std::max(1.0 / static_cast<double>(moves_), 1.0 / kMemory);
+      const double weight = weight_of(moves_);
       moves_back_ += weight * ((move * last_move_ < 0 ? 1.0 : 0.0) - moves_back_);
       wide_moves_ += weight * ((size > kWide * step_ ? 1.0 : 0.0) - wide_moves_);
     }
@@ -54,7 +60,7 @@ void ChannelNoise::end_run() {
   const std::int64_t lessons = std::min(run_, kLongestLesson);
   for (std::int64_t i = 0; i <= lessons; ++i) {
     ++neighbours_;
-    const double weight = std::max(1.0 / static_cast<double>(neighbours_), 1.0 / kMemory);
+    const double weight = weight_of(neighbours_);
     equal_ += weight * ((i < lessons ? 1.0 : 0.0) - equal_);
     longest_run_ *= 1 - 1.0 / (8 * kMemory);
   }
@@ -69,7 +75,7 @@ void ChannelNoise::add_roughness(double half_bend) {
   // A smooth curve shows its resolution here, not in its moves.
   if (2 * size > round_off()) step_ = step_ > 0 ? std::min(step_, 2 * size) : 2 * size;
   if (bends_ > 32) size = std::min(size, 5 * roughness_ + step_);
-  const double weight = std::max(1.0 / static_cast<double>(bends_), 1.0 / kMemory);
+  const double weight = weight_of(bends_);
   roughness_ += weight * (size - roughness_);
   bends_back_ += weight * ((half_bend * last_bend_ < 0 ? 1.0 : 0.0) - bends_back_);
   last_bend_ = half_bend;

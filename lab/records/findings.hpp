@@ -17,6 +17,9 @@ class Findings {
  public:
   /// Writes into `warnings`, which must outlive this object.
   explicit Findings(std::vector<Warning>& warnings) : warnings_(warnings) {}
+  /// Goes on from `before` in a copy of its warnings.
+  Findings(const Findings& before, std::vector<Warning>& warnings)
+      : warnings_(warnings), kinds_(before.kinds_) {}
 
   /// One finding; `kind` says which findings are of one kind.
   void note(std::string_view kind, std::int64_t line, std::string text);

@@ -19,6 +19,7 @@
 #include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
+#include "lab/records/rows_ahead.hpp"
 #include "lab/records/table_reader.hpp"
 #include "lab/records/time_line.hpp"
 #include "lab/rig/sheet_record.hpp"
@@ -73,7 +74,7 @@ struct RecordedRig::Impl {
     check_stages_to_set(options);
     apply_sets(options, true);
     header.digest = sha256(source->file());
-    table.emplace(*source, layout, findings);
+    rows.emplace(*source, layout, findings, header.warnings);
     waiting = draw(first);
     if (!waiting) throw BadInput(layout.file, layout.heading_line, "no row of readings");
   }
@@ -100,7 +101,6 @@ struct RecordedRig::Impl {
   StageNumbers stage_numbers;
   TimeLine time_line;
   CounterJoin counters;
-  std::optional<TableReader> table;
   std::optional<Truth> truth;
   std::array<bool, kQuantityCount> filled{};
   Row row;
@@ -109,6 +109,7 @@ struct RecordedRig::Impl {
   bool over = false;
   std::int64_t count = 0;
   int stage = 0;
+  std::optional<RowsAhead> rows;  ///< reads `source`, and ends before it
 };
 
 TomlTable RecordedRig::Impl::parse_preamble(const std::string& toml) const {
@@ -286,7 +287,7 @@ int RecordedRig::Impl::stage_of(const Row& drawn) {
 }
 
 bool RecordedRig::Impl::draw(Reading& reading) {
-  if (over || !table->next(row)) {
+  if (over || !rows->next(row)) {
     finish();
     return false;
   }
@@ -325,14 +326,15 @@ void RecordedRig::Impl::finish() {
     if (const auto missing = missing_channels(held); !missing.empty())
       throw BadInput(layout.file, layout.heading_line,
                      "a column without a single value: " + missing);
-  if (!table->trailer().empty()) {
+  if (!rows->trailer().empty()) {
     RecordHeader end;
     read_metadata(end, truth,
-                  TomlTable::parse(table->trailer(), layout.file, table->trailer_line()));
+                  TomlTable::parse(rows->trailer(), layout.file, rows->trailer_line()));
     if (header.cut_short.empty()) header.cut_short = end.cut_short;
   }
   over = true;
   findings.finish();
+  rows->finish();
 }
 
 RecordedRig::RecordedRig(std::unique_ptr<ByteSource> source, const RecordOptions& options,
@@ -353,7 +355,7 @@ bool RecordedRig::next(Reading& reading) {
 double RecordedRig::progress() const {
   if (impl_->over) return 1;
   const auto size = static_cast<double>(impl_->source->size());
-  return size > 0 ? std::min(1.0, static_cast<double>(impl_->table->position()) / size) : 0.0;
+  return size > 0 ? std::min(1.0, static_cast<double>(impl_->rows->position()) / size) : 0.0;
 }
 
 std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOptions& options) {

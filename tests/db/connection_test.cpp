@@ -9,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <set>
 #include <thread>
 
 #include "lab/base/bad_input.hpp"
@@ -137,6 +138,23 @@ TEST_CASE("of an old record without time, no strain stays under the name of a ti
     CHECK(text(("SELECT json_group_array(time_s) FROM (SELECT time_s FROM " + std::string(table) +
                 " ORDER BY test_id)")
                    .c_str()) == "[0.5,null]");
+}
+
+TEST_CASE("a database made in one step is what all migrations come to: else run tools/schema") {
+  const auto schema_of = [](SQLite::Database& database) {
+    SQLite::Statement all(
+        database, "SELECT type || ' ' || name || ': ' || coalesce(sql, '') FROM sqlite_schema");
+    std::set<std::string> parts;
+    while (all.executeStep()) parts.insert(all.getColumn(0).getString());
+    return parts;
+  };
+  SQLite::Database stepwise(":memory:", kCreate), at_once(":memory:", kCreate);
+  db::migrate(stepwise, "steps.db", 1);
+  db::migrate(stepwise, "steps.db");
+  db::migrate(at_once, "once.db");
+  CHECK(schema_of(at_once).size() > 50);
+  CHECK(schema_of(at_once) == schema_of(stepwise));
+  CHECK(read_int(at_once, "PRAGMA user_version") == db::newest_schema());
 }
 
 TEST_CASE("a migration that fails leaves the database as it was") {
