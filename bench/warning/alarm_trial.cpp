@@ -76,6 +76,13 @@ lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
   return interrupted(std::move(programme), interruption(seed), seed);
 }
 
+std::optional<lab::EarlierTest> as_recorded(const lab::RecordHeader& header,
+                                            lab::TestSummary summary,
+                                            const std::vector<lab::Outlook>& forecasts) {
+  summary.truth.reset();
+  return lab::earlier_test(header, summary, forecasts);
+}
+
 AlarmTest run_alarm_test(const Subject& subject, std::uint64_t seed) {
   AlarmTest test;
   AlarmTrial& r = test.trial;
@@ -104,7 +111,7 @@ AlarmTest run_alarm_test(const Subject& subject, std::uint64_t seed) {
   r.work_error = errors.at(work.at_reading());
   if (r.lost) test.truth = summary.truth;
   heard.judge(test.truth ? &*test.truth : nullptr, r);
-  test.earlier = lab::earlier_test(test.header, summary, forecasts);
+  test.earlier = as_recorded(test.header, summary, forecasts);
   return test;
 }
 

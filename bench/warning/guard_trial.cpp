@@ -37,7 +37,7 @@ void run_as_it_is(const lab::Programme& programme, GuardTrial& t) {
   listener.foreseen = [&](const lab::Outlook& one) { forecasts.push_back(one); };
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
   const lab::Truth& truth = *summary.truth;
-  t.earlier = lab::earlier_test(rig.header(), summary, forecasts);
+  t.earlier = as_recorded(rig.header(), summary, forecasts);
   t.lost = truth.lost_sustainability;
   t.said_lost = known_s.has_value();
   if (const auto* fall = fall_in(truth, 0)) t.fall_s = fall->start_s;

@@ -3,21 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lab/measured/path_sampler.hpp"
-#include "lab/rig/simulated/virtual_rig.hpp"
 #include "lab/warning/driven_fit.hpp"
 
 namespace triax::bench {
 namespace {
 
 constexpr double kTenth = 0.1;
-
-double normal(std::uint64_t seed) {
-  const double u = std::max(choice(seed, 20), 1e-12);
-  return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * choice(seed, 21));
-}
 
 }  // namespace
 
@@ -72,19 +65,6 @@ Members Hindsight::members() const {
     for (auto& eta : all)
       if (eta) eta = -*eta;
   return all;
-}
-
-std::optional<double> by_its_law(const Subject& subject, std::uint64_t seed) {
-  Instruments instruments{};
-  lab::Programme programme = varied_for_alarm(subject, seed, instruments);
-  programme.void_ratio += kVoidRatio * normal(seed);
-  for (lab::Transducer& t : programme.transducers) t.noise_rms = 0, t.step = 0;
-  lab::VirtualRig rig(programme, seed);
-  lab::Reading reading;
-  while (rig.next(reading)) continue;
-  const auto truth = rig.truth();
-  if (!truth || !truth->lost_sustainability) return std::nullopt;
-  return *truth->q_pa / *truth->p_eff_pa;
 }
 
 }  // namespace triax::bench

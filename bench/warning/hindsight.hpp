@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the best forecast could have said at a tenth of the stage left, chosen with the truth: how
-// much the readings, and how much the law, hold of an onset to come.
+// much the readings hold of an onset to come.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -32,11 +32,5 @@ class Hindsight {
   lab::PoreFluid fluid_;
   lab::DrivenPath path_;
 };
-
-/// η at the onset by the specimen's own law with its own parameters, from the state that was
-/// measured: void ratio off by what its measuring is, kVoidRatio, all else as it is. Empty where it
-/// has none.
-inline constexpr double kVoidRatio = 0.005;  ///< standard error
-std::optional<double> by_its_law(const Subject& subject, std::uint64_t seed);
 
 }  // namespace triax::bench

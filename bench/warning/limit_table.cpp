@@ -17,10 +17,10 @@ using Some = std::vector<const LimitTrial*>;
 
 /// How many of a group each way has within kWithin; law of those that were asked.
 struct Counts {
-  double tests = 0, alone = 0, window = 0, bend = 0, any = 0, law = 0, asked = 0, one = 0, two = 0;
+  double tests = 0, alone = 0, window = 0, bend = 0, any = 0, law = 0, one = 0, two = 0, told = 0;
   void add(const Counts& other) {
     tests += other.tests, alone += other.alone, window += other.window, bend += other.bend;
-    any += other.any, law += other.law, asked += other.asked, one += other.one, two += other.two;
+    any += other.any, law += other.law, one += other.one, two += other.two, told += other.told;
   }
 };
 
@@ -62,18 +62,18 @@ Counts counts_of(const Some& group) {
     c.one += within(t->one);
     c.two += within(t->two);
     c.any += std::ranges::any_of(t->members, [&](const auto& eta) { return within(eta, *t); });
-    c.asked += t->law_asked;
-    c.law += t->law_asked && within(t->law, *t);
+    c.law += within(t->law, *t);
+    c.told += within(t->by_law);
   }
   return c;
 }
 
 void print_row(const std::string& name, const Counts& c) {
   const auto share = [](double part, double whole) { return whole > 0 ? 100 * part / whole : NAN; };
-  fmt::print("{:46} {:5.0f} {:7.1f} {:7.1f} {:7.1f} {:7.1f} {:8.1f} {:7.1f} {:7.1f}\n", name,
-             c.tests, share(c.alone, c.tests), share(c.window, c.tests), share(c.bend, c.tests),
-             share(c.any, c.tests), share(c.law, c.asked), share(c.one, c.tests),
-             share(c.two, c.tests));
+  fmt::print("{:46} {:5.0f} {:7.1f} {:7.1f} {:7.1f} {:7.1f} {:8.1f} {:7.1f} {:7.1f} {:7.1f}\n",
+             name, c.tests, share(c.alone, c.tests), share(c.window, c.tests),
+             share(c.bend, c.tests), share(c.any, c.tests), share(c.law, c.tests),
+             share(c.one, c.tests), share(c.two, c.tests), share(c.told, c.tests));
 }
 
 }  // namespace
@@ -88,8 +88,8 @@ void print_limits(const std::vector<LimitTrial>& trials) {
     at->second.push_back(&t);
   }
   fmt::print("\n|error| within 0.02 at 10 % left, % of tests       \n");
-  fmt::print("{:46} {:>5} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7}\n", "specimen", "tests",
-             "alone", "window", "bend", "any", "its law", "one", "two");
+  fmt::print("{:46} {:>5} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>7}\n", "specimen", "tests",
+             "alone", "window", "bend", "any", "its law", "one", "two", "told");
   Counts all;
   std::map<std::string, Counts> laws;
   for (const auto& [name, group] : groups) {

@@ -21,6 +21,7 @@
 #include "bench/warning/alarm_trial.hpp"
 #include "bench/warning/guard_trial.hpp"
 #include "bench/warning/limit_table.hpp"
+#include "bench/warning/simulated_before.hpp"
 #include "bench/warning/worst.hpp"
 #include "lab/base/bad_input.hpp"
 
@@ -69,15 +70,21 @@ lab::EarlierTests earlier_of(const std::vector<Test>& row, std::size_t i, std::s
   return earlier;
 }
 
+lab::EarlierTests earlier_of(const bench::SimulatedBefore& before) {
+  lab::EarlierTests earlier;
+  if (before.said) earlier.add(*before.said);
+  return earlier;
+}
+
 struct All {
-  std::vector<bench::AlarmTrial> alone, told;  ///< seed by seed, in the order of the subjects
+  /// Seed by seed, in the order of the subjects: by itself, told of two tests, of a simulation.
+  std::vector<bench::AlarmTrial> alone, told, by_law;
   std::vector<bench::LimitTrial> limits;
 };
 
 /// All seeds of one subject.
 void run_subject(const bench::Subject& subject, std::size_t place, std::size_t subjects,
                  const Options& o, All& all) {
-  constexpr std::size_t kOfLaw = 4;  // every so many-th seed asks the law
   const auto seeds = static_cast<std::size_t>(o.seeds);
   const auto seed = [&](std::size_t i) { return static_cast<std::uint64_t>(o.from) + i; };
   std::vector<bench::AlarmTest> row(seeds);
@@ -91,40 +98,48 @@ void run_subject(const bench::Subject& subject, std::size_t place, std::size_t s
     const std::size_t at = i * subjects + place;
     all.alone[at] = test.trial;
     all.told[at] = bench::heard_again(test, earlier_of(row, i, 2));
+    bench::SimulatedBefore before;
+    guarded(subject, seed(i), [&] { before = bench::simulated_before(subject, seed(i)); });
+    all.by_law[at] = bench::heard_again(test, earlier_of(before));
     if (!test.truth || !test.trial.comparable()) return;
     bench::Hindsight hindsight(test);
     bench::LimitTrial& limit = limits[i].emplace();
     limit.alone = test.trial;
     limit.one = bench::heard_again(test, earlier_of(row, i, 1), {hindsight.listener()});
     limit.two = all.told[at];
+    limit.by_law = all.by_law[at];
     limit.members = hindsight.members();
-    if (i % kOfLaw != 0) return;
-    limit.law_asked = true;
-    guarded(subject, seed(i), [&] { limit.law = bench::by_its_law(subject, seed(i)); });
+    limit.law = before.eta;
   });
   for (auto& limit : limits)
     if (limit) all.limits.push_back(std::move(*limit));
 }
 
 void run_guards(const std::vector<bench::Subject>& subjects, const Options& o) {
-  std::vector<bench::GuardTrial> alone, told;
+  std::vector<bench::GuardTrial> alone, told, by_law;
   for (const bench::Subject& subject : subjects) {
-    std::vector<bench::GuardTrial> row(static_cast<std::size_t>(o.seeds)), knowing;
+    std::vector<bench::GuardTrial> row(static_cast<std::size_t>(o.seeds)), knowing, foreknowing;
     const auto seed = [&](std::size_t i) { return static_cast<std::uint64_t>(o.from) + i; };
     for_all(row.size(), o.jobs, [&](std::size_t i) {
       guarded(subject, seed(i), [&] { row[i] = bench::run_guard_trial(subject, seed(i)); });
     });
-    knowing = row;
+    knowing = foreknowing = row;
     for_all(row.size(), o.jobs, [&](std::size_t i) {
       if (row[i].programme.empty()) return;
       guarded(subject, seed(i),
               [&] { bench::run_guarded(subject, earlier_of(row, i, 2), knowing[i]); });
+      guarded(subject, seed(i), [&] {
+        const auto before = bench::simulated_before(subject, seed(i));
+        bench::run_guarded(subject, earlier_of(before), foreknowing[i]);
+      });
     });
     alone.insert(alone.end(), row.begin(), row.end());
     told.insert(told.end(), knowing.begin(), knowing.end());
+    by_law.insert(by_law.end(), foreknowing.begin(), foreknowing.end());
   }
   bench::print_guard_trials("The guard, by itself", alone, o.failures);
   bench::print_guard_trials("The guard, told of two earlier tests", told, o.failures);
+  bench::print_guard_trials("The guard, told of a simulation by its law", by_law, o.failures);
 }
 
 int run(const Options& o) {
@@ -140,6 +155,7 @@ int run(const Options& o) {
   const std::size_t count = subjects.size() * static_cast<std::size_t>(o.seeds);
   All all{.alone = std::vector<bench::AlarmTrial>(count),
           .told = std::vector<bench::AlarmTrial>(count),
+          .by_law = std::vector<bench::AlarmTrial>(count),
           .limits = {}};
   for (std::size_t place = 0; place < subjects.size(); ++place)
     run_subject(subjects[place], place, subjects.size(), o, all);
@@ -147,9 +163,12 @@ int run(const Options& o) {
   fmt::print("\n");
   const bool told =
       bench::print_alarm_trials("The alarm, told of two earlier tests", all.told, o.failures);
+  fmt::print("\n");
+  const bool by_law = bench::print_alarm_trials("The alarm, told of a simulation by its law",
+                                                all.by_law, o.failures);
   bench::print_limits(all.limits);
   if (!o.worst.empty()) bench::write_worst(all.alone, subjects, o.worst);
-  return held && told ? 0 : 1;
+  return held && told && by_law ? 0 : 1;
 }
 
 }  // namespace

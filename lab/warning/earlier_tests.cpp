@@ -33,8 +33,10 @@ const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t re
 std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary,
                                         const std::vector<Outlook>& forecasts) {
   const Collapse& c = summary.collapse;
-  if (!c.judged) return std::nullopt;
+  const bool is_known = summary.truth && summary.truth->lost_sustainability;
+  if (!c.judged && !is_known) return std::nullopt;
   EarlierTest test{.name = header.name};
+  if (header.origin == Origin::simulated) test.name += " (simulated)";
   for (const StageInfo& stage : header.stages) {
     const auto control = DrivenPath::control_of(&stage);
     if (is_watched(&stage) && control != DrivenPath::Control::none) test.control = control;
@@ -43,7 +45,11 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   if (test.control == DrivenPath::Control::none) return std::nullopt;
   if (const auto b = summary.consolidation.b_value; b && *b > 0)
     test.give = std::max(1 / *b - 1, 0.0);
-  if (c.detected()) {
+  if (is_known && c.inside_limit_surface != false) {
+    const double eta = *summary.truth->q_pa / *summary.truth->p_eff_pa;
+    test.onset = std::fabs(eta);
+    test.in_extension = eta < 0;
+  } else if (c.detected()) {
     if (!c.onset || !c.onset->eta() || c.inside_limit_surface == false) return std::nullopt;
     test.onset = std::fabs(*c.onset->eta());
     test.in_extension = *c.onset->eta() < 0;

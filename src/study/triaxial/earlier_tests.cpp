@@ -5,7 +5,6 @@
 
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
-#include "src/study/triaxial/test_result.hpp"
 
 namespace triax::study {
 
@@ -15,7 +14,7 @@ lab::EarlierTests earlier_tests(const std::string& db, const std::vector<std::st
   const db::Store store(db);
   for (const std::int64_t id : store.find(names)) {
     const db::StoredTest test = store.load(id);
-    const auto said = has_verdict(test)
+    const auto said = test.status == db::TestStatus::complete
                           ? lab::earlier_test(test.header, test.summary, store.forecasts(id))
                           : std::nullopt;
     if (!said)

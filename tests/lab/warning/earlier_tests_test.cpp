@@ -55,6 +55,27 @@ TEST_CASE("earlier tests agree by their precisions, and an error is not below th
   CHECK_FALSE(tests.onset(Control::strain_path, true, 0));
 }
 
+TEST_CASE("a simulation knows its onset, also where it was not judged") {
+  RecordHeader header = shear_header(AxialControl::displacement);
+  header.origin = Origin::simulated;
+  header.name = "by the law";
+  TestSummary summary = collapse_at(0.62, 0.8);
+  summary.truth = Truth{.lost_sustainability = true, .q_pa = -58e3, .p_eff_pa = 1e5};
+  const std::vector<Outlook> forecasts{forecast(10, 0.7, 0.1)};
+  auto said = earlier_test(header, summary, forecasts);
+  REQUIRE(said);
+  CHECK(said->name == "by the law (simulated)");
+  CHECK(said->onset == 0.58);
+  CHECK(said->onset_error == 0);
+  CHECK(said->in_extension);
+  summary.collapse.withhold("its end");
+  said = earlier_test(header, summary, forecasts);
+  REQUIRE(said);
+  CHECK(said->onset == 0.58);
+  summary.truth->lost_sustainability = false;
+  CHECK_FALSE(earlier_test(header, summary, forecasts));
+}
+
 TEST_CASE("a test whose pore fluid gave way as this one's does counts for more") {
   EarlierTests tests;
   tests.add(lost(0.60, 0));
