@@ -117,6 +117,13 @@ TEST_CASE("archives that are no workbook say what they are") {
   CHECK_THAT(fails({{"content.xml", "<x/>"}}), Contains("OpenDocument"));
   CHECK_THAT(fails({{"[Content_Types].xml", "<x/>"}, {"word/document.xml", "<x/>"}}),
              Contains("no workbook"));
+  CHECK_THAT(
+      fails(
+          {{"[Content_Types].xml", "<x/>"},
+           {"_rels/.rels",
+            "<R><Relationship Id=\"a\" Type=\"x/officeDocument\" Target=\"xl/workbook.bin\"/></R>"},
+           {"xl/workbook.bin", "\x83\x01"}}),
+      Contains(".xlsb"));
   auto macros = workbook({{"S", sheet("")}});
   macros.emplace_back("xl/vbaProject.bin", "x");
   CHECK_THAT(fails(macros), Contains("macros"));
@@ -132,6 +139,50 @@ TEST_CASE("archives that are no workbook say what they are") {
 
 TEST_CASE("a bomb is not unpacked further than its 300-fold") {
   CHECK_THAT(rows_fail(std::string(std::size_t{64} << 20, ' ')), Catch::Contains("300 times"));
+}
+
+TEST_CASE("what others share does not grow beyond what a record needs") {
+  using Catch::Contains;
+  const auto rows = sheet("<row><c t=\"s\"><v>1</v></c></row>");
+  std::string many, none;
+  for (int i = 0; i < 60; ++i) many += "<si><t>" + std::to_string(i * 7919) + "</t></si>";
+  CHECK(text_of(workbook({{"S", rows}}, many)) == "7919\n");
+  // Random bytes, which do not pack: 60 MB of texts; and 5 million of nothing, each with a place.
+  std::uint32_t state = 1;
+  std::string text(60000, 'x');
+  many.clear();
+  for (int i = 0; i < 1000; ++i) {
+    for (std::size_t k = 0; k < text.size(); k += 2) {
+      state = state * 1664525 + 1013904223;
+      text[k] = static_cast<char>('a' + (state >> 28));
+    }
+    many += "<si><t>" + text + "</t></si>";
+  }
+  CHECK_THAT(fails(workbook({{"S", rows}}, many)), Contains("more than 48 MB of text"));
+  for (int i = 0; i < 5'000'000; ++i) {
+    state = state * 1664525 + 1013904223;
+    none += "<si a=\"" + std::to_string(state >> 12) + "\"/>";
+  }
+  CHECK_THAT(fails(workbook({{"S", rows}}, none)), Contains("more than 48 MB of text"));
+  CHECK_THAT(fails(workbook({{"S", rows}}, "<si><t>" + std::string(200'000, 'x') + "</t></si>")),
+             Contains("longer than any spreadsheet"));
+}
+
+TEST_CASE("merged cells, a strict namespace, an encoding of its own, dates as texts of ISO 8601") {
+  CHECK(text_of(workbook({{"S",
+                           "<x:worksheet xmlns:x=\"http://purl.oclc.org/ooxml/spreadsheetml/main\">"
+                           "<x:sheetData><x:row r=\"1\"><x:c r=\"A1\"><x:v>1</x:v></x:c>"
+                           "<x:c r=\"B1\" t=\"d\"><x:v>2019-02-11T06:30:24</x:v></x:c></x:row>"
+                           "<x:row r=\"2\"><x:c r=\"A2\"><x:v>2</x:v></x:c></x:row></x:sheetData>"
+                           "<x:mergeCells><x:mergeCell ref=\"A1:A2\"/></x:mergeCells>"
+                           "</x:worksheet>"}})) == "1,2019-02-11T06:30:24\n2,\n");
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : "<?xml version=\"1.0\" encoding=\"UTF-16\"?>" +
+                          sheet("<row><c><v>1.5</v></c></row>").substr(21)) {
+    utf16 += c;
+    utf16 += '\0';
+  }
+  CHECK(text_of(workbook({{"S", utf16}})) == "1.5\n");
 }
 
 TEST_CASE("sheets are found by name, cells by their address") {
