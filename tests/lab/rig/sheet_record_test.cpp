@@ -71,6 +71,17 @@ TEST_CASE("cells that are shown in per cent mean what is shown, under either hea
                     Catch::Contains("'40%', which is not a number"));
 }
 
+TEST_CASE("a cell with an error under our own headings is refused by its row") {
+  const auto rows =
+      own_rows() + "<row><c><v>0.2</v></c><c t=\"e\"><v>#N/A</v></c><c><v>9</v></c></row>";
+  CHECK_THROWS_WITH(
+      [&] {
+        const auto rig = open_record(source_of(workbook({{"Data", sheet(rows)}})), {});
+        readings(*rig);
+      }(),
+      Catch::Contains("m.xlsx:4: column 'deviator_stress_kPa' has '#N/A'"));
+}
+
 TEST_CASE("a sheet that is asked for, one that is not there, none that fits") {
   const auto parts = workbook({{"A", sheet(own_rows())}, {"B", sheet(own_rows())}});
   CHECK_NOTHROW(open_record(source_of(parts), {.sheet = "B"}));
