@@ -195,6 +195,7 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
       return;
     }
   }
+  if (kind == CellKind::text && parse_percent(cell, plan)) return;
   const auto& heading = plan.column->heading;
   const bool empty_only = !layout_.dialect.missing_words;
   const char* remedy = empty_only ? "; leave the cell empty if the reading is missing" : "";
@@ -223,6 +224,20 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
                    fmt::format("column {} has {}: no instrument can have measured that{}",
                                excerpt(heading), excerpt(cell), remedy));
   check_limit(cell, plan);
+}
+
+bool TableReader::parse_percent(std::string_view cell, const Plan& plan) {
+  constexpr double kPercent = 0.01;
+  if (!cell.ends_with('%') || plan.slot >= kQuantityCount ||
+      !info(plan.column->quantity).unit.empty())
+    return false;
+  double value = kMissing;
+  if (parse_cell(trimmed(cell.substr(0, cell.size() - 1)), decimal_, value) != CellKind::number)
+    return false;
+  values_[plan.slot] = value * kPercent;
+  findings_.note("percent", lines_.line_number(),
+                 "cells in per cent are read as such: " + excerpt(cell));
+  return true;
 }
 
 void TableReader::check_limit(std::string_view cell, const Plan& plan) const {

@@ -53,6 +53,8 @@ class TableReader {
   bool parse_general(std::string_view line);
   void check_limit(std::string_view cell, const Plan& plan) const;
   void parse_number(std::string_view cell, const Plan& plan);
+  /// "5%" of a quantity that is a plain number, whatever its heading's unit: 0.05.
+  bool parse_percent(std::string_view cell, const Plan& plan);
   void check_cell_count(std::string_view line);
   bool skipped(std::string_view line);
   void keep_comment(std::string_view line);

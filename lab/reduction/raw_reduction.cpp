@@ -31,9 +31,11 @@ double required(const std::optional<double>& value, const RecordHeader& header, 
 RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& options)
     : specimen_(header.specimen), stages_(header.stages), options_(options) {
   if (!header.is_raw()) return;
-  if (!header.has(Quantity::pore_pressure) && !header.has(Quantity::back_pressure))
+  if (!header.has(Quantity::pore_pressure) && !header.has(Quantity::back_pressure) &&
+      !header.is_total_stress())
     throw BadInput(header.source, 0,
-                   fmt::format("a channel is missing: effective stresses need {} (or {})",
+                   fmt::format("a channel is missing: effective stresses need {} (or {}); of an "
+                               "unconsolidated undrained test say --set test.programme=UU",
                                heading(Quantity::pore_pressure), heading(Quantity::back_pressure)));
   const double height =
       required(specimen_.height_m, header, "height of the specimen", "specimen.height_mm");
@@ -149,15 +151,19 @@ State RawReduction::reduce(const Reading& reading) {
 void RawReduction::correct_for_membrane(State& s) const {
   if (options_.membrane == MembraneCorrection::none || !sheared_) return;
   const double stiffness = 4 * *specimen_.membrane_modulus_pa * *specimen_.membrane_thickness_m;
+  sim::AxisymmetricStress carried;
   if (options_.membrane == MembraneCorrection::astm) {
     const double diameter = std::sqrt(4 / std::numbers::pi * now_.area());
-    s.effective_stress.axial -= stiffness / diameter * s.strain.axial;
+    carried.axial = stiffness / diameter * s.strain.axial;
   } else {
     const double diameter = *specimen_.diameter_m;  // unstretched: as the membrane was placed
-    s.effective_stress.axial -= stiffness / diameter * (s.strain.axial + s.volumetric_strain / 3);
-    s.effective_stress.radial -= stiffness / diameter * s.volumetric_strain / 3;
+    carried.axial = stiffness / diameter * (s.strain.axial + s.volumetric_strain / 3);
+    carried.radial = stiffness / diameter * s.volumetric_strain / 3;
   }
-  s.q = sim::deviator_stress(s.effective_stress);
+  s.effective_stress.axial -= carried.axial;
+  s.effective_stress.radial -= carried.radial;
+  s.q = std::isnan(s.pore_pressure) ? s.q - sim::deviator_stress(carried)
+                                    : sim::deviator_stress(s.effective_stress);
 }
 
 Consolidation RawReduction::consolidation() const {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "lab/base/names.hpp"
+#include "lab/base/text.hpp"
 
 namespace triax::lab {
 namespace {
@@ -59,6 +60,11 @@ bool RecordHeader::has(Quantity column) const {
 bool RecordHeader::is_raw() const {
   return has(Quantity::axial_displacement) && has(Quantity::axial_force) &&
          has(Quantity::cell_pressure);
+}
+
+bool RecordHeader::is_total_stress() const {
+  const auto type = folded(programme);
+  return type == "uu" || type == "uum" || type == "unc";
 }
 
 const StageInfo* RecordHeader::stage(int number) const {

@@ -141,6 +141,9 @@ struct RecordHeader {
   bool has(Quantity column) const;
   /// True where the raw channels suffice for our own reduction; else the record enters at State.
   bool is_raw() const;
+  /// Without consolidation, in total stresses, by its programme: UU, UUM (several stages), UNC
+  /// (unconfined). Nobody measures the pore pressure of such a test.
+  bool is_total_stress() const;
   const StageInfo* stage(int number) const;
 };
 

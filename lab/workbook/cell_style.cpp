@@ -32,7 +32,7 @@ std::string day_text(long long days) {
 }  // namespace
 
 CellStyle style_of_format(std::string_view code) {
-  bool day = false, time = false, elapsed = false;
+  bool day = false, time = false, elapsed = false, percent = false;
   for (std::size_t i = 0; i < code.size(); ++i) {
     const char c = static_cast<char>(code[i] | 0x20);
     if (code[i] == ';') break;
@@ -50,21 +50,29 @@ CellStyle style_of_format(std::string_view code) {
     } else if (code.substr(i, 7) == "General" || code[i] == 'E') {
       return CellStyle::number;
     } else {
+      percent |= c == '%';
       day |= c == 'd' || c == 'y';
       time |= c == 'h' || c == 's';
     }
   }
   if (elapsed) return CellStyle::elapsed;
+  if (percent) return CellStyle::percent;
   return day ? CellStyle::date : time ? CellStyle::clock : CellStyle::number;
 }
 
 CellStyle style_of_builtin(int id) {
+  if (id == 9 || id == 10) return CellStyle::percent;
   if (id == 46) return CellStyle::elapsed;
   if ((id >= 18 && id <= 21) || id == 45 || id == 47 || (id >= 32 && id <= 35))
     return CellStyle::clock;
   const bool date =
       (id >= 14 && id <= 17) || id == 22 || (id >= 27 && id <= 36) || (id >= 50 && id <= 58);
   return date ? CellStyle::date : CellStyle::number;
+}
+
+std::string percent_text(double value) {
+  constexpr double kPercent = 100;
+  return fmt::format("{:.15g}%", value * kPercent);
 }
 
 std::string date_text(double days, CellStyle style, bool from_1904) {

@@ -11,14 +11,18 @@ enum class CellStyle : unsigned char {
   date,     ///< day, with or without a time of day
   clock,    ///< time of day
   elapsed,  ///< hours beyond a day: [h]:mm
+  percent,  ///< 0.05 is shown as 5 %
 };
 
 /// By a format as the file has it ("yyyy\-mm\-dd hh:mm:ss.000"): text in quotes, behind a
 /// backslash, colours and locales in brackets say nothing. m is a month beside y or d, a minute
 /// beside h or s.
 CellStyle style_of_format(std::string_view code);
-/// By the number of a built-in format (14 to 22, 27 to 36, 45 to 47, 50 to 58).
+/// By the number of a built-in format (9, 10, 14 to 22, 27 to 36, 45 to 47, 50 to 58).
 CellStyle style_of_builtin(int id);
+
+/// "5%" of 0.05: what is shown, since the heading's unit is that of what is shown.
+std::string percent_text(double value);
 
 /// A spreadsheet's day count as lab/records/clock_time.hpp reads it: "2019-02-11 06:30:24.5",
 /// "06:30:24"; a date without a time of day is "2019-02-11". Time that passed becomes a date and

@@ -182,9 +182,10 @@ std::string_view SheetCells::cell_text() {
 
 std::string_view SheetCells::date_or_number() {
   if (style_ == CellStyle::number) return value_;
-  const auto days = whole_text_as<double>(value_);
-  if (!days) return value_;
-  written_ = date_text(*days, style_, book_.from_1904());
+  const auto number = whole_text_as<double>(value_);
+  if (!number) return value_;
+  written_ = style_ == CellStyle::percent ? percent_text(*number)
+                                          : date_text(*number, style_, book_.from_1904());
   return written_;
 }
 

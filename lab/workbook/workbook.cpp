@@ -16,7 +16,9 @@
 namespace triax::lab {
 namespace {
 
-constexpr std::size_t kMostSharedText = std::size_t{64} << 20;
+constexpr std::size_t kMostSharedText = std::size_t{48} << 20;
+/// No text of a cell is longer in any spreadsheet.
+constexpr std::size_t kLongestSharedText = std::size_t{32767} * 4;
 constexpr std::size_t kMostSheets = 1000;
 constexpr std::size_t kMostStyles = 100'000;
 
@@ -81,6 +83,8 @@ void Workbook::read_parts() {
   std::string book = "xl/workbook.xml";
   for (const auto& [id, relation] : relations_of(archive_, ""))
     if (relation.type == "officeDocument") book = relation.part;
+  if (book.ends_with(".bin") || archive_.has("xl/workbook.bin"))
+    throw BadInput(name(), 0, "a binary workbook (.xlsb): save it as .xlsx or as CSV");
   if (!archive_.has(book)) throw BadInput(name(), 0, "an Office document, but no workbook (.xlsx)");
   read_sheets(book);
   for (const auto& [id, relation] : relations_of(archive_, book)) {
@@ -114,14 +118,21 @@ void Workbook::read_shared_texts(const std::string& part) {
   const auto end = [&](std::string_view element) {
     if (element == "rPh") --phonetic;
     if (element == "t") taken = false;
-    if (element == "si") ends_.push_back(static_cast<std::uint32_t>(texts_.size()));
+    if (element != "si") return;
+    texts_.end_text();
+    if (texts_.bytes() > kMostSharedText)
+      throw BadInput(name(), 0,
+                     "the workbook holds more than 48 MB of text; save its sheet as CSV");
   };
+  std::string clean;
   const auto text = [&](std::string_view piece) {
     if (!taken) return;
-    if (texts_.size() + piece.size() + ends_.size() * sizeof(ends_[0]) > kMostSharedText)
-      throw BadInput(name(), 0,
-                     "the workbook holds more than 64 MB of text; save its sheet as CSV");
-    for (const char c : piece) texts_ += c == '\n' || c == '\r' || c == '\t' ? ' ' : c;
+    if (texts_.pending_size() + piece.size() > kLongestSharedText)
+      throw BadInput(name(), 0, "a text longer than any spreadsheet has; save its sheet as CSV");
+    clean.assign(piece);
+    std::ranges::replace_if(
+        clean, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    texts_.add(clean);
   };
   read_xml(archive_, part, {.start = start, .end = end, .text = text});
 }
@@ -154,9 +165,7 @@ const SheetEntry& Workbook::sheet(const std::string& wanted) const {
 }
 
 std::optional<std::string_view> Workbook::shared_text(std::size_t index) const {
-  if (index >= ends_.size()) return std::nullopt;
-  const std::size_t begin = index == 0 ? 0 : ends_[index - 1];
-  return std::string_view(texts_).substr(begin, ends_[index] - begin);
+  return texts_.at(index);
 }
 
 CellStyle Workbook::style(std::size_t index) const {

@@ -9,6 +9,7 @@
 
 #include "lab/base/byte_source.hpp"
 #include "lab/workbook/cell_style.hpp"
+#include "lab/workbook/shared_texts.hpp"
 #include "lab/workbook/zip_archive.hpp"
 
 namespace triax::lab {
@@ -21,7 +22,7 @@ struct SheetEntry {
 class Workbook {
  public:
   /// Reads all but the sheets. Throws BadInput for an archive that is no workbook, has macros, no
-  /// sheet, or more shared text than 64 MB.
+  /// sheet, or more shared text than 48 MB.
   explicit Workbook(ZipArchive archive);
 
   const std::string& name() const { return archive_.name(); }
@@ -46,8 +47,7 @@ class Workbook {
 
   ZipArchive archive_;
   std::vector<SheetEntry> sheets_;
-  std::string texts_;  ///< all shared ones, one behind the other
-  std::vector<std::uint32_t> ends_;
+  SharedTexts texts_;
   std::vector<CellStyle> styles_;
   bool from_1904_ = false;
 };

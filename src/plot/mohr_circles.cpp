@@ -44,7 +44,9 @@ void draw_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circle
     const double slope = std::tan(envelope->friction_angle_deg * std::numbers::pi / 180);
     const double c = envelope->cohesion_kPa;
     draw_curve(rect, {{0, c}, {most, c + most * slope}}, line(kInk, 2),
-               fmt::format("c′ = {:.1f} kPa, φ′ = {:.1f}°", c, envelope->friction_angle_deg));
+               envelope->name.empty()
+                   ? fmt::format("c′ = {:.1f} kPa, φ′ = {:.1f}°", c, envelope->friction_angle_deg)
+                   : envelope->name);
   }
   if (named) legend_below(plot, 3);
   note_below(plot, note);

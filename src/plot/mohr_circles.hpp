@@ -16,6 +16,7 @@ struct DrawnCircle {
 /// τ = c′ + σ′ tan φ′.
 struct DrawnEnvelope {
   double cohesion_kPa = 0, friction_angle_deg = 0;
+  std::string name{};  ///< in the legend; empty: "c′ = ..., φ′ = ..."
 };
 
 /// The upper halves of circles and their envelope, σ′ and τ to one scale. `note` stands below, and

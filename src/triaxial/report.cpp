@@ -29,6 +29,7 @@
 #include "src/triaxial/pdf_report.hpp"
 #include "src/triaxial/print_tests.hpp"
 #include "src/triaxial/report_choice.hpp"
+#include "src/triaxial/sheet/sheet_json.hpp"
 #include "src/triaxial/text_report.hpp"
 
 namespace triax::src {
@@ -46,6 +47,7 @@ struct ReportOptions {
   double failure_strain_pct = 15;
   std::vector<std::string> sets;
   bool each = false, evidence = false;
+  bool has_sheet_words = false;  ///< --failure, --failure-strain or --set was given
 };
 
 /// The ending of the file, where it is that of a format.
@@ -112,11 +114,23 @@ struct Reported {
   std::vector<db::StoredGrainRun> runs;
 };
 
-std::string json(const Reported& all) {
-  if (all.runs.empty()) return json_report(all.tests);
-  if (all.tests.empty() && all.runs.size() == 1) return grain_run_json(all.runs.front());
+study::Json document_of(const SheetTest& test) {
+  auto document = test_document(test.result.stored);
+  document["sheet"] = sheet_json(test);
+  return document;
+}
+
+/// With what their sheets say, where sheets were asked for.
+std::string json(const Reported& all, const std::vector<SheetTest>& sheets) {
+  if (all.runs.empty() && sheets.empty()) return json_report(all.tests);
+  if (all.runs.empty() && sheets.size() == 1)
+    return study::json_document(document_of(sheets.front()));
+  if (all.tests.empty() && sheets.empty() && all.runs.size() == 1)
+    return grain_run_json(all.runs.front());
   std::vector<std::string> documents;
-  for (const auto& test : all.tests) documents.push_back(json_of_test(test) + '\n');
+  for (const auto& sheet : sheets) documents.push_back(study::json_document(document_of(sheet)));
+  if (sheets.empty())
+    for (const auto& test : all.tests) documents.push_back(json_of_test(test) + '\n');
   for (const auto& run : all.runs) documents.push_back(grain_run_json(run));
   std::string out = "[\n";
   for (auto& document : documents) {
@@ -171,10 +185,11 @@ void run_report(const ReportOptions& o) {
   }
   Reported all;
   ReportSheets sheets;
-  if (drawn || !o.figures.empty()) sheets = sheets_of(store, ids, o);
+  const bool with_sheet = format == "json" && o.has_sheet_words;
+  if (drawn || with_sheet || !o.figures.empty()) sheets = sheets_of(store, ids, o);
   if (!o.figures.empty())
     for (const auto& test : sheets.tests) all.tests.push_back(test.result);
-  else if (!drawn)
+  else if (!drawn && !with_sheet)
     for (const auto id : ids)
       all.tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   for (const auto id : run_ids) all.runs.push_back(grains.load(id));
@@ -187,7 +202,9 @@ void run_report(const ReportOptions& o) {
   if (drawn)
     write_pages(format, sheets, all.runs, output);
   else
-    write_file(output, format == "json" ? json(all) : text(all));
+    write_file(output, format == "json"
+                           ? json(all, with_sheet ? sheets.tests : std::vector<SheetTest>{})
+                           : text(all));
 }
 
 void add_choice(CLI::App& app, ReportOptions& o) {
@@ -212,8 +229,8 @@ void add_sheet_options(CLI::App& app, ReportOptions& o) {
       ->capture_default_str();
   app.add_option("--set", o.sets,
                  "a word of the sheet that the record does not hold: project, borehole, depth, "
-                 "operator, drained_at, remarks, ...; TEST/KEY=VALUE is of one test; may be "
-                 "repeated")
+                 "operator, drained_at, side_drains, load_cell, remarks, ...; TEST/KEY=VALUE is of "
+                 "one test; may be repeated")
       ->type_name("KEY=VALUE");
   app.add_flag("--each", o.each, "a page of each test, however many there are");
   app.add_flag("--evidence", o.evidence,
@@ -235,7 +252,11 @@ Command report_command() {
            "corrections, the verdict on collapse, deviations from ISO 17892-9, ASTM D4767 and "
            "D7181 and BS 1377-8, figures; of a set Mohr circles with c' and phi'. Of more than 24 "
            "tests only the sets have pages. What nobody says stays a blank to be filled in by "
-           "hand; --set says it. The ending of --output says the format unless --format does. "
+           "hand; --set says it. A test whose type is UU, UUM or UNC has a sheet of total stresses "
+           "after ISO 17892-8, with c_u = q_f/2. JSON has a member \"sheet\" with these values "
+           "where "
+           "--failure, --failure-strain or --set is given. The ending of --output says the format "
+           "unless --format does. "
            "Without --output they are written to triax_report.html or triax_report.pdf in the "
            "current folder; text and JSON go to standard output.",
            "--figures writes each figure of a report, and those that compare all tests of a type, "
@@ -271,7 +292,11 @@ Command report_command() {
         add_live(app, o->live);
         app.add_option("--figures", o->figures, "folder to write the figures to")
             ->type_name("FOLDER");
-        return [o] { run_report(*o); };
+        return [o, &app] {
+          for (const char* option : {"--failure", "--failure-strain", "--set"})
+            o->has_sheet_words = o->has_sheet_words || app.count(option) > 0;
+          run_report(*o);
+        };
       }};
 }
 

@@ -10,7 +10,12 @@ inline SheetTest sheet_of(TestResult result, const SheetRequest& request = {}) {
   SheetTest test{std::move(result), {}, {}};
   const auto& stored = test.result.stored;
   test.words = study::sheet_words(stored, request.said);
-  study::SheetReader reader(stored, request.options);
+  auto options = request.options;
+  if (const auto at = study::drained_at(test.words)) {
+    options.drained_at = *at;
+    options.boundary_is_said = true;
+  }
+  study::SheetReader reader(stored, options);
   for (const auto& state : test.result.curves.states) {
     lab::Reading reading;
     reading.si.fill(lab::kMissing);

@@ -7,6 +7,10 @@ def replay(triax) -> str:
     return timed(triax, "bench/replay/run.sh")
 
 
+def xlsx(triax) -> str:
+    return timed(triax, "bench/xlsx/run.sh")
+
+
 def verdicts(triax) -> str:
     return sampled(triax, "bench/verdicts/run.sh --seeds 6", "bench/verdicts/run.sh --seeds 1 --every 12")
 

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "lab/base/text.hpp"
-
 namespace triax::study {
 namespace {
 
@@ -104,11 +102,6 @@ std::string ags_test_type(const db::StoredTest& test, const ShearValues& shear) 
   const bool extension = !test.summary.cyclic && shear.failure->state.q < 0;
   return std::string("C") + (isotropic ? 'I' : 'A') + (drained ? 'D' : 'U') +
          (extension ? 'E' : 'C');
-}
-
-bool is_total_stress(const db::StoredTest& test) {
-  const auto programme = lab::folded(test.header.programme);
-  return programme == "uu" || programme == "uum" || programme == "unc";
 }
 
 std::string ags_code_meaning(const std::string& heading, const std::string& code) {

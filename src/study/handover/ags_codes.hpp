@@ -12,9 +12,6 @@ namespace triax::study {
 /// Isotropic is a |q| of less than 5 % of p' at the start of shear.
 std::string ags_test_type(const db::StoredTest& test, const ShearValues& shear);
 
-/// True of tests without consolidation, by their programme: UU, UUM, UNC.
-bool is_total_stress(const db::StoredTest& test);
-
 /// What the code below that heading means; empty where we do not know it.
 std::string ags_code_meaning(const std::string& heading, const std::string& code);
 std::string ags_unit_meaning(const std::string& unit);

@@ -47,7 +47,7 @@ void add_test(AgsRows& all, const AgsTest& test, const std::vector<AgsSaid>& sai
   rows.add("SAMP", picked(keys, {"LOCA_ID", "SAMP_TOP", "SAMP_REF", "SAMP_TYPE", "SAMP_ID"}));
   if (test.stored.summary.cyclic)
     add_cyclic_rows(rows, test, keys);
-  else if (is_total_stress(test.stored))
+  else if (test.stored.header.is_total_stress())
     add_total_stress_rows(rows, test, keys);
   else
     add_triaxial_rows(rows, test, keys);

@@ -133,7 +133,8 @@ void add_total_stress_rows(AgsRows& rows, const AgsTest& test, const AgsCells& k
   general["SPEC_DESC"] = lab::ags_ascii(specimen.material);
   const auto programme = lab::folded(test.stored.header.programme);
   general["TRIG_TYPE"] = programme == "unc" ? "UNC" : programme == "uum" ? "UUM" : "UU";
-  general["TRIG_REM"] = ags_remark(test.stored);
+  if (test.stored.header.origin == lab::Origin::simulated)
+    general["TRIG_REM"] = "SIMULATED, not measured";
   general["TRIG_METH"] = fmt::format("Reduced by triax {}", version());
   rows.add("TRIG", general);
 

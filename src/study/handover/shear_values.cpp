@@ -32,7 +32,9 @@ class ShearReader {
     if (!std::isnan(state.cycle)) count(scan);
     if (std::isnan(state.q)) return;
     if (!found_.start) found_.start = scan;
-    if (!found_.failure || std::abs(state.q) > std::abs(found_.failure->state.q))
+    const bool too_late =
+        test_.header.is_total_stress() && std::abs(state.strain.axial) > kLastTotalStrain;
+    if (!too_late && (!found_.failure || std::abs(state.q) > std::abs(found_.failure->state.q)))
       found_.failure = scan;
     if (!(state.p_eff <= found_.largest_p_eff)) found_.largest_p_eff = state.p_eff;
     cross_half(state);

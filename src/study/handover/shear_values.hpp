@@ -26,9 +26,13 @@ struct CycleValues {
   ScanValues last;  ///< its last scan
 };
 
+/// Axial strain up to which the largest q of a test of total stresses is looked for (ISO 17892-8).
+inline constexpr double kLastTotalStrain = 0.20;
+
 struct ShearValues {
-  std::optional<ScanValues> start;    ///< first scan of shear with known stresses
-  std::optional<ScanValues> failure;  ///< of the largest |q| in shear
+  std::optional<ScanValues> start;  ///< first scan of shear with known stresses
+  /// Of the largest |q| in shear; of a test of total stresses up to kLastTotalStrain.
+  std::optional<ScanValues> failure;
   /// Axial strain at which |q| first reaches half of that at failure, between two scans; where
   /// shear begins above that, nothing.
   std::optional<double> half_strain;

@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/study/sheet/deviations.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/study/sheet/sheet_values.hpp"
-#include "src/study/triaxial/test_result.hpp"
+#include "src/study/sheet/deviation_parts.hpp"
+#include "src/study/sheet/total_stress.hpp"
 
 namespace triax::study {
 namespace {
 
 constexpr double kLeastB = 0.95;
 constexpr double kAnisotropic = 0.05;  // q/p′ at the start of shear
-constexpr double kLeastSlender = 1.8, kMostSlender = 2.5, kLeastDiameter_m = 0.034;
 
 using Sentences = std::vector<std::string>;
-
-void add_origin(Sentences& out, const db::StoredTest& test) {
-  if (test.header.origin == lab::Origin::simulated)
-    out.emplace_back("simulated: a model, not a specimen; no standard covers it");
-}
 
 void add_shear(Sentences& out, const db::StoredTest& test, const SheetValues& values) {
   bool constant_q = false, load = false, strain_path = false, said = false;
@@ -52,21 +48,6 @@ void add_shear(Sentences& out, const db::StoredTest& test, const SheetValues& va
   }
 }
 
-void add_specimen(Sentences& out, const db::StoredTest& test) {
-  const auto& specimen = test.header.specimen;
-  if (!specimen.height_m || !specimen.diameter_m) {
-    out.emplace_back("the record does not give the dimensions of the specimen");
-    return;
-  }
-  const double slender = *specimen.height_m / *specimen.diameter_m;
-  if (slender < kLeastSlender || slender > kMostSlender)
-    out.push_back(
-        fmt::format("H/D = {:.2f}; ISO 17892-9 asks for 1.8 to 2.5, ASTM for 2 to 2.5", slender));
-  if (*specimen.diameter_m < kLeastDiameter_m)
-    out.push_back(
-        fmt::format("diameter {:.1f} mm, below 34 mm (ISO 17892-9)", *specimen.diameter_m * 1e3));
-}
-
 void add_saturation(Sentences& out, const db::StoredTest& test) {
   const auto b = test.summary.consolidation.b_value;
   if (!b)
@@ -89,17 +70,17 @@ void add_rate(Sentences& out, const SheetValues& values) {
 
 }  // namespace
 
-std::vector<std::string> deviations_of(const db::StoredTest& test, const SheetValues& values) {
+std::vector<std::string> deviations_of(const db::StoredTest& test, const SheetValues& values,
+                                       const SheetWords& words) {
+  if (test.header.is_total_stress()) return total_stress_deviations(test, values, words);
   Sentences out;
-  add_origin(out, test);
+  add_origin_deviation(out, test);
   add_shear(out, test, values);
-  add_specimen(out, test);
+  add_dimension_deviations(out, test.header.specimen, 9);
   add_saturation(out, test);
   add_rate(out, values);
-  if (test.summary.membrane_correction == "none" && test.header.origin == lab::Origin::recorded)
-    out.emplace_back("no correction for the membrane was applied");
-  if (const auto last = last_believed_reading(test))
-    out.push_back(fmt::format("a sensor failed: nothing after reading {} is used or drawn", *last));
+  add_load_deviations(out, values, load_corrections(test, values, words));
+  add_record_deviations(out, test);
   return out;
 }
 

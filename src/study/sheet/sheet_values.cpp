@@ -17,6 +17,7 @@ constexpr double kSeating = 5e-4;          // axial strain below which a ratio i
 constexpr double kLeastStep = 5e3;         // Pa of the cell pressure
 constexpr std::size_t kMostShear = 20000;  // states kept of shear, for the critical state
 constexpr std::size_t kMostConsolidation = 40000;
+constexpr double kFifteenPercent = 0.15;
 constexpr double kRaised = 0.1;  // of the change of p′: the load was not put on at once
 
 double cell_pressure(const lab::Reading& reading, const lab::State& state) {
@@ -149,11 +150,10 @@ void SheetReader::add_shear(const lab::Reading& reading, const lab::State& state
     found_.start = scan_of(reading, state);
   }
   found_.end = scan_of(reading, state);
-  const auto& peak = test_.summary.peak;
-  if (peak ? state.reading == peak->reading
-           : !largest_q_ || std::abs(state.q) > std::abs(largest_q_->state.q))
-    largest_q_ = found_.end;
+  if (is_largest_q(state)) largest_q_ = found_.end;
   const double strain = std::abs(state.strain.axial);
+  if (strain > kLastTotalStrain) beyond_q_ = std::max(beyond_q_, std::abs(state.q));
+  if (!found_.at_15_pct && strain >= kFifteenPercent) found_.at_15_pct = found_.end;
   if (strain > kSeating && (!largest_ratio_ || ratio_of(state) > ratio_of(largest_ratio_->state)))
     largest_ratio_ = found_.end;
   if (!at_strain_ && strain >= found_.options.failure_strain) at_strain_ = found_.end;
@@ -164,11 +164,42 @@ void SheetReader::add_shear(const lab::Reading& reading, const lab::State& state
   stride_ *= 2;
 }
 
+bool SheetReader::is_largest_q(const lab::State& state) const {
+  const bool total = test_.header.is_total_stress();
+  if (total && std::abs(state.strain.axial) > kLastTotalStrain) return false;
+  const auto& peak = test_.summary.peak;
+  if (peak && !total) return state.reading == peak->reading;
+  return !largest_q_ || std::abs(state.q) > std::abs(largest_q_->state.q);
+}
+
+void SheetReader::find_total_stress_failure() {
+  switch (found_.options.failure) {
+    case FailureCriterion::peak_deviator_stress:
+      found_.failure = largest_q_;
+      if (largest_q_ && beyond_q_ > std::abs(largest_q_->state.q))
+        found_.failure_reason = "q still rose at 20 %, where ISO 17892-8 takes it";
+      break;
+    case FailureCriterion::axial_strain:
+      found_.failure = at_strain_;
+      if (!at_strain_)
+        found_.failure_reason = fmt::format("the axial strain did not come to {:.4g} %",
+                                            found_.options.failure_strain * 100);
+      break;
+    case FailureCriterion::peak_stress_ratio:
+    case FailureCriterion::critical_state:
+      found_.failure_reason =
+          "of total stresses there is no such state: --failure peak-q or --failure strain";
+      break;
+  }
+  found_.extension = found_.failure && found_.failure->state.q < 0;
+}
+
 void SheetReader::find_failure() {
   if (!found_.start) {
     found_.failure_reason = "no shear with known stresses";
     return;
   }
+  if (test_.header.is_total_stress()) return find_total_stress_failure();
   const bool drained = found_.drainage == lab::Drainage::open;
   const auto curve = shear_curve(shear_, drained, test_.summary.consolidation.void_ratio);
   found_.extension = curve.extension;

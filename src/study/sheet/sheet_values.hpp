@@ -49,7 +49,8 @@ struct SheetValues {
   std::optional<ConsolidationCurve> consolidation;
   std::optional<ScanValues> start, end;  ///< of shear: first and last scan with known stresses
   std::optional<ScanValues> failure;
-  std::string failure_reason;  ///< why there is none, or what is to be said of it
+  std::optional<ScanValues> at_15_pct;  ///< first scan of that axial strain
+  std::string failure_reason;           ///< why there is none, or what is to be said of it
   lab::Drainage drainage = lab::Drainage::unknown;  ///< of the last stage of shear
   bool extension = false;
   std::optional<double> rate_per_s;          ///< of the axial strain, up to failure
@@ -69,6 +70,8 @@ class SheetReader {
   void add_shear(const lab::Reading& reading, const lab::State& state);
   void finish_consolidation();
   void find_failure();
+  void find_total_stress_failure();
+  bool is_largest_q(const lab::State& state) const;
   void find_rates();
 
   const db::StoredTest& test_;
@@ -79,14 +82,11 @@ class SheetReader {
   std::optional<ConsolidationCurve> consolidating_;  ///< the stage under way
   std::vector<double> mean_stress_;                  ///< total, beside its points
   std::optional<ScanValues> largest_q_, largest_ratio_, at_strain_;
+  double beyond_q_ = 0;  ///< largest |q| beyond kLastTotalStrain, of a test of total stresses
   std::vector<lab::State> shear_;
 };
 
 SheetValues sheet_values(const db::Store& store, const db::StoredTest& test,
                          const SheetOptions& options);
-
-/// In which way the test is none of those of ISO 17892-9, ASTM D4767 and D7181 and BS 1377-8: a
-/// sentence each.
-std::vector<std::string> deviations_of(const db::StoredTest& test, const SheetValues& values);
 
 }  // namespace triax::study

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "lab/base/bad_input.hpp"
@@ -38,10 +39,17 @@ constexpr std::array kWords = {
     SheetWord{"top_drain", "Top drain"},
     SheetWord{"base_drain", "Base drain"},
     SheetWord{"side_drains", "Side drains"},
+    SheetWord{"drain_load_kN_m", "K_fp of the side drains (kN/m)"},
+    SheetWord{"drain_cover_pct", "Circumference under side drains (%)"},
+    SheetWord{"load_cell", "Load cell"},
+    SheetWord{"load_zero_kPa", "Cell pressure at which the load was zeroed (kPa)"},
+    SheetWord{"piston_diameter_mm", "Diameter of the piston (mm)"},
+    SheetWord{"piston_mass_g", "Mass below the load cell (g)"},
+    SheetWord{"piston_friction_N", "Friction of the piston (N)"},
 };
 
 /// Labels of preambles, folded and without a bracket at their end.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kLabels{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 44> kLabels{
     {{"project", "project"},
      {"projekt", "project"},
      {"job reference", "project"},
@@ -84,7 +92,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> kLabels{
      {"remarks", "remarks"},
      {"top drain used", "top_drain"},
      {"base drain used", "base_drain"},
-     {"side drains used", "side_drains"}}};
+     {"side drains used", "side_drains"},
+     {"ram diameter", "piston_diameter_mm"}}};
 
 std::string_view key_of_label(const std::string& label) {
   auto text = lab::folded(label.substr(0, label.find('(')));
@@ -94,9 +103,36 @@ std::string_view key_of_label(const std::string& label) {
   return found == kLabels.end() ? std::string_view() : found->second;
 }
 
-bool says_yes(const SheetWords& words, std::string_view key) {
-  const auto text = lab::folded(word_of(words, key));
-  return text.starts_with('y') || text.starts_with('j') || text == "1" || text == "true";
+/// A number that a correction rests on, and its bounds.
+struct Bound {
+  std::string_view key;
+  double least, most;
+};
+constexpr std::array kBounds = {
+    Bound{"drain_load_kN_m", 0, 10}, Bound{"drain_cover_pct", 0, 50},
+    Bound{"load_zero_kPa", 0, 1e5},  Bound{"piston_diameter_mm", 0, 300},
+    Bound{"piston_mass_g", 0, 1e5},  Bound{"piston_friction_N", 0, 1e4},
+};
+
+/// Empty where nothing is.
+std::string what_is_wrong(const SaidWord& said) {
+  const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
+    return std::ranges::find(words, lab::folded(said.value)) != words.end();
+  };
+  if (said.key == "drained_at" && !drainage_boundary_from(said.value))
+    return "where the specimen drained is one of one end, both ends, sides, sides and one end, "
+           "sides and both ends";
+  if (said.key == "load_cell" && !is_one_of({"inside", "outside"}))
+    return "the load cell is inside the cell or outside of it";
+  if (said.key == "side_drains" && !is_one_of({"yes", "no", "y", "n", "vertical", "spiral"}))
+    return "side drains are yes, no, vertical or spiral";
+  for (const auto& bound : kBounds) {
+    if (said.key != bound.key) continue;
+    const auto number = number_of({{said.key, said.value}}, said.key);
+    if (!number || !(*number >= bound.least && *number <= bound.most))
+      return fmt::format("a number from {:g} to {:g} is wanted", bound.least, bound.most);
+  }
+  return {};
 }
 
 }  // namespace
@@ -113,11 +149,8 @@ SaidWord said_word(const std::string& key, const std::string& value) {
   if (std::ranges::find(known, said.key) == known.end())
     throw lab::BadInput(
         fmt::format("--set {}: a sheet has no such word; it has {}", key, fmt::join(known, ", ")));
-  if (said.key == "drained_at" && !drainage_boundary_from(value))
-    throw lab::BadInput(fmt::format(
-        "--set {}={}: where the specimen drained is one of one end, both ends, sides, sides and "
-        "one end, sides and both ends",
-        key, value));
+  if (const auto wrong = what_is_wrong(said); !wrong.empty())
+    throw lab::BadInput(fmt::format("--set {}={}: {}", key, value, wrong));
   return said;
 }
 
@@ -144,6 +177,11 @@ std::optional<double> number_of(const SheetWords& words, std::string_view key) {
   std::ranges::replace(text, ',', '.');
   const auto value = lab::whole_text_as<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+bool says_yes(const SheetWords& words, std::string_view key) {
+  const auto text = lab::folded(word_of(words, key));
+  return text.starts_with('y') || text.starts_with('j') || text == "1" || text == "true";
 }
 
 std::optional<DrainageBoundary> drained_at(const SheetWords& words) {

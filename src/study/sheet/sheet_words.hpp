@@ -35,6 +35,8 @@ SheetWords sheet_words(const db::StoredTest& test, const std::vector<SaidWord>& 
 std::string word_of(const SheetWords& words, std::string_view key);
 /// The same as a number, with a comma or a point.
 std::optional<double> number_of(const SheetWords& words, std::string_view key);
+/// Whether it begins with y or j, or is 1 or true.
+bool says_yes(const SheetWords& words, std::string_view key);
 /// What "drained_at" says, or the drains that a preamble names.
 std::optional<DrainageBoundary> drained_at(const SheetWords& words);
 

@@ -38,6 +38,7 @@ void complete(SpecimenPhase& phase, const lab::SpecimenInfo& specimen, const Val
   }
   if (!phase.mass_kg && phase.water_content && solids)
     phase.mass_kg = *solids * (1 + *phase.water_content);
+  if (phase.mass_kg && volume) phase.bulk_density = *phase.mass_kg / *volume;
   if (phase.water_content && gs && phase.void_ratio && *phase.void_ratio > 0)
     phase.saturation = *phase.water_content * *gs / *phase.void_ratio;
 }

@@ -9,10 +9,10 @@
 namespace triax::study {
 
 /// SI, with V = π D² H/4 where no volume change is known otherwise:
-///   ρ_d = m_d/V = G_s ρ_w/(1 + e)     w = (m − m_d)/m_d     S_r = w G_s/e
+///   ρ = m/V     ρ_d = m_d/V = G_s ρ_w/(1 + e)     w = (m − m_d)/m_d     S_r = w G_s/e
 struct SpecimenPhase {
-  std::optional<double> height_m, diameter_m, mass_kg, water_content, dry_density, void_ratio,
-      saturation;
+  std::optional<double> height_m, diameter_m, mass_kg, water_content, bulk_density, dry_density,
+      void_ratio, saturation;
   bool saturation_is_assumed = false;  ///< S_r = 1, and w with it
 };
 

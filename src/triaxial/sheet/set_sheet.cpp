@@ -14,6 +14,7 @@
 #include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/sheet/sheet_figures.hpp"
 #include "src/triaxial/sheet/test_sheet.hpp"
+#include "src/triaxial/sheet/total_stress_sheet.hpp"
 
 namespace triax::src {
 namespace {
@@ -220,56 +221,19 @@ SheetRow figure_row(std::vector<OwnPlot> plots, double weight) {
   return row;
 }
 
-}  // namespace
-
-std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests) {
-  std::map<std::string, TestSet> sets;
-  std::vector<const db::StoredTest*> stored;
-  stored.reserve(tests.size());
-  for (const auto& test : tests) stored.push_back(&test.result.stored);
-  const auto left_out = study::read_again(stored);
-  for (const auto& test : tests) {
-    const auto& material = test.result.stored.header.specimen.material;
-    TestSet& set = sets[material];
-    set.material = material;
-    if (left_out.contains(test.result.stored.id))
-      ++set.read_again;
-    else
-      set.tests.push_back(&test);
-  }
-  std::vector<TestSet> several;
-  for (auto& [material, set] : sets)
-    if (set.tests.size() > 1) several.push_back(std::move(set));
-  return several;
-}
-
-Sheet set_sheet(const TestSet& set) {
-  std::size_t simulated = 0;
-  for (const auto* test : set.tests)
-    if (test->result.stored.header.origin == lab::Origin::simulated) ++simulated;
-  Sheet sheet{.title = fmt::format("Set of {} triaxial tests", set.tests.size()),
-              .subject = set.material,
-              .footer = fmt::format("triax {}; □ failure, ○ onset of collapse", study::version())};
-  if (simulated == set.tests.size())
-    sheet.mark = "SIMULATED";
-  else if (simulated > 0)
-    sheet.mark = fmt::format("{} of {} SIMULATED", simulated, set.tests.size());
+std::vector<SheetRow> effective_stress_rows(const TestSet& set) {
+  std::vector<SheetRow> rows(1);
+  rows.front().parts.push_back(
+      {.box = set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set)});
   const auto strength = strength_of(set);
-  const auto add_boxes = [&](SheetBox box) {
-    SheetRow row;
-    row.parts.push_back({.box = std::move(box)});
-    sheet.rows.push_back(std::move(row));
-  };
-  add_boxes(set_head(set));
-  add_boxes(set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set));
-  std::vector<OwnPlot> first, second;
   if (auto circles = circles_part(strength); circles.plot) {
     circles.share = 2;
     SheetRow row{.parts = {}, .weight = 1.3};
     row.parts.push_back(std::move(circles));
     row.parts.push_back({.box = strength_box(set, strength)});
-    sheet.rows.push_back(std::move(row));
+    rows.push_back(std::move(row));
   }
+  std::vector<OwnPlot> first, second;
   first.push_back(set_figure(set.tests, axial_strain_axis(), q_axis()));
   first.push_back(set_figure(set.tests, p_axis(), q_axis()));
   first.push_back(set_figure(set.tests, axial_strain_axis(), eta_axis()));
@@ -278,8 +242,57 @@ Sheet set_sheet(const TestSet& set) {
   second.push_back(set_figure(set.tests, p_axis(), void_ratio_axis()));
   for (auto* plots : {&first, &second}) {
     auto row = figure_row(std::move(*plots), 1);
-    if (!row.parts.empty()) sheet.rows.push_back(std::move(row));
+    if (!row.parts.empty()) rows.push_back(std::move(row));
   }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<TestSet> test_sets(const std::vector<SheetTest>& tests) {
+  std::map<std::pair<std::string, bool>, TestSet> sets;
+  std::vector<const db::StoredTest*> stored;
+  stored.reserve(tests.size());
+  for (const auto& test : tests) stored.push_back(&test.result.stored);
+  const auto left_out = study::read_again(stored);
+  for (const auto& test : tests) {
+    const auto& material = test.result.stored.header.specimen.material;
+    const bool total = test.result.stored.header.is_total_stress();
+    TestSet& set = sets[{material, total}];
+    set.material = material;
+    set.total_stress = total;
+    if (left_out.contains(test.result.stored.id))
+      ++set.read_again;
+    else
+      set.tests.push_back(&test);
+  }
+  std::vector<TestSet> several;
+  for (auto& [key, set] : sets)
+    if (set.tests.size() > 1) several.push_back(std::move(set));
+  return several;
+}
+
+Sheet set_sheet(const TestSet& set) {
+  std::size_t simulated = 0;
+  for (const auto* test : set.tests)
+    if (test->result.stored.header.origin == lab::Origin::simulated) ++simulated;
+  Sheet sheet{.title = fmt::format("Set of {} {}triaxial tests", set.tests.size(),
+                                   set.total_stress ? "unconsolidated undrained " : ""),
+              .subject = set.material,
+              .footer = fmt::format("triax {}; □ failure{}", study::version(),
+                                    set.total_stress ? "" : ", ○ onset of collapse")};
+  if (simulated == set.tests.size())
+    sheet.mark = "SIMULATED";
+  else if (simulated > 0)
+    sheet.mark = fmt::format("{} of {} SIMULATED", simulated, set.tests.size());
+  const auto add_boxes = [&](SheetBox box) {
+    SheetRow row;
+    row.parts.push_back({.box = std::move(box)});
+    sheet.rows.push_back(std::move(row));
+  };
+  add_boxes(set_head(set));
+  for (auto& row : set.total_stress ? total_stress_set_rows(set.tests) : effective_stress_rows(set))
+    sheet.rows.push_back(std::move(row));
   SheetBox remarks{.title = "Remarks", .blank_lines = 2};
   if (set.read_again > 0)
     remarks.lines.push_back(fmt::format(

@@ -9,9 +9,11 @@
 
 namespace triax::src {
 
-/// Tests of one soil, each file once: by the material they are of.
+/// Tests of one soil, each file once: by the material they are of, those of total stresses (UU)
+/// apart.
 struct TestSet {
   std::string material;
+  bool total_stress = false;
   std::vector<const SheetTest*> tests;
   std::size_t read_again = 0;  ///< beside them: readings of a file that was read again
 };

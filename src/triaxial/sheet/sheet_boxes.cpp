@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/output/words.hpp"
+#include "src/study/sheet/deviations.hpp"
 #include "src/study/sheet/specimen_phases.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/sheet/test_sheet.hpp"
@@ -214,55 +215,6 @@ SheetBox failure_box(const SheetTest& test) {
   return box;
 }
 
-SheetBox corrections_box(const SheetTest& test) {
-  SheetBox box{.title = "Corrections (values at failure)"};
-  const auto& stored = test.result.stored;
-  const auto& specimen = stored.header.specimen;
-  const auto& start = stored.summary.consolidation;
-  const auto& failure = test.values.failure;
-  const bool raw = stored.header.is_raw();
-  const auto add = [&](const char* label, std::string value) {
-    box.facts.push_back({label, {std::move(value)}});
-  };
-  if (!raw)
-    add("area", "as whoever reduced the record chose it");
-  else if (failure && start.diameter_m)
-    add("area", fmt::format("A = A_c(1 − ε_v)/(1 − ε₁) = {:.1f} mm² (A_c = {:.1f} mm²)",
-                            failure->state.area_m2 * 1e6,
-                            0.78539816339744831 * *start.diameter_m * *start.diameter_m * 1e6));
-  const auto& applied = stored.summary.membrane_correction;
-  if (applied.empty()) {
-    add("membrane", "not known: the record was reduced before");
-  } else if (applied == "none" || !specimen.membrane_modulus_pa || !specimen.membrane_thickness_m) {
-    add("membrane", "none applied");
-  } else {
-    const bool astm = applied == "astm";
-    const auto& d = astm ? start.diameter_m : specimen.diameter_m;
-    const double e = *specimen.membrane_modulus_pa, t = *specimen.membrane_thickness_m;
-    std::string text = astm ? "ASTM D4767: Δq = 4 E t ε₁/D_c"
-                            : "ISO 17892-9: Δσ₁ = (4 E t/D)(ε₁ + ε_v/3), Δσ₃ = (4 E t/D) ε_v/3";
-    if (failure && d) {
-      const auto& s = failure->state;
-      const double k = 4 * e * t / *d;
-      text += astm ? fmt::format(" = {:.2f} kPa", k * s.strain.axial * 1e-3)
-                   : fmt::format(": {:.2f}, {:.2f} kPa",
-                                 k * (s.strain.axial + s.volumetric_strain / 3) * 1e-3,
-                                 k * s.volumetric_strain / 3 * 1e-3);
-    }
-    text += fmt::format(" (E = {:.0f} kPa, t = {:.2f} mm, D = {:.1f} mm)", e * 1e-3, t * 1e3,
-                        d ? *d * 1e3 : lab::kMissing);
-    add("membrane", text);
-  }
-  const bool sides = test.values.options.drained_at >= study::DrainageBoundary::sides;
-  add("side drains", !raw    ? "not known: the record was reduced before"
-                     : sides ? "Δq = 0: drains are said, no correction was applied"
-                             : "Δq = 0: none are said");
-  add("piston", !raw
-                    ? "not known: the record was reduced before"
-                    : "ΔF = 0: F is that of the load cell inside the cell, over the cell pressure");
-  return box;
-}
-
 SheetBox verdict_box(const SheetTest& test) {
   const auto& stored = test.result.stored;
   const auto& collapse = stored.summary.collapse;
@@ -289,8 +241,10 @@ SheetBox verdict_box(const SheetTest& test) {
 }
 
 SheetBox deviations_box(const SheetTest& test) {
-  SheetBox box{.title = "Deviations from ISO 17892-9, ASTM D4767/D7181, BS 1377-8"};
-  for (const auto& sentence : study::deviations_of(test.result.stored, test.values))
+  SheetBox box{.title = test.result.stored.header.is_total_stress()
+                            ? "Deviations from ISO 17892-8, ASTM D2850"
+                            : "Deviations from ISO 17892-9, ASTM D4767/D7181, BS 1377-8"};
+  for (const auto& sentence : study::deviations_of(test.result.stored, test.values, test.words))
     box.lines.push_back("– " + sentence);
   if (box.lines.empty()) box.lines.emplace_back("none found in the record");
   return box;

@@ -13,8 +13,6 @@ SheetBox saturation_box(const SheetTest& test);
 /// Stresses, volume, t_100, c_v, the rate that follows and the one that was used.
 SheetBox consolidation_box(const SheetTest& test);
 SheetBox failure_box(const SheetTest& test);
-/// Area, membrane, drains, piston: formula and values at failure.
-SheetBox corrections_box(const SheetTest& test);
 SheetBox verdict_box(const SheetTest& test);
 SheetBox deviations_box(const SheetTest& test);
 SheetBox remarks_box(const SheetTest& test);

@@ -261,6 +261,7 @@ std::vector<SheetFigure> sheet_figures(const SheetTest& test) {
   const auto strain = axial_strain_axis();
   add("consolidation", "Consolidation over the root of time", consolidation_figure(test));
   add("q", "Deviator stress over axial strain", shear_figure(test, strain, q_axis()));
+  if (test.result.stored.header.is_total_stress()) return figures;
   OwnPlot u = drained ? nullptr : shear_figure(test, strain, u_axis(), 1, false);
   if (u)
     add("u", "Pore pressure over axial strain", std::move(u));
@@ -293,6 +294,12 @@ SheetPart mohr_part(const std::vector<DrawnCircle>& circles,
     scale_mohr_circles(plot, circles, envelope);
   };
   return part;
+}
+
+void name_total_stress(QCustomPlot& plot) { plot.xAxis->setLabel("σ (kPa)"); }
+
+OwnPlot total_stress_figure(const std::vector<const SheetTest*>& tests) {
+  return set_figure(tests, axial_strain_axis(), q_axis());
 }
 
 OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& x,

@@ -44,6 +44,10 @@ inline constexpr std::size_t kMostCurves = 24;
 /// Mohr circles that stay round on whatever place of a page.
 SheetPart mohr_part(const std::vector<DrawnCircle>& circles,
                     const std::optional<DrawnEnvelope>& envelope, int width_px);
+/// Its axes, where the circles are of total stresses.
+void name_total_stress(QCustomPlot& plot);
+/// q over ε₁ of tests of total stresses.
+OwnPlot total_stress_figure(const std::vector<const SheetTest*>& tests);
 /// That of failure; without a plot where there is none.
 SheetPart circle_part(const SheetTest& test);
 

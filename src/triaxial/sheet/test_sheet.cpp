@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "src/study/version.hpp"
+#include "src/triaxial/sheet/corrections_box.hpp"
 #include "src/triaxial/sheet/sheet_boxes.hpp"
 #include "src/triaxial/sheet/sheet_figures.hpp"
+#include "src/triaxial/sheet/total_stress_sheet.hpp"
 
 namespace triax::src {
 namespace {
@@ -34,10 +36,16 @@ std::string mark_of(const db::StoredTest& test) {
   return mark;
 }
 
+void add_last_boxes(Sheet& sheet, const SheetTest& test) {
+  sheet.rows.push_back(boxes({{1, corrections_box(test)}}));
+  sheet.rows.push_back(boxes({{1, deviations_box(test)}, {1, remarks_box(test)}}));
+}
+
 }  // namespace
 
 std::string kind_of_test(const SheetTest& test) {
   const auto& stored = test.result.stored;
+  if (stored.header.is_total_stress()) return "Unconsolidated undrained triaxial test";
   if (stored.summary.cyclic) return "Cyclic triaxial test";
   for (const auto& stage : stored.header.stages)
     if (stage.control == lab::AxialControl::constant_q)
@@ -76,7 +84,7 @@ std::string sheet_footer(const db::StoredTest& test) {
     text += "; " + header.source.substr(header.source.find_last_of("/\\") + 1);
   if (!header.digest.empty()) text += fmt::format(" (SHA-256 {}…)", header.digest.substr(0, 16));
   if (header.seed) text += fmt::format("; seed {}", *header.seed);
-  return text + "; □ failure, ○ onset of collapse";
+  return text + (header.is_total_stress() ? "; □ failure" : "; □ failure, ○ onset of collapse");
 }
 
 Sheet test_sheet(const SheetTest& test) {
@@ -86,6 +94,11 @@ Sheet test_sheet(const SheetTest& test) {
               .mark = mark_of(stored),
               .footer = sheet_footer(stored)};
   sheet.rows.push_back(boxes({{1, head_box(test)}}));
+  if (stored.header.is_total_stress()) {
+    for (auto& row : total_stress_rows(test)) sheet.rows.push_back(std::move(row));
+    add_last_boxes(sheet, test);
+    return sheet;
+  }
   sheet.rows.push_back(boxes(
       {{1.05, specimen_box(test)}, {1, saturation_box(test)}, {1.15, consolidation_box(test)}}));
   add_figures(sheet, sheet_figures(test));
@@ -95,8 +108,7 @@ Sheet test_sheet(const SheetTest& test) {
     auto& parts = sheet.rows.back().parts;
     parts.insert(parts.begin() + 1, std::move(circle));
   }
-  sheet.rows.push_back(boxes({{1, corrections_box(test)}}));
-  sheet.rows.push_back(boxes({{1, deviations_box(test)}, {1, remarks_box(test)}}));
+  add_last_boxes(sheet, test);
   return sheet;
 }
 

@@ -52,6 +52,36 @@ TEST_CASE("a sheet is a record: the first that is recognised, numbers to the las
   CHECK(told);
 }
 
+TEST_CASE("cells that are shown in per cent mean what is shown, under either heading") {
+  for (const char* const heading : {"axial_strain (%)", "axial_strain"}) {
+    const auto rows = "<row>" + cell(heading) + cell("deviator_stress_kPa") +
+                      cell("mean_effective_stress_kPa") +
+                      "</row><row><c s=\"5\"><v>0</v></c><c><v>0</v></c><c><v>100</v></c></row>"
+                      "<row><c s=\"5\"><v>0.05</v></c><c><v>5</v></c><c><v>101</v></c></row>";
+    const auto rig = open_record(source_of(workbook({{"Data", sheet(rows)}})), {});
+    const auto all = readings(*rig);
+    REQUIRE(all.size() == 2);
+    CHECK(all[1][Quantity::axial_strain] == Approx(0.05));
+  }
+  // Of a stress it says nothing.
+  const auto rows = "<row>" + cell("axial_strain") + cell("deviator_stress_kPa") +
+                    cell("mean_effective_stress_kPa") +
+                    "</row><row><c><v>0</v></c><c s=\"5\"><v>0.4</v></c><c><v>100</v></c></row>";
+  CHECK_THROWS_WITH(open_record(source_of(workbook({{"Data", sheet(rows)}})), {}),
+                    Catch::Contains("'40%', which is not a number"));
+}
+
+TEST_CASE("a cell with an error under our own headings is refused by its row") {
+  const auto rows =
+      own_rows() + "<row><c><v>0.2</v></c><c t=\"e\"><v>#N/A</v></c><c><v>9</v></c></row>";
+  CHECK_THROWS_WITH(
+      [&] {
+        const auto rig = open_record(source_of(workbook({{"Data", sheet(rows)}})), {});
+        readings(*rig);
+      }(),
+      Catch::Contains("m.xlsx:4: column 'deviator_stress_kPa' has '#N/A'"));
+}
+
 TEST_CASE("a sheet that is asked for, one that is not there, none that fits") {
   const auto parts = workbook({{"A", sheet(own_rows())}, {"B", sheet(own_rows())}});
   CHECK_NOTHROW(open_record(source_of(parts), {.sheet = "B"}));

@@ -13,6 +13,13 @@ TEST_CASE("formats of dates, clocks and plain numbers") {
   for (const char* const number : {"General", "0.00", "0.00E+00", "0.0\" days\"", "[Red]0.0",
                                    "0.00\\ \\h", "#,##0.00;[Red]-#,##0.00 \"d\""})
     CHECK(style_of_format(number) == CellStyle::number);
+  for (const char* const percent : {"0%", "0.00 %", "[Red]0.0%;-0.0%"})
+    CHECK(style_of_format(percent) == CellStyle::percent);
+  CHECK(style_of_format("0.0\"%\"") == CellStyle::number);
+  CHECK(style_of_format("0.0\\%") == CellStyle::number);
+  CHECK(style_of_builtin(9) == CellStyle::percent);
+  CHECK(style_of_builtin(10) == CellStyle::percent);
+  CHECK(style_of_builtin(11) == CellStyle::number);
   CHECK(style_of_builtin(14) == CellStyle::date);
   CHECK(style_of_builtin(22) == CellStyle::date);
   CHECK(style_of_builtin(21) == CellStyle::clock);
@@ -28,4 +35,10 @@ TEST_CASE("day counts of both kinds, with the leap day of 1900 that never was") 
   CHECK(date_text(0, CellStyle::date, true) == "1904-01-01");
   CHECK(date_text(0.5 + 1.25 / 86400, CellStyle::clock, false) == "12:00:01.250");
   CHECK(date_text(-1, CellStyle::date, false) == "-1");
+}
+
+TEST_CASE("a share is told as it is shown, without the noise of its last digits") {
+  CHECK(percent_text(0.05) == "5%");
+  CHECK(percent_text(0.07) == "7%");
+  CHECK(percent_text(-0.00123) == "-0.123%");
 }

@@ -41,7 +41,7 @@ inline std::string sheet(const std::string& rows) {
 }
 
 /// Parts of a workbook with these sheets, styles 0 (number), 1 (time of day), 2 (date and time), 3
-/// (date), 4 (elapsed), and these shared texts (already as <si>...</si>).
+/// (date), 4 (elapsed), 5 (per cent), and these shared texts (already as <si>...</si>).
 inline Parts workbook(const std::vector<std::pair<std::string, std::string>>& sheets,
                       const std::string& shared = "", const std::string& properties = "") {
   std::string names, relations;
@@ -68,7 +68,7 @@ inline Parts workbook(const std::vector<std::pair<std::string, std::string>>& sh
       "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"dd/mm/yyyy hh:mm\"/>"
       "</numFmts><cellStyleXfs><xf numFmtId=\"14\"/></cellStyleXfs><cellXfs>"
       "<xf numFmtId=\"0\"/><xf numFmtId=\"21\"/><xf numFmtId=\"164\"/>"
-      "<xf numFmtId=\"14\"/><xf numFmtId=\"46\"/></cellXfs></styleSheet>");
+      "<xf numFmtId=\"14\"/><xf numFmtId=\"46\"/><xf numFmtId=\"10\"/></cellXfs></styleSheet>");
   return parts;
 }
 

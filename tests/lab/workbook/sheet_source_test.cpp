@@ -117,6 +117,13 @@ TEST_CASE("archives that are no workbook say what they are") {
   CHECK_THAT(fails({{"content.xml", "<x/>"}}), Contains("OpenDocument"));
   CHECK_THAT(fails({{"[Content_Types].xml", "<x/>"}, {"word/document.xml", "<x/>"}}),
              Contains("no workbook"));
+  CHECK_THAT(
+      fails(
+          {{"[Content_Types].xml", "<x/>"},
+           {"_rels/.rels",
+            "<R><Relationship Id=\"a\" Type=\"x/officeDocument\" Target=\"xl/workbook.bin\"/></R>"},
+           {"xl/workbook.bin", "\x83\x01"}}),
+      Contains(".xlsb"));
   auto macros = workbook({{"S", sheet("")}});
   macros.emplace_back("xl/vbaProject.bin", "x");
   CHECK_THAT(fails(macros), Contains("macros"));
@@ -132,6 +139,58 @@ TEST_CASE("archives that are no workbook say what they are") {
 
 TEST_CASE("a bomb is not unpacked further than its 300-fold") {
   CHECK_THAT(rows_fail(std::string(std::size_t{64} << 20, ' ')), Catch::Contains("300 times"));
+}
+
+TEST_CASE("what others share does not grow beyond what a record needs") {
+  using Catch::Contains;
+  const auto rows = sheet("<row><c t=\"s\"><v>1</v></c></row>");
+  std::string many;
+  for (int i = 0; i < 60; ++i) many += "<si><t>" + std::to_string(i * 7919) + "</t></si>";
+  CHECK(text_of(workbook({{"S", rows}}, many)) == "7919\n");
+  // 60 MB of texts that do not pack to a 300th.
+  std::uint32_t state = 1;
+  many.clear();
+  while (many.size() < std::size_t{60} << 20) {
+    many += "<si><t>";
+    for (int k = 0; k < 200; ++k) {
+      state = state * 1664525 + 1013904223;
+      many += std::to_string(state).append(200, 'x');
+    }
+    many += "</t></si>";
+  }
+  CHECK_THAT(fails(workbook({{"S", rows}}, many)), Contains("more than 48 MB of text"));
+  CHECK_THAT(fails(workbook({{"S", rows}}, "<si><t>" + std::string(200'000, 'x') + "</t></si>")),
+             Contains("longer than any spreadsheet"));
+}
+
+TEST_CASE("merged cells, a strict namespace, an encoding of its own, dates as texts of ISO 8601") {
+  CHECK(text_of(workbook({{"S",
+                           "<x:worksheet xmlns:x=\"http://purl.oclc.org/ooxml/spreadsheetml/main\">"
+                           "<x:sheetData><x:row r=\"1\"><x:c r=\"A1\"><x:v>1</x:v></x:c>"
+                           "<x:c r=\"B1\" t=\"d\"><x:v>2019-02-11T06:30:24</x:v></x:c></x:row>"
+                           "<x:row r=\"2\"><x:c r=\"A2\"><x:v>2</x:v></x:c></x:row></x:sheetData>"
+                           "<x:mergeCells><x:mergeCell ref=\"A1:A2\"/></x:mergeCells>"
+                           "</x:worksheet>"}})) == "1,2019-02-11T06:30:24\n2,\n");
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : "<?xml version=\"1.0\" encoding=\"UTF-16\"?>" +
+                          sheet("<row><c><v>1.5</v></c></row>").substr(21)) {
+    utf16 += c;
+    utf16 += '\0';
+  }
+  CHECK(text_of(workbook({{"S", utf16}})) == "1.5\n");
+}
+
+TEST_CASE("hidden sheets are none, whichever way they are hidden") {
+  const auto one = sheet("<row><c><v>1</v></c></row>");
+  const auto bytes = zipped(workbook({{"Old\" state=\"hidden", one},
+                                      {"Older\" state=\"veryHidden", one},
+                                      {"Data\" state=\"visible", one}}));
+  const Workbook book(ZipArchive::in_memory("m.xlsx", bytes));
+  REQUIRE(book.sheets().size() == 1);
+  CHECK(book.sheets().front().name == "Data");
+  CHECK_THROWS_WITH(book.sheet("Old"), Catch::Contains("'Data'"));
+  CHECK(fails(workbook({{"Old\" state=\"hidden", one}})).find("no sheet that can be seen") !=
+        std::string::npos);
 }
 
 TEST_CASE("sheets are found by name, cells by their address") {

@@ -98,6 +98,14 @@ TEST_CASE("a test without consolidation goes out as TRIG and TRIT") {
   CHECK(cell(document, "TRIT_CU") == "30");
 }
 
+TEST_CASE("the remark of a test without consolidation has no word of collapse") {
+  auto test = undrained(src::test::flow_test());
+  test.stored.header.programme = "UU";
+  test.stored.summary.collapse.judged_until_reason = "too few readings";
+  const auto document = ags_delivery({test}, {}, "2026-11-25");
+  CHECK(cell(document, "TRIG_REM").empty());
+}
+
 TEST_CASE("a cyclic test goes out with one row a cycle") {
   auto test = undrained(src::test::flow_test());
   test.stored.summary.cyclic = lab::CyclicLoading{.cycles = 2};

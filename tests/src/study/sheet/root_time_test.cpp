@@ -76,3 +76,51 @@ TEST_CASE("what is no consolidation has no t100") {
   CHECK_FALSE(drainage_boundary_from("both"));
   CHECK(factors_of(DrainageBoundary::sides_and_both_ends).lambda == 100);
 }
+
+namespace {
+
+/// Of ∇²w = −1 in a cylinder of D = 1, w = 0 at its side and at z = ±half: the mean of w. Its
+/// excess pressure by a steady rate of loading is that over c_v.
+double mean_of_drained_cylinder(double half) {
+  double sum = 0;
+  for (int j = 1; j < 200; j += 2) {
+    const double k = j * std::numbers::pi / (2 * half), x = k / 2;
+    const double ratio = std::cyl_bessel_i(1.0, x) / std::cyl_bessel_i(0.0, x);
+    sum += 8 / std::pow(j * std::numbers::pi * k, 2) * (1 - 2 * ratio / x);
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Table 1 of BS 1377-8 from theory, for H = 2 D = 2. Early on U = (2/√π) S √(c_v t), S = drained
+// surface over volume, so that λ = 4 S²; the mean excess pressure of a steady rate is m/c_v, and
+// 95 % of it have gone at t_f = 20 m/c_v (Bishop and Henkel, 1962): F = 20 m λ/π.
+TEST_CASE("the factors of a drained test follow from theory") {
+  struct Row {
+    DrainageBoundary boundary;
+    double surface, mean;
+  };
+  using enum DrainageBoundary;
+  for (const auto& [boundary, surface, mean] :
+       {Row{one_end, 0.5, 4.0 / 3}, Row{both_ends, 1, 1.0 / 3}, Row{sides, 4, 1.0 / 32},
+        Row{sides_and_one_end, 4.5, mean_of_drained_cylinder(2)},
+        Row{sides_and_both_ends, 5, mean_of_drained_cylinder(1)}}) {
+    INFO(to_string(boundary));
+    const auto factors = factors_of(boundary);
+    CHECK(factors.lambda == Approx(4 * surface * surface).epsilon(0.0125));  // 80 stands for 81
+    CHECK(factors.drained == Approx(20 * mean * factors.lambda / std::numbers::pi).epsilon(0.01));
+  }
+}
+
+// Undrained t_f is a multiple of D²/c_v (Blight, 1963), one without and one with drains at the
+// side: F/λ is the same for either kind.
+TEST_CASE("the factors of an undrained test are one time without and one with side drains") {
+  using enum DrainageBoundary;
+  const auto share = [](DrainageBoundary at) {
+    return factors_of(at).undrained / factors_of(at).lambda;
+  };
+  CHECK(share(both_ends) == Approx(share(one_end)).epsilon(0.02));
+  CHECK(share(sides_and_one_end) == Approx(share(sides)).epsilon(0.04));
+  CHECK(share(sides_and_both_ends) == Approx(share(sides)).epsilon(0.04));
+}
