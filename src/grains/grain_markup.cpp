@@ -64,8 +64,7 @@ PageSection run_page(const db::StoredGrainRun& run) {
     if (!section.facts.empty()) page.markup += facts_markup(section.facts);
   }
   for (auto& [name, drawing, data] : grain_figures(run.report)) {
-    page.markup += fmt::format("<p><img src=\"{}\"/></p>\n<p class=\"caption\">{}</p>\n",
-                               page.figures.size(), escaped(drawing.caption));
+    page.markup += fmt::format("<p><img src=\"{}\"/></p>\n", page.figures.size());
     page.figures.push_back(std::move(drawing));
   }
   return page;

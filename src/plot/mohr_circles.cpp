@@ -35,9 +35,12 @@ void draw_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circle
   bool named = envelope.has_value();
   double most = 0;
   std::size_t i = 0;
+  constexpr std::size_t kMostPens = 24;
   for (const auto& circle : circles) {
     most = std::max(most, circle.major_kPa);
-    draw_curve(rect, half_circle(circle), curve_pen(i++, 1.4), circle.name);
+    const auto pen =
+        circles.size() > kMostPens ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i++, 1.4);
+    draw_curve(rect, half_circle(circle), pen, circle.name);
     named = named || !circle.name.empty();
   }
   if (envelope) {
@@ -62,7 +65,7 @@ void scale_mohr_circles(QCustomPlot& plot, const std::vector<DrawnCircle>& circl
     tallest = std::max(tallest, (circle.major_kPa - circle.minor_kPa) / 2);
   }
   const double bottom = std::min(0.0, envelope ? envelope->cohesion_kPa : 0);
-  set_equal_ranges(*plot.axisRect(), QCPRange(left, 1.02 * most), QCPRange(bottom, 1.15 * tallest));
+  set_equal_ranges(*plot.axisRect(), QCPRange(left, 1.06 * most), QCPRange(bottom, 1.15 * tallest));
   // What one of the axes has to spare lies beyond the circles, not before them.
   plot.xAxis->setRange(left, left + plot.xAxis->range().size());
   plot.yAxis->setRange(bottom, bottom + plot.yAxis->range().size());

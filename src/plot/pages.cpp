@@ -17,8 +17,11 @@ namespace {
 // All lengths are in points of 1/72 inch: an A4 page is 595 by 842.
 constexpr int kPointsPerInch = 72;
 constexpr double kMargin = 48;
-constexpr double kHeadHeight = 22;     // of the running head and of the line with the page number
-constexpr double kBroadFigure = 0.42;  // of a page's height
+constexpr double kHeadHeight = 22;  // of the running head and of the line with the page number
+// Of a page's height: a broad figure leaves room for the text above it, of tall ones a page holds
+// two.
+constexpr double kBroadFigure = 0.4, kTallFigure = 0.44;
+constexpr double kAboveCaption = 4, kBelowCaption = 6;
 const QSizeF kPage{595, 842};
 
 QRectF text_area() {
@@ -32,40 +35,64 @@ constexpr const char* kStyle =
     "table { border-collapse: collapse; }"
     "td, th { border-bottom: 0.5px solid #cccccc; }"
     ".banner { background-color: #fbe3d3; color: #8a3c00; font-weight: 700; }"
-    ".caption, .notes { color: #444444; }";
+    ".notes { color: #444444; }";
 
-// Qt draws images of rich text as pixels; this draws ours as the lines they are.
+// Qt draws images of rich text as pixels; this draws ours as the lines they are. The caption is
+// part of what is drawn, or it could begin the next page.
 class FigureObject : public QObject, public QTextObjectInterface {
   Q_OBJECT
   Q_INTERFACES(QTextObjectInterface)
  public:
-  explicit FigureObject(const std::vector<Drawing>& figures) : figures_(figures) {}
+  FigureObject(const std::vector<Drawing>& figures, QPaintDevice& device)
+      : figures_(figures), device_(device) {}
 
   QSizeF intrinsicSize(QTextDocument* /*document*/, int /*position*/,
                        const QTextFormat& format) override {
-    const auto size = QSizeF(plot(format).size()) * kPointsPerPixel;
-    auto room = text_area().size() - QSizeF(0, 40);  // a caption stays on the page
-    // A broad figure leaves room for the text above it; a tall one needs its page.
-    if (size.width() > size.height()) room.setHeight(kBroadFigure * room.height());
-    const double scale =
-        std::min({1.0, room.width() / size.width(), room.height() / size.height()});
-    return size * scale;
+    const auto size = figure_size(format);
+    return {text_area().width(),
+            size.height() + kAboveCaption + caption_height(format) + kBelowCaption};
   }
   void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* /*document*/,
                   int /*position*/, const QTextFormat& format) override {
     // Qt offers a figure to each page that its line might touch, and a plot clips to its own axes,
     // which would undo the clipping to the page.
     if (!page_.contains(rect.center())) return;
-    draw_on_page(plot(format), *painter, rect);
+    const QRectF frame(rect.topLeft(), figure_size(format));
+    draw_on_page(plot(format), *painter, frame);
+    painter->setFont(caption_font());
+    painter->setPen(kGrey);
+    painter->drawText(
+        QRectF(rect.left(), frame.bottom() + kAboveCaption, rect.width(), caption_height(format)),
+        Qt::TextWordWrap, caption(format));
   }
   /// The part of the document that is drawn next.
   void set_page(const QRectF& page) { page_ = page; }
 
  private:
-  const QCustomPlot& plot(const QTextFormat& format) const {
-    return *figures_.at(format.toImageFormat().name().toUInt()).plot;
+  static QFont caption_font() { return text_font(8); }
+  const Drawing& figure(const QTextFormat& format) const {
+    return figures_.at(format.toImageFormat().name().toUInt());
+  }
+  const QCustomPlot& plot(const QTextFormat& format) const { return *figure(format).plot; }
+  QString caption(const QTextFormat& format) const {
+    return QString::fromStdString(figure(format).caption);
+  }
+  QSizeF figure_size(const QTextFormat& format) const {
+    const auto size = QSizeF(plot(format).size()) * kPointsPerPixel;
+    const auto room = text_area().size();
+    const double part = size.width() > size.height() ? kBroadFigure : kTallFigure;
+    return size *
+           std::min({1.0, room.width() / size.width(), part * room.height() / size.height()});
+  }
+  double caption_height(const QTextFormat& format) const {
+    const QFontMetricsF metrics(caption_font(), &device_);
+    return metrics
+        .boundingRect(QRectF(0, 0, text_area().width(), text_area().height()), Qt::TextWordWrap,
+                      caption(format))
+        .height();
   }
   const std::vector<Drawing>& figures_;
+  QPaintDevice& device_;
   QRectF page_;
 };
 
@@ -109,7 +136,7 @@ void Pages::begin_page(const std::string& running_head) {
 
 void Pages::add(const PageSection& section) {
   const auto area = text_area();
-  FigureObject figures(section.figures);
+  FigureObject figures(section.figures, writer_);
   QTextDocument document;
   document.documentLayout()->setPaintDevice(&writer_);
   document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);

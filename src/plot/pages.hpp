@@ -11,7 +11,8 @@
 
 namespace triax::src {
 
-/// One section of a document. Its figures are where `markup` has <img src="0"/>, <img src="1"/>...
+/// One section of a document. Its figures, each with its caption below it, are where `markup` has
+/// <img src="0"/>, <img src="1"/>...
 struct PageSection {
   std::string running_head;  ///< at the top of each of its pages
   std::string markup;        ///< rich text as Qt understands it

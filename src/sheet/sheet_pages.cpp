@@ -17,7 +17,7 @@ namespace {
 constexpr double kSheetMargin = 26, kGap = 4, kPadding = 3, kTitleHeight = 24, kFootHeight = 10;
 constexpr double kSheetWidth = 595 - 2 * kSheetMargin, kSheetHeight = 842 - 2 * kSheetMargin;
 constexpr double kLargest = 7.2, kSmallest = 4.6, kStep = 0.2;  // of letters
-constexpr double kLeastFigure = 108, kMostFigure = 190;
+constexpr double kLeastFigure = 108, kMostFigure = 230;
 
 constexpr const char* kSheetStyle =
     "body { color: #222222; } table { border-collapse: collapse; }"

@@ -90,11 +90,10 @@ std::string html_report(const ReportSheets& sheets, const std::string& more) {
   std::size_t number = 0;
   for (const auto& set : test_sets(sheets.tests))
     html += sheet_html(set_sheet(set), fmt::format("set-{}", ++number));
-  if (sheets.has_page_of_each())
-    for (const auto& test : sheets.tests) {
-      html += sheet_html(test_sheet(test), anchor(test.result));
-      if (sheets.evidence) html += evidence_markup(test.result);
-    }
+  sheets.for_each_page([&](const SheetTest& test) {
+    html += sheet_html(test_sheet(test), anchor(test.result));
+    if (sheets.evidence) html += evidence_markup(test.result);
+  });
   return html + more + "</body>\n</html>\n";
 }
 

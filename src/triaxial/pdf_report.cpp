@@ -29,8 +29,7 @@ std::string banner_markup(const std::string& banner) {
 }
 
 void add_figure(PageSection& section, Drawing drawing) {
-  section.markup += fmt::format("<p><img src=\"{}\"/></p>\n<p class=\"caption\">{}</p>\n",
-                                section.figures.size(), escaped(drawing.caption));
+  section.markup += fmt::format("<p><img src=\"{}\"/></p>\n", section.figures.size());
   section.figures.push_back(std::move(drawing));
 }
 
@@ -64,11 +63,10 @@ std::string pdf_bytes(const ReportSheets& sheets, const std::vector<PageSection>
   if (sheets.tests.empty() && more.empty())
     pages.add({kTitle, "<p>The database holds no test.</p>", {}});
   for (const auto& set : test_sets(sheets.tests)) add_sheet(set_sheet(set));
-  if (sheets.has_page_of_each())
-    for (const auto& test : sheets.tests) {
-      add_sheet(test_sheet(test));
-      if (sheets.evidence) pages.add(evidence_section(test.result));
-    }
+  sheets.for_each_page([&](const SheetTest& test) {
+    add_sheet(test_sheet(test));
+    if (sheets.evidence) pages.add(evidence_section(test.result));
+  });
   for (const auto& section : more) pages.add(section);
   pages.finish();
   return without_date(buffer.data().toStdString());

@@ -23,6 +23,7 @@
 #include "src/output/table.hpp"
 #include "src/study/triaxial/collapse_increments.hpp"
 #include "src/triaxial/figure_folder.hpp"
+#include "src/triaxial/figures/few_states.hpp"
 #include "src/triaxial/html_report.hpp"
 #include "src/triaxial/json_report.hpp"
 #include "src/triaxial/left_waiting.hpp"
@@ -147,12 +148,30 @@ std::string text(const Reported& all) {
   return all.tests.empty() ? runs : text_for_people(all.tests) + '\n' + runs;
 }
 
+/// Of many tests few states stay in memory; each is loaded again for its own page.
 ReportSheets sheets_of(const db::Store& store, const std::vector<std::int64_t>& ids,
                        const ReportOptions& o) {
   ReportSheets sheets{.tests = {}, .each = o.each, .evidence = o.evidence};
   const auto request = sheet_request(o);
-  for (const auto id : ids) sheets.tests.push_back(load_sheet_test(store, id, request));
+  const bool many = ids.size() > ReportSheets::kMostSheets;
+  for (const auto id : ids) {
+    sheets.tests.push_back(load_sheet_test(store, id, request));
+    if (many) keep_few_states(sheets.tests.back().result);
+  }
+  if (many)
+    sheets.whole = [&store, request](const SheetTest& test) {
+      return load_sheet_test(store, test.result.stored.id, request);
+    };
   return sheets;
+}
+
+void write_figures(const db::Store& store, const std::vector<std::int64_t>& ids,
+                   const std::vector<db::StoredGrainRun>& runs, const ReportOptions& o) {
+  FigureFolder figures(o.figures);
+  const auto request = sheet_request(o);
+  for (const auto id : ids) figures.add(load_sheet_test(store, id, request));
+  figures.finish(study::collapse_increments(store, ids));
+  write_grain_figures(runs, o.figures);
 }
 
 void write_pages(const std::string& format, const ReportSheets& sheets,
@@ -184,27 +203,19 @@ void run_report(const ReportOptions& o) {
     if (o.tests.empty()) run_ids.clear();
   }
   Reported all;
-  ReportSheets sheets;
-  const bool with_sheet = format == "json" && o.has_sheet_words;
-  if (drawn || with_sheet || !o.figures.empty()) sheets = sheets_of(store, ids, o);
-  if (!o.figures.empty())
-    for (const auto& test : sheets.tests) all.tests.push_back(test.result);
-  else if (!drawn && !with_sheet)
-    for (const auto id : ids)
-      all.tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   for (const auto id : run_ids) all.runs.push_back(grains.load(id));
   if (!o.figures.empty()) {
-    write_figures(all.tests, study::collapse_increments(store, ids), o.figures);
-    write_sheet_figures(sheets.tests, o.figures);
-    write_grain_figures(all.runs, o.figures);
+    write_figures(store, ids, all.runs, o);
     if (format == "text" && o.output.empty()) return;
   }
-  if (drawn)
-    write_pages(format, sheets, all.runs, output);
+  if (drawn) return write_pages(format, sheets_of(store, ids, o), all.runs, output);
+  ReportSheets sheets;
+  if (format == "json" && o.has_sheet_words)
+    sheets = sheets_of(store, ids, o);
   else
-    write_file(output, format == "json"
-                           ? json(all, with_sheet ? sheets.tests : std::vector<SheetTest>{})
-                           : text(all));
+    for (const auto id : ids)
+      all.tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
+  write_file(output, format == "json" ? json(all, sheets.tests) : text(all));
 }
 
 void add_choice(CLI::App& app, ReportOptions& o) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "src/plot/axes.hpp"
+#include "src/plot/log_axis.hpp"
 #include "src/plot/note.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/shapes.hpp"
@@ -43,15 +44,12 @@ void draw_plane(QCPAxisRect& rect, const Plane& plane, const Points& points, con
   for (const auto& p : points) x.add(p.x()), y.add(p.y());
   auto* across = rect.axis(QCPAxis::atBottom);
   if (plane.logarithmic) {
-    across->setScaleType(QCPAxis::stLogarithmic);
-    across->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
     double low = points.front().x(), high = low;
     for (const auto& p : points) low = std::min(low, p.x()), high = std::max(high, p.x());
-    across->setRange(std::pow(10, std::floor(std::log10(low))),
-                     std::pow(10, std::ceil(std::log10(high * 1.001))));
+    set_log_axis(*across, low, high);
   } else {
     x.add(0);
-    y.add(0);
+    if (plane.y != std::string_view("pore_pressure_kPa")) y.add(0);  // on top of a back pressure
     across->setRange(x.with_margin(0.04, true));
   }
   rect.axis(QCPAxis::atLeft)->setRange(y.with_margin(0.08, true));

@@ -15,6 +15,8 @@ struct ChartKind {
   std::size_t x, y;
   const char *x_axis, *y_axis;
   bool points;  ///< values that not every row has
+  std::optional<std::pair<double, double>>
+      ends{};  ///< of the axis of y; empty: chosen by who shows it
 };
 
 void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKind& kind,
@@ -38,6 +40,10 @@ void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKi
   chart_axis_set_name(chart->y_axis, kind.y_axis);
   chart_axis_set_label_position(chart->x_axis, LXW_CHART_AXIS_LABEL_POSITION_LOW);
   chart_axis_set_label_position(chart->y_axis, LXW_CHART_AXIS_LABEL_POSITION_LOW);
+  if (kind.ends) {
+    chart_axis_set_min(chart->y_axis, kind.ends->first);
+    chart_axis_set_max(chart->y_axis, kind.ends->second);
+  }
   chart_legend_set_position(chart, LXW_CHART_LEGEND_NONE);
   worksheet_insert_chart(sheet.get(), static_cast<lxw_row_t>(row), static_cast<lxw_col_t>(column),
                          chart);
@@ -45,20 +51,35 @@ void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKi
 
 }  // namespace
 
+std::pair<double, double> axis_ends(double low, double high) {
+  constexpr double kSteps = 5;
+  const double wanted = std::max(high - low, 1.0) / kSteps;
+  double step = std::pow(10, std::floor(std::log10(wanted)));
+  for (const double times : {2.0, 2.5, 2.0})
+    if (step < wanted) step *= times;
+  return {step * std::floor(low / step),
+          step * std::max(std::ceil(high / step), std::floor(low / step) + 1)};
+}
+
 void write_charts(Book& book, Sheet& sheet, const ShearRows& rows, bool pore_pressure,
                   const std::string& title) {
   constexpr std::size_t kStrain = 3, kVolume = 4, kPore = 9, kQ = 10, kP = 11;
   const std::string name = on_one_line(title).substr(0, 200);
+  std::optional<std::pair<double, double>> pore;
+  if (rows.pore_kPa) pore = axis_ends(rows.pore_kPa->first, rows.pore_kPa->second);
   const ChartKind kinds[] = {
       {"deviator stress", kStrain, kQ, "axial strain", "q (kPa)", false},
       {"stress path", kP, kQ, "p′ (kPa)", "q (kPa)", false},
       pore_pressure
-          ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", false}
+          ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", false, pore}
           : ChartKind{"volume", kStrain, kVolume, "axial strain", "volumetric strain", false},
       {"second-order work, normalised", kStrain, StatesSheet::column(StateCell::work_normalised),
        "axial strain", "W₂ (−1 to 1)", true}};
   for (std::size_t i = 0; i < std::size(kinds); ++i)
     insert_chart(book, sheet, rows, kinds[i], name, kHeadingRow + 1 + 16 * (i / 2), 8 * (i % 2));
+  worksheet_set_landscape(sheet.get());  // all four on one page
+  worksheet_set_paper(sheet.get(), 9);   // A4
+  worksheet_fit_to_pages(sheet.get(), 1, 1);
 }
 
 }  // namespace triax::src

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Charts of shear over the cells of the states.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
 #include "db/store.hpp"
 #include "src/export/workbook/book.hpp"
 
 namespace triax::src {
 
-/// First and last row of shear on the states' sheet.
+/// First and last row of shear on the states' sheet, and the pore pressures between them, in kPa;
+/// empty where none is known.
 struct ShearRows {
   std::size_t first = 0, last = 0;
+  std::optional<std::pair<double, double>> pore_kPa{};
+  void add_pore(double kPa) {
+    if (!std::isfinite(kPa)) return;
+    if (!pore_kPa) pore_kPa = {kPa, kPa};
+    pore_kPa = {std::min(pore_kPa->first, kPa), std::max(pore_kPa->second, kPa)};
+  }
 };
+
+/// Ends of an axis around these values, at whole steps of 1, 2 or 5 times a power of ten: a back
+/// pressure of some hundred kPa shall not flatten what moved on top of it.
+std::pair<double, double> axis_ends(double low, double high);
 
 /// q over ε₁, q over p′, u over ε₁ where it is known and the drainage was closed, else ε_v, and
 /// normalised second-order work over ε₁. `title` is that of each chart's test.

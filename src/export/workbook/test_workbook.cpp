@@ -39,6 +39,7 @@ void look_over(const db::Store& store, const db::StoredTest& test, Overview& see
     if (study::is_shear(test.header, reading.stage)) {
       if (!seen.shear) seen.shear = ShearRows{row, row};
       seen.shear->last = row;
+      seen.shear->add_pore(state.pore_pressure * 1e-3);
     }
     ++row;
   });

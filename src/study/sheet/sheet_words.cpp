@@ -49,11 +49,13 @@ constexpr std::array kWords = {
 };
 
 /// Labels of preambles, folded and without a bracket at their end.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 44> kLabels{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kLabels{
     {{"project", "project"},
      {"projekt", "project"},
      {"job reference", "project"},
      {"job ref", "project"},
+     {"job number", "project"},
+     {"job", "project"},
      {"job location", "location"},
      {"location", "location"},
      {"site", "location"},
@@ -70,7 +72,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 44> kLabels{
      {"bodenart", "description"},
      {"material", "description"},
      {"specimen type", "specimen_type"},
+     {"preparation method", "specimen_type"},
      {"laboratory", "laboratory"},
+     {"lab", "laboratory"},
      {"labor", "laboratory"},
      {"operator", "operator"},
      {"technician", "operator"},
@@ -78,6 +82,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 44> kLabels{
      {"bearbeiter", "operator"},
      {"date test started", "date"},
      {"date of test", "date"},
+     {"test date", "date"},
      {"date", "date"},
      {"datum", "date"},
      {"date test finished", "date_end"},

@@ -14,6 +14,8 @@ namespace triax::src {
 namespace {
 
 constexpr int kStrainsOverPWidth = 960, kStrainsOverPHeight = 420 + kNoteHeight;
+/// A volume that is shut in is a line, not the rounding of its last digit.
+constexpr double kLeastVolumetric_pct = 0.1;
 
 double axial_pct(const lab::State& state) { return state.strain.axial * 100; }
 double volumetric_pct(const lab::State& state) { return state.volumetric_strain * 100; }
@@ -56,6 +58,7 @@ Drawing strains_over_p_figure(const study::ShearBeginnings& beginnings) {
   for (auto* rect : {&left, &right})
     rect->axis(QCPAxis::atBottom)->setRange(from_zero(p.with_margin(0.06, true)));
   left.axis(QCPAxis::atLeft)->setRange(from_zero(axial.with_margin(0.06, true)));
+  volumetric.widen_to(kLeastVolumetric_pct);
   right.axis(QCPAxis::atLeft)->setRange(volumetric.with_margin(0.08, false));
   plot->replot();
   fill(left, series.tests, axial_pct);

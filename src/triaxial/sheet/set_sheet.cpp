@@ -23,9 +23,9 @@ constexpr std::size_t kFewestCircles = 3;
 constexpr double kLeastSpread = 1.5;  // of σ₃′ at failure, largest over least
 
 std::string kind_word(const db::StoredTest& test) {
-  return verdict_word(test.status, study::has_verdict(test)
-                                       ? std::optional(test.summary.collapse.kind)
-                                       : std::nullopt);
+  return spaced(verdict_word(test.status, study::has_verdict(test)
+                                              ? std::optional(test.summary.collapse.kind)
+                                              : std::nullopt));
 }
 
 /// A column of numbers of a set: as it reads, and its value of a test.
@@ -49,7 +49,7 @@ const std::vector<SetColumn>& set_columns() {
          const auto& p = t.result.stored.summary.consolidation.p_eff_pa;
          return p ? std::optional(*p * 1e-3) : std::nullopt;
        }},
-      {"%/h", 2,
+      {"rate (%/h)", 2,
        [](const SheetTest& t) {
          const auto& rate = t.values.rate_per_s;
          return rate ? std::optional(*rate * 3600 * 100) : std::nullopt;
@@ -134,6 +134,12 @@ SheetBox spread_box(const TestSet& set) {
   for (const auto& [kind, count] : kinds)
     line += fmt::format("{}{} {}", line.empty() ? "collapse: " : ", ", count, kind);
   box.lines.push_back(line);
+  if (const auto stride = stride_of_many(set.tests.size()); stride > 1)
+    box.lines.push_back(fmt::format(
+        "bands hold nine of ten tests, lines are medians; of paths and circles one in {} is drawn",
+        stride));
+  else
+    box.lines.emplace_back("bands hold nine of ten tests, lines are medians");
   box.lines.emplace_back(
       "the table of each test: triax report --format json; a page a test: --each");
   return box;
@@ -142,12 +148,18 @@ SheetBox spread_box(const TestSet& set) {
 struct Strength {
   std::vector<study::MohrCircle> circles;
   std::optional<study::StrengthSet> set;
+  int at_constant_q = 0;  ///< left out: their largest q is no failure
 };
 
 Strength strength_of(const TestSet& set) {
   Strength strength;
   for (const auto* test : set.tests) {
     if (!test->values.failure || test->result.stored.summary.cyclic) continue;
+    if (test->values.options.failure == study::FailureCriterion::peak_deviator_stress &&
+        holds_q(test->result.stored)) {
+      ++strength.at_constant_q;
+      continue;
+    }
     const auto& s = test->values.failure->state.effective_stress;
     if (!(std::max(s.axial, s.radial) > std::min(s.axial, s.radial))) continue;
     strength.circles.push_back({strength.circles.size(), test->result.stored.header.name,
@@ -163,25 +175,31 @@ Strength strength_of(const TestSet& set) {
 }
 
 SheetBox strength_box(const TestSet& set, const Strength& strength) {
-  SheetBox box{.title = "Strength of the set, " + failure_words(set.tests.front()->values.options)};
-  if (!strength.set) {
+  SheetBox box{.title = "Strength of the set, " + failure_words(set.tests.front()->values.options),
+               .columns = 3};
+  if (strength.set) {
+    const auto& [c, phi] = std::pair(strength.set->cohesion_kPa, strength.set->friction_angle_deg);
+    box.facts = {
+        {"c′ (kPa)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", c.value, c.low, c.high)}},
+        {"φ′ (°)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", phi.value, phi.low, phi.high)}}};
+    if (const auto& without = strength.set->friction_angle_without_cohesion_deg)
+      box.facts.push_back({"φ′ with c′ = 0 (°)",
+                           {fmt::format("{:.1f} ({:.1f} to {:.1f})", without->value, without->low,
+                                        without->high)}});
+    box.lines.push_back(fmt::format(
+        "common tangent of {} circles, σ₁′ = A + K σ₃′ by weighted least squares; in brackets 95 %",
+        strength.circles.size()));
+  } else {
     box.lines.push_back(strength.circles.size() < kFewestCircles
                             ? fmt::format("c′ and φ′ need {} specimens; {} came to failure",
                                           kFewestCircles, strength.circles.size())
                             : "c′ and φ′: σ₃′ at failure differs by less than half of the least");
-    return box;
   }
-  const auto& [c, phi] = std::pair(strength.set->cohesion_kPa, strength.set->friction_angle_deg);
-  box.facts = {
-      {"c′ (kPa)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", c.value, c.low, c.high)}},
-      {"φ′ (°)", {fmt::format("{:.1f} ({:.1f} to {:.1f})", phi.value, phi.low, phi.high)}}};
-  if (const auto& without = strength.set->friction_angle_without_cohesion_deg)
-    box.facts.push_back(
-        {"φ′ with c′ = 0 (°)",
-         {fmt::format("{:.1f} ({:.1f} to {:.1f})", without->value, without->low, without->high)}});
-  box.lines.push_back(fmt::format(
-      "common tangent of {} circles, σ₁′ = A + K σ₃′ by weighted least squares; in brackets 95 %",
-      strength.circles.size()));
+  if (strength.at_constant_q > 0)
+    box.lines.push_back(
+        fmt::format("left out: {} at constant q, whose largest q is no failure (--failure "
+                    "peak-ratio counts them)",
+                    strength.at_constant_q));
   return box;
 }
 
@@ -189,9 +207,12 @@ SheetPart circles_part(const Strength& strength) {
   if (strength.circles.empty()) return {};
   constexpr std::size_t kMostNames = 12;
   std::vector<DrawnCircle> circles;
-  for (const auto& c : strength.circles)
+  const std::size_t stride = stride_of_many(strength.circles.size());
+  for (std::size_t i = 0; i < strength.circles.size(); i += stride) {
+    const auto& c = strength.circles[i];
     circles.push_back(
         {strength.circles.size() <= kMostNames ? c.name : "", c.minor_kPa, c.major_kPa});
+  }
   std::optional<DrawnEnvelope> envelope;
   if (strength.set)
     envelope = {strength.set->cohesion_kPa.value, strength.set->friction_angle_deg.value};
@@ -214,11 +235,26 @@ SheetBox set_head(const TestSet& set) {
   return box;
 }
 
-SheetRow figure_row(std::vector<OwnPlot> plots, double weight) {
-  SheetRow row{.parts = {}, .weight = weight};
-  for (auto& plot : plots)
-    if (plot) row.parts.push_back({.plot = std::move(plot)});
-  return row;
+/// The figures behind the first, in rows of three or, if there are four, two.
+void add_rows(std::vector<SheetRow>& rows, std::vector<OwnPlot> plots) {
+  std::erase(plots, nullptr);
+  const std::size_t wide = plots.size() == 4 ? 2 : 3;
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    if (i % wide == 0) rows.emplace_back();
+    rows.back().parts.push_back({.plot = std::move(plots[i])});
+  }
+}
+
+std::vector<OwnPlot> set_figures(const TestSet& set) {
+  std::vector<OwnPlot> plots;
+  const auto strain = axial_strain_axis();
+  plots.push_back(set_figure(set.tests, strain, q_axis()));
+  plots.push_back(set_figure(set.tests, p_axis(), q_axis()));
+  plots.push_back(set_figure(set.tests, strain, eta_axis()));
+  plots.push_back(set_figure(set.tests, strain, u_axis()));
+  plots.push_back(set_figure(set.tests, strain, volumetric_strain_axis()));
+  plots.push_back(set_figure(set.tests, p_axis(), void_ratio_axis()));
+  return plots;
 }
 
 std::vector<SheetRow> effective_stress_rows(const TestSet& set) {
@@ -226,24 +262,18 @@ std::vector<SheetRow> effective_stress_rows(const TestSet& set) {
   rows.front().parts.push_back(
       {.box = set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set)});
   const auto strength = strength_of(set);
+  auto plots = set_figures(set);
   if (auto circles = circles_part(strength); circles.plot) {
     circles.share = 2;
     SheetRow row{.parts = {}, .weight = 1.3};
     row.parts.push_back(std::move(circles));
-    row.parts.push_back({.box = strength_box(set, strength)});
+    if (plots.front()) row.parts.push_back({.plot = std::move(plots.front())});
     rows.push_back(std::move(row));
   }
-  std::vector<OwnPlot> first, second;
-  first.push_back(set_figure(set.tests, axial_strain_axis(), q_axis()));
-  first.push_back(set_figure(set.tests, p_axis(), q_axis()));
-  first.push_back(set_figure(set.tests, axial_strain_axis(), eta_axis()));
-  second.push_back(set_figure(set.tests, axial_strain_axis(), u_axis()));
-  second.push_back(set_figure(set.tests, axial_strain_axis(), volumetric_strain_axis()));
-  second.push_back(set_figure(set.tests, p_axis(), void_ratio_axis()));
-  for (auto* plots : {&first, &second}) {
-    auto row = figure_row(std::move(*plots), 1);
-    if (!row.parts.empty()) rows.push_back(std::move(row));
-  }
+  add_rows(rows, std::move(plots));
+  SheetRow last;
+  last.parts.push_back({.box = strength_box(set, strength)});
+  rows.push_back(std::move(last));
   return rows;
 }
 
@@ -278,9 +308,9 @@ Sheet set_sheet(const TestSet& set) {
     if (test->result.stored.header.origin == lab::Origin::simulated) ++simulated;
   Sheet sheet{.title = fmt::format("Set of {} {}triaxial tests", set.tests.size(),
                                    set.total_stress ? "unconsolidated undrained " : ""),
-              .subject = set.material,
-              .footer = fmt::format("triax {}; □ failure{}", study::version(),
-                                    set.total_stress ? "" : ", ○ onset of collapse")};
+              .subject = set.material.empty() ? "soil not said" : set.material,
+              .footer = fmt::format("triax {}; {}", study::version(),
+                                    set.total_stress ? "□ failure" : kSheetLegend)};
   if (simulated == set.tests.size())
     sheet.mark = "SIMULATED";
   else if (simulated > 0)
@@ -297,6 +327,9 @@ Sheet set_sheet(const TestSet& set) {
   if (set.read_again > 0)
     remarks.lines.push_back(fmt::format(
         "{} more: the file was READ AGAIN, the later complete reading counts", set.read_again));
+  if (set.material.empty())
+    remarks.lines.emplace_back(
+        "no record names its soil: whether these specimens are of one is for the reader to say");
   add_boxes(std::move(remarks));
   return sheet;
 }

@@ -8,6 +8,7 @@
 #include "src/output/words.hpp"
 #include "src/study/sheet/deviations.hpp"
 #include "src/study/sheet/specimen_phases.hpp"
+#include "src/triaxial/facts/cyclic_fact.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/sheet/test_sheet.hpp"
 
@@ -112,7 +113,7 @@ SheetBox saturation_box(const SheetTest& test) {
   }
   box.table = {
       {{"stage"}, {"σ_c (kPa)", Align::right}, {"u (kPa)", Align::right}, {"B", Align::right}}, {}};
-  constexpr std::size_t kMostSteps = 9;
+  constexpr std::size_t kMostSteps = 8;
   const auto& steps = test.values.steps;
   const std::size_t first = steps.size() > kMostSteps ? steps.size() - kMostSteps : 0;
   for (std::size_t i = first; i < steps.size(); ++i) {
@@ -199,7 +200,7 @@ SheetBox failure_box(const SheetTest& test) {
       fact("e", number(if_known(s.void_ratio), 3)),
       fact("σ₁′/σ₃′", number(if_known(s.effective_stress.axial / s.effective_stress.radial), 3)),
       fact("η = q/p′", number(if_known(s.eta()), 3)),
-      fact("φ′ (c′ = 0)", with_unit(in_degrees(if_known(s.phi_mob_rad()), 1), "°"))};
+      fact("φ′ (°), c′ = 0", in_degrees(if_known(s.phi_mob_rad()), 1))};
   if (values.start) {
     const double du = s.pore_pressure - values.start->state.pore_pressure;
     const double dq = s.q - values.start->state.q;
@@ -212,6 +213,13 @@ SheetBox failure_box(const SheetTest& test) {
         fact("time to failure", duration(if_known(s.time_s - values.start->state.time_s))));
   box.facts.push_back(fact("reading", fmt::format("{}", s.reading)));
   if (!values.failure_reason.empty()) box.lines.push_back(values.failure_reason);
+  const auto& stored = test.result.stored;
+  if (stored.summary.cyclic)
+    for (auto& line : cyclic_lines(*stored.summary.cyclic)) box.lines.push_back(std::move(line));
+  else if (holds_q(stored) &&
+           values.options.failure == study::FailureCriterion::peak_deviator_stress)
+    box.lines.emplace_back(
+        "q is held constant: its largest is no failure (--failure peak-ratio, strain)");
   return box;
 }
 
@@ -266,7 +274,7 @@ SheetBox remarks_box(const SheetTest& test) {
     box.lines.push_back("– " + text);
   }
   if (warnings.size() > kMostWarnings)
-    box.lines.push_back(fmt::format("– and {} warnings more: triax report {}",
+    box.lines.push_back(fmt::format("– and {} more: triax report {}",
                                     warnings.size() - kMostWarnings, test.result.stored.id));
   box.blank_lines = 1;
   return box;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/plot/log_axis.hpp"
 #include "src/plot/mohr_circles.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/polyline.hpp"
@@ -17,6 +18,9 @@ namespace triax::src {
 namespace {
 
 constexpr int kWidth = kSheetFigureWidth, kHeight = 240;
+// A step that is this part of the figure's diagonal, and so many times as long as the mean of the
+// others, is no curve that was read.
+constexpr double kLongStep = 0.25, kTimesOthers = 8;
 
 QCPScatterStyle failure_marker() {
   return {QCPScatterStyle::ssSquare, line(kInk, 1.6), QBrush(Qt::white), 9};
@@ -33,6 +37,31 @@ Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, cons
     if (std::isfinite(point.x()) && std::isfinite(point.y())) points.push_back(point);
   }
   return points;
+}
+
+/// Numbers of those points, in pixels, to which the specimen ran away from the point before.
+std::vector<std::size_t> ends_of_long_steps(const Points& pixels) {
+  std::vector<double> steps;
+  double all = 0;
+  for (std::size_t i = 1; i < pixels.size(); ++i) {
+    const auto way = pixels[i] - pixels[i - 1];
+    all += steps.emplace_back(std::hypot(way.x(), way.y()));
+  }
+  std::vector<std::size_t> ends;
+  if (steps.size() < 3) return ends;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (steps[i] > kLongStep * std::hypot(kWidth, kHeight) &&
+        steps[i] * static_cast<double>(steps.size() - 1) > kTimesOthers * (all - steps[i]))
+      ends.push_back(i + 1);
+  return ends;
+}
+
+/// Those with a logarithm that matters, of p′ in kPa.
+Points loaded(const Points& points) {
+  Points out;
+  for (const auto& p : points)
+    if (p.x() > 1) out.push_back(p);
+  return out;
 }
 
 class SmallFigure {
@@ -57,13 +86,32 @@ class SmallFigure {
     plot_->xAxis->setRange(x_.with_margin(0.04, true));
     plot_->yAxis->setRange(y_.with_margin(0.08, true));
   }
-  void curve(const Points& points, const QPen& pen) {
-    Points pixels = points, kept;
-    for (auto& p : pixels)
-      p = {p.x() * kWidth / plot_->xAxis->range().size(),
-           p.y() * kHeight / plot_->yAxis->range().size()};
-    for (const auto i : points_to_draw(pixels, kInvisible)) kept.push_back(points[i]);
-    draw_curve(*plot_->axisRect(), kept, pen);
+  void fix_log_ranges(const Points& points) {
+    fix_ranges();
+    double low = points.front().x(), high = low;
+    for (const auto& p : points) low = std::min(low, p.x()), high = std::max(high, p.x());
+    set_log_axis(*plot_->xAxis, low, high);
+  }
+  /// Of a long step nobody read what was between: it is dotted.
+  void curve(const Points& points, const QPen& pen, bool dotted_steps = true) {
+    Points pixels;
+    for (const auto& p : points) pixels.push_back(in_pixels(p));
+    std::size_t from = 0;
+    const auto stretch = [&](std::size_t end) {
+      Points kept;
+      const Points part(pixels.begin() + static_cast<std::ptrdiff_t>(from),
+                        pixels.begin() + static_cast<std::ptrdiff_t>(end));
+      for (const auto i : points_to_draw(part, kInvisible)) kept.push_back(points[from + i]);
+      if (kept.size() > 1) draw_curve(*plot_->axisRect(), kept, pen);
+      from = end;
+    };
+    const auto ends = dotted_steps ? ends_of_long_steps(pixels) : std::vector<std::size_t>{};
+    for (const auto end : ends) {
+      stretch(end);
+      draw_curve(*plot_->axisRect(), {points[end - 1], points[end]},
+                 line(pen.color(), 1, Qt::DotLine));
+    }
+    stretch(points.size());
   }
   void marker(const Points& points, const QCPScatterStyle& style) {
     if (!points.empty()) draw_markers(*plot_->axisRect(), points, style);
@@ -73,6 +121,16 @@ class SmallFigure {
   bool empty() const { return x_.empty(); }
 
  private:
+  QPointF in_pixels(const QPointF& p) const {
+    const auto part = [](const QCPAxis& axis, double value) {
+      const auto range = axis.range();
+      return axis.scaleType() == QCPAxis::stLogarithmic
+                 ? std::log(value / range.lower) / std::log(range.upper / range.lower)
+                 : value / range.size();
+    };
+    return {kWidth * part(*plot_->xAxis, p.x()), kHeight * part(*plot_->yAxis, p.y())};
+  }
+
   OwnPlot plot_;
   RangeOf x_, y_;
 };
@@ -146,41 +204,27 @@ OwnPlot consolidation_figure(const SheetTest& test) {
     draw_curve(*figure.plot().axisRect(), {{0, fit->zero * unit}, {at, final}},
                line(kInk, 1, Qt::DashLine));
     draw_curve(*figure.plot().axisRect(), {{at, final}, {at, 0}}, line(kInk, 1, Qt::DotLine));
-    write_text(*figure.plot().axisRect(), {at, 0.12 * final}, "√t₁₀₀", kInk, Qt::AlignLeft);
+    write_text(*figure.plot().axisRect(), {at, 0.12 * final}, "\u2009√t₁₀₀", kInk, Qt::AlignLeft);
   }
   figure.plot().yAxis->setRangeReversed(true);  // as a settlement is drawn
   return figure.take();
 }
 
 OwnPlot void_ratio_figure(const SheetTest& test) {
-  const auto before = points_in(believed(test, false), p_axis(), void_ratio_axis());
-  const auto shear = points_in(believed(test, true), p_axis(), void_ratio_axis());
-  Points all;
-  for (const auto* part : {&before, &shear})
-    for (const auto& p : *part)
-      if (p.x() > 1) all.push_back(p);
+  const auto x = p_axis(), y = void_ratio_axis();
+  const auto before = loaded(points_in(believed(test, false), x, y));
+  const auto shear = loaded(points_in(believed(test, true), x, y));
+  Points all = before;
+  all.insert(all.end(), shear.begin(), shear.end());
   if (all.size() < 2) return nullptr;
-  SmallFigure figure("p′ (kPa)", "void ratio e");
+  SmallFigure figure(x.title, y.title);
   figure.take_in(all);
   figure.widen_y(0.02);
-  figure.fix_ranges();
-  double low = all.front().x(), high = low;
-  for (const auto& p : all) low = std::min(low, p.x()), high = std::max(high, p.x());
-  auto& plot = figure.plot();
-  plot.xAxis->setScaleType(QCPAxis::stLogarithmic);
-  plot.xAxis->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
-  plot.xAxis->setRange(std::pow(10, std::floor(std::log10(low))),
-                       std::pow(10, std::ceil(std::log10(high * 1.001))));
-  const auto positive = [](const Points& points) {
-    Points out;
-    for (const auto& p : points)
-      if (p.x() > 1) out.push_back(p);
-    return out;
-  };
-  draw_curve(*plot.axisRect(), positive(before), line(kGrey, 1.2));
-  draw_curve(*plot.axisRect(), positive(shear), line(kBlue, 1.8));
-  figure.marker(failure_in(test, p_axis(), void_ratio_axis()), failure_marker());
-  figure.marker(onset_in(test, p_axis(), void_ratio_axis()), onset_ring());
+  figure.fix_log_ranges(all);
+  figure.curve(before, line(kGrey, 1.2));
+  figure.curve(shear, line(kBlue, 1.8));
+  figure.marker(failure_in(test, x, y), failure_marker());
+  figure.marker(onset_in(test, x, y), onset_ring());
   return figure.take();
 }
 
@@ -194,32 +238,68 @@ std::optional<double> value_at(const Points& points, double x) {
   return std::nullopt;
 }
 
-void draw_band(SmallFigure& figure, const std::vector<Points>& curves) {
-  constexpr int kSteps = 80;
-  const auto range = figure.plot().xAxis->range();
+/// What holds nine of ten curves at each x, and the median.
+struct Band {
   Points low, middle, high;
+};
+
+Band band_of(const std::vector<Points>& curves) {
+  constexpr int kSteps = 120;
+  RangeOf x_range;
+  for (const auto& curve : curves)
+    for (const auto& p : curve) x_range.add(p.x());
+  const auto range = x_range.with_margin(0, true);
+  Band band;
   const auto known = static_cast<std::size_t>(
       std::ranges::count_if(curves, [](const Points& curve) { return curve.size() > 1; }));
   for (int i = 0; i <= kSteps; ++i) {
-    const double x = range.lower + range.size() * i / kSteps;
+    // Closer at the beginning, where most of a test happens.
+    const double share = static_cast<double>(i) / kSteps;
+    const double x = range.lower + range.size() * share * share;
     std::vector<double> values;
     for (const auto& curve : curves)
       if (const auto value = value_at(curve, x)) values.push_back(*value);
     if (2 * values.size() < known) continue;  // of less than half of them no band
     std::ranges::sort(values);
-    const auto part = [&](double share) {
-      return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+    const auto part = [&](double of_all) {
+      return values[static_cast<std::size_t>(of_all * static_cast<double>(values.size() - 1) +
+                                             0.5)];
     };
-    low.emplace_back(x, part(0.05));
-    middle.emplace_back(x, part(0.5));
-    high.emplace_back(x, part(0.95));
+    band.low.emplace_back(x, part(0.05));
+    band.middle.emplace_back(x, part(0.5));
+    band.high.emplace_back(x, part(0.95));
   }
-  Points border = low;
-  border.insert(border.end(), high.rbegin(), high.rend());
+  return band;
+}
+
+OwnPlot band_figure(const std::vector<Points>& curves, const SheetAxis& x, const SheetAxis& y) {
+  const auto band = band_of(curves);
+  if (band.middle.size() < 2) return nullptr;
+  SmallFigure figure(x.title, y.title);
+  figure.take_in(band.low);
+  figure.take_in(band.high);
+  figure.take_in_zero(true, false);
+  figure.fix_ranges();
+  Points border = band.low;
+  border.insert(border.end(), band.high.rbegin(), band.high.rend());
   auto fill = kBlue;
   fill.setAlpha(50);
-  if (!border.empty()) draw_area(*figure.plot().axisRect(), border, fill, Qt::NoPen);
-  figure.curve(middle, line(kBlue, 1.8));
+  draw_area(*figure.plot().axisRect(), border, fill, Qt::NoPen);
+  figure.curve(band.middle, line(kBlue, 1.8));
+  return figure.take();
+}
+
+/// Shear of a test as a set draws it; empty where the plane has nothing to say of it.
+Points curve_of_set(const SheetTest& test, const SheetAxis& x, const SheetAxis& y, bool as_band) {
+  const auto states = believed(test, true);
+  const bool strains = y.title == volumetric_strain_axis().title;
+  // Closed, its volume is the same by decree; of cycles there is no value at a strain.
+  if (strains &&
+      study::drainage_of_shear(test.result.stored.header, states) == lab::Drainage::closed)
+    return {};
+  if (as_band && test.result.stored.summary.cyclic) return {};
+  const auto points = points_in(states, x, y);
+  return y.title == void_ratio_axis().title ? loaded(points) : points;
 }
 
 }  // namespace
@@ -265,6 +345,8 @@ std::vector<SheetFigure> sheet_figures(const SheetTest& test) {
   OwnPlot u = drained ? nullptr : shear_figure(test, strain, u_axis(), 1, false);
   if (u)
     add("u", "Pore pressure over axial strain", std::move(u));
+  else if (test.values.drainage == lab::Drainage::closed)  // p′ tells what u would
+    add("p", "Mean effective stress over axial strain", shear_figure(test, strain, p_axis()));
   else
     add("volume", "Volumetric strain over axial strain",
         shear_figure(test, strain, volumetric_strain_axis(), 0.1));
@@ -279,7 +361,9 @@ SheetPart circle_part(const SheetTest& test) {
   const auto& s = test.values.failure->state.effective_stress;
   const double major = std::max(s.axial, s.radial), minor = std::min(s.axial, s.radial);
   if (!(major > minor)) return {};
-  return mohr_part({{"", minor * 1e-3, major * 1e-3}}, std::nullopt, kSheetFigureWidth);
+  auto part = mohr_part({{"", minor * 1e-3, major * 1e-3}}, std::nullopt, kSheetFigureWidth);
+  for (auto* axis : {part.plot->xAxis, part.plot->yAxis}) axis->ticker()->setTickCount(2);
+  return part;
 }
 
 SheetPart mohr_part(const std::vector<DrawnCircle>& circles,
@@ -302,28 +386,39 @@ OwnPlot total_stress_figure(const std::vector<const SheetTest*>& tests) {
   return set_figure(tests, axial_strain_axis(), q_axis());
 }
 
+std::size_t stride_of_many(std::size_t count) {
+  constexpr std::size_t kMostDrawn = 60;
+  return (count + kMostDrawn - 1) / kMostDrawn;
+}
+
 OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& x,
                    const SheetAxis& y) {
+  const bool many = tests.size() > kMostCurves;
+  const bool as_band = many && x.title == axial_strain_axis().title;
   std::vector<Points> curves;
+  Points all;
+  for (const auto* test : tests) {
+    const auto& points = curves.emplace_back(curve_of_set(*test, x, y, as_band));
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  if (all.size() < 2) return nullptr;
+  if (as_band) return band_figure(curves, x, y);
   SmallFigure figure(x.title, y.title);
-  for (const auto* test : tests) {
-    curves.push_back(points_in(believed(*test, true), x, y));
-    figure.take_in(curves.back());
-  }
-  if (figure.empty()) return nullptr;
-  figure.take_in_zero(true, false);
-  figure.fix_ranges();
-  if (tests.size() > kMostCurves && x.title == axial_strain_axis().title) {
-    draw_band(figure, curves);
+  figure.take_in(all);
+  if (y.title == void_ratio_axis().title) {
+    figure.widen_y(0.02);
+    figure.fix_log_ranges(all);
   } else {
-    const bool many = tests.size() > kMostCurves;
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5));
+    figure.take_in_zero(true, false);
+    figure.fix_ranges();
   }
-  for (const auto* test : tests) {
-    if (tests.size() > kMostCurves) break;
-    figure.marker(failure_in(*test, x, y), failure_marker());
-    figure.marker(onset_in(*test, x, y), onset_ring());
+  const std::size_t stride = stride_of_many(curves.size());
+  for (std::size_t i = 0; i < curves.size(); i += stride)
+    figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5), !many);
+  for (std::size_t i = 0; i < curves.size() && !many; ++i) {
+    if (curves[i].empty()) continue;
+    figure.marker(failure_in(*tests[i], x, y), failure_marker());
+    figure.marker(onset_in(*tests[i], x, y), onset_ring());
   }
   return figure.take();
 }

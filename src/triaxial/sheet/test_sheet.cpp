@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/study/version.hpp"
 #include "src/triaxial/sheet/corrections_box.hpp"
 #include "src/triaxial/sheet/sheet_boxes.hpp"
@@ -43,14 +45,24 @@ void add_last_boxes(Sheet& sheet, const SheetTest& test) {
 
 }  // namespace
 
+bool holds_q(const db::StoredTest& test) {
+  const auto& type = test.header.programme;
+  return type == "CSD" || type == "CSU" ||
+         std::ranges::any_of(test.header.stages, [](const lab::StageInfo& stage) {
+           return stage.control == lab::AxialControl::constant_q;
+         });
+}
+
 std::string kind_of_test(const SheetTest& test) {
   const auto& stored = test.result.stored;
   if (stored.header.is_total_stress()) return "Unconsolidated undrained triaxial test";
   if (stored.summary.cyclic) return "Cyclic triaxial test";
   for (const auto& stage : stored.header.stages)
-    if (stage.control == lab::AxialControl::constant_q)
-      return test.values.drainage == lab::Drainage::closed ? "Constant-shear undrained test"
-                                                           : "Constant-shear drained test";
+    if (stage.strain_path_R)
+      return fmt::format("Strain-path triaxial test, R = {:.3g}", *stage.strain_path_R);
+  if (holds_q(stored))
+    return test.values.drainage == lab::Drainage::closed ? "Constant-shear undrained test"
+                                                         : "Constant-shear drained test";
   switch (test.values.drainage) {
     case lab::Drainage::closed:
       return "Consolidated undrained triaxial test";
@@ -84,7 +96,7 @@ std::string sheet_footer(const db::StoredTest& test) {
     text += "; " + header.source.substr(header.source.find_last_of("/\\") + 1);
   if (!header.digest.empty()) text += fmt::format(" (SHA-256 {}…)", header.digest.substr(0, 16));
   if (header.seed) text += fmt::format("; seed {}", *header.seed);
-  return text + (header.is_total_stress() ? "; □ failure" : "; □ failure, ○ onset of collapse");
+  return text + "; " + (header.is_total_stress() ? "□ failure" : kSheetLegend);
 }
 
 Sheet test_sheet(const SheetTest& test) {
@@ -100,7 +112,7 @@ Sheet test_sheet(const SheetTest& test) {
     return sheet;
   }
   sheet.rows.push_back(boxes(
-      {{1.05, specimen_box(test)}, {1, saturation_box(test)}, {1.15, consolidation_box(test)}}));
+      {{1, specimen_box(test)}, {1.2, saturation_box(test)}, {1.15, consolidation_box(test)}}));
   add_figures(sheet, sheet_figures(test));
   sheet.rows.push_back(boxes({{1.1, failure_box(test)}, {1.1, verdict_box(test)}}));
   if (auto circle = circle_part(test); circle.plot) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "lab/base/bad_input.hpp"
+#include "src/triaxial/figures/few_states.hpp"
 #include "tests/src/sample_tests.hpp"
 
 using namespace triax;
@@ -30,6 +31,15 @@ class Folder {
  private:
   std::filesystem::path path_;
 };
+
+std::vector<std::string> write_figures(const std::vector<TestResult>& tests,
+                                       const std::vector<CollapseIncrement>& increments,
+                                       const std::string& folder) {
+  FigureFolder figures(folder);
+  for (const auto& test : tests) figures.add(test);
+  figures.finish(increments);
+  return figures.written();
+}
 
 }  // namespace
 
@@ -82,4 +92,23 @@ TEST_CASE("names that differ by blanks and case, that look like another's, or of
   for (const auto& file : std::filesystem::directory_iterator(here.inside("x")))
     paths += file.path().string().ends_with("_stress_path.svg") ? 1 : 0;
   CHECK(paths == tests.size());
+}
+
+TEST_CASE("of hundreds of tests few states are kept, and curves through them are the same") {
+  auto test = test::flow_test();
+  auto& states = test.curves.states;
+  const auto one = states;
+  states.clear();
+  for (const auto& s : one)  // a logger that is twenty times as fast
+    for (int i = 0; i < 20; ++i) states.push_back(s);
+  const auto all = states.size();
+  keep_few_states(test);
+  CHECK(states.size() < all / 10);
+  REQUIRE(states.size() > 10);
+  CHECK(test.curves.work.empty());
+  double most = 0, kept = 0;
+  for (const auto& s : one) most = std::max(most, s.q);
+  for (const auto& s : states) kept = std::max(kept, s.q);
+  CHECK(kept >= most * (1 - 1e-3));
+  CHECK(states.back().reading == one.back().reading);
 }

@@ -111,6 +111,19 @@ TEST_CASE("a preamble fills the head and says where the specimen drained") {
   CHECK(word_of(words, "operator").empty());
 }
 
+TEST_CASE("labels of the sheets with Jefferies and Been's book fill the head") {
+  auto result = sample::flow_test();
+  result.stored.header.notes = {{"Lab", "A & B"},
+                                {"Job number", "7"},
+                                {"Test date", "1 FEB 89"},
+                                {"Preparation method", "moist tamped"}};
+  const auto words = sheet_words(result.stored, {});
+  CHECK(word_of(words, "laboratory") == "A & B");
+  CHECK(word_of(words, "project") == "7");
+  CHECK(word_of(words, "date") == "1 FEB 89");
+  CHECK(word_of(words, "specimen_type") == "moist tamped");
+}
+
 namespace {
 
 constexpr double kUnit_s = 4000;  // H²/c_v

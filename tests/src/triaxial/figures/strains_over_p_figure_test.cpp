@@ -27,3 +27,11 @@ TEST_CASE("strains over p′ of nothing are no figure") {
   nothing.curves = {};
   CHECK_FALSE(strains_over_p_figure(shear_beginnings({nothing})).plot);
 }
+
+TEST_CASE("a volume that is shut in has an axis that a reader believes") {
+  auto test = test::flow_test();
+  for (auto& s : test.curves.states) s.volumetric_strain = 0;
+  const Drawing drawing = strains_over_p_figure(shear_beginnings({test}));
+  REQUIRE(drawing.plot);
+  CHECK(drawing.plot->axisRect(1)->axis(QCPAxis::atLeft)->range().size() >= 0.1);
+}
