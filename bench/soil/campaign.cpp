@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/soil/limit.hpp"
 #include "bench/soil/sands.hpp"
 #include "bench/soil/virtual_test.hpp"
 #include "lab/collapse/monitor.hpp"
@@ -110,6 +111,9 @@ Campaign make_campaign(std::uint64_t seed, Sand sand, const InstrumentClass& ins
                         .axial_strain = strain};
     return true_onset(true_states(*virtual_sand.law({.undrained = true}), plan));
   };
+  SpoiltSize spoilt_size;
+  bool spoilt_extension = false;
+  int in_extension = 0;
   const auto spoilt_index = static_cast<std::uint64_t>(uniform(seed, 2, 0, count));
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) {
     const TestPlan plan = plan_of(c, seed, i, strain);
@@ -124,15 +128,28 @@ Campaign make_campaign(std::uint64_t seed, Sand sand, const InstrumentClass& ins
     test.drainage = plan.undrained ? lab::Drainage::closed : lab::Drainage::open;
     test.void_ratio = plan.void_ratio + instruments.void_ratio_error *
                                             lab::standard_normal(seed, kSpecimenStream, 3 * i + 2);
-    if (this_one && spoilt == Spoilt::void_ratio) *test.void_ratio += 0.08;
-    test.p_eff_pa = plan.p_eff_pa;
-    test.states =
-        measured_states(true_states(*virtual_sand.law(specimen), plan), instruments.transducers,
-                        calibration, 1000 * seed + i, this_one ? spoilt : Spoilt::none);
+    if (this_one && spoilt == Spoilt::void_ratio) *test.void_ratio += kSpoiltVoidRatio;
+    // As the same instruments have it.
+    test.p_eff_pa =
+        plan.p_eff_pa + (this_one && spoilt == Spoilt::cell_pressure ? kSpoiltCellPressure : 0.0);
+    const auto truth = true_states(*virtual_sand.law(specimen), plan);
+    test.states = measured_states(truth, instruments.transducers, calibration, 1000 * seed + i,
+                                  this_one ? spoilt : Spoilt::none);
     if (plan.undrained) judge(test);
-    if (this_one) c.spoilt_test = test.name;
+    if (this_one) {
+      c.spoilt_test = test.name;
+      c.spoilt_drained = !plan.undrained;
+      spoilt_size = size_of(spoilt, sand == Sand::mohr_coulomb, truth,
+                            {std::hypot(kOwnLine, instruments.void_ratio_error), kOwnFriction});
+      spoilt_extension = plan.extension;
+    }
+    in_extension += plan.extension;
     c.tests.push_back(std::move(test));
   }
+  c.spoilt_deviations = spoilt_size.deviations;
+  const int same_way = spoilt_extension ? in_extension : count - in_extension;
+  c.could_be_named =
+      could_be_named(spoilt_size, count, spoilt == Spoilt::void_ratio ? count : same_way);
   return c;
 }
 

@@ -34,6 +34,7 @@ std::string to_string(Sand sand);
 /// What is put into one test.
 enum class Spoilt { none, void_ratio, load_cell, cell_pressure };
 inline constexpr int kSpoilt = 4;
+inline constexpr double kSpoiltVoidRatio = 0.08, kSpoiltForce = 1.15, kSpoiltCellPressure = 25e3;
 std::string to_string(Spoilt spoilt);
 
 struct SoilTruth {
@@ -50,6 +51,9 @@ struct Campaign {
   std::vector<study::ShearedTest> tests;
   Spoilt spoilt = Spoilt::none;
   std::string spoilt_test;
+  bool spoilt_drained = false;
+  double spoilt_deviations = 0;  ///< size of the error beside the scatter (limit.hpp)
+  double could_be_named = 0;     ///< the chance of the best test
 };
 
 /// 4 to 20 tests; a set of Mohr and Coulomb 3 to 8. The seed chooses the sand's parameters, how far

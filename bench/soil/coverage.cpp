@@ -81,8 +81,8 @@ void Count::add(const Covered& one) {
 }
 
 bool names(const study::Soil& soil, const std::string& test) {
-  return std::ranges::any_of(soil.tests,
-                             [&](const auto& t) { return t.name == test && !t.reason.empty(); });
+  return std::ranges::any_of(
+      soil.tests, [&](const auto& t) { return t.used && t.name == test && !t.reason.empty(); });
 }
 
 }  // namespace triax::bench

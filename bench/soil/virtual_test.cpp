@@ -85,8 +85,8 @@ std::vector<lab::State> measured_states(
     const double volume = kArea * kHeight;
     double force = read.of(axial_force, t.q * area, n);
     double cell = read.of(cell_pressure, t.effective_stress.radial + t.pore_pressure, n);
-    if (spoilt == Spoilt::load_cell) force *= 1.15;
-    if (spoilt == Spoilt::cell_pressure) cell += 25e3;
+    if (spoilt == Spoilt::load_cell) force *= kSpoiltForce;
+    if (spoilt == Spoilt::cell_pressure) cell += kSpoiltCellPressure;
     lab::State s;
     s.reading = t.reading;
     s.time_s = t.time_s;

@@ -22,11 +22,15 @@ LIMITS = ("--fix", "densest_void_ratio", "--fix", "critical_void_ratio", "--fix"
 
 
 def recovery(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh recovery --sets 3")
+    return timed(triax, "bench/calibrate/run.sh recovery --sets 40")
 
 
 def coverage(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh coverage --sets 8")
+    return timed(triax, "bench/calibrate/run.sh coverage --sets 40")
+
+
+def left_out(triax) -> str:
+    return timed(triax, "bench/calibrate/run.sh left-out --sets 10")
 
 
 def seeds(triax) -> str:

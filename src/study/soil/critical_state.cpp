@@ -15,7 +15,7 @@ namespace triax::study {
 namespace {
 
 constexpr int kWindows = 6;
-constexpr double kLastPart = 0.4, kLeastStrain = 0.05, kOfTheWay = 0.1;
+constexpr double kLastPart = 0.4, kLeastStrain = 0.05;
 constexpr double kFalling = 0.75, kDeviations = 3;
 constexpr double kNearE = 0.005, kNearLogP = 0.05, kNearEta = 0.02;
 constexpr double kFarE = 0.06, kFarLogP = 0.7, kFarEta = 0.15;
@@ -136,7 +136,8 @@ CriticalState extrapolated(const std::vector<Window>& windows, bool with_e) {
   const auto e = with_e ? at_no_rate(windows, void_ratio_of) : std::nullopt;
   if (!eta || !lp) return none("too few readings in the last part of shear", last.rate.slope);
   CriticalState state{CriticalKind::extrapolated, {}, *eta, *lp, e, last.rate.slope};
-  const double eta_way = std::abs(eta->value - last.eta.at) / last.eta.at;
+  state.eta_way = eta->value - last.eta.at;
+  const double eta_way = std::abs(state.eta_way) / last.eta.at;
   const double p_way = std::abs(lp->value - last.log_p.at);
   const double e_way = e ? std::abs(e->value - last.void_ratio->at) : 0;
   if (eta_way > kFarEta || p_way > kFarLogP || e_way > kFarE || eta->value <= 0)

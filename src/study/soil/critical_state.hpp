@@ -20,8 +20,13 @@ struct CriticalState {
   Estimate eta;        ///< |q|/p′
   Estimate log_p;      ///< ln(p′/1 kPa)
   std::optional<Estimate> void_ratio;
-  double rate = 0;  ///< dε_v/dε_q at the end, or d ln p′/dε_q with the valve closed
+  double rate = 0;     ///< dε_v/dε_q at the end, or d ln p′/dε_q with the valve closed
+  double eta_way = 0;  ///< by which η was extrapolated
 };
+
+/// Standard error of an extrapolation, as a share of its way: curves of one sand bend alike, so
+/// that it is common to tests of one sand.
+inline constexpr double kOfTheWay = 0.1;
 
 /// The last part of shear (from 40 % of its strain or the largest η, whichever is later) in six
 /// windows, each with its rate r = dε_v/dε_q (drained) or d ln p′/dε_q (undrained). Where r of the

@@ -162,14 +162,17 @@ std::optional<MeanFit> fit_mean(const std::vector<FitPoint>& points) {
       balancing_scatter([&](double s) { return sum(s) - degrees; }, range_of_y(points) + 1e-300);
   const Sums mean = means(points, 0, scatter);
   double variance = 0, squares = 0;
+  std::vector<double> shares;
+  shares.reserve(points.size());
   for (const auto& p : points) {
     const double share = weight(p, 0, scatter) / mean.weight, r = p.y - mean.y;
+    shares.push_back(share);
     variance += share * share * r * r / std::max(1 - share, 1e-12);
     squares += share * share;
   }
   return MeanFit{estimate(mean.y, std::sqrt(variance), std::max(1 / squares - 1, 1.0),
                           static_cast<int>(points.size())),
-                 scatter};
+                 scatter, std::move(shares)};
 }
 
 }  // namespace triax::study

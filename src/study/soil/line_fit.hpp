@@ -59,6 +59,7 @@ double weighted_residuals(const LineFit& line, const std::vector<FitPoint>& poin
 struct MeanFit {
   Estimate mean;
   double scatter = 0;
+  std::vector<double> shares;  ///< v_i
 };
 /// Nothing for fewer than two.
 std::optional<MeanFit> fit_mean(const std::vector<FitPoint>& points);

@@ -1,72 +1,132 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/study/soil/odd_tests.hpp"
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
+
+#include "src/study/soil/estimate.hpp"
 
 namespace triax::study {
 namespace {
 
-constexpr double kChance = 0.01;
-constexpr double kUsualTests = 4;
+constexpr double kChance = 0.02;
+constexpr double kUsualTests = 10;
+constexpr int kRounds = 4;  // slopes and weights in turn
+/// Forms are weighed by Akaike's criterion, and open where they differ by no more.
+constexpr double kPerNumber = 2, kOpen = 2;
+
+using Points = std::vector<JudgedPoint>;
 
 struct Judged {
   double residual = 0, deviations = 0, chance = 1;
 };
 
-/// The point beside the fit through the others.
-std::optional<Judged> judged(const FitPoint& point, const std::vector<FitPoint>& others,
-                             FitKind kind, double usual) {
-  double predicted = 0, line_variance = 0, scatter_squared = 0, slope = 0, own = 0;
-  if (kind == FitKind::line) {
-    const auto fit = fit_line(others);
-    if (!fit) return std::nullopt;
-    predicted = fit->at(point.x);
-    line_variance = fit->error_at(point.x) * fit->error_at(point.x);
-    scatter_squared = fit->scatter * fit->scatter;
-    slope = fit->b;
-    own = fit->degrees();
-  } else {
-    const auto fit = fit_mean(others);
-    if (!fit) return std::nullopt;
-    predicted = fit->mean.value;
-    line_variance = fit->mean.error * fit->mean.error;
-    scatter_squared = fit->scatter * fit->scatter;
-    own = fit->mean.tests - 1;
+struct Fit {
+  Eigen::VectorXd numbers;     ///< a, b_1, ...
+  Eigen::MatrixXd covariance;  ///< for a factor of 1
+  double sum = 0;              ///< Σ r²/v
+  double criterion = 0;        ///< sum + Σ ln v + 2 p
+  double degrees = 0;          ///< m − p
+};
+
+Eigen::VectorXd row_of(const JudgedPoint& p) {
+  Eigen::VectorXd row(static_cast<Eigen::Index>(p.x.size()) + 1);
+  row(0) = 1;
+  for (std::size_t k = 0; k < p.x.size(); ++k) row(static_cast<Eigen::Index>(k) + 1) = p.x[k];
+  return row;
+}
+
+double variance_of(const JudgedPoint& p, const Eigen::VectorXd& numbers) {
+  double v = p.y_error * p.y_error + p.usual * p.usual;
+  for (std::size_t k = 0; k < p.x.size(); ++k) {
+    const double b = numbers(static_cast<Eigen::Index>(k) + 1);
+    v += b * b * p.x_error[k] * p.x_error[k];
+    if (k == 0) v += b * b * p.usual_of_x * p.usual_of_x;
   }
-  const double degrees = own + kUsualTests;
-  const double s2 = (own * scatter_squared + kUsualTests * usual * usual) / degrees;
-  const double error2 = point.y_error * point.y_error +
-                        slope * slope * point.x_error * point.x_error -
-                        2 * slope * point.correlation * point.x_error * point.y_error;
+  return std::max(v, 1e-300);
+}
+
+std::optional<Fit> fitted(const Points& points) {
+  const auto m = static_cast<Eigen::Index>(points.size());
+  const Eigen::Index p = points.empty() ? 1 : row_of(points.front()).size();
+  if (m <= p) return std::nullopt;
+  Eigen::MatrixXd rows(m, p);
+  Eigen::VectorXd y(m), v(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    rows.row(i) = row_of(points[static_cast<std::size_t>(i)]).transpose();
+    y(i) = points[static_cast<std::size_t>(i)].y;
+  }
+  Fit fit{.numbers = Eigen::VectorXd::Zero(p), .covariance = {}};
+  for (int round = 0; round < kRounds; ++round) {
+    for (Eigen::Index i = 0; i < m; ++i)
+      v(i) = variance_of(points[static_cast<std::size_t>(i)], fit.numbers);
+    const Eigen::MatrixXd weighted = v.cwiseInverse().asDiagonal() * rows;
+    const Eigen::FullPivLU<Eigen::MatrixXd> normal(rows.transpose() * weighted);
+    if (!normal.isInvertible()) return std::nullopt;
+    fit.covariance = normal.inverse();
+    fit.numbers = fit.covariance * (weighted.transpose() * y);
+  }
+  fit.sum = (y - rows * fit.numbers).cwiseAbs2().cwiseQuotient(v).sum();
+  fit.criterion = fit.sum + v.array().log().sum() + kPerNumber * static_cast<double>(p);
+  fit.degrees = static_cast<double>(m - p);
+  return fit;
+}
+
+Judged beside(const JudgedPoint& point, const Fit& fit) {
+  const double degrees = fit.degrees + kUsualTests;
+  const double factor = (fit.sum + kUsualTests) / degrees;
+  const Eigen::VectorXd row = row_of(point);
+  const double variance = variance_of(point, fit.numbers) + row.dot(fit.covariance * row);
   Judged j;
-  j.residual = point.y - predicted;
-  j.deviations = j.residual / std::sqrt(s2 + error2 + line_variance);
+  j.residual = point.y - row.dot(fit.numbers);
+  j.deviations = j.residual / std::sqrt(factor * variance);
   j.chance = chance_beyond(j.deviations, degrees);
   return j;
 }
 
+Points without(const Points& points, const std::vector<bool>& out, std::size_t also) {
+  Points left;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!out[i] && i != also) left.push_back(points[i]);
+  return left;
+}
+
+/// The test beside the others, in the open form in which it is least odd.
+std::optional<Judged> judged(const std::vector<Points>& forms, const std::vector<bool>& out,
+                             std::size_t i) {
+  std::vector<std::pair<double, Judged>> found;
+  for (const Points& points : forms) {
+    const auto fit = fitted(without(points, out, i));
+    if (!fit) return std::nullopt;
+    found.emplace_back(fit->criterion, beside(points[i], *fit));
+  }
+  double best = found.front().first;
+  for (const auto& [criterion, of] : found) best = std::min(best, criterion);
+  std::optional<Judged> least;
+  for (const auto& [criterion, of] : found)
+    if (criterion <= best + kOpen && (!least || of.chance > least->chance)) least = of;
+  return least;
+}
+
 }  // namespace
 
-std::vector<OddTest> odd_tests(std::vector<FitPoint> points, FitKind kind, double usual) {
+std::vector<OddTest> odd_tests(const std::vector<std::vector<JudgedPoint>>& forms) {
   std::vector<OddTest> odd;
-  std::vector<std::size_t> index(points.size());
-  std::iota(index.begin(), index.end(), std::size_t{0});
-  const std::size_t most = points.size() / 3;
-  while (odd.size() < most) {
+  const std::size_t count = forms.front().size();
+  std::vector<bool> out(count, false);
+  while (odd.size() < count / 3) {
     std::optional<Judged> worst;
     std::size_t at = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      auto others = points;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      const auto j = judged(points[i], others, kind, usual);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (out[i] || !forms.front()[i].judged) continue;
+      const auto j = judged(forms, out, i);
       if (j && (!worst || j->chance < worst->chance)) worst = j, at = i;
     }
-    if (!worst || worst->chance * static_cast<double>(points.size()) > kChance) break;
-    odd.push_back({index[at], worst->residual, worst->deviations});
-    points.erase(points.begin() + static_cast<std::ptrdiff_t>(at));
-    index.erase(index.begin() + static_cast<std::ptrdiff_t>(at));
+    if (!worst || worst->chance * static_cast<double>(count - odd.size()) > kChance) break;
+    odd.push_back({at, worst->residual, worst->deviations});
+    out[at] = true;
   }
   return odd;
 }

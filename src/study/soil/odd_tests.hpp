@@ -2,10 +2,7 @@
 #pragma once
 // Tests that do not belong to the others of a fit.
 #include <cstddef>
-#include <string>
 #include <vector>
-
-#include "src/study/soil/line_fit.hpp"
 
 namespace triax::study {
 
@@ -15,14 +12,30 @@ struct OddTest {
   double deviations = 0;  ///< residual in standard deviations
 };
 
-enum class FitKind { mean, line };
+/// A test beside the others: y = a + Σ b_k x_k.
+struct JudgedPoint {
+  double y = 0, y_error = 0;         ///< standard error of its measurement
+  std::vector<double> x, x_error;    ///< of equal size; none: a mean is asked
+  double usual = 0, usual_of_x = 0;  ///< standard deviations of repeated tests of a good
+                                     ///< laboratory, of y and of the first x
+  bool judged = true;                ///< false: it is one of the others only
+};
 
 /// The points that lie so far from the fit through the others that chance does it in less than one
-/// fit of a hundred (Student's t of the deleted residual, divided among the points); the worst is
-/// taken out, then the rest is asked again, no more than a third of them in all. The variance is
-/// that of the others together with `usual`, the standard deviation that repeated tests of a good
-/// laboratory have, which counts as four tests: three tests that happen to lie on one line
-/// condemn no fourth.
-std::vector<OddTest> odd_tests(std::vector<FitPoint> points, FitKind kind, double usual);
+/// fit of fifty (Student's t of the deleted residual, divided among the points); the worst is
+/// taken out, then the rest is asked again, no more than a third of them in all.
+///
+///   v_i = σ_y² + usual² + Σ b_k² σ_xk² + b_1² usual_of_x²
+///   f   = (Σ r_j²/v_j + 10)/(m − p + 10)       of the m others, p numbers of the fit
+///   t   = r_i/√(f (v_i + var of the fit there)),   m − p + 10 degrees
+///
+/// What is usual counts as ten tests: three tests that happen to lie on one line condemn no
+/// fourth, and of many tests their own scatter decides.
+///
+/// `forms`: the same points under each form of the relation that may hold (a straight line, a
+/// curve, one variable more: x differs). Of the forms that the others leave open (Akaike's
+/// criterion), that one counts in which the test is least odd; a form for which the others are too
+/// few leaves all open, and none is judged. Pre-condition: at least one form.
+std::vector<OddTest> odd_tests(const std::vector<std::vector<JudgedPoint>>& forms);
 
 }  // namespace triax::study

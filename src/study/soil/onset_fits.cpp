@@ -9,7 +9,8 @@
 namespace triax::study {
 namespace {
 
-constexpr double kUsualOnset = 0.04, kUsualLogCsr = 0.1;
+/// Of repeated tests: half a degree of friction, a tenth of CSR.
+constexpr double kUsualOnset = 0.02, kUsualLogCsr = 0.1;
 
 template <class X>
 Gathered onsets_over(const Soil& soil, lab::CollapseKind kind, bool extension, const X& x) {
@@ -54,8 +55,10 @@ void fit_kind(Soil& soil, const SoilOptions& options, lab::CollapseKind kind, bo
                      .over_void_ratio = {},
                      .over_pressure = {}};
   // Odd tests are named once, by the trend that explains most.
-  trends.over_state = trend_of(soil, options, onsets_over(soil, kind, extension, psi),
-                               {what + " over ψ", words.value, words.usual});
+  const Gathered by_state = onsets_over(soil, kind, extension, psi);
+  const FitWords of_state{what + " over ψ", words.value, words.usual, 0, kUsualPsi};
+  trends.over_state =
+      trend_of(soil, options, by_state, forms_over_state(soil, by_state, of_state), of_state);
   if (trends.over_state) add_error_of_line(soil, *trends.over_state);
   const auto others = [&](const Gathered& all) -> std::optional<Trend> {
     const auto line = fit_line(all.points);

@@ -10,9 +10,12 @@
 namespace triax::study {
 namespace {
 
-constexpr double kUsualEta = 0.03, kUsualDilatancy = 0.06, kUsualRatio = 0.1;
+/// Of repeated tests: half a degree of friction, a twentieth of an undrained strength.
+constexpr double kUsualEta = 0.02, kUsualDilatancy = 0.02, kUsualRatio = 0.05;
 /// Of σ₁′, and by how much it grows with the range of void ratios: a set is meant to have one.
-constexpr double kUsualStrength = 0.04, kByVoidRatio = 1.0, kOneDensity = 0.1;
+constexpr double kUsualStrength = 0.02, kByVoidRatio = 1.5, kOneDensity = 0.1;
+/// Fall of η after its peak that makes it one: of a level curve any point may be the largest.
+constexpr double kPassed = 0.01;
 
 bool in_compression(const TestPoints& test) { return test.used && !test.extension && !test.cyclic; }
 
@@ -58,21 +61,43 @@ std::optional<Estimate> strength_of(const TestPoints& test) {
   return measured(*test.strength_ratio, 0.005 * *test.strength_ratio);
 }
 
+bool level(const TestPoints& test) {
+  double least = test.peak_eta->eta();
+  for (const auto& p : test.path)
+    if (p.axial_strain > test.peak_eta->axial_strain) least = std::min(least, p.eta());
+  return least > (1 - kPassed) * test.peak_eta->eta();
+}
+
+/// A level curve has its dilatancy anywhere: it judges no test.
+Forms peak_forms(const Soil& soil, const Gathered& all, const FitWords& words) {
+  Forms forms{judged_points(all, FitKind::line, words)};
+  for (std::size_t i = 0; i < all.tests.size(); ++i)
+    forms.front()[i].judged = !level(soil.tests[all.tests[i]]);
+  return forms;
+}
+
 }  // namespace
 
 void fit_peaks(Soil& soil, const SoilOptions& options) {
   // Peaks depend on density: the scatter of their mean is that of the sand, and none is odd.
   if (const auto angles = peak_angles(soil); angles.points.size() > 1)
     soil.peak_angle_deg = Level{*fit_mean(angles.points), angles.tests};
-  soil.stress_dilatancy =
-      trend_of(soil, options, stress_over_dilatancy(soil),
-               {"stress-dilatancy at the peak", "η at the peak", kUsualEta}, false);
-  soil.dilatancy_over_state =
-      trend_of(soil, options, over_state(soil, [](const auto& t) { return t.dilatancy_at_peak; }),
-               {"dilatancy over ψ", "dε_v/dε_q at the peak", kUsualDilatancy}, false);
-  soil.strength_over_state =
-      trend_of(soil, options, over_state(soil, strength_of),
-               {"undrained strength over ψ", "q_peak/(2 p′₀)", kUsualRatio}, false);
+  const Gathered peaks = stress_over_dilatancy(soil);
+  const FitWords words{"stress-dilatancy at the peak", "η at the peak", kUsualEta};
+  Forms forms = peak_forms(soil, peaks, words);
+  add_form(forms,
+           over_pressure(soil, peaks, [](const TestPoints& t) { return t.peak_eta->p_eff_kPa; }));
+  soil.stress_dilatancy = trend_of(soil, options, peaks, forms, words, false);
+  const Gathered dilatancies = over_state(soil, [](const auto& t) { return t.dilatancy_at_peak; });
+  const FitWords of_dilatancy{"dilatancy over ψ", "dε_v/dε_q at the peak", kUsualDilatancy, 0,
+                              kUsualPsi};
+  soil.dilatancy_over_state = trend_of(
+      soil, options, dilatancies, peak_forms(soil, dilatancies, of_dilatancy), of_dilatancy, false);
+  const Gathered strengths = over_state(soil, strength_of);
+  const FitWords of_strength{"undrained strength over ψ", "q_peak/(2 p′₀)", 0, kUsualRatio,
+                             kUsualPsi};
+  soil.strength_over_state = trend_of(
+      soil, options, strengths, forms_over_state(soil, strengths, of_strength), of_strength, false);
 }
 
 void fit_strength(Soil& soil, const SoilOptions& options) {
@@ -89,11 +114,18 @@ void fit_strength(Soil& soil, const SoilOptions& options) {
     all.add(strength_point(circles.back()), i);
   }
   const double range = soil.loosest.value_or(0) - soil.densest.value_or(0);
-  double mean = 0;
-  for (const auto& c : circles) mean += c.major_kPa / static_cast<double>(circles.size());
-  const Gathered left = without_odd(
-      soil, options, all, FitKind::line,
-      {"c′ and φ′", "σ₁′ at failure (kPa)", (kUsualStrength + kByVoidRatio * range) * mean});
+  const bool one_drainage = std::ranges::all_of(circles, [&](const auto& c) {
+    return soil.tests[c.test].drained == soil.tests[circles.front().test].drained;
+  });
+  Gathered left = all;
+  // Specimens of several densities, or of both drainages, are on no one line.
+  if (range <= kOneDensity && one_drainage) {
+    const double by_density = kByVoidRatio * range / std::sqrt(12.0);  // spread evenly
+    for (auto& point : all.points) point.y_error = 0;  // what specimens scatter is in the words
+    left = without_odd(
+        soil, options, all, FitKind::line,
+        {"c′ and φ′", "σ₁′ at failure (kPa)", 0, std::hypot(kUsualStrength, by_density)});
+  }
   std::erase_if(circles, [&](const auto& c) {
     return std::ranges::find(left.tests, c.test) == left.tests.end();
   });

@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace triax::study {
 namespace {
 
-void name_odd(Soil& soil, const OddTest& odd, std::size_t test, const FitWords& words, bool kept) {
+void say_odd(Soil& soil, const OddTest& odd, std::size_t test, const FitWords& words, bool kept) {
   auto& of = soil.tests[test];
   const std::string why =
       fmt::format("{} lies {:.3g} {} what the others give for {} ({:.1f} standard deviations)",
@@ -21,25 +22,82 @@ void name_odd(Soil& soil, const OddTest& odd, std::size_t test, const FitWords& 
 
 }  // namespace
 
-Gathered without_odd(Soil& soil, const SoilOptions& options, const Gathered& all, FitKind kind,
-                     const FitWords& words, Gathered* odd) {
-  Gathered left = all;
-  for (const auto& one : odd_tests(all.points, kind, words.usual)) {
-    const std::size_t test = all.tests[one.index];
-    name_odd(soil, one, test, words, options.keep_odd);
-    if (options.keep_odd) continue;
-    if (odd != nullptr) odd->add(all.points[one.index], test);
-    const auto at = std::ranges::find(left.tests, test) - left.tests.begin();
-    left.tests.erase(left.tests.begin() + at);
-    left.points.erase(left.points.begin() + at);
+std::vector<JudgedPoint> judged_points(const Gathered& all, FitKind kind, const FitWords& words) {
+  std::vector<JudgedPoint> points;
+  points.reserve(all.points.size());
+  for (const FitPoint& p : all.points) {
+    JudgedPoint judged{.y = p.y, .x = {}, .x_error = {}};
+    judged.y_error =
+        std::sqrt(std::max(p.y_error * p.y_error - all.least_error * all.least_error, 0.0));
+    judged.usual = std::hypot(words.usual, words.usual_share * p.y);
+    judged.usual_of_x = words.usual_of_x;
+    if (kind == FitKind::line) judged.x = {p.x}, judged.x_error = {p.x_error};
+    points.push_back(std::move(judged));
+  }
+  return points;
+}
+
+void add_form(Forms& forms, const std::vector<double>& x) {
+  auto form = forms.back();
+  for (std::size_t i = 0; i < form.size(); ++i)
+    form[i].x.push_back(x[i]), form[i].x_error.push_back(0);
+  forms.push_back(std::move(form));
+}
+
+Forms forms_over_state(const Soil& soil, const Gathered& all, const FitWords& words) {
+  auto points = judged_points(all, FitKind::line, words);
+  if (!points.empty()) {
+    const auto by_state = [](const auto& a, const auto& b) { return a.x.front() < b.x.front(); };
+    std::ranges::min_element(points, by_state)->judged = false;
+    std::ranges::max_element(points, by_state)->judged = false;
+  }
+  std::vector<double> squares, pressures;
+  for (std::size_t i = 0; i < all.tests.size(); ++i) {
+    squares.push_back(all.points[i].x * all.points[i].x);
+    pressures.push_back(std::log(*soil.tests[all.tests[i]].p_eff_kPa));
+  }
+  Forms curved{points}, forms{points};
+  add_form(curved, squares);
+  add_form(curved, pressures);
+  add_form(forms, pressures);
+  forms.insert(forms.end(), curved.begin() + 1, curved.end());
+  return forms;
+}
+
+std::vector<std::size_t> name_odd(Soil& soil, const SoilOptions& options, const Forms& forms,
+                                  const std::vector<std::size_t>& tests, const FitWords& words) {
+  std::vector<std::size_t> named;
+  for (const auto& one : odd_tests(forms)) {
+    named.push_back(tests[one.index]);
+    say_odd(soil, one, named.back(), words, options.keep_odd);
+  }
+  return named;
+}
+
+Gathered without(const Gathered& all, const std::vector<std::size_t>& tests,
+                 const SoilOptions& options, Gathered* odd) {
+  if (options.keep_odd) return all;
+  Gathered left;
+  for (std::size_t i = 0; i < all.tests.size(); ++i) {
+    const bool out = std::ranges::find(tests, all.tests[i]) != tests.end();
+    if (!out) left.add(all.points[i], all.tests[i]);
+    if (out && odd != nullptr) odd->add(all.points[i], all.tests[i]);
   }
   return left;
 }
 
-std::optional<Trend> trend_of(Soil& soil, const SoilOptions& options, const Gathered& all,
-                              const FitWords& words, bool say_missing) {
-  Gathered odd;
-  const Gathered left = without_odd(soil, options, all, FitKind::line, words, &odd);
+Gathered without_odd(Soil& soil, const SoilOptions& options, const Gathered& all,
+                     const Forms& forms, const FitWords& words, Gathered* odd) {
+  return without(all, name_odd(soil, options, forms, all.tests, words), options, odd);
+}
+
+Gathered without_odd(Soil& soil, const SoilOptions& options, const Gathered& all, FitKind kind,
+                     const FitWords& words, Gathered* odd) {
+  return without_odd(soil, options, all, Forms{judged_points(all, kind, words)}, words, odd);
+}
+
+std::optional<Trend> trend_through(Soil& soil, const Gathered& left, const Gathered& odd,
+                                   const FitWords& words, bool say_missing) {
   if (const auto line = fit_line(left.points))
     return Trend{*line, left.points, left.tests, odd.points, odd.tests};
   if (say_missing)
@@ -51,9 +109,22 @@ std::optional<Trend> trend_of(Soil& soil, const SoilOptions& options, const Gath
   return std::nullopt;
 }
 
+std::optional<Trend> trend_of(Soil& soil, const SoilOptions& options, const Gathered& all,
+                              const FitWords& words, bool say_missing) {
+  return trend_of(soil, options, all, Forms{judged_points(all, FitKind::line, words)}, words,
+                  say_missing);
+}
+
+std::optional<Trend> trend_of(Soil& soil, const SoilOptions& options, const Gathered& all,
+                              const Forms& forms, const FitWords& words, bool say_missing) {
+  Gathered odd;
+  const Gathered left = without_odd(soil, options, all, forms, words, &odd);
+  return trend_through(soil, left, odd, words, say_missing);
+}
+
 std::optional<Level> level_of(Soil& soil, const SoilOptions& options, const Gathered& all,
-                              const FitWords& words) {
-  const Gathered left = without_odd(soil, options, all, FitKind::mean, words);
+                              const Forms& forms, const FitWords& words) {
+  const Gathered left = without_odd(soil, options, all, forms, words);
   if (const auto fit = fit_mean(left.points)) return Level{*fit, left.tests};
   if (!left.points.empty())
     soil.notes.push_back(fmt::format("{} needs two tests and has one", words.what));

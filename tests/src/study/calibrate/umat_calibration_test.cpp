@@ -32,3 +32,34 @@ TEST_CASE("numbers of a UMAT are found from tests that it made", "[slow]") {
   CHECK(found.parameters[1].value == Approx(sim::test::kM).epsilon(0.01));
   CHECK(found.material.parameters.lists.at("properties")[2] == found.parameters[1].value);
 }
+
+TEST_CASE("A plug-in that crashes is a misfit that no parameter lessens") {
+  if (!sim::test::umat_fixture_is_there()) return;
+  const auto set_with = [](sim::test::Misbehaviour what) {
+    lab::MaterialSet set{.name = "umat/cone", .law = sim::find_law("umat")};
+    set.parameters = sim::test::umat_fixture(what);
+    set.material = sim::test::make_umat(set.parameters);
+    return set;
+  };
+  const auto free = lab::read_search(R"([search]
+"properties.3" = [0.9, 1.5]
+)",
+                                     "umat.toml");
+  std::mt19937_64 dice(1);
+  const std::vector<MeasuredPath> paths = {bench::virtual_path(
+      set_with(sim::test::Misbehaviour::none), {Imposed::drained, 100, 0.8}, {}, dice, 20)};
+  const SearchSpace sound(set_with(sim::test::Misbehaviour::none), free);
+  const Misfit good(sound, paths, 1, {});
+  CHECK(good.residuals_of({sound.start_point()}).norm() < 0.05);
+  for (const auto what : {sim::test::Misbehaviour::null_pointer, sim::test::Misbehaviour::stop,
+                          sim::test::Misbehaviour::nan_stress}) {
+    const SearchSpace space(set_with(what), free);
+    const Misfit misfit(space, paths, 1, {});
+    const auto r = misfit.residuals_of(
+        {Unknowns::Constant(1, 0.1), Unknowns::Constant(1, 0.5), Unknowns::Constant(1, 0.9)});
+    CHECK(r.allFinite());
+    CHECK(r.col(0).norm() > kRefused);  // two series, each of weight 1
+    CHECK(r.col(0) == r.col(1));
+    CHECK(r.col(0) == r.col(2));
+  }
+}
