@@ -102,8 +102,9 @@ TEST_CASE("the remark of a test without consolidation has no word of collapse") 
   auto test = undrained(src::test::flow_test());
   test.stored.header.programme = "UU";
   test.stored.summary.collapse.judged_until_reason = "too few readings";
-  const auto document = ags_delivery({test}, {}, "2026-11-25");
-  CHECK(cell(document, "TRIG_REM").empty());
+  CHECK(cell(ags_delivery({test}, {}, "2026-11-25"), "TRIG_REM") == "(none)");
+  test.stored.header.origin = lab::Origin::simulated;
+  CHECK(cell(ags_delivery({test}, {}, "2026-11-25"), "TRIG_REM") == "SIMULATED, not measured");
 }
 
 TEST_CASE("a cyclic test goes out with one row a cycle") {
