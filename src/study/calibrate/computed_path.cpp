@@ -103,10 +103,15 @@ class Way {
   std::string refusal_;
 };
 
-double work_of(const sim::Law<Space>& law, const Way& way, const Control& control) {
+/// Empty where a plug-in fails.
+std::optional<double> work_of(const sim::Law<Space>& law, const Way& way, const Control& control) {
   if (law.objection(way.state())) return 1;
-  const auto rate = sim::point_rate(law, way.state(), control);
-  return rate.controllable ? rate.normalised_work() : -1;
+  try {
+    const auto rate = sim::point_rate(law, way.state(), control);
+    return rate.controllable ? rate.normalised_work() : -1;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -140,7 +145,9 @@ std::optional<double> onset_eta(const sim::Law<Space>& law, const MeasuredPath& 
     way.advance(control);
     if (!way.refusal().empty())
       return path.imposed == Imposed::stress_path ? eta(way) : std::nullopt;
-    if (work_of(law, way, control) >= 0) continue;
+    const auto work = work_of(law, way, control);
+    if (!work) return std::nullopt;
+    if (*work >= 0) continue;
     double low = 0, high = 1;  // share of the step; positive at `low`
     for (int i = 0; i < 40; ++i) {
       const double middle = (low + high) / 2;
@@ -148,7 +155,9 @@ std::optional<double> onset_eta(const sim::Law<Space>& law, const MeasuredPath& 
       part.increment *= middle;
       Way probe = before;
       probe.advance(part);
-      (probe.refusal().empty() && work_of(law, probe, control) >= 0 ? low : high) = middle;
+      const auto of_probe =
+          probe.refusal().empty() ? work_of(law, probe, control) : std::optional<double>();
+      (of_probe && *of_probe >= 0 ? low : high) = middle;
     }
     Control part = control;
     part.increment *= high;

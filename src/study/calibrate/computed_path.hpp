@@ -30,7 +30,8 @@ ComputedPath drive(const sim::Law<sim::Axisymmetric>& law, const MeasuredPath& p
                    const DrivingOptions& options = {});
 
 /// q/p′ where the second-order work of the law along the path first becomes negative, isolated
-/// within the step, or where the imposed stress cannot be held; empty where neither happens.
+/// within the step, or where the imposed stress cannot be held; empty where neither happens, and
+/// where a plug-in fails before.
 std::optional<double> onset_eta(const sim::Law<sim::Axisymmetric>& law, const MeasuredPath& path,
                                 const DrivingOptions& options = {});
 

@@ -8,6 +8,17 @@
 using namespace triax;
 using namespace triax::study;
 
+namespace {
+
+lab::MaterialSet set_with(sim::test::Misbehaviour what) {
+  lab::MaterialSet set{.name = "umat/cone", .law = sim::find_law("umat")};
+  set.parameters = sim::test::umat_fixture(what);
+  set.material = sim::test::make_umat(set.parameters);
+  return set;
+}
+
+}  // namespace
+
 TEST_CASE("numbers of a UMAT are found from tests that it made", "[slow]") {
   if (!sim::test::umat_fixture_is_there()) return;
   lab::MaterialSet start{.name = "umat/cone", .law = sim::find_law("umat")};
@@ -35,12 +46,6 @@ TEST_CASE("numbers of a UMAT are found from tests that it made", "[slow]") {
 
 TEST_CASE("A plug-in that crashes is a misfit that no parameter lessens") {
   if (!sim::test::umat_fixture_is_there()) return;
-  const auto set_with = [](sim::test::Misbehaviour what) {
-    lab::MaterialSet set{.name = "umat/cone", .law = sim::find_law("umat")};
-    set.parameters = sim::test::umat_fixture(what);
-    set.material = sim::test::make_umat(set.parameters);
-    return set;
-  };
   const auto free = lab::read_search(R"([search]
 "properties.3" = [0.9, 1.5]
 )",
@@ -62,4 +67,20 @@ TEST_CASE("A plug-in that crashes is a misfit that no parameter lessens") {
     CHECK(r.col(0) == r.col(1));
     CHECK(r.col(0) == r.col(2));
   }
+}
+
+TEST_CASE("A plug-in that fails on the way to a collapse predicts none, and ends nothing") {
+  if (!sim::test::umat_fixture_is_there()) return;
+  using enum sim::test::Misbehaviour;
+  std::mt19937_64 dice(1);
+  const auto path =
+      bench::virtual_path(set_with(none), {Imposed::undrained, 100, 0.8}, {}, dice, 20);
+  int answers = 0;
+  for (const auto what :
+       {null_pointer, stop, nan_stress, no_tangent, infinite_tangent, nan_state}) {
+    std::optional<double> eta;
+    CHECK_NOTHROW(eta = onset_eta(*set_with(what).material.axisymmetric, path, {}));
+    answers += eta.has_value();
+  }
+  CHECK(answers <= 1);
 }
