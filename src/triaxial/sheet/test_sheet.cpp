@@ -99,7 +99,7 @@ Sheet test_sheet(const SheetTest& test) {
               .footer = sheet_footer(stored)};
   sheet.rows.push_back(boxes({{1, head_box(test)}}));
   sheet.rows.push_back(boxes(
-      {{1.1, specimen_box(test)}, {1.2, saturation_box(test)}, {1.15, consolidation_box(test)}}));
+      {{1, specimen_box(test)}, {1.2, saturation_box(test)}, {1.15, consolidation_box(test)}}));
   add_figures(sheet, sheet_figures(test));
   sheet.rows.push_back(boxes({{1.1, failure_box(test)}, {1.1, verdict_box(test)}}));
   if (auto circle = circle_part(test); circle.plot) {
