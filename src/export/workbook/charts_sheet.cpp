@@ -43,6 +43,7 @@ void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKi
   if (kind.ends) {
     chart_axis_set_min(chart->y_axis, kind.ends->first);
     chart_axis_set_max(chart->y_axis, kind.ends->second);
+    chart_axis_set_major_unit(chart->y_axis, axis_step(kind.ends->first, kind.ends->second));
   }
   chart_legend_set_position(chart, LXW_CHART_LEGEND_NONE);
   worksheet_insert_chart(sheet.get(), static_cast<lxw_row_t>(row), static_cast<lxw_col_t>(column),
@@ -51,14 +52,18 @@ void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKi
 
 }  // namespace
 
-std::pair<double, double> axis_ends(double low, double high) {
+double axis_step(double low, double high) {
   constexpr double kSteps = 5;
   const double wanted = std::max(high - low, 1.0) / kSteps;
   double step = std::pow(10, std::floor(std::log10(wanted)));
   for (const double times : {2.0, 2.5, 2.0})
     if (step < wanted) step *= times;
-  return {step * std::floor(low / step),
-          step * std::max(std::ceil(high / step), std::floor(low / step) + 1)};
+  return step;
+}
+
+std::pair<double, double> axis_ends(double low, double high) {
+  const double step = axis_step(low, high), from = std::floor(low / step);
+  return {step * from, step * std::max(std::ceil(high / step), from + 1)};
 }
 
 void write_charts(Book& book, Sheet& sheet, const ShearRows& rows, bool pore_pressure,

@@ -23,8 +23,10 @@ struct ShearRows {
   }
 };
 
-/// Ends of an axis around these values, at whole steps of 1, 2 or 5 times a power of ten: a back
-/// pressure of some hundred kPa shall not flatten what moved on top of it.
+/// Step of an axis over these values: 1, 2 or 5 times a power of ten.
+double axis_step(double low, double high);
+/// Ends of the axis, at whole steps: a back pressure of some hundred kPa shall not flatten what
+/// moved on top of it.
 std::pair<double, double> axis_ends(double low, double high);
 
 /// q over ε₁, q over p′, u over ε₁ where it is known and the drainage was closed, else ε_v, and

@@ -134,12 +134,12 @@ SheetBox spread_box(const TestSet& set) {
   for (const auto& [kind, count] : kinds)
     line += fmt::format("{}{} {}", line.empty() ? "collapse: " : ", ", count, kind);
   box.lines.push_back(line);
-  if (const auto stride = stride_of_many(set.tests.size()); stride > 1)
-    box.lines.push_back(fmt::format(
-        "bands hold nine of ten tests, lines are medians; of paths and circles one in {} is drawn",
-        stride));
-  else
-    box.lines.emplace_back("bands hold nine of ten tests, lines are medians");
+  const auto drawn = drawn_of_many(set.tests.size()).size();
+  box.lines.push_back(drawn < set.tests.size()
+                          ? fmt::format("bands hold nine of ten tests, lines are medians; of paths "
+                                        "and circles {} are drawn",
+                                        drawn)
+                          : "bands hold nine of ten tests, lines are medians");
   box.lines.emplace_back(
       "the table of each test: triax report --format json; a page a test: --each");
   return box;
@@ -207,8 +207,7 @@ SheetPart circles_part(const Strength& strength) {
   if (strength.circles.empty()) return {};
   constexpr std::size_t kMostNames = 12;
   std::vector<DrawnCircle> circles;
-  const std::size_t stride = stride_of_many(strength.circles.size());
-  for (std::size_t i = 0; i < strength.circles.size(); i += stride) {
+  for (const std::size_t i : drawn_of_many(strength.circles.size())) {
     const auto& c = strength.circles[i];
     circles.push_back(
         {strength.circles.size() <= kMostNames ? c.name : "", c.minor_kPa, c.major_kPa});

@@ -386,9 +386,14 @@ OwnPlot total_stress_figure(const std::vector<const SheetTest*>& tests) {
   return set_figure(tests, axial_strain_axis(), q_axis());
 }
 
-std::size_t stride_of_many(std::size_t count) {
-  constexpr std::size_t kMostDrawn = 60;
-  return (count + kMostDrawn - 1) / kMostDrawn;
+std::vector<std::size_t> drawn_of_many(std::size_t count) {
+  constexpr double kMostDrawn = 60, kGolden = 0.6180339887498949;
+  std::vector<std::size_t> drawn;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = kGolden * static_cast<double>(i);
+    if (place - std::floor(place) < kMostDrawn / static_cast<double>(count)) drawn.push_back(i);
+  }
+  return drawn;
 }
 
 OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& x,
@@ -412,8 +417,7 @@ OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& 
     figure.take_in_zero(true, false);
     figure.fix_ranges();
   }
-  const std::size_t stride = stride_of_many(curves.size());
-  for (std::size_t i = 0; i < curves.size(); i += stride)
+  for (const std::size_t i : drawn_of_many(curves.size()))
     figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5), !many);
   for (std::size_t i = 0; i < curves.size() && !many; ++i) {
     if (curves[i].empty()) continue;

@@ -40,9 +40,9 @@ std::vector<SheetFigure> sheet_figures(const SheetTest& test);
 OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& x,
                    const SheetAxis& y);
 inline constexpr std::size_t kMostCurves = 24;
-/// Of hundreds of curves or circles in one plane one in so many is drawn: sixty tell as much as
-/// all.
-std::size_t stride_of_many(std::size_t count);
+/// Numbers of those of many curves or circles that are drawn in one plane: all of sixty, else about
+/// sixty, in no step with the values of a sweep.
+std::vector<std::size_t> drawn_of_many(std::size_t count);
 
 /// Mohr circles that stay round on whatever place of a page.
 SheetPart mohr_part(const std::vector<DrawnCircle>& circles,

@@ -104,3 +104,14 @@ TEST_CASE("the title names constant shear and strain paths by what they are") {
   test.stored.header.stages.front().strain_path_R = 0.7;
   CHECK(kind_of_test(test::sheet_of(test)) == "Strain-path triaxial test, R = 0.7");
 }
+
+TEST_CASE("those drawn of many keep no step with a sweep") {
+  CHECK(drawn_of_many(24).size() == 24);
+  for (const std::size_t values : {2, 3, 5, 8, 10}) {
+    std::vector<int> seen(values, 0);
+    const auto drawn = drawn_of_many(300);
+    CHECK(drawn.size() <= 62);
+    for (const auto i : drawn) ++seen[i % values];
+    for (const int count : seen) CHECK(count >= 60 / static_cast<int>(values) / 3);
+  }
+}
