@@ -15,7 +15,7 @@
 #include "lab/rig/recorded.hpp"
 #include "lab/wire/modbus/frames.hpp"
 #include "lab/wire/modbus/pdu.hpp"
-#include "tests/lab/workbook/made_workbook.hpp"
+#include "tests/fuzz/archive_around.hpp"
 
 using namespace triax::lab;
 
@@ -52,11 +52,9 @@ TEST_CASE("the fuzzers' seeds are accepted") {
       CHECK((asked ? request_length(pdu) : answer_length(pdu)) == pdu.size());
   }
   for (const auto& path : seeds("workbook_fuzz")) {
-    const auto parts =
-        test::workbook({{"S", read_text_file(path)}},
-                       "<si><t>axial_strain</t></si><si><t>deviator_stress_kPa</t></si>"
-                       "<si><t>mean_effective_stress_kPa</t></si><si><t>0,5</t></si>");
-    const auto rig = open_record(test::source_of(parts), {});
+    INFO(path);
+    const auto rig =
+        open_record(open_memory("seed.xlsx", test::archive_around(read_text_file(path))), {});
     Reading reading;
     while (rig->next(reading)) CHECK(reading.number >= 0);
   }
