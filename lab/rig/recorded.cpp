@@ -16,10 +16,10 @@
 #include "lab/records/counter_join.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/record_head.hpp"
+#include "lab/records/rows_ahead.hpp"
 #include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
-#include "lab/records/rows_ahead.hpp"
 #include "lab/records/table_reader.hpp"
 #include "lab/records/time_line.hpp"
 #include "lab/rig/sheet_record.hpp"
@@ -328,8 +328,7 @@ void RecordedRig::Impl::finish() {
                      "a column without a single value: " + missing);
   if (!rows->trailer().empty()) {
     RecordHeader end;
-    read_metadata(end, truth,
-                  TomlTable::parse(rows->trailer(), layout.file, rows->trailer_line()));
+    read_metadata(end, truth, TomlTable::parse(rows->trailer(), layout.file, rows->trailer_line()));
     if (header.cut_short.empty()) header.cut_short = end.cut_short;
   }
   over = true;
