@@ -75,6 +75,7 @@ PageSection run_page(const db::StoredGrainRun& run) {
 std::string grain_html(const std::vector<db::StoredGrainRun>& runs) {
   if (runs.empty()) return {};
   std::vector<std::string> anchors;
+  anchors.reserve(runs.size());
   for (const auto& run : runs) anchors.push_back(anchor(run));
   std::string html = fmt::format("<h2>{}</h2>\n", kTitle) +
                      scrolling(table_markup(grain_summary_table(runs), anchors, kNameColumn));

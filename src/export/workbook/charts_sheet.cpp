@@ -3,6 +3,8 @@
 
 #include <xlsxwriter.h>
 
+#include <array>
+
 #include "src/export/workbook/layout.hpp"
 #include "src/export/workbook/states_sheet.hpp"
 #include "src/output/table.hpp"
@@ -72,15 +74,15 @@ void write_charts(Book& book, Sheet& sheet, const ShearRows& rows, bool pore_pre
   const std::string name = on_one_line(title).substr(0, 200);
   std::optional<std::pair<double, double>> pore;
   if (rows.pore_kPa) pore = axis_ends(rows.pore_kPa->first, rows.pore_kPa->second);
-  const ChartKind kinds[] = {
-      {"deviator stress", kStrain, kQ, "axial strain", "q (kPa)", false},
-      {"stress path", kP, kQ, "p′ (kPa)", "q (kPa)", false},
-      pore_pressure
-          ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", false, pore}
-          : ChartKind{"volume", kStrain, kVolume, "axial strain", "volumetric strain", false},
-      {"second-order work, normalised", kStrain, StatesSheet::column(StateCell::work_normalised),
-       "axial strain", "W₂ (−1 to 1)", true}};
-  for (std::size_t i = 0; i < std::size(kinds); ++i)
+  const std::array<ChartKind, 4> kinds = {
+      {{"deviator stress", kStrain, kQ, "axial strain", "q (kPa)", false},
+       {"stress path", kP, kQ, "p′ (kPa)", "q (kPa)", false},
+       pore_pressure
+           ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", false, pore}
+           : ChartKind{"volume", kStrain, kVolume, "axial strain", "volumetric strain", false},
+       {"second-order work, normalised", kStrain, StatesSheet::column(StateCell::work_normalised),
+        "axial strain", "W₂ (−1 to 1)", true}}};
+  for (std::size_t i = 0; i < kinds.size(); ++i)
     insert_chart(book, sheet, rows, kinds[i], name, kHeadingRow + 1 + 16 * (i / 2), 8 * (i % 2));
   worksheet_set_landscape(sheet.get());  // all four on one page
   worksheet_set_paper(sheet.get(), 9);   // A4

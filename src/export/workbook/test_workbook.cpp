@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
@@ -48,10 +50,10 @@ void look_over(const db::Store& store, const db::StoredTest& test, Overview& see
 
 void write_stages(Sheet& sheet, const db::StoredTest& test, const Overview& seen) {
   sheet.widths(0, 9, 16);
-  const char* const headings[] = {"stage",         "name",         "role",
-                                  "drainage",      "control",      "strain_path_R",
-                                  "first_reading", "last_reading", "readings"};
-  for (std::size_t i = 0; i < std::size(headings); ++i)
+  constexpr auto headings =
+      std::to_array<const char*>({"stage", "name", "role", "drainage", "control", "strain_path_R",
+                                  "first_reading", "last_reading", "readings"});
+  for (std::size_t i = 0; i < headings.size(); ++i)
     sheet.text(kHeadingRow, i, headings[i], Look::heading);
   std::size_t row = kFirstRow;
   for (const auto& [number, stage] : seen.stages) {
@@ -76,12 +78,10 @@ std::size_t reference_heading_row(const Overview& seen) {
 void write_references(Sheet& sheet, const std::vector<ReferenceRow>& references, std::size_t row) {
   if (references.empty()) return;
   sheet.text(row - 1, 0, "Dimensions from which strains count", Look::heading);
-  const char* const headings[] = {"from_reading",   "stage",      "height_m",
-                                  "volume_m3",      "area_m2",    "displacement_m",
-                                  "back_volume_m3", "void_ratio", "membrane_4Et_over_D_Pa",
-                                  "height from"};
-  for (std::size_t i = 0; i < std::size(headings); ++i)
-    sheet.text(row, i, headings[i], Look::heading);
+  constexpr auto headings = std::to_array<const char*>(
+      {"from_reading", "stage", "height_m", "volume_m3", "area_m2", "displacement_m",
+       "back_volume_m3", "void_ratio", "membrane_4Et_over_D_Pa", "height from"});
+  for (std::size_t i = 0; i < headings.size(); ++i) sheet.text(row, i, headings[i], Look::heading);
   const auto column = [](ReferenceCell place) { return static_cast<std::size_t>(place); };
   for (const ReferenceRow& reference : references) {
     ++row;
@@ -110,10 +110,9 @@ void write_references(Sheet& sheet, const std::vector<ReferenceRow>& references,
 }
 
 bool is_closed_in_shear(const lab::RecordHeader& header) {
-  for (const lab::StageInfo& stage : header.stages)
-    if (study::is_shear(header, stage.number) && stage.drainage == lab::Drainage::closed)
-      return true;
-  return false;
+  return std::ranges::any_of(header.stages, [&](const lab::StageInfo& stage) {
+    return study::is_shear(header, stage.number) && stage.drainage == lab::Drainage::closed;
+  });
 }
 
 std::vector<Fact> facts_of_record(const TestContent& content) {

@@ -13,7 +13,7 @@ void refuse_longer_than_a_sheet(const db::Store& store, const db::StoredTest& te
 
 /// Writes the workbook; returns how many cells of states stand as numbers, because no formula comes
 /// to what was stored.
-std::size_t export_workbook(const db::Store& store, const study::TestResult& test,
+std::size_t export_workbook(const db::Store& store, const study::TestResult& result,
                             const std::string& path);
 
 }  // namespace triax::src

@@ -262,8 +262,8 @@ Band band_of(const std::vector<Points>& curves) {
     if (2 * values.size() < known) continue;  // of less than half of them no band
     std::ranges::sort(values);
     const auto part = [&](double of_all) {
-      return values[static_cast<std::size_t>(of_all * static_cast<double>(values.size() - 1) +
-                                             0.5)];
+      return values[static_cast<std::size_t>(
+          std::lround(of_all * static_cast<double>(values.size() - 1)))];
     };
     band.low.emplace_back(x, part(0.05));
     band.middle.emplace_back(x, part(0.5));

@@ -14,7 +14,7 @@
 namespace triax::src {
 namespace {
 
-SheetRow boxes(std::vector<std::pair<double, SheetBox>> parts) {
+SheetRow boxes(std::vector<std::pair<double, SheetBox>>&& parts) {
   SheetRow row;
   for (auto& [share, box] : parts) row.parts.push_back({.share = share, .box = std::move(box)});
   return row;
