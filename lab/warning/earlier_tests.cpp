@@ -14,6 +14,12 @@ constexpr double kScatter = 0.01;  ///< s, of η among specimens of a sand
 constexpr double kByGive = 0.5;    ///< b, of η by x
 constexpr double kStiff = 0.05;    ///< x up to which the pore fluid is as good as stiff
 
+/// η at the true onset of a simulation; empty where it had none, or does not say where.
+std::optional<double> true_eta(const std::optional<Truth>& truth) {
+  if (!truth || !truth->lost_sustainability || !truth->q_pa || !truth->p_eff_pa) return {};
+  return *truth->p_eff_pa > 0 ? std::optional(*truth->q_pa / *truth->p_eff_pa) : std::nullopt;
+}
+
 /// The forecast that the path came up to last, until that reading; the last one where it came up
 /// to none.
 const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t reading) {
@@ -33,8 +39,8 @@ const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t re
 std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary,
                                         const std::vector<Outlook>& forecasts) {
   const Collapse& c = summary.collapse;
-  const bool is_known = summary.truth && summary.truth->lost_sustainability;
-  if (!c.judged && !is_known) return std::nullopt;
+  const auto known = true_eta(summary.truth);
+  if (!c.judged && !known) return std::nullopt;
   EarlierTest test{.name = header.name};
   if (header.origin == Origin::simulated) test.name += " (simulated)";
   for (const StageInfo& stage : header.stages) {
@@ -45,11 +51,11 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   if (test.control == DrivenPath::Control::none) return std::nullopt;
   if (const auto b = summary.consolidation.b_value; b && *b > 0)
     test.give = std::max(1 / *b - 1, 0.0);
-  if (is_known && c.inside_limit_surface != false) {
-    const double eta = *summary.truth->q_pa / *summary.truth->p_eff_pa;
-    test.onset = std::fabs(eta);
-    test.in_extension = eta < 0;
-  } else if (c.detected()) {
+  const bool carried_on = summary.truth && !summary.truth->lost_sustainability;
+  if (known && c.inside_limit_surface != false) {
+    test.onset = std::fabs(*known);
+    test.in_extension = *known < 0;
+  } else if (c.detected() && !carried_on) {
     if (!c.onset || !c.onset->eta() || c.inside_limit_surface == false) return std::nullopt;
     test.onset = std::fabs(*c.onset->eta());
     test.in_extension = *c.onset->eta() < 0;

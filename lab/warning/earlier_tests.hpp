@@ -27,8 +27,8 @@ struct EarlierTest {
   double onset_error = 0;       ///< its standard error
   double least_work = 1;        ///< normalised, that one without an onset went through
 };
-/// Of a test that was judged, or of a simulation that lost sustainability, which knows where; empty
-/// for others, and where nothing drove it to an onset.
+/// Of a test that was judged, or of a simulation, which knows whether and where it lost
+/// sustainability, whatever its verdict; empty for others, and where nothing drove it to an onset.
 /// `forecasts`: what its alarm said, in order. Where the pore fluid gave way (B below 0.95) that
 /// knows of the fluid, and the verdict does not: the onset is then the forecast that the path
 /// reached, or the last before the verdict's onset.

@@ -72,8 +72,21 @@ TEST_CASE("a simulation knows its onset, also where it was not judged") {
   said = earlier_test(header, summary, forecasts);
   REQUIRE(said);
   CHECK(said->onset == 0.58);
-  summary.truth->lost_sustainability = false;
+  summary.truth->p_eff_pa.reset();  // a preamble that was edited
   CHECK_FALSE(earlier_test(header, summary, forecasts));
+}
+
+TEST_CASE("a simulation that carried on is none that collapsed, whatever its verdict") {
+  RecordHeader header = shear_header(AxialControl::displacement);
+  TestSummary summary = collapse_at(0.62);
+  CHECK(earlier_test(header, summary, {})->onset == Approx(0.62));
+  summary.truth = Truth{};
+  CHECK_FALSE(earlier_test(header, summary, {}));
+  summary.collapse.nearest = Nearest{.reading = 90, .normalised = 0.04};
+  const auto said = earlier_test(header, summary, {});
+  REQUIRE(said);
+  CHECK_FALSE(said->onset);
+  CHECK(said->least_work == 0.04);
 }
 
 TEST_CASE("a test whose pore fluid gave way as this one's does counts for more") {
