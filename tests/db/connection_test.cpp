@@ -140,7 +140,7 @@ TEST_CASE("of an old record without time, no strain stays under the name of a ti
                    .c_str()) == "[0.5,null]");
 }
 
-TEST_CASE("a database made in one step is what all migrations come to: else run tools/schema") {
+TEST_CASE("a database made in one step is what all migrations come to") {
   const auto schema_of = [](SQLite::Database& database) {
     SQLite::Statement all(
         database, "SELECT type || ' ' || name || ': ' || coalesce(sql, '') FROM sqlite_schema");
