@@ -68,19 +68,3 @@ TEST_CASE("A plug-in that crashes is a misfit that no parameter lessens") {
     CHECK(r.col(0) == r.col(2));
   }
 }
-
-TEST_CASE("A plug-in that fails on the way to a collapse predicts none, and ends nothing") {
-  if (!sim::test::umat_fixture_is_there()) return;
-  using enum sim::test::Misbehaviour;
-  std::mt19937_64 dice(1);
-  const auto path =
-      bench::virtual_path(set_with(none), {Imposed::undrained, 100, 0.8}, {}, dice, 20);
-  int answers = 0;
-  for (const auto what :
-       {null_pointer, stop, nan_stress, no_tangent, infinite_tangent, nan_state}) {
-    std::optional<double> eta;
-    CHECK_NOTHROW(eta = onset_eta(*set_with(what).material.axisymmetric, path, {}));
-    answers += eta.has_value();
-  }
-  CHECK(answers <= 1);
-}
