@@ -172,6 +172,13 @@ bool SheetReader::is_largest_q(const lab::State& state) const {
   return !largest_q_ || std::abs(state.q) > std::abs(largest_q_->state.q);
 }
 
+void SheetReader::fail_at_strain() {
+  found_.failure = at_strain_;
+  if (!at_strain_)
+    found_.failure_reason = fmt::format("the axial strain did not come to {:.4g} %",
+                                        found_.options.failure_strain * 100);
+}
+
 void SheetReader::find_total_stress_failure() {
   switch (found_.options.failure) {
     case FailureCriterion::peak_deviator_stress:
@@ -180,10 +187,7 @@ void SheetReader::find_total_stress_failure() {
         found_.failure_reason = "q still rose at 20 %, where ISO 17892-8 takes it";
       break;
     case FailureCriterion::axial_strain:
-      found_.failure = at_strain_;
-      if (!at_strain_)
-        found_.failure_reason = fmt::format("the axial strain did not come to {:.4g} %",
-                                            found_.options.failure_strain * 100);
+      fail_at_strain();
       break;
     case FailureCriterion::peak_stress_ratio:
     case FailureCriterion::critical_state:
@@ -211,10 +215,7 @@ void SheetReader::find_failure() {
       found_.failure = largest_ratio_;
       break;
     case FailureCriterion::axial_strain:
-      found_.failure = at_strain_;
-      if (!at_strain_)
-        found_.failure_reason = fmt::format("the axial strain did not come to {:.4g} %",
-                                            found_.options.failure_strain * 100);
+      fail_at_strain();
       break;
     case FailureCriterion::critical_state: {
       const auto critical = critical_state(curve, drained);

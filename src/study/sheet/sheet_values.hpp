@@ -71,6 +71,7 @@ class SheetReader {
   void finish_consolidation();
   void find_failure();
   void find_total_stress_failure();
+  void fail_at_strain();
   bool is_largest_q(const lab::State& state) const;
   void find_rates();
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "lab/base/statistics.hpp"
 #include "src/study/sheet/deviation_parts.hpp"
 
 namespace triax::study {
@@ -59,9 +60,7 @@ MeanStrength mean_strength(std::span<const double> strengths) {
                      .largest = largest,
                      .standard_deviation = std::nullopt};
   if (strengths.size() < 2) return found;
-  double squares = 0;
-  for (const double c : strengths) squares += (c - found.mean) * (c - found.mean);
-  found.standard_deviation = std::sqrt(squares / (count - 1));
+  found.standard_deviation = lab::standard_deviation({strengths.begin(), strengths.end()});
   return found;
 }
 
