@@ -3,6 +3,7 @@
 // A page of boxes and figures in rows, as an engineer's sheet has them; nothing here knows a test.
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/output/fact.hpp"
@@ -22,6 +23,9 @@ struct SheetBox {
   bool marked = false;             ///< must not be missed
 };
 
+/// A blank where the value is not known.
+Fact fact_or_blank(std::string label, const std::string& value);
+
 /// A box, or a figure where it has a plot.
 struct SheetPart {
   double share = 1;  ///< of the width of its row
@@ -34,6 +38,9 @@ struct SheetRow {
   std::vector<SheetPart> parts;
   double weight = 1;  ///< of figures: their share of the height that boxes leave
 };
+
+/// Boxes beside each other, each with its share of the width.
+SheetRow row_of_boxes(std::vector<std::pair<double, SheetBox>>&& boxes);
 
 struct Sheet {
   std::string title;    ///< "Consolidated undrained triaxial test"

@@ -12,6 +12,7 @@
 #include "src/study/triaxial/read_again.hpp"
 #include "src/study/version.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
+#include "src/triaxial/sheet/set_figure.hpp"
 #include "src/triaxial/sheet/sheet_figures.hpp"
 #include "src/triaxial/sheet/test_sheet.hpp"
 #include "src/triaxial/sheet/total_stress_sheet.hpp"
@@ -257,9 +258,9 @@ std::vector<OwnPlot> set_figures(const TestSet& set) {
 }
 
 std::vector<SheetRow> effective_stress_rows(const TestSet& set) {
-  std::vector<SheetRow> rows(1);
-  rows.front().parts.push_back(
-      {.box = set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set)});
+  std::vector<SheetRow> rows;
+  rows.push_back(
+      row_of_boxes({{1, set.tests.size() > kMostCurves ? spread_box(set) : specimens_box(set)}}));
   const auto strength = strength_of(set);
   auto plots = set_figures(set);
   if (auto circles = circles_part(strength); circles.plot) {
@@ -270,9 +271,7 @@ std::vector<SheetRow> effective_stress_rows(const TestSet& set) {
     rows.push_back(std::move(row));
   }
   add_rows(rows, std::move(plots));
-  SheetRow last;
-  last.parts.push_back({.box = strength_box(set, strength)});
-  rows.push_back(std::move(last));
+  rows.push_back(row_of_boxes({{1, strength_box(set, strength)}}));
   return rows;
 }
 
@@ -314,12 +313,7 @@ Sheet set_sheet(const TestSet& set) {
     sheet.mark = "SIMULATED";
   else if (simulated > 0)
     sheet.mark = fmt::format("{} of {} SIMULATED", simulated, set.tests.size());
-  const auto add_boxes = [&](SheetBox box) {
-    SheetRow row;
-    row.parts.push_back({.box = std::move(box)});
-    sheet.rows.push_back(std::move(row));
-  };
-  add_boxes(set_head(set));
+  sheet.rows.push_back(row_of_boxes({{1, set_head(set)}}));
   for (auto& row : set.total_stress ? total_stress_set_rows(set.tests) : effective_stress_rows(set))
     sheet.rows.push_back(std::move(row));
   SheetBox remarks{.title = "Remarks", .blank_lines = 2};
@@ -329,7 +323,7 @@ Sheet set_sheet(const TestSet& set) {
   if (set.material.empty())
     remarks.lines.emplace_back(
         "no record names its soil: whether these specimens are of one is for the reader to say");
-  add_boxes(std::move(remarks));
+  sheet.rows.push_back(row_of_boxes({{1, std::move(remarks)}}));
   return sheet;
 }
 

@@ -19,12 +19,6 @@ constexpr std::size_t kHeadWords = 12;  // of the list: those of the head
 
 std::string kPa(double pa, int decimals = 1) { return in_kPa(if_known(pa), decimals); }
 
-/// Blank where nobody says it.
-Fact fact(std::string label, const std::string& value) {
-  return {std::move(label), value.empty() || value == kUnknown ? std::vector<std::string>{}
-                                                               : std::vector<std::string>{value}};
-}
-
 /// Three digits, without a power of ten before 10⁹.
 std::string plain(double value) {
   return value >= 1000 && value < 1e9 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
@@ -57,12 +51,12 @@ std::optional<double> height_of(const db::StoredTest& test) {
 SheetBox head_box(const SheetTest& test) {
   SheetBox box{.columns = 4};
   for (const auto& [key, label] : study::sheet_word_list().first(kHeadWords))
-    box.facts.push_back(fact(std::string(label), study::word_of(test.words, key)));
+    box.facts.push_back(fact_or_blank(std::string(label), study::word_of(test.words, key)));
   const auto& stored = test.result.stored;
-  box.facts.push_back(fact("Type", stored.header.programme));
-  box.facts.push_back(fact("Test no.", fmt::format("{}", stored.id)));
-  box.facts.push_back(fact("Readings", fmt::format("{}", stored.summary.readings)));
-  box.facts.push_back(fact("Approved", {}));
+  box.facts.push_back(fact_or_blank("Type", stored.header.programme));
+  box.facts.push_back(fact_or_blank("Test no.", fmt::format("{}", stored.id)));
+  box.facts.push_back(fact_or_blank("Readings", fmt::format("{}", stored.summary.readings)));
+  box.facts.push_back(fact_or_blank("Approved", {}));
   return box;
 }
 
@@ -106,7 +100,7 @@ SheetBox specimen_box(const SheetTest& test) {
 SheetBox saturation_box(const SheetTest& test) {
   SheetBox box{.title = "Saturation"};
   const auto& b = test.result.stored.summary.consolidation.b_value;
-  box.facts.push_back(fact("B = Δu/Δσ_c", number(b, 3)));
+  box.facts.push_back(fact_or_blank("B = Δu/Δσ_c", number(b, 3)));
   if (test.values.steps.empty()) {
     box.lines.emplace_back("no stage before shear in the record");
     return box;
@@ -135,43 +129,44 @@ SheetBox consolidation_box(const SheetTest& test) {
   SheetBox box{.title = "Consolidation and rate"};
   const auto& values = test.values;
   const auto& stored = test.result.stored;
-  box.facts.push_back(fact("p′₀ (kPa)", in_kPa(stored.summary.consolidation.p_eff_pa)));
+  box.facts.push_back(fact_or_blank("p′₀ (kPa)", in_kPa(stored.summary.consolidation.p_eff_pa)));
   if (values.start) {
-    box.facts.push_back(fact("σ_c, u at start (kPa)", two(kPa(values.start->cell_pressure),
-                                                          kPa(values.start->state.pore_pressure))));
-    box.facts.push_back(
-        fact("σ₁′, σ₃′ at start (kPa)", two(kPa(values.start->state.effective_stress.axial),
-                                            kPa(values.start->state.effective_stress.radial))));
+    box.facts.push_back(fact_or_blank(
+        "σ_c, u at start (kPa)",
+        two(kPa(values.start->cell_pressure), kPa(values.start->state.pore_pressure))));
+    box.facts.push_back(fact_or_blank("σ₁′, σ₃′ at start (kPa)",
+                                      two(kPa(values.start->state.effective_stress.axial),
+                                          kPa(values.start->state.effective_stress.radial))));
   }
   const auto height = height_of(stored);
   const auto at = values.options.drained_at;
   const auto factors = study::factors_of(at);
   if (const auto& curve = values.consolidation) {
     const double out = curve->points.back().outflow;
-    box.facts.push_back(fact(curve->in_m3 ? "water out (cm³)" : "ε_v (%)",
-                             number(out * (curve->in_m3 ? 1e6 : 100), 2)));
+    box.facts.push_back(fact_or_blank(curve->in_m3 ? "water out (cm³)" : "ε_v (%)",
+                                      number(out * (curve->in_m3 ? 1e6 : 100), 2)));
     if (const auto& fit = curve->fit) {
-      box.facts.push_back(
-          fact("t₁₀₀, t₉₀, t₅₀ (min)", fmt::format("{}, {}, {}", minutes(fit->t100_s),
-                                                   minutes(fit->t90_s), minutes(fit->t50_s))));
+      box.facts.push_back(fact_or_blank("t₁₀₀, t₉₀, t₅₀ (min)",
+                                        fmt::format("{}, {}, {}", minutes(fit->t100_s),
+                                                    minutes(fit->t90_s), minutes(fit->t50_s))));
       if (const auto& d = stored.summary.consolidation.diameter_m)
-        box.facts.push_back(fact(
+        box.facts.push_back(fact_or_blank(
             "c_v = π D²/(λ t₁₀₀)",
             fmt::format("{} m²/year (λ = {:g})",
                         plain(study::coefficient_of_consolidation(*d, at, fit->t100_s) * 31557600),
                         factors.lambda)));
     } else {
-      box.facts.push_back(fact("t₁₀₀, c_v", "none: " + curve->why_no_fit));
+      box.facts.push_back(fact_or_blank("t₁₀₀, c_v", "none: " + curve->why_no_fit));
     }
   } else {
-    box.facts.push_back(fact("t₁₀₀", {}));
-    box.facts.push_back(fact("c_v", {}));
+    box.facts.push_back(fact_or_blank("t₁₀₀", {}));
+    box.facts.push_back(fact_or_blank("c_v", {}));
   }
   const bool drained = values.drainage == lab::Drainage::open;
-  box.facts.push_back(fact("rate allowed", values.allowed_rate_per_s
-                                               ? rate_words(values.allowed_rate_per_s, height)
-                                               : std::string()));
-  box.facts.push_back(fact("rate used, mean", rate_words(values.rate_per_s, height)));
+  box.facts.push_back(fact_or_blank(
+      "rate allowed",
+      values.allowed_rate_per_s ? rate_words(values.allowed_rate_per_s, height) : std::string()));
+  box.facts.push_back(fact_or_blank("rate used, mean", rate_words(values.rate_per_s, height)));
   if (values.allowed_rate_per_s)
     box.lines.push_back(fmt::format("allowed: ε_f H/(F t₁₀₀), F = {:g} ({}, {})",
                                     drained ? factors.drained : factors.undrained,
@@ -190,28 +185,29 @@ SheetBox failure_box(const SheetTest& test) {
   }
   const auto& s = values.failure->state;
   box.facts = {
-      fact("q_f (kPa)", kPa(s.q)),
-      fact("ε₁ (%)", in_percent(if_known(s.strain.axial))),
-      fact("p′ (kPa)", kPa(s.p_eff)),
-      fact("ε_v (%)", in_percent(if_known(s.volumetric_strain))),
-      fact("σ₁′ (kPa)", kPa(s.effective_stress.axial)),
-      fact("u (kPa)", kPa(s.pore_pressure)),
-      fact("σ₃′ (kPa)", kPa(s.effective_stress.radial)),
-      fact("e", number(if_known(s.void_ratio), 3)),
-      fact("σ₁′/σ₃′", number(if_known(s.effective_stress.axial / s.effective_stress.radial), 3)),
-      fact("η = q/p′", number(if_known(s.eta()), 3)),
-      fact("φ′ (°), c′ = 0", in_degrees(if_known(s.phi_mob_rad()), 1))};
+      fact_or_blank("q_f (kPa)", kPa(s.q)),
+      fact_or_blank("ε₁ (%)", in_percent(if_known(s.strain.axial))),
+      fact_or_blank("p′ (kPa)", kPa(s.p_eff)),
+      fact_or_blank("ε_v (%)", in_percent(if_known(s.volumetric_strain))),
+      fact_or_blank("σ₁′ (kPa)", kPa(s.effective_stress.axial)),
+      fact_or_blank("u (kPa)", kPa(s.pore_pressure)),
+      fact_or_blank("σ₃′ (kPa)", kPa(s.effective_stress.radial)),
+      fact_or_blank("e", number(if_known(s.void_ratio), 3)),
+      fact_or_blank("σ₁′/σ₃′",
+                    number(if_known(s.effective_stress.axial / s.effective_stress.radial), 3)),
+      fact_or_blank("η = q/p′", number(if_known(s.eta()), 3)),
+      fact_or_blank("φ′ (°), c′ = 0", in_degrees(if_known(s.phi_mob_rad()), 1))};
   if (values.start) {
     const double du = s.pore_pressure - values.start->state.pore_pressure;
     const double dq = s.q - values.start->state.q;
     box.facts.push_back(values.drainage == lab::Drainage::closed
-                            ? fact("A_f = Δu/Δq", number(if_known(du / dq), 3))
-                            : fact("Δu (kPa)", kPa(du)));
+                            ? fact_or_blank("A_f = Δu/Δq", number(if_known(du / dq), 3))
+                            : fact_or_blank("Δu (kPa)", kPa(du)));
   }
   if (std::isfinite(s.time_s) && values.start)
-    box.facts.push_back(
-        fact("time to failure", duration(if_known(s.time_s - values.start->state.time_s))));
-  box.facts.push_back(fact("reading", fmt::format("{}", s.reading)));
+    box.facts.push_back(fact_or_blank("time to failure",
+                                      duration(if_known(s.time_s - values.start->state.time_s))));
+  box.facts.push_back(fact_or_blank("reading", fmt::format("{}", s.reading)));
   if (!values.failure_reason.empty()) box.lines.push_back(values.failure_reason);
   const auto& stored = test.result.stored;
   if (stored.summary.cyclic)
@@ -260,9 +256,9 @@ SheetBox deviations_box(const SheetTest& test) {
 
 SheetBox remarks_box(const SheetTest& test) {
   SheetBox box{.title = "Mode of failure and remarks"};
-  box.facts.push_back(fact("Mode of failure", study::word_of(test.words, "failure_mode")));
+  box.facts.push_back(fact_or_blank("Mode of failure", study::word_of(test.words, "failure_mode")));
   const auto remarks = study::word_of(test.words, "remarks");
-  box.facts.push_back(fact("Remarks", remarks));
+  box.facts.push_back(fact_or_blank("Remarks", remarks));
   constexpr std::size_t kMostWarnings = 3, kLongest = 170;
   const auto warnings = study::warnings(test.result.stored);
   for (std::size_t i = 0; i < std::min(warnings.size(), kMostWarnings); ++i) {

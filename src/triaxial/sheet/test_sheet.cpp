@@ -14,12 +14,6 @@
 namespace triax::src {
 namespace {
 
-SheetRow boxes(std::vector<std::pair<double, SheetBox>>&& parts) {
-  SheetRow row;
-  for (auto& [share, box] : parts) row.parts.push_back({.share = share, .box = std::move(box)});
-  return row;
-}
-
 void add_figures(Sheet& sheet, std::vector<SheetFigure> figures) {
   const std::size_t first = figures.size() > 3 ? (figures.size() + 1) / 2 : figures.size();
   SheetRow row;
@@ -39,8 +33,8 @@ std::string mark_of(const db::StoredTest& test) {
 }
 
 void add_last_boxes(Sheet& sheet, const SheetTest& test) {
-  sheet.rows.push_back(boxes({{1, corrections_box(test)}}));
-  sheet.rows.push_back(boxes({{1, deviations_box(test)}, {1, remarks_box(test)}}));
+  sheet.rows.push_back(row_of_boxes({{1, corrections_box(test)}}));
+  sheet.rows.push_back(row_of_boxes({{1, deviations_box(test)}, {1, remarks_box(test)}}));
 }
 
 }  // namespace
@@ -105,16 +99,16 @@ Sheet test_sheet(const SheetTest& test) {
               .subject = stored.header.name,
               .mark = mark_of(stored),
               .footer = sheet_footer(stored)};
-  sheet.rows.push_back(boxes({{1, head_box(test)}}));
+  sheet.rows.push_back(row_of_boxes({{1, head_box(test)}}));
   if (stored.header.is_total_stress()) {
     for (auto& row : total_stress_rows(test)) sheet.rows.push_back(std::move(row));
     add_last_boxes(sheet, test);
     return sheet;
   }
-  sheet.rows.push_back(boxes(
+  sheet.rows.push_back(row_of_boxes(
       {{1, specimen_box(test)}, {1.2, saturation_box(test)}, {1.15, consolidation_box(test)}}));
   add_figures(sheet, sheet_figures(test));
-  sheet.rows.push_back(boxes({{1.1, failure_box(test)}, {1.1, verdict_box(test)}}));
+  sheet.rows.push_back(row_of_boxes({{1.1, failure_box(test)}, {1.1, verdict_box(test)}}));
   if (auto circle = circle_part(test); circle.plot) {
     circle.share = 0.7;
     auto& parts = sheet.rows.back().parts;

@@ -8,6 +8,7 @@
 #include "src/output/words.hpp"
 #include "src/study/sheet/specimen_phases.hpp"
 #include "src/study/sheet/total_stress.hpp"
+#include "src/triaxial/sheet/set_figure.hpp"
 #include "src/triaxial/sheet/sheet_figures.hpp"
 
 namespace triax::src {
@@ -17,8 +18,7 @@ using Value = std::optional<double>;
 
 /// Blank where it is not known.
 Fact known_fact(const char* label, const Value& value, int decimals) {
-  return {label,
-          value ? std::vector<std::string>{number(value, decimals)} : std::vector<std::string>{}};
+  return fact_or_blank(label, number(value, decimals));
 }
 
 std::string known_cell(const Value& value, int decimals) {
@@ -65,12 +65,8 @@ SheetPart total_circles_part(const std::vector<DrawnCircle>& circles, const Valu
     envelope = {.cohesion_kPa = *mean_kPa,
                 .friction_angle_deg = 0,
                 .name = fmt::format("c_u = {:.1f} kPa", *mean_kPa)};
-  auto part = mohr_part(circles, envelope, width);
-  name_total_stress(*part.plot);
-  return part;
+  return mohr_part(circles, envelope, width, "σ (kPa)");
 }
-
-SheetRow sheet_row(std::vector<SheetPart> parts) { return {.parts = std::move(parts)}; }
 
 SheetBox total_stress_specimens_box(const std::vector<const SheetTest*>& tests) {
   SheetBox box{
@@ -191,15 +187,12 @@ SheetBox total_stress_failure_box(const SheetTest& test) {
 
 std::vector<SheetRow> total_stress_rows(const SheetTest& test) {
   std::vector<SheetRow> rows;
-  rows.push_back(sheet_row([&] {
-    std::vector<SheetPart> parts;
-    parts.push_back({.share = 1.1, .box = total_stress_specimen_box(test)});
-    parts.push_back({.share = 1, .box = total_stress_test_box(test)});
-    parts.push_back({.share = 1.3, .box = total_stress_failure_box(test)});
-    return parts;
-  }()));
+  rows.push_back(row_of_boxes({{1.1, total_stress_specimen_box(test)},
+                               {1, total_stress_test_box(test)},
+                               {1.3, total_stress_failure_box(test)}}));
   SheetRow figures;
-  if (auto plot = total_stress_figure({&test})) figures.parts.push_back({.plot = std::move(plot)});
+  if (auto plot = set_figure({&test}, axial_strain_axis(), q_axis()))
+    figures.parts.push_back({.plot = std::move(plot)});
   if (const auto circle = total_circle(test, ""))
     figures.parts.push_back(total_circles_part({*circle}, strength_kPa(test), kSheetFigureWidth));
   if (!figures.parts.empty()) rows.push_back(std::move(figures));
@@ -229,7 +222,7 @@ std::vector<SheetRow> total_stress_set_rows(const std::vector<const SheetTest*>&
   }
   rows.back().parts.push_back({.box = mean_box(strengths, tests.size())});
   rows.emplace_back();
-  if (auto plot = total_stress_figure(tests))
+  if (auto plot = set_figure(tests, axial_strain_axis(), q_axis()))
     rows.back().parts.push_back({.plot = std::move(plot)});
   else
     rows.pop_back();

@@ -144,3 +144,13 @@ TEST_CASE("of many tests the set tells the spread") {
   CHECK(sheet.rows[1].parts.front().box.table.columns[4].heading == "median");
   CHECK(sheet.rows[1].parts.front().box.table.rows.size() < 12);
 }
+
+TEST_CASE("the title names constant shear and strain paths by what they are") {
+  auto test = test::flow_test();
+  test.stored.header.programme = "CSD";  // its weights hang on the ram: load control
+  test.stored.header.stages.front().control = lab::AxialControl::load;
+  test.stored.header.stages.front().drainage = lab::Drainage::open;
+  CHECK(kind_of_test(test::sheet_of(test)) == "Constant-shear drained test");
+  test.stored.header.stages.front().strain_path_R = 0.7;
+  CHECK(kind_of_test(test::sheet_of(test)) == "Strain-path triaxial test, R = 0.7");
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/triaxial/sheet/sheet_axes.hpp"
+
+#include <cmath>
+
+#include "src/study/triaxial/shear_series.hpp"
+
+namespace triax::src {
+
+SheetAxis axial_strain_axis() {
+  return {"ε₁ (%)", [](const lab::State& s) { return s.strain.axial * 100; }};
+}
+SheetAxis q_axis() {
+  return {"q (kPa)", [](const lab::State& s) { return s.q * 1e-3; }};
+}
+SheetAxis p_axis() {
+  return {"p′ (kPa)", [](const lab::State& s) { return s.p_eff * 1e-3; }};
+}
+SheetAxis u_axis() {
+  return {"u (kPa)", [](const lab::State& s) { return s.pore_pressure * 1e-3; }};
+}
+SheetAxis volumetric_strain_axis() {
+  return {"ε_v (%)", [](const lab::State& s) { return s.volumetric_strain * 100; }};
+}
+SheetAxis eta_axis() {
+  // Of stresses that are gone there is no ratio.
+  return {"η = q/p′", [](const lab::State& s) {
+            constexpr double kGone = 5e3;  // Pa
+            return s.p_eff > kGone ? s.eta() : lab::kMissing;
+          }};
+}
+SheetAxis void_ratio_axis() {
+  return {"e", [](const lab::State& s) { return s.void_ratio; }};
+}
+
+std::vector<lab::State> believed(const SheetTest& test, bool shear) {
+  const auto last = study::last_believed_reading(test.result.stored);
+  std::vector<lab::State> states;
+  for (const auto& s : test.result.curves.states)
+    if ((!last || s.reading <= *last) &&
+        study::is_shear(test.result.stored.header, s.stage) == shear)
+      states.push_back(s);
+  return states;
+}
+
+Points failure_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y) {
+  return test.values.failure ? points_in({test.values.failure->state}, x, y) : Points{};
+}
+
+Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y) {
+  const auto onset = study::collapse_onset(test.result.stored);
+  if (!onset || !test.result.stored.state_at_onset) return {};
+  return points_in({*test.result.stored.state_at_onset}, x, y);
+}
+
+Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, const SheetAxis& y) {
+  Points points;
+  for (const auto& state : states) {
+    const QPointF point(x.value(state), y.value(state));
+    if (std::isfinite(point.x()) && std::isfinite(point.y())) points.push_back(point);
+  }
+  return points;
+}
+
+Points loaded(const Points& points) {
+  Points out;
+  for (const auto& p : points)
+    if (p.x() > 1) out.push_back(p);
+  return out;
+}
+
+}  // namespace triax::src

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the axes of a sheet's figures show, and the points of a test in such a plane.
+#include <string>
+#include <vector>
+
+#include "src/plot/shapes.hpp"
+#include "src/triaxial/sheet/sheet_test.hpp"
+
+namespace triax::src {
+
+/// What an axis shows of a state; NaN where it is not known.
+struct SheetAxis {
+  std::string title;
+  double (*value)(const lab::State&);
+};
+SheetAxis axial_strain_axis();
+SheetAxis q_axis();
+SheetAxis p_axis();
+SheetAxis u_axis();
+SheetAxis volumetric_strain_axis();
+SheetAxis eta_axis();
+SheetAxis void_ratio_axis();
+
+/// The states of shear, or those before it, up to where a sensor failed.
+std::vector<lab::State> believed(const SheetTest& test, bool shear);
+/// Points of one test; a state that is not known is no gap: its neighbours are joined.
+Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, const SheetAxis& y);
+/// One point, or none.
+Points failure_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
+/// The state nearest to the onset: the onset itself lacks what figures show beside stresses.
+Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
+/// Those with a logarithm that matters, of p′ in kPa.
+Points loaded(const Points& points);
+
+}  // namespace triax::src
