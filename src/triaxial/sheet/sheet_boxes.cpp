@@ -76,7 +76,7 @@ SheetBox specimen_box(const SheetTest& test) {
     box.table.rows.push_back({label, cell(phases.built), cell(phases.start), cell(phases.end)});
   };
   using Phase = study::SpecimenPhase;
-  const auto marked = [](const Phase& p, std::string text) {
+  const auto marked = [](const Phase& p, const std::string& text) {
     return p.saturation_is_assumed && text != kUnknown ? text + "*" : text;
   };
   row("H (mm)", [](const Phase& p) { return in_mm(p.height_m); });
