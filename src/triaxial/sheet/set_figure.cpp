@@ -85,6 +85,14 @@ Points curve_of_set(const SheetTest& test, const SheetAxis& x, const SheetAxis& 
   return y.title == void_ratio_axis().title ? loaded(points) : points;
 }
 
+/// Each with its own pen; of many about sixty, thin.
+void draw_curves(SmallFigure& figure, const std::vector<Points>& curves, bool dotted_steps) {
+  const bool many = curves.size() > kMostCurves;
+  for (const std::size_t i : drawn_of_many(curves.size()))
+    figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5),
+                 dotted_steps && !many);
+}
+
 }  // namespace
 
 std::vector<std::size_t> drawn_of_many(std::size_t count) {
@@ -118,13 +126,28 @@ OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& 
     figure.take_in_zero(true, false);
     figure.fix_ranges();
   }
-  for (const std::size_t i : drawn_of_many(curves.size()))
-    figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5), !many);
+  draw_curves(figure, curves, true);
   for (std::size_t i = 0; i < curves.size() && !many; ++i) {
     if (curves[i].empty()) continue;
     figure.marker(failure_in(*tests[i], x, y), failure_marker());
     figure.marker(onset_in(*tests[i], x, y), onset_ring());
   }
+  return figure.take();
+}
+
+OwnPlot set_consolidation_figure(const std::vector<const SheetTest*>& tests) {
+  std::vector<Points> curves;
+  SmallFigure figure("√t (√min), consolidation", "water out (cm³)");
+  for (const auto* test : tests) {
+    const auto& curve = test->values.consolidation;
+    figure.take_in(
+        curves.emplace_back(curve && curve->in_m3 ? consolidation_points(*test) : Points{}));
+  }
+  if (figure.empty()) return nullptr;
+  figure.take_in_zero(true, true);
+  figure.fix_ranges();
+  draw_curves(figure, curves, false);
+  figure.plot().yAxis->setRangeReversed(true);  // as a settlement is drawn
   return figure.take();
 }
 

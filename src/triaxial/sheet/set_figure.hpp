@@ -12,6 +12,8 @@ namespace triax::src {
 /// the median, at steps of x. Nothing without a point.
 OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& x,
                    const SheetAxis& y);
+/// Their consolidation over √t, of those whose water was measured; nothing where none was.
+OwnPlot set_consolidation_figure(const std::vector<const SheetTest*>& tests);
 inline constexpr std::size_t kMostCurves = 24;
 /// Numbers of those of many curves or circles that are drawn in one plane: all of sixty, else about
 /// sixty, in no step with the values of a sweep.

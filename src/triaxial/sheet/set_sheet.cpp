@@ -254,6 +254,7 @@ std::vector<OwnPlot> set_figures(const TestSet& set) {
   plots.push_back(set_figure(set.tests, strain, u_axis()));
   plots.push_back(set_figure(set.tests, strain, volumetric_strain_axis()));
   plots.push_back(set_figure(set.tests, p_axis(), void_ratio_axis()));
+  plots.push_back(set_consolidation_figure(set.tests));
   return plots;
 }
 

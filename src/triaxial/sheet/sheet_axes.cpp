@@ -62,6 +62,15 @@ Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, cons
   return points;
 }
 
+Points consolidation_points(const SheetTest& test) {
+  const auto& curve = test.values.consolidation;
+  if (!curve || curve->points.size() < 3) return {};
+  Points points;
+  for (const auto& p : curve->points)
+    points.emplace_back(std::sqrt(p.time_s / 60), p.outflow * (curve->in_m3 ? 1e6 : 100));
+  return points;
+}
+
 Points loaded(const Points& points) {
   Points out;
   for (const auto& p : points)

@@ -30,6 +30,9 @@ Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, cons
 Points failure_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
 /// The state nearest to the onset: the onset itself lacks what figures show beside stresses.
 Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
+/// Outflow over √t (√min) of the consolidation: cm³, or % of ε_v where the record has no water;
+/// none of fewer than three readings.
+Points consolidation_points(const SheetTest& test);
 /// Those with a logarithm that matters, of p′ in kPa.
 Points loaded(const Points& points);
 

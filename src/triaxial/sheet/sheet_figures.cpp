@@ -47,11 +47,9 @@ OwnPlot path_figure(const SheetTest& test) {
 
 OwnPlot consolidation_figure(const SheetTest& test) {
   const auto& curve = test.values.consolidation;
-  if (!curve || curve->points.size() < 3) return nullptr;
+  const auto points = consolidation_points(test);
+  if (points.empty()) return nullptr;
   const double unit = curve->in_m3 ? 1e6 : 100;
-  Points points;
-  for (const auto& p : curve->points)
-    points.emplace_back(std::sqrt(p.time_s / 60), p.outflow * unit);
   SmallFigure figure("√t (√min), consolidation", curve->in_m3 ? "water out (cm³)" : "ε_v (%)");
   figure.take_in(points);
   figure.take_in_zero(true, true);

@@ -66,3 +66,30 @@ TEST_CASE("those drawn of many keep no step with a sweep") {
     for (const int count : seen) CHECK(count >= 60 / static_cast<int>(values) / 3);
   }
 }
+
+TEST_CASE("consolidation of a set is drawn of the tests whose water was measured") {
+  auto sheets = test::sheets_of({test::flow_test(), test::simulated_test(), test::flow_test()});
+  std::vector<const SheetTest*> tests;
+  for (auto& one : sheets.tests) {
+    one.values.consolidation.reset();
+    tests.push_back(&one);
+  }
+  CHECK(set_consolidation_figure(tests) == nullptr);
+  for (auto& one : sheets.tests) {
+    study::ConsolidationCurve curve;
+    for (int i = 0; i < 5; ++i) curve.points.push_back({60.0 * i * i, 1e-6 * i});
+    one.values.consolidation = curve;
+  }
+  sheets.tests[1].values.consolidation->in_m3 = false;  // strains, in other units
+  const auto plot = set_consolidation_figure(tests);
+  REQUIRE(plot != nullptr);
+  CHECK(plot->yAxis->rangeReversed());
+  int lines = 0;
+  for (const auto* curve : test::curves_of(*plot)) {
+    if (curve->dataCount() < 2) continue;
+    ++lines;  // straight over the root of time: its ends are enough
+    CHECK((curve->data()->constEnd() - 1)->key == Approx(4));
+    CHECK((curve->data()->constEnd() - 1)->value == Approx(4));
+  }
+  CHECK(lines == 2);
+}
