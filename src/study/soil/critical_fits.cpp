@@ -59,7 +59,7 @@ Gathered critical_points(const Soil& soil, const std::vector<bool>& with) {
 /// e over p′ in the logarithmic form and in some of the power form.
 Forms critical_forms(const Soil& soil, const std::vector<bool>& with,
                      std::vector<std::size_t>& tests) {
-  Forms forms(1 + kExponents.size());
+  Forms forms(1 + kExponents.size(), {.points = {}, .usual_slopes = {kUnknownSlope}});
   for (std::size_t i = 0; i < soil.tests.size(); ++i) {
     const auto& c = soil.tests[i].critical;
     if (!with[i] || !c.void_ratio) continue;
@@ -69,12 +69,12 @@ Forms critical_forms(const Soil& soil, const std::vector<bool>& with,
                       .x = {c.log_p.value},
                       .x_error = {c.log_p.error},
                       .usual = kUsualE};
-    forms.front().push_back(point);
+    forms.front().points.push_back(point);
     const double p = std::exp(c.log_p.value) / kPowerPressure_kPa, error = p * c.log_p.error;
     for (std::size_t k = 0; k < kExponents.size(); ++k) {
       point.x = {std::pow(p, kExponents[k])};
       point.x_error = {std::pow(p + error, kExponents[k]) - point.x.front()};
-      forms[k + 1].push_back(point);
+      forms[k + 1].points.push_back(point);
     }
   }
   return forms;
@@ -107,11 +107,10 @@ void add_error_of_ways(const Soil& soil, Level& level) {
 
 std::optional<Level> level_of_ratios(Soil& soil, const SoilOptions& options, const Gathered& all,
                                      const FitWords& words) {
-  Forms forms{judged_points(all, FitKind::mean, words)};
-  add_form(forms, over_pressure(soil, all, [](const TestPoints& t) {
-             return std::exp(t.critical.log_p.value);
-           }));
-  auto level = level_of(soil, options, all, forms, words);
+  JudgedForm form = judged_form(all, FitKind::mean, words);
+  add_cohesion(form, soil, all,
+               [](const TestPoints& t) { return std::exp(t.critical.log_p.value); });
+  auto level = level_of(soil, options, all, {form}, words);
   if (level) add_error_of_ways(soil, *level);
   return level;
 }

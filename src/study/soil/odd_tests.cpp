@@ -11,13 +11,11 @@
 namespace triax::study {
 namespace {
 
-constexpr double kChance = 0.02;
+constexpr double kChance = 0.1;
 constexpr double kUsualTests = 10;
 constexpr int kRounds = 4;  // slopes and weights in turn
 /// Forms are weighed by Akaike's criterion, and open where they differ by no more.
 constexpr double kPerNumber = 2, kOpen = 2;
-
-using Points = std::vector<JudgedPoint>;
 
 struct Judged {
   double residual = 0, deviations = 0, chance = 1;
@@ -48,22 +46,35 @@ double variance_of(const JudgedPoint& p, const Eigen::VectorXd& numbers) {
   return std::max(v, 1e-300);
 }
 
-std::optional<Fit> fitted(const Points& points) {
+/// 1/s² of each number: 0 for those of which nothing is known.
+Eigen::VectorXd known_of(const JudgedForm& form) {
+  Eigen::VectorXd known(static_cast<Eigen::Index>(form.usual_slopes.size()) + 1);
+  known(0) = 0;
+  for (std::size_t k = 0; k < form.usual_slopes.size(); ++k)
+    known(static_cast<Eigen::Index>(k) + 1) = std::pow(form.usual_slopes[k], -2);
+  return known;
+}
+
+std::optional<Fit> fitted(const JudgedForm& form) {
+  const auto& points = form.points;
+  const Eigen::VectorXd known = known_of(form);
   const auto m = static_cast<Eigen::Index>(points.size());
-  const Eigen::Index p = points.empty() ? 1 : row_of(points.front()).size();
+  const Eigen::Index p = (known.array() == 0).count();
   if (m <= p) return std::nullopt;
-  Eigen::MatrixXd rows(m, p);
+  Eigen::MatrixXd rows(m, known.size());
   Eigen::VectorXd y(m), v(m);
   for (Eigen::Index i = 0; i < m; ++i) {
     rows.row(i) = row_of(points[static_cast<std::size_t>(i)]).transpose();
     y(i) = points[static_cast<std::size_t>(i)].y;
   }
-  Fit fit{.numbers = Eigen::VectorXd::Zero(p), .covariance = {}};
+  Fit fit{.numbers = Eigen::VectorXd::Zero(known.size()), .covariance = {}};
   for (int round = 0; round < kRounds; ++round) {
     for (Eigen::Index i = 0; i < m; ++i)
       v(i) = variance_of(points[static_cast<std::size_t>(i)], fit.numbers);
     const Eigen::MatrixXd weighted = v.cwiseInverse().asDiagonal() * rows;
-    const Eigen::FullPivLU<Eigen::MatrixXd> normal(rows.transpose() * weighted);
+    Eigen::MatrixXd sums = rows.transpose() * weighted;
+    sums.diagonal() += known;
+    const Eigen::FullPivLU<Eigen::MatrixXd> normal(sums);
     if (!normal.isInvertible()) return std::nullopt;
     fit.covariance = normal.inverse();
     fit.numbers = fit.covariance * (weighted.transpose() * y);
@@ -86,21 +97,21 @@ Judged beside(const JudgedPoint& point, const Fit& fit) {
   return j;
 }
 
-Points without(const Points& points, const std::vector<bool>& out, std::size_t also) {
-  Points left;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!out[i] && i != also) left.push_back(points[i]);
+JudgedForm without(const JudgedForm& form, const std::vector<bool>& out, std::size_t also) {
+  JudgedForm left{.points = {}, .usual_slopes = form.usual_slopes};
+  for (std::size_t i = 0; i < form.points.size(); ++i)
+    if (!out[i] && i != also) left.points.push_back(form.points[i]);
   return left;
 }
 
 /// The test beside the others, in the open form in which it is least odd.
-std::optional<Judged> judged(const std::vector<Points>& forms, const std::vector<bool>& out,
+std::optional<Judged> judged(const std::vector<JudgedForm>& forms, const std::vector<bool>& out,
                              std::size_t i) {
   std::vector<std::pair<double, Judged>> found;
-  for (const Points& points : forms) {
-    const auto fit = fitted(without(points, out, i));
+  for (const JudgedForm& form : forms) {
+    const auto fit = fitted(without(form, out, i));
     if (!fit) return std::nullopt;
-    found.emplace_back(fit->criterion, beside(points[i], *fit));
+    found.emplace_back(fit->criterion, beside(form.points[i], *fit));
   }
   double best = found.front().first;
   for (const auto& [criterion, of] : found) best = std::min(best, criterion);
@@ -112,15 +123,15 @@ std::optional<Judged> judged(const std::vector<Points>& forms, const std::vector
 
 }  // namespace
 
-std::vector<OddTest> odd_tests(const std::vector<std::vector<JudgedPoint>>& forms) {
+std::vector<OddTest> odd_tests(const std::vector<JudgedForm>& forms) {
   std::vector<OddTest> odd;
-  const std::size_t count = forms.front().size();
+  const std::size_t count = forms.front().points.size();
   std::vector<bool> out(count, false);
   while (odd.size() < count / 3) {
     std::optional<Judged> worst;
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      if (out[i] || !forms.front()[i].judged) continue;
+      if (out[i] || !forms.front().points[i].judged) continue;
       const auto j = judged(forms, out, i);
       if (j && (!worst || j->chance < worst->chance)) worst = j, at = i;
     }

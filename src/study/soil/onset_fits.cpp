@@ -11,6 +11,8 @@ namespace {
 
 /// Of repeated tests: half a degree of friction, a tenth of CSR.
 constexpr double kUsualOnset = 0.02, kUsualLogCsr = 0.1;
+/// Of η over ψ₀, in triax's laws.
+constexpr UsualCurve kOnsetCurve{.of_state = 10, .of_pressure = 0.1};
 
 template <class X>
 Gathered onsets_over(const Soil& soil, lab::CollapseKind kind, bool extension, const X& x) {
@@ -58,7 +60,8 @@ void fit_kind(Soil& soil, const SoilOptions& options, lab::CollapseKind kind, bo
   const Gathered by_state = onsets_over(soil, kind, extension, psi);
   const FitWords of_state{what + " over ψ", words.value, words.usual, 0, kUsualPsi};
   trends.over_state =
-      trend_of(soil, options, by_state, forms_over_state(soil, by_state, of_state), of_state);
+      trend_of(soil, options, by_state,
+               Forms{form_over_state(soil, by_state, of_state, kOnsetCurve)}, of_state);
   if (trends.over_state) add_error_of_line(soil, *trends.over_state);
   const auto others = [&](const Gathered& all) -> std::optional<Trend> {
     const auto line = fit_line(all.points);

@@ -12,6 +12,8 @@ namespace {
 
 /// Of repeated tests: half a degree of friction, a twentieth of an undrained strength.
 constexpr double kUsualEta = 0.02, kUsualDilatancy = 0.02, kUsualRatio = 0.05;
+/// Of q_peak/(2 p′₀) over ψ₀, in triax's laws.
+constexpr UsualCurve kStrengthCurve{.of_state = 4, .of_pressure = 0.04};
 /// Of σ₁′, and by how much it grows with the range of void ratios: a set is meant to have one.
 constexpr double kUsualStrength = 0.02, kByVoidRatio = 1.5, kOneDensity = 0.1;
 /// Fall of η after its peak that makes it one: of a level curve any point may be the largest.
@@ -56,24 +58,33 @@ Gathered over_state(const Soil& soil, const Value& value) {
   return all;
 }
 
+/// Whether that value of the path's points fell by kPassed after it was largest.
+template <class Value>
+bool passed(const TestPoints& test, const TestPoint& peak, const Value& value) {
+  double least = value(peak);
+  for (const auto& p : test.path)
+    if (p.axial_strain > peak.axial_strain) least = std::min(least, value(p));
+  return least <= (1 - kPassed) * value(peak);
+}
+bool passed_eta(const TestPoints& test) {
+  return passed(test, *test.peak_eta, [](const TestPoint& p) { return p.eta(); });
+}
+bool passed_q(const TestPoints& test) {
+  return test.peak_q && passed(test, *test.peak_q, [](const TestPoint& p) { return p.q_kPa; });
+}
+
+/// Of one whose q fell after its peak: the end of a test is no strength.
 std::optional<Estimate> strength_of(const TestPoints& test) {
-  if (test.drained || !test.strength_ratio) return std::nullopt;
+  if (test.drained || !test.strength_ratio || !passed_q(test)) return std::nullopt;
   return measured(*test.strength_ratio, 0.005 * *test.strength_ratio);
 }
 
-bool level(const TestPoints& test) {
-  double least = test.peak_eta->eta();
-  for (const auto& p : test.path)
-    if (p.axial_strain > test.peak_eta->axial_strain) least = std::min(least, p.eta());
-  return least > (1 - kPassed) * test.peak_eta->eta();
-}
-
 /// A level curve has its dilatancy anywhere: it judges no test.
-Forms peak_forms(const Soil& soil, const Gathered& all, const FitWords& words) {
-  Forms forms{judged_points(all, FitKind::line, words)};
+JudgedForm peak_form(const Soil& soil, const Gathered& all, const FitWords& words) {
+  JudgedForm form = judged_form(all, FitKind::line, words);
   for (std::size_t i = 0; i < all.tests.size(); ++i)
-    forms.front()[i].judged = !level(soil.tests[all.tests[i]]);
-  return forms;
+    form.points[i].judged = passed_eta(soil.tests[all.tests[i]]);
+  return form;
 }
 
 }  // namespace
@@ -84,20 +95,21 @@ void fit_peaks(Soil& soil, const SoilOptions& options) {
     soil.peak_angle_deg = Level{*fit_mean(angles.points), angles.tests};
   const Gathered peaks = stress_over_dilatancy(soil);
   const FitWords words{"stress-dilatancy at the peak", "η at the peak", kUsualEta};
-  Forms forms = peak_forms(soil, peaks, words);
-  add_form(forms,
-           over_pressure(soil, peaks, [](const TestPoints& t) { return t.peak_eta->p_eff_kPa; }));
-  soil.stress_dilatancy = trend_of(soil, options, peaks, forms, words, false);
+  JudgedForm form = peak_form(soil, peaks, words);
+  add_cohesion(form, soil, peaks, [](const TestPoints& t) { return t.peak_eta->p_eff_kPa; });
+  soil.stress_dilatancy = trend_of(soil, options, peaks, Forms{form}, words, false);
   const Gathered dilatancies = over_state(soil, [](const auto& t) { return t.dilatancy_at_peak; });
   const FitWords of_dilatancy{"dilatancy over ψ", "dε_v/dε_q at the peak", kUsualDilatancy, 0,
                               kUsualPsi};
-  soil.dilatancy_over_state = trend_of(
-      soil, options, dilatancies, peak_forms(soil, dilatancies, of_dilatancy), of_dilatancy, false);
+  soil.dilatancy_over_state =
+      trend_of(soil, options, dilatancies, Forms{peak_form(soil, dilatancies, of_dilatancy)},
+               of_dilatancy, false);
   const Gathered strengths = over_state(soil, strength_of);
   const FitWords of_strength{"undrained strength over ψ", "q_peak/(2 p′₀)", 0, kUsualRatio,
                              kUsualPsi};
   soil.strength_over_state = trend_of(
-      soil, options, strengths, forms_over_state(soil, strengths, of_strength), of_strength, false);
+      soil, options, strengths,
+      Forms{form_over_state(soil, strengths, of_strength, kStrengthCurve)}, of_strength, false);
 }
 
 void fit_strength(Soil& soil, const SoilOptions& options) {

@@ -22,9 +22,9 @@ void say_odd(Soil& soil, const OddTest& odd, std::size_t test, const FitWords& w
 
 }  // namespace
 
-std::vector<JudgedPoint> judged_points(const Gathered& all, FitKind kind, const FitWords& words) {
-  std::vector<JudgedPoint> points;
-  points.reserve(all.points.size());
+JudgedForm judged_form(const Gathered& all, FitKind kind, const FitWords& words) {
+  JudgedForm form;
+  form.points.reserve(all.points.size());
   for (const FitPoint& p : all.points) {
     JudgedPoint judged{.y = p.y, .x = {}, .x_error = {}};
     judged.y_error =
@@ -32,36 +32,29 @@ std::vector<JudgedPoint> judged_points(const Gathered& all, FitKind kind, const 
     judged.usual = std::hypot(words.usual, words.usual_share * p.y);
     judged.usual_of_x = words.usual_of_x;
     if (kind == FitKind::line) judged.x = {p.x}, judged.x_error = {p.x_error};
-    points.push_back(std::move(judged));
+    form.points.push_back(std::move(judged));
   }
-  return points;
+  if (kind == FitKind::line) form.usual_slopes = {kUnknownSlope};
+  return form;
 }
 
-void add_form(Forms& forms, const std::vector<double>& x) {
-  auto form = forms.back();
-  for (std::size_t i = 0; i < form.size(); ++i)
-    form[i].x.push_back(x[i]), form[i].x_error.push_back(0);
-  forms.push_back(std::move(form));
+void add_x(JudgedForm& form, const std::vector<double>& x, double usual_slope) {
+  for (std::size_t i = 0; i < form.points.size(); ++i)
+    form.points[i].x.push_back(x[i]), form.points[i].x_error.push_back(0);
+  form.usual_slopes.push_back(usual_slope);
 }
 
-Forms forms_over_state(const Soil& soil, const Gathered& all, const FitWords& words) {
-  auto points = judged_points(all, FitKind::line, words);
-  if (!points.empty()) {
-    const auto by_state = [](const auto& a, const auto& b) { return a.x.front() < b.x.front(); };
-    std::ranges::min_element(points, by_state)->judged = false;
-    std::ranges::max_element(points, by_state)->judged = false;
-  }
+JudgedForm form_over_state(const Soil& soil, const Gathered& all, const FitWords& words,
+                           const UsualCurve& usual) {
+  JudgedForm form = judged_form(all, FitKind::line, words);
   std::vector<double> squares, pressures;
   for (std::size_t i = 0; i < all.tests.size(); ++i) {
     squares.push_back(all.points[i].x * all.points[i].x);
     pressures.push_back(std::log(*soil.tests[all.tests[i]].p_eff_kPa));
   }
-  Forms curved{points}, forms{points};
-  add_form(curved, squares);
-  add_form(curved, pressures);
-  add_form(forms, pressures);
-  forms.insert(forms.end(), curved.begin() + 1, curved.end());
-  return forms;
+  add_x(form, squares, usual.of_state);
+  add_x(form, pressures, usual.of_pressure);
+  return form;
 }
 
 std::vector<std::size_t> name_odd(Soil& soil, const SoilOptions& options, const Forms& forms,
@@ -93,7 +86,7 @@ Gathered without_odd(Soil& soil, const SoilOptions& options, const Gathered& all
 
 Gathered without_odd(Soil& soil, const SoilOptions& options, const Gathered& all, FitKind kind,
                      const FitWords& words, Gathered* odd) {
-  return without_odd(soil, options, all, Forms{judged_points(all, kind, words)}, words, odd);
+  return without_odd(soil, options, all, Forms{judged_form(all, kind, words)}, words, odd);
 }
 
 std::optional<Trend> trend_through(Soil& soil, const Gathered& left, const Gathered& odd,
@@ -111,7 +104,7 @@ std::optional<Trend> trend_through(Soil& soil, const Gathered& left, const Gathe
 
 std::optional<Trend> trend_of(Soil& soil, const SoilOptions& options, const Gathered& all,
                               const FitWords& words, bool say_missing) {
-  return trend_of(soil, options, all, Forms{judged_points(all, FitKind::line, words)}, words,
+  return trend_of(soil, options, all, Forms{judged_form(all, FitKind::line, words)}, words,
                   say_missing);
 }
 

@@ -39,22 +39,30 @@ struct FitWords {
 inline constexpr double kUsualPsi = 0.01;
 
 enum class FitKind { mean, line };
-using Forms = std::vector<std::vector<JudgedPoint>>;
+using Forms = std::vector<JudgedForm>;
 /// The points as they are judged.
-std::vector<JudgedPoint> judged_points(const Gathered& all, FitKind kind, const FitWords& words);
-/// The last form with one more x, of each point.
-void add_form(Forms& forms, const std::vector<double>& x);
-/// 1/p′ (1/kPa) at a state of each test, by which a stress ratio changes where there is cohesion.
+JudgedForm judged_form(const Gathered& all, FitKind kind, const FitWords& words);
+/// One more x of each point, with the usual size of its slope.
+void add_x(JudgedForm& form, const std::vector<double>& x, double usual_slope);
+
+/// What sands have of a cohesion in η p′, kPa, by which a stress ratio goes with 1/p′.
+inline constexpr double kUsualCohesion = 20;
+/// A stress ratio that may go with 1/p′ at a state of each test.
 template <class PressureOf>
-std::vector<double> over_pressure(const Soil& soil, const Gathered& all, const PressureOf& of) {
+void add_cohesion(JudgedForm& form, const Soil& soil, const Gathered& all, const PressureOf& of) {
   std::vector<double> x;
   for (const std::size_t test : all.tests) x.push_back(1 / of(soil.tests[test]));
-  return x;
+  add_x(form, x, kUsualCohesion);
 }
 
-/// Points over ψ₀ of an undrained value, which falls with it in a curve, and with p′₀ where the
-/// critical state line is one. The first and the last are beyond what the others tell of a curve.
-Forms forms_over_state(const Soil& soil, const Gathered& all, const FitWords& words);
+/// What falls with ψ₀ falls in a curve, and goes with p′₀ where the critical state line is one.
+struct UsualCurve {
+  double of_state = 0;     ///< of ψ², in the unit of y
+  double of_pressure = 0;  ///< of ln p′₀
+};
+/// Points over ψ₀ of an undrained value.
+JudgedForm form_over_state(const Soil& soil, const Gathered& all, const FitWords& words,
+                           const UsualCurve& usual);
 
 /// Says which tests are odd, with the reason, in the notes and at the test, and gives their places
 /// in Soil::tests. `forms`: odd_tests.hpp, one point for each of `tests`.
