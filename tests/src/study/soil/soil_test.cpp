@@ -39,6 +39,29 @@ ShearedTest drained(std::int64_t id, double p0_kPa, double m = kM, double e_erro
   return test;
 }
 
+/// Undrained: q rises to its peak at 2 % and falls to a third of it, or rises on to 25 %.
+ShearedTest undrained(std::int64_t id, double p0_kPa, double e, double q_peak_kPa, bool peak) {
+  ShearedTest test{.id = id, .name = "U" + std::to_string(id)};
+  test.drainage = lab::Drainage::closed;
+  test.p_eff_pa = p0_kPa * 1e3;
+  test.void_ratio = e;
+  for (int i = 0; i <= 500; ++i) {
+    const double strain = 0.25 * i / 500;
+    const double share = !peak           ? strain / 0.25
+                         : strain < 0.02 ? strain / 0.02
+                                         : 1 - (strain - 0.02) / 0.345;
+    lab::State s;
+    s.reading = i + 1;
+    s.strain = {strain, -strain / 2};
+    s.volumetric_strain = 0;
+    s.q = share * q_peak_kPa * 1e3;
+    s.p_eff = p0_kPa * 1e3 * (1 - 2 * strain);
+    s.void_ratio = e;
+    test.states.push_back(s);
+  }
+  return test;
+}
+
 std::vector<ShearedTest> campaign() {
   std::vector<ShearedTest> tests;
   for (const double p0 : {50.0, 100.0, 200.0, 300.0, 400.0, 800.0})
@@ -79,6 +102,39 @@ TEST_CASE("A load cell that reads too much is named for M") {
   const auto soil = study::study_soil(tests, "sand");
   CHECK(soil.tests[4].reason.find("M in compression") != std::string::npos);
   CHECK(soil.critical_ratio->fit.mean.value == Approx(kM).epsilon(1e-3));
+}
+
+// Peaks of q/(2 p0) = 0.3 - 2 psi, and one test whose q rises to its end at half again as much.
+TEST_CASE("Undrained strength over psi is that of tests that passed a peak of q") {
+  auto tests = campaign();
+  const auto line = study::study_soil(tests, "sand").critical_line->line;
+  const auto with_psi = [&](double psi, double ratio, bool peak) {
+    const double e = line.a + line.b * std::log(100.0) + psi;
+    tests.push_back(
+        undrained(static_cast<std::int64_t>(tests.size()) + 1, 100, e, 200 * ratio, peak));
+  };
+  for (const double psi : {0.02, 0.04, 0.06, 0.08, 0.10}) with_psi(psi, 0.3 - 2 * psi, true);
+  with_psi(0.03, 0.45, false);
+  const auto soil = study::study_soil(tests, "sand");
+  REQUIRE(soil.strength_over_state);
+  CHECK(soil.strength_over_state->line.tests == 5);
+  CHECK(soil.strength_over_state->line.b == Approx(-2).epsilon(0.02));
+  CHECK(soil.tests.back().reason.empty());
+  CHECK(soil.tests.back().strength_ratio == Approx(0.45).epsilon(0.01));
+}
+
+// The loosest of a row: beyond what the others tell of a curve, whose usual size is known.
+TEST_CASE("A wrong void ratio is named where its test is the last of a row") {
+  auto tests = campaign();
+  const auto line = study::study_soil(tests, "sand").critical_line->line;
+  for (const double psi : {0.02, 0.04, 0.06, 0.08, 0.10, 0.20}) {
+    const double e = line.a + line.b * std::log(100.0) + psi, true_psi = psi > 0.1 ? 0.05 : psi;
+    tests.push_back(undrained(static_cast<std::int64_t>(tests.size()) + 1, 100, e,
+                              200 * (0.3 - 2 * true_psi), true));
+  }
+  const auto soil = study::study_soil(tests, "sand");
+  CHECK(soil.tests.back().reason.find("undrained strength over ψ") != std::string::npos);
+  for (std::size_t i = 0; i + 1 < soil.tests.size(); ++i) CHECK(soil.tests[i].reason.empty());
 }
 
 TEST_CASE("The same test twice counts once, whatever it is called") {
