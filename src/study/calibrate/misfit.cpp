@@ -12,12 +12,13 @@
 namespace triax::study {
 namespace {
 
-/// The laws of one point, made when a path asks for them.
+/// The laws of one point, made when a path asks for them: one for all paths where it can be, since
+/// that of a plug-in costs a process.
 class Laws {
  public:
   Laws(const SearchSpace& space, const Unknowns& x) : space_(space), x_(x) {}
   const sim::Law<sim::Axisymmetric>* of(Imposed imposed) {
-    auto& made = made_[imposed == Imposed::undrained ? 0 : 1];
+    auto& made = made_[imposed == Imposed::undrained && space_.drainage_matters() ? 0 : 1];
     if (!made) made = space_.material(x_, imposed).value_or(sim::Material{});
     return made->axisymmetric.get();
   }
