@@ -93,11 +93,11 @@ class Problem {
 
 }  // namespace
 
-Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, double step) {
+Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, const Unknowns& steps) {
   const SearchSpace& space = misfit.space();
   std::vector<Unknowns> points = {x};
   for (Eigen::Index i = 0; i < x.size(); ++i)
-    for (const double side : {step, -step}) {
+    for (const double side : {steps(i), -steps(i)}) {
       points.push_back(x);
       points.back()(i) += side;
       // A side that is not possible counts as none; the other one remains.

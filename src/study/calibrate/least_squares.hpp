@@ -15,8 +15,8 @@ struct Residuals {
   Eigen::MatrixXd jacobian;  ///< per unknown; empty where not asked for
 };
 
-/// At a possible point; central differences of this size, one-sided at a bound.
-Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, double step = 1e-3);
+/// At a possible point; central differences of these sizes, one-sided at a bound.
+Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, const Unknowns& steps);
 
 struct LocalOptimum {
   Unknowns x;      ///< possible
