@@ -16,8 +16,6 @@ constexpr double kOpenShare = 0.25;
 constexpr double kWidest = 0.5;  // half width of an interval, of the range
 constexpr double kAtBound = 1e-3;
 constexpr double kFewestDegrees = 1;
-/// Steps of slopes: beyond the wide one curvature counts, below the narrow one the driver's error.
-constexpr double kWideStep = 1e-3, kNarrowStep = 3e-5;
 
 /// One quantity of one test.
 struct Series {
@@ -70,14 +68,13 @@ Eigen::MatrixXd spread_of(const Series& s, const Eigen::MatrixXd& slopes,
 }
 
 /// g = JᵀW ∂r/∂e of each test, times the error.
-Eigen::MatrixXd void_ratio_part(const Misfit& misfit, const Unknowns& x, const Residuals& at,
+Eigen::MatrixXd void_ratio_part(const Misfit& misfit, const Unknowns& x,
+                                const Eigen::MatrixXd& slopes, const Eigen::VectorXd& values,
                                 double error) {
-  const Eigen::Index tests = at.values.size() - 2 * x.size();
-  const Eigen::MatrixXd slopes = at.jacobian.topRows(tests);
   std::vector<MeasuredPath> moved = misfit.paths();
   for (MeasuredPath& path : moved) path.void_ratio += error;
   const Misfit other(misfit.space(), moved, misfit.threads(), misfit.driving());
-  const Eigen::VectorXd change = other.residuals_of({x}).col(0) - at.values.head(tests);
+  const Eigen::VectorXd change = other.residuals_of({x}).col(0) - values.head(slopes.rows());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
   for (std::size_t t = 0; t < moved.size(); ++t) {
     const auto [first, rows] = misfit.rows(t);
@@ -123,63 +120,35 @@ std::vector<bool> determined(const Eigen::MatrixXd& a) {
   }
 }
 
-/// What slopes and residuals say.
-struct Spread {
-  Residuals at;
-  Eigen::MatrixXd a, b;  ///< as in the header, without errors of void ratios
-  double degrees_of_freedom = 0;
-
-  Eigen::MatrixXd covariance(const Eigen::MatrixXd& more) const {
-    const Eigen::MatrixXd inverse = inverted(a);
-    return inverse * (b + more) * inverse;
-  }
-};
-
-Spread spread_at(const Misfit& misfit, const Unknowns& x, const Unknowns& steps) {
-  Spread found{.at = residuals_with_slopes(misfit, x, steps)};
-  const Eigen::Index n = x.size();
-  const Eigen::Index tests = found.at.values.size() - 2 * n;
-  const Eigen::MatrixXd slopes = found.at.jacobian.topRows(tests);
-  const Eigen::MatrixXd priors = found.at.jacobian.bottomRows(n);
-  found.a = slopes.transpose() * slopes + priors.transpose() * priors;
-  const auto series = series_of(misfit, found.at.values);
-  double independent = 0;
-  for (const Series& s : series) independent += s.independent;
-  found.degrees_of_freedom = std::max(independent - static_cast<double>(n), kFewestDegrees);
-  found.b = Eigen::MatrixXd::Zero(n, n);
-  const Eigen::VectorXd root = root_weights_of(misfit, tests);
-  for (const Series& s : series) found.b += spread_of(s, slopes, root);
-  found.b *= independent / found.degrees_of_freedom;
-  found.b += priors.transpose() * priors;
-  return found;
-}
-
-/// With slopes over steps as wide as the parameters are unsure: near where an undrained path
-/// liquefies its slopes change within a thousandth of a range.
-Spread spread_at(const Misfit& misfit, const Unknowns& x) {
-  const Eigen::Index n = x.size();
-  Spread found = spread_at(misfit, x, Unknowns::Constant(n, kWideStep));
-  const Eigen::MatrixXd covariance = found.covariance(Eigen::MatrixXd::Zero(n, n));
-  const Unknowns errors = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-  if (errors.minCoeff() >= kWideStep) return found;
-  return spread_at(misfit, x, errors.cwiseMax(kNarrowStep).cwiseMin(kWideStep));
-}
-
 }  // namespace
 
 Uncertainty uncertainty_at(const Misfit& misfit, const Unknowns& x,
                            const UncertaintyOptions& options) {
   const SearchSpace& space = misfit.space();
   const Eigen::Index n = x.size();
-  const Spread spread = spread_at(misfit, x);
-  const auto keep = determined(spread.a);
-  Eigen::MatrixXd of_void_ratios = Eigen::MatrixXd::Zero(n, n);
-  if (options.void_ratio_error > 0)
-    of_void_ratios = void_ratio_part(misfit, x, spread.at, options.void_ratio_error);
+  const Residuals at = residuals_with_slopes(misfit, x);
+  const Eigen::Index tests = at.values.size() - 2 * n;
+  const Eigen::MatrixXd slopes = at.jacobian.topRows(tests);
+  const Eigen::MatrixXd priors = at.jacobian.bottomRows(n);
+  const Eigen::MatrixXd a = slopes.transpose() * slopes + priors.transpose() * priors;
+  const auto keep = determined(a);
 
   Uncertainty found;
-  found.degrees_of_freedom = spread.degrees_of_freedom;
-  found.covariance = spread.covariance(of_void_ratios);
+  const auto series = series_of(misfit, at.values);
+  double independent = 0;
+  for (const Series& s : series) independent += s.independent;
+  const auto free = static_cast<double>(n);
+  found.degrees_of_freedom = std::max(independent - free, kFewestDegrees);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(n, n);
+  const Eigen::VectorXd root = root_weights_of(misfit, tests);
+  for (const Series& s : series) b += spread_of(s, slopes, root);
+  b *= independent / found.degrees_of_freedom;
+  b += priors.transpose() * priors;
+  if (options.void_ratio_error > 0)
+    b += void_ratio_part(misfit, x, slopes, at.values, options.void_ratio_error);
+
+  const Eigen::MatrixXd inverse = inverted(a);
+  found.covariance = inverse * b * inverse;
   found.correlation.setZero(n, n);
   const double wide = student_quantile(found.degrees_of_freedom, options.confidence);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -4,12 +4,12 @@
 //
 //   C = A⁻¹ B A⁻¹,  A = JᵀJ,  B = Σ_series s² JᵀW R W J + Σ_tests σ_e² g gᵀ
 //
-// J are the slopes of the unweighted residuals, over steps as wide as the parameters are unsure, W
-// their weights, s² the variance of a series' residuals and R = ρ^|i−j| their correlation from knot
-// to knot, both taken from the residuals themselves: so that neither the many readings of a smooth
-// misfit nor weights that are not those of the noise make an interval too narrow. g = JᵀW ∂r/∂e
-// carries the error of each test's void ratio. Intervals are those of Student's distribution with
-// as many degrees of freedom as the residuals leave.
+// J are the slopes of the unweighted residuals, W their weights, s² the variance of a series'
+// residuals and R = ρ^|i−j| their correlation from knot to knot, both taken from the residuals
+// themselves: so that neither the many readings of a smooth misfit nor weights that are not those
+// of the noise make an interval too narrow. g = JᵀW ∂r/∂e carries the error of each test's void
+// ratio. Intervals are those of Student's distribution with as many degrees of freedom as the
+// residuals leave.
 #include <string>
 #include <vector>
 
