@@ -78,8 +78,8 @@ TEST_CASE(
   set.material = set.law->make(set.parameters, {});
   std::mt19937_64 dice(1);
   const std::vector<MeasuredPath> paths = {
-      bench::virtual_path(set, {Imposed::drained, 200, 0.722143}, {}, dice)};
-  const SearchSpace space(set, {{"critical_void_ratio", 0.8, 1.2}});
+      bench::virtual_path(set, {Imposed::drained, 100, 0.787286}, {}, dice)};
+  const SearchSpace space(set, {{"critical_void_ratio", 0.6, 1.4}});
   const Misfit misfit(space, paths, 1, {.tolerance = 1e-7, .step_limit = 4000});
   const Unknowns x = space.start_point();
   const auto beside = [&](double step) { return Unknowns::Constant(1, x(0) + step); };
