@@ -55,6 +55,11 @@ void explain_faults() {
   sigaction(SIGSEGV, &explain, nullptr);
 }
 
+/// How often spin_for looks; after some waits in vain only now and then so long, for others are at
+/// work on this machine, and the post cannot come before this process sleeps.
+constexpr int kManyLooks = 2000, kFewLooks = 10;
+constexpr unsigned kFewInVain = 4, kHopeEvery = 64;
+
 /// Where the lifeline is kept.
 constexpr int kLifeline = STDERR_FILENO + 1;
 
@@ -106,12 +111,18 @@ void wait_for(sem_t& semaphore) {
 
 bool spin_for(sem_t& semaphore) {
   static const bool alone = sysconf(_SC_NPROCESSORS_ONLN) < 2;
-  for (int i = 0; i < (alone ? 1 : 2000); ++i) {
-    if (sem_trywait(&semaphore) == 0) return true;
+  thread_local unsigned in_vain = 0;  // in a row
+  const bool hopeful = !alone && (in_vain < kFewInVain || in_vain % kHopeEvery == 0);
+  for (int i = 0; i < (hopeful ? kManyLooks : kFewLooks); ++i) {
+    if (sem_trywait(&semaphore) == 0) {
+      in_vain = 0;
+      return true;
+    }
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #endif
   }
+  ++in_vain;
   return false;
 }
 

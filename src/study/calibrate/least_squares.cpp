@@ -104,16 +104,28 @@ Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, double 
       if (points.back()(i) > 1 || points.back()(i) < 0 || !space.possible(points.back()))
         points.back() = x;
     }
-  const Eigen::MatrixXd tests = misfit.residuals_of(points);
+  const Driven driven = misfit.driven(points);
   const auto rows = [&](std::size_t k) {
-    return all_rows(space, tests.col(static_cast<Eigen::Index>(k)), points[k], points[k]);
+    return all_rows(space, driven.residuals.col(static_cast<Eigen::Index>(k)), points[k],
+                    points[k]);
   };
   Residuals found{rows(0), {}};
   found.jacobian.setZero(found.values.size(), x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const auto k = static_cast<std::size_t>(2 * i + 1);
-    const double width = points[k](i) - points[k + 1](i);
-    if (width > 0) found.jacobian.col(i) = (rows(k) - rows(k + 1)) / width;
+    const auto up = static_cast<std::size_t>(2 * i + 1), down = up + 1;
+    const Eigen::VectorXd above = rows(up), below = rows(down);
+    const double to_above = points[up](i) - x(i), to_below = x(i) - points[down](i);
+    auto slopes = found.jacobian.col(i);
+    if (to_above + to_below > 0) slopes = (above - below) / (to_above + to_below);
+    for (std::size_t t = 0; t < misfit.paths().size(); ++t) {
+      if (!driven.whole(t, 0) || driven.whole(t, up) == driven.whole(t, down)) continue;
+      const bool upwards = driven.whole(t, up);
+      const double width = upwards ? to_above : to_below;
+      if (width == 0) continue;
+      const auto [first, count] = misfit.rows(t);
+      const Eigen::VectorXd change = upwards ? above - found.values : found.values - below;
+      slopes.segment(first, count) = change.segment(first, count) / width;
+    }
   }
   return found;
 }

@@ -15,7 +15,9 @@ struct Residuals {
   Eigen::MatrixXd jacobian;  ///< per unknown; empty where not asked for
 };
 
-/// At a possible point; central differences of this size, one-sided at a bound.
+/// At a possible point; central differences of this size, one-sided at a bound and along a path
+/// that the law drives to its end at the point and refuses beside it: the penalty of a refusal is
+/// no slope of the law.
 Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, double step = 1e-3);
 
 struct LocalOptimum {

@@ -12,12 +12,13 @@
 namespace triax::study {
 namespace {
 
-/// The laws of one point, made when a path asks for them.
+/// The laws of one point, made when a path asks for them: one for all paths where it can be, since
+/// that of a plug-in costs a process.
 class Laws {
  public:
   Laws(const SearchSpace& space, const Unknowns& x) : space_(space), x_(x) {}
   const sim::Law<sim::Axisymmetric>* of(Imposed imposed) {
-    auto& made = made_[imposed == Imposed::undrained ? 0 : 1];
+    auto& made = made_[imposed == Imposed::undrained && space_.drainage_matters() ? 0 : 1];
     if (!made) made = space_.material(x_, imposed).value_or(sim::Material{});
     return made->axisymmetric.get();
   }
@@ -35,10 +36,9 @@ ComputedPath nowhere(const MeasuredPath& path) {
   return none;
 }
 
-Eigen::VectorXd residuals_along(const MeasuredPath& path, Laws& laws,
-                                const DrivingOptions& driving) {
+ComputedPath along(const MeasuredPath& path, Laws& laws, const DrivingOptions& driving) {
   const auto* law = laws.of(path.imposed);
-  return residuals(path, law == nullptr ? nowhere(path) : drive(*law, path, driving));
+  return law == nullptr ? nowhere(path) : drive(*law, path, driving);
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ double Misfit::sum_of_squares(const Unknowns& x, double enough) const {
   Laws laws(space_, x);
   double sum = 0;
   for (const MeasuredPath& path : paths_) {
-    sum += residuals_along(path, laws, driving_).squaredNorm();
+    sum += residuals(path, along(path, laws, driving_)).squaredNorm();
     ++runs_;
     if (sum > enough) break;
   }
@@ -92,15 +92,20 @@ std::pair<Eigen::Index, Eigen::Index> Misfit::rows(std::size_t path) const {
   return {first, 2 * static_cast<Eigen::Index>(paths_[path].knots.size())};
 }
 
-Eigen::MatrixXd Misfit::residuals_of(const std::vector<Unknowns>& points) const {
+Driven Misfit::driven(const std::vector<Unknowns>& points) const {
   const auto [before_last, last] = rows(paths_.size() - 1);
-  Eigen::MatrixXd found(before_last + last, static_cast<Eigen::Index>(points.size()));
+  const auto columns = static_cast<Eigen::Index>(points.size());
+  Driven found{Eigen::MatrixXd(before_last + last, columns),
+               Eigen::MatrixXd(static_cast<Eigen::Index>(paths_.size()), columns)};
   each(points.size() * paths_.size(), [&](std::size_t task) {
     const std::size_t point = task / paths_.size(), path = task % paths_.size();
+    const auto column = static_cast<Eigen::Index>(point);
     const auto [first, count] = rows(path);
     Laws laws(space_, points[point]);
-    found.col(static_cast<Eigen::Index>(point)).segment(first, count) =
-        residuals_along(paths_[path], laws, driving_);
+    const ComputedPath computed = along(paths_[path], laws, driving_);
+    found.residuals.col(column).segment(first, count) = residuals(paths_[path], computed);
+    found.missing(static_cast<Eigen::Index>(path), column) =
+        static_cast<double>(paths_[path].knots.size() - computed.knots.size());
     ++runs_;
   });
   return found;

@@ -27,6 +27,16 @@ inline constexpr double kRefused = 30;
 /// Of all knots, the first quantity of the test and then the second.
 Eigen::VectorXd residuals(const MeasuredPath& measured, const ComputedPath& computed);
 
+/// What came of the tests at some points.
+struct Driven {
+  Eigen::MatrixXd residuals;  ///< of all tests, one column a point
+  Eigen::MatrixXd missing;    ///< knots that were not reached: a row a test, a column a point
+
+  bool whole(std::size_t path, std::size_t point) const {
+    return missing(static_cast<Eigen::Index>(path), static_cast<Eigen::Index>(point)) <= 0;
+  }
+};
+
 /// Drives the law of each point through the tests, on several threads.
 class Misfit {
  public:
@@ -37,7 +47,11 @@ class Misfit {
   /// Σ r² of one point, which has to be possible; stops once it is above `enough`. For one thread.
   double sum_of_squares(const Unknowns& x, double enough) const;
   /// Residuals of all tests, one column a point. Points have to be possible.
-  Eigen::MatrixXd residuals_of(const std::vector<Unknowns>& points) const;
+  Eigen::MatrixXd residuals_of(const std::vector<Unknowns>& points) const {
+    return driven(points).residuals;
+  }
+  /// The same, with how far the law came.
+  Driven driven(const std::vector<Unknowns>& points) const;
   /// Calls work(i) for i below `count` on all threads.
   void each(std::size_t count, const std::function<void(std::size_t)>& work) const;
 

@@ -33,6 +33,11 @@ void put(sim::ParameterSet& set, const std::string& key, double value) {
     set.numbers[key] = value;
 }
 
+bool has_pore_fluid(const sim::LawDescription& law) {
+  return std::ranges::find(law.parameters, kPoreFluid, &sim::ParameterDescription::key) !=
+         law.parameters.end();
+}
+
 sim::MaterialFinder shipped() {
   return [](const std::string& name) { return lab::find_material(name).material; };
 }
@@ -56,9 +61,7 @@ std::optional<double> value_of(const lab::MaterialSet& set, const std::string& k
 
 sim::ParameterSet for_drainage(sim::ParameterSet parameters, const sim::LawDescription& law,
                                Imposed imposed) {
-  if (std::ranges::find(law.parameters, kPoreFluid, &sim::ParameterDescription::key) ==
-      law.parameters.end())
-    return parameters;
+  if (!has_pore_fluid(law)) return parameters;
   double& modulus = parameters.numbers[kPoreFluid];
   if (imposed != Imposed::undrained)
     modulus = 0;
@@ -68,7 +71,9 @@ sim::ParameterSet for_drainage(sim::ParameterSet parameters, const sim::LawDescr
 }
 
 SearchSpace::SearchSpace(lab::MaterialSet start, std::vector<lab::SearchRange> ranges)
-    : start_(std::move(start)), ranges_(std::move(ranges)) {
+    : start_(std::move(start)),
+      ranges_(std::move(ranges)),
+      drainage_matters_(has_pore_fluid(*start_.law)) {
   for (const auto& range : ranges_)
     if (!value_of(start_, range.key))
       throw lab::BadInput(fmt::format("{} has no number {}", start_.name, lab::excerpt(range.key)));

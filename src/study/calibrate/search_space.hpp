@@ -37,6 +37,8 @@ class SearchSpace {
   /// The law at a point, for paths of this drainage: NorSand has one bulk modulus of the pore fluid
   /// for each. Empty where the law refuses the parameters.
   std::optional<sim::Material> material(const Unknowns& x, Imposed imposed) const;
+  /// Whether the law has such a modulus: else one material serves all paths.
+  bool drainage_matters() const { return drainage_matters_; }
   /// Whether the law takes the parameters.
   bool possible(const Unknowns& x) const;
   /// The nearest point within the bounds, and from there towards the start until the law takes it.
@@ -45,6 +47,7 @@ class SearchSpace {
  private:
   lab::MaterialSet start_;
   std::vector<lab::SearchRange> ranges_;
+  bool drainage_matters_;
   Unknowns anchor_;
 };
 

@@ -2,6 +2,7 @@
 #include "src/study/calibrate/misfit.hpp"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "bench/calibrate/virtual_tests.hpp"
 #include "lab/base/bad_input.hpp"
@@ -56,6 +57,39 @@ TEST_CASE("the further a law comes before it refuses, the smaller the sum, witho
     before = sum;
   }
   CHECK(before == 0);
+}
+
+TEST_CASE(
+    "beside a path that ends where the law refuses, slopes are the law's and not the penalty's") {
+  lab::MaterialSet set = lab::find_material("sanisand/Toyoura-DM04");
+  // Loosens until its hardening vanishes at e = 1/c_h, where the law ends and so does the test.
+  for (const auto& [key, value] :
+       std::map<std::string, double>{{"shear_modulus_factor", 112.74},
+                                     {"critical_stress_ratio", 1.21108},
+                                     {"critical_void_ratio", 1.05189},
+                                     {"critical_slope", 0.0135057},
+                                     {"critical_exponent", 0.708924},
+                                     {"hardening_factor", 3.54517},
+                                     {"hardening_void_ratio_factor", 1.05792},
+                                     {"bounding_exponent", 1.60613},
+                                     {"dilatancy_factor", 0.807467},
+                                     {"dilatancy_exponent", 4.22102}})
+    set.parameters.numbers.at(key) = value;
+  set.material = set.law->make(set.parameters, {});
+  std::mt19937_64 dice(1);
+  const std::vector<MeasuredPath> paths = {
+      bench::virtual_path(set, {Imposed::drained, 100, 0.787286}, {}, dice)};
+  const SearchSpace space(set, {{"critical_void_ratio", 0.6, 1.4}});
+  const Misfit misfit(space, paths, 1, {.tolerance = 1e-7, .step_limit = 4000});
+  const Unknowns x = space.start_point();
+  const auto beside = [&](double step) { return Unknowns::Constant(1, x(0) + step); };
+  const Driven driven = misfit.driven({x, beside(1e-3), beside(-1e-3), beside(-1e-4)});
+  REQUIRE(driven.whole(0, 0));
+  REQUIRE_FALSE(driven.whole(0, 1));
+  REQUIRE(driven.whole(0, 2));
+  const Eigen::VectorXd slopes = (driven.residuals.col(0) - driven.residuals.col(3)) / 1e-4;
+  const auto found = residuals_with_slopes(misfit, x);
+  CHECK((found.jacobian.topRows(slopes.size()) - slopes).norm() < 0.02 * slopes.norm());
 }
 
 TEST_CASE("what the law refuses is brought back to where it does not, towards the start") {
