@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/study/calibrate/implied_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/base/statistics.hpp"
+
+namespace triax::study {
+namespace {
+
+constexpr int kColumns = 7;
+constexpr double kRow = 0.05;  // of η
+constexpr int kDirections = 36;
+constexpr double kExtension = -0.1;  // η of a test that went into extension
+
+/// To three digits in kPa, so that a reader can ask triax domain for the same.
+double rounded(double pa) {
+  const double kPa = pa / 1e3;
+  const double unit = std::pow(10.0, std::floor(std::log10(kPa)) - 2);
+  return std::round(kPa / unit) * unit * 1e3;
+}
+
+}  // namespace
+
+ImpliedStates implied_states(const std::vector<MeasuredPath>& paths) {
+  ImpliedStates states;
+  std::vector<double> collapsed, all;
+  double least = paths.front().start.p_eff, largest = least;
+  for (const MeasuredPath& path : paths) {
+    all.push_back(path.void_ratio);
+    least = std::min(least, path.start.p_eff);
+    if (const auto onset = onset_knot(path)) {
+      collapsed.push_back(path.void_ratio);
+      least = std::min(least, onset->p_eff);
+    }
+    for (const PathKnot& knot : path.knots) {
+      largest = std::max(largest, knot.p_eff);
+      states.extension = states.extension || knot.q < kExtension * knot.p_eff;
+    }
+  }
+  states.of_collapsed = !collapsed.empty();
+  const double median = lab::median(states.of_collapsed ? collapsed : all);
+  states.void_ratio = std::round(1e4 * median) / 1e4;
+  constexpr double kNarrow = 0.8;  // all tests at about one p′
+  if (least > kNarrow * largest) least = largest / 2;
+  for (int k = 0; k < kColumns; ++k)
+    states.pressures.push_back(
+        rounded(std::lerp(least, largest, static_cast<double>(k) / (kColumns - 1))));
+  return states;
+}
+
+sim::DomainColumn implied_column(const sim::Law<sim::Axisymmetric>& law, double p,
+                                 double void_ratio, double ratio) {
+  const sim::DomainGrid grid{.p_from = p,
+                             .p_to = p,
+                             .columns = 1,
+                             .q_from = std::min(ratio, 0.0) * p,
+                             .q_to = std::max(ratio, 0.0) * p,
+                             .rows = 1 + static_cast<int>(std::lround(std::abs(ratio) / kRow)),
+                             .void_ratio = void_ratio,
+                             .directions = kDirections};
+  return sim::domain_column(law, grid, 0);
+}
+
+}  // namespace triax::study

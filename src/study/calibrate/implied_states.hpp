@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The states at which a calibrated set is asked for its domain, and the sets' answers.
+#include <optional>
+#include <vector>
+
+#include "sim/stability/domain.hpp"
+#include "src/study/calibrate/measured_path.hpp"
+
+namespace triax::study {
+
+inline constexpr double kLargestRatioOfDomain = 2.4, kLeastRatioOfDomain = -1.4;
+
+struct ImpliedStates {
+  double void_ratio = 0;
+  bool of_collapsed = false;
+  std::vector<double> pressures;  ///< p′, Pa, rising
+  bool extension = false;         ///< whether a test went there
+};
+
+/// As implied_domain.hpp says them. Pre-condition: paths is not empty.
+ImpliedStates implied_states(const std::vector<MeasuredPath>& paths);
+
+/// One column of the domain from isotropic stress to that stress ratio, in rows of 0.05.
+sim::DomainColumn implied_column(const sim::Law<sim::Axisymmetric>& law, double p,
+                                 double void_ratio, double ratio);
+
+}  // namespace triax::study
