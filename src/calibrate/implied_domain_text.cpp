@@ -69,8 +69,6 @@ std::string remarks(const study::ImpliedDomain& d) {
   if (d.refused > d.draws)
     out += fmt::format("  the law refused {} sets that were drawn: intervals end at its bounds\n",
                        d.refused);
-  if (!d.refusal.empty() && d.none.empty())
-    out += "  of directions that the law refuses nothing is known: " + d.refusal + "\n";
   return out;
 }
 

@@ -23,6 +23,7 @@ using Columns = std::vector<sim::DomainColumn>;
 /// What one set answers, column by column; empty columns where it answers nothing.
 struct Answers {
   Columns compression, extension;
+  std::string refusal;  ///< the law's words on directions that it refuses; empty: it answers all
 };
 using Value = std::optional<double>;
 
@@ -63,6 +64,8 @@ Answers answers_of(const sim::Law<sim::Axisymmetric>& law, const ImpliedStates& 
     found.compression.push_back(implied_column(law, p, at.void_ratio, kLargestRatioOfDomain));
     if (at.extension)
       found.extension.push_back(implied_column(law, p, at.void_ratio, kLeastRatioOfDomain));
+    if (found.refusal.empty())
+      found.refusal = refused_direction(law, found.compression.back(), at.void_ratio);
   }
   return found;
 }
@@ -78,8 +81,6 @@ class Gathering {
     if (at_.extension)
       out_.extension = boundaries(&Answers::extension, &sim::DomainColumn::extension);
     for (std::size_t k = 1; k < at_.pressures.size(); k += kConeEvery) add_cones(k);
-    for (const auto& column : best_.compression)
-      if (out_.refusal.empty() && !answers_all(column)) out_.refusal = column.refusal;
     out_.none = why_none();
   }
 
@@ -165,16 +166,22 @@ class Gathering {
             .opening = told(opening)};
   }
 
-  /// Whether, up to the limit, no direction was refused.
-  static bool answers_all(const sim::DomainColumn& column) {
-    for (const sim::DomainState& state : column.states) {
-      if (state.kind == sim::DomainStateKind::beyond_limit) return true;
-      if (state.kind == sim::DomainStateKind::refused || state.refused_directions > 0) return false;
+  /// The law's words where it has no state at all.
+  std::string refused_everywhere() const {
+    std::string words = "the law gives no result";
+    for (const auto& column : best_.compression) {
+      if (column.states.front().kind != sim::DomainStateKind::refused) return "";
+      words = column.refusal;
     }
-    return true;
+    return words;
   }
 
   std::string why_none() const {
+    if (!best_.refusal.empty())
+      return "the law does not answer all directions, so that no domain can be told: " +
+             best_.refusal;
+    if (const std::string words = refused_everywhere(); !words.empty())
+      return "the law refuses these states: " + words;
     double least = 0, most = 0;
     for (const auto* side : {&out_.compression, &out_.extension})
       for (const ImpliedBoundary& at : *side) {
@@ -182,8 +189,6 @@ class Gathering {
         least = std::min(least, at.limit.best.value_or(0));
         most = std::max(most, at.limit.best.value_or(0));
       }
-    if (!out_.refusal.empty())
-      return "no unstable direction among those that the law answers: " + out_.refusal;
     if (most > 0)
       return fmt::format(
           "no direction of negative second-order work before the plastic limit (η = {:.3f}{}), "

@@ -61,8 +61,9 @@ struct ImpliedDomain {
   std::vector<ImpliedBoundary> compression;
   std::vector<ImpliedBoundary> extension;  ///< empty: no test went there
   std::vector<ImpliedCone> cones;
-  std::string none;     ///< why there is no domain at all, one line; empty: there is one
-  std::string refusal;  ///< the law's words on directions that it refuses; empty: it answers all
+  /// Why no domain is told, one line; empty: there is one. A law that refuses directions has none
+  /// that could be told: the refused ones may be those that are unstable first.
+  std::string none;
 };
 
 struct ImpliedOptions {

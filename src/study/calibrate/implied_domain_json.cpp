@@ -50,7 +50,6 @@ Json implied_domain_json(const ImpliedDomain& d) {
           {"asked", d.asked},
           {"refused", d.refused},
           {"none", json_text(d.none)},
-          {"refusal", json_text(d.refusal)},
           {"compression", boundaries_json(d.compression)},
           {"extension", boundaries_json(d.extension)},
           {"cones", std::move(cones)}};

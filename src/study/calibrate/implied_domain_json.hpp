@@ -3,7 +3,7 @@
 // Cones and domain of a calibrated set in its JSON document.
 //
 //   {"void_ratio", "of_collapsed_tests", "confidence", "draws", "asked", "refused",
-//    "none": why there is no domain, or null, "refusal": of directions, or null,
+//    "none": why no domain is told, or null,
 //    "compression": [{"p_eff_kPa", "first_unstable", "alpha_deg", "isotropic_unloading",
 //                     "limit"}], "extension": likewise,
 //    "cones": [{"p_eff_kPa", "q_kPa", "eta", "from_deg", "to_deg", "opening_deg"}]}

@@ -21,6 +21,17 @@ double rounded(double pa) {
   return std::round(kPa / unit) * unit * 1e3;
 }
 
+sim::DomainGrid grid_of(double p, double void_ratio, double q_from, double q_to, int rows) {
+  return {.p_from = p,
+          .p_to = p,
+          .columns = 1,
+          .q_from = q_from,
+          .q_to = q_to,
+          .rows = rows,
+          .void_ratio = void_ratio,
+          .directions = kDirections};
+}
+
 }  // namespace
 
 ImpliedStates implied_states(const std::vector<MeasuredPath>& paths) {
@@ -52,15 +63,22 @@ ImpliedStates implied_states(const std::vector<MeasuredPath>& paths) {
 
 sim::DomainColumn implied_column(const sim::Law<sim::Axisymmetric>& law, double p,
                                  double void_ratio, double ratio) {
-  const sim::DomainGrid grid{.p_from = p,
-                             .p_to = p,
-                             .columns = 1,
-                             .q_from = std::min(ratio, 0.0) * p,
-                             .q_to = std::max(ratio, 0.0) * p,
-                             .rows = 1 + static_cast<int>(std::lround(std::abs(ratio) / kRow)),
-                             .void_ratio = void_ratio,
-                             .directions = kDirections};
-  return sim::domain_column(law, grid, 0);
+  const int rows = 1 + static_cast<int>(std::lround(std::abs(ratio) / kRow));
+  return sim::domain_column(
+      law, grid_of(p, void_ratio, std::min(ratio, 0.0) * p, std::max(ratio, 0.0) * p, rows), 0);
+}
+
+std::string refused_direction(const sim::Law<sim::Axisymmetric>& law,
+                              const sim::DomainColumn& column, double void_ratio) {
+  std::vector<double> where;
+  for (const sim::DomainState& state : column.states) {
+    if (state.kind == sim::DomainStateKind::beyond_limit || !state.cones.empty()) break;
+    if (state.refused_directions > 0) where.push_back(state.q);
+  }
+  if (where.empty()) return "";
+  // Well inside, where what is refused is no matter of the isotropic state.
+  const double q = where[where.size() / 2];
+  return sim::domain_column(law, grid_of(column.p, void_ratio, q, q + column.p, 1), 0).refusal;
 }
 
 }  // namespace triax::study

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The states at which a calibrated set is asked for its domain, and the sets' answers.
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/stability/domain.hpp"
@@ -24,5 +24,10 @@ ImpliedStates implied_states(const std::vector<MeasuredPath>& paths);
 /// One column of the domain from isotropic stress to that stress ratio, in rows of 0.05.
 sim::DomainColumn implied_column(const sim::Law<sim::Axisymmetric>& law, double p,
                                  double void_ratio, double ratio);
+
+/// The law's words on a direction that it refuses at a state of the column before a cone opens or
+/// the limit is met; empty: it answers them all.
+std::string refused_direction(const sim::Law<sim::Axisymmetric>& law,
+                              const sim::DomainColumn& column, double void_ratio);
 
 }  // namespace triax::study
