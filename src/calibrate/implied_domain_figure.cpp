@@ -73,8 +73,8 @@ class Picture {
     draw_area(rect(), {}, kBand, Qt::NoPen, percent() + " of the sets drawn");
     if (has_limit()) draw_curve(rect(), {}, limit_pen(), "plastic limit (its band grey)");
     if (!domain_.cones.empty()) {
-      draw_area(rect(), {}, kSure, edge_pen(), "W₂ < 0 in all sets; lines: the best");
-      draw_area(rect(), {}, kScatter, Qt::NoPen, "edges of the cones, " + percent());
+      draw_area(rect(), {}, kSure, edge_pen(), "W₂ < 0; lines: edges of the best set");
+      draw_area(rect(), {}, kScatter, Qt::NoPen, "edges of " + percent() + " of the sets");
     }
     draw_curve(rect(), {}, path_pen(), "measured stress path");
     RangeOf void_ratios;
@@ -149,10 +149,10 @@ class Picture {
 
   /// Small where the next state would be covered, kPa.
   double radius_at(const ImpliedCone& cone) const {
-    double radius = std::min(0.14 * plot_->xAxis->range().size(), 1.2e-3 * cone.p);
+    double radius = std::min(0.11 * plot_->xAxis->range().size(), 1.2e-3 * cone.p);
     for (const ImpliedCone& other : domain_.cones)
       if (const double way = std::hypot(other.p - cone.p, other.q - cone.q) / 1e3; way > 0)
-        radius = std::min(radius, 2 * way);
+        radius = std::min(radius, 1.5 * way);
     return radius;
   }
 
@@ -179,6 +179,8 @@ class Picture {
       const Points rim = wedge(cone, edge, edge);
       draw_curve(rect(), {rim.front(), rim.back()}, edge_pen());
     }
+    draw_markers(rect(), {{cone.p / 1e3, cone.q / 1e3}},
+                 {QCPScatterStyle::ssDisc, line(kVermilion, 1), QBrush(kVermilion), 3});
   }
 
   const study::Calibration& c_;

@@ -68,3 +68,29 @@ TEST_CASE("A plug-in that crashes is a misfit that no parameter lessens") {
     CHECK(r.col(0) == r.col(2));
   }
 }
+
+TEST_CASE("A UMAT has its domain by fewer draws, and one that fails says that it has none") {
+  if (!sim::test::umat_fixture_is_there()) return;
+  const auto free = lab::read_search(R"([search]
+"properties.3" = [0.9, 1.5]
+)",
+                                     "umat.toml");
+  std::mt19937_64 dice(1);
+  const std::vector<MeasuredPath> paths = {bench::virtual_path(
+      set_with(sim::test::Misbehaviour::none), {Imposed::drained, 100, 0.8}, {}, dice, 20)};
+  const Uncertainty sure{.parameters = {{.key = "properties.3"}},
+                         .covariance = Eigen::MatrixXd::Constant(1, 1, 1e-4),
+                         .degrees_of_freedom = 30};
+  for (const auto what : {sim::test::Misbehaviour::none, sim::test::Misbehaviour::stop}) {
+    const SearchSpace space(set_with(what), free);
+    const Misfit misfit(space, paths, 2, {});
+    const auto found = implied_domain(misfit, space.start_point(), sure,
+                                      {.draws = what == sim::test::Misbehaviour::none ? 0 : 2},
+                                      [](double) { return true; });
+    REQUIRE(found);
+    INFO(found->none);
+    CHECK(found->draws == (what == sim::test::Misbehaviour::none ? 20 : 2));
+    CHECK(found->compression.size() == 7);
+    CHECK_FALSE(found->none.empty());  // elastic, perfectly plastic, or failing
+  }
+}
