@@ -110,7 +110,7 @@ Command calibrate_command() {
            "collapse of each test from the others. It gives the bifurcation domain and the cones "
            "of "
            "unstable directions that the set implies, with how far they scatter over 200 sets "
-           "drawn from the estimate (20 of a UMAT). --output writes a parameter file like those "
+           "drawn from the estimate (10 of a UMAT). --output writes a parameter file like those "
            "that ship with the program. Stopped by Ctrl-C, it gives the best so far, says so and "
            "ends with status 1.",
            "Searches are independent of each other: --piece I/N runs every N-th of them as one "

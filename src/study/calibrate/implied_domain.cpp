@@ -15,7 +15,7 @@
 namespace triax::study {
 namespace {
 
-constexpr int kDrawsOfRates = 200, kDrawsOfFinite = 20;
+constexpr int kDrawsOfRates = 200, kDrawsOfFinite = 10;
 constexpr std::size_t kFewestForInterval = 10;
 constexpr std::size_t kConeEvery = 2, kConesPerPressure = 2;
 
@@ -213,9 +213,9 @@ std::optional<ImpliedDomain> implied_domain(const Misfit& misfit, const Unknowns
                                             const Uncertainty& sure, const ImpliedOptions& options,
                                             const std::function<bool(double)>& go_on) {
   const SearchSpace& space = misfit.space();
-  const ImpliedStates at = implied_states(misfit.paths());
   const auto& law = space.start().material.axisymmetric;
   const bool finite = law != nullptr && law->finite();
+  const ImpliedStates at = implied_states(misfit.paths(), finite);
   const int count = options.draws > 0 ? options.draws : finite ? kDrawsOfFinite : kDrawsOfRates;
   const ParameterDraws drawn = draw_parameters(space, x, sure, count, options.seed);
 

@@ -16,6 +16,9 @@
 //   η    rows of 0.05 up to 2.4 in compression, and down to −1.4 in extension where a test went
 //        there; what is met is isolated between them
 //
+// A law that integrates itself, such as a UMAT, answers slowly: it is asked at three p′ and in rows
+// of 0.2.
+//
 // Intervals hold what the tests leave open in this law; they do not say that the law is right.
 #include <functional>
 #include <optional>
@@ -68,7 +71,7 @@ struct ImpliedDomain {
 
 struct ImpliedOptions {
   std::uint64_t seed = 1;
-  /// 200 of a law in rates, 20 of one that integrates itself, such as a UMAT: 0.
+  /// 200 of a law in rates, 10 of one that integrates itself, such as a UMAT: 0.
   int draws = 0;
 };
 

@@ -9,8 +9,8 @@
 namespace triax::study {
 namespace {
 
-constexpr int kColumns = 7;
-constexpr double kRow = 0.05;  // of η
+constexpr int kColumns = 7, kColumnsOfFinite = 3;
+constexpr double kRow = 0.05, kRowOfFinite = 0.2;  // of η
 constexpr int kDirections = 36;
 constexpr double kExtension = -0.1;  // η of a test that went into extension
 
@@ -34,7 +34,7 @@ sim::DomainGrid grid_of(double p, double void_ratio, double q_from, double q_to,
 
 }  // namespace
 
-ImpliedStates implied_states(const std::vector<MeasuredPath>& paths) {
+ImpliedStates implied_states(const std::vector<MeasuredPath>& paths, bool finite) {
   ImpliedStates states;
   std::vector<double> collapsed, all;
   double least = paths.front().start.p_eff, largest = least;
@@ -55,15 +55,17 @@ ImpliedStates implied_states(const std::vector<MeasuredPath>& paths) {
   states.void_ratio = std::round(1e4 * median) / 1e4;
   constexpr double kNarrow = 0.8;  // all tests at about one p′
   if (least > kNarrow * largest) least = largest / 2;
-  for (int k = 0; k < kColumns; ++k)
+  const int columns = finite ? kColumnsOfFinite : kColumns;
+  for (int k = 0; k < columns; ++k)
     states.pressures.push_back(
-        rounded(std::lerp(least, largest, static_cast<double>(k) / (kColumns - 1))));
+        rounded(std::lerp(least, largest, static_cast<double>(k) / (columns - 1))));
   return states;
 }
 
 sim::DomainColumn implied_column(const sim::Law<sim::Axisymmetric>& law, double p,
                                  double void_ratio, double ratio) {
-  const int rows = 1 + static_cast<int>(std::lround(std::abs(ratio) / kRow));
+  const int rows =
+      1 + static_cast<int>(std::lround(std::abs(ratio) / (law.finite() ? kRowOfFinite : kRow)));
   return sim::domain_column(
       law, grid_of(p, void_ratio, std::min(ratio, 0.0) * p, std::max(ratio, 0.0) * p, rows), 0);
 }

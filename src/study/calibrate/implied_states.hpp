@@ -18,10 +18,12 @@ struct ImpliedStates {
   bool extension = false;         ///< whether a test went there
 };
 
-/// As implied_domain.hpp says them. Pre-condition: paths is not empty.
-ImpliedStates implied_states(const std::vector<MeasuredPath>& paths);
+/// As implied_domain.hpp says them: seven p′, or three of a law that integrates itself (`finite`).
+/// Pre-condition: paths is not empty.
+ImpliedStates implied_states(const std::vector<MeasuredPath>& paths, bool finite = false);
 
-/// One column of the domain from isotropic stress to that stress ratio, in rows of 0.05.
+/// One column of the domain from isotropic stress to that stress ratio, in rows of 0.05, or 0.2 of
+/// a law that integrates itself.
 sim::DomainColumn implied_column(const sim::Law<sim::Axisymmetric>& law, double p,
                                  double void_ratio, double ratio);
 
