@@ -82,7 +82,7 @@ std::string void_ratio_in_words(const study::ImpliedDomain& domain) {
 std::string implied_domain_text(const study::ImpliedDomain& d) {
   std::string out =
       fmt::format("\nCones and domain that the set implies, at {}\n", void_ratio_in_words(d));
-  if (!d.none.empty()) return out + "  " + d.none + "\n" + remarks(d);
+  if (!d.none.empty()) return out + "  " + d.none + "\n" + (d.draws > 0 ? remarks(d) : "");
   out += fmt::format(
       "  in brackets the middle {:.0f} % of {} sets drawn from the estimate; sets: those that have "
       "it\n",

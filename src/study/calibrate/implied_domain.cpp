@@ -64,8 +64,8 @@ Answers answers_of(const sim::Law<sim::Axisymmetric>& law, const ImpliedStates& 
     found.compression.push_back(implied_column(law, p, at.void_ratio, kLargestRatioOfDomain));
     if (at.extension)
       found.extension.push_back(implied_column(law, p, at.void_ratio, kLeastRatioOfDomain));
-    if (found.refusal.empty())
-      found.refusal = refused_direction(law, found.compression.back(), at.void_ratio);
+    found.refusal = refused_direction(law, found.compression.back(), at.void_ratio);
+    if (!found.refusal.empty()) break;  // no domain can be told, wherever else it is asked
   }
   return found;
 }
@@ -217,7 +217,7 @@ std::optional<ImpliedDomain> implied_domain(const Misfit& misfit, const Unknowns
   const bool finite = law != nullptr && law->finite();
   const ImpliedStates at = implied_states(misfit.paths(), finite);
   const int count = options.draws > 0 ? options.draws : finite ? kDrawsOfFinite : kDrawsOfRates;
-  const ParameterDraws drawn = draw_parameters(space, x, sure, count, options.seed);
+  ParameterDraws drawn = draw_parameters(space, x, sure, count, options.seed);
 
   std::vector<Answers> all(1 + drawn.points.size());  // the best set first
   const auto caller = std::this_thread::get_id();
@@ -229,7 +229,7 @@ std::optional<ImpliedDomain> implied_domain(const Misfit& misfit, const Unknowns
       stopped = true;
     return !stopped;
   };
-  misfit.each(all.size(), [&](std::size_t k) {
+  const auto ask = [&](std::size_t k) {
     if (!still()) return;
     // Every set has a law of its own: a UMAT's process serves one thread.
     try {
@@ -238,7 +238,10 @@ std::optional<ImpliedDomain> implied_domain(const Misfit& misfit, const Unknowns
     } catch (const std::runtime_error&) {  // a plug-in that fails answers nothing
     }
     ++done;
-  });
+  };
+  ask(0);
+  if (!all.front().refusal.empty()) drawn.points.clear();
+  misfit.each(drawn.points.size(), [&](std::size_t k) { ask(k + 1); });
   if (stopped || !go_on(1)) return std::nullopt;
 
   ImpliedDomain found{.void_ratio = at.void_ratio,
@@ -248,6 +251,7 @@ std::optional<ImpliedDomain> implied_domain(const Misfit& misfit, const Unknowns
                       .refused = drawn.refused};
   const Answers best = std::move(all.front());
   all.erase(all.begin());
+  all.resize(drawn.points.size());
   Gathering(at, best, all, found).run();
   return found;
 }

@@ -58,7 +58,7 @@ struct ImpliedDomain {
   double void_ratio = 0;
   bool of_collapsed = false;  ///< the median of the tests that collapsed, not of all
   double confidence = 0.95;
-  int draws = 0;    ///< that were computed
+  int draws = 0;    ///< that were computed; none where the law refuses directions
   int asked = 0;    ///< of them
   int refused = 0;  ///< sets that the law refused, which were drawn anew
   std::vector<ImpliedBoundary> compression;
