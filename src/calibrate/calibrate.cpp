@@ -43,7 +43,7 @@ void check_output(const CalibrateOptions& o) {
   if (!o.figures.empty())
     check_folder("--figures", o.figures,
                  files_of_prefix(prefix_in(o.figures, "calibrate"),
-                                 {"_undrained", "_drained", "_stress_path"}));
+                                 {"_undrained", "_drained", "_stress_path", "_domain"}));
 }
 
 study::Progress shown_in(TaskProgress& progress) {
@@ -107,7 +107,10 @@ Command calibrate_command() {
            "of each, find the parameters within the ranges of the law's parameter file.",
            "The answer has intervals and correlations, names parameters that the tests do not "
            "determine and other optima that fit about as well, and predicts the stress ratio at "
-           "collapse of each test from the others. --output writes a parameter file like those "
+           "collapse of each test from the others. It gives the bifurcation domain and the cones "
+           "of "
+           "unstable directions that the set implies, with how far they scatter over 200 sets "
+           "drawn from the estimate (10 of a UMAT). --output writes a parameter file like those "
            "that ship with the program. Stopped by Ctrl-C, it gives the best so far, says so and "
            "ends with status 1.",
            "Searches are independent of each other: --piece I/N runs every N-th of them as one "

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "src/calibrate/implied_domain_figure.hpp"
 #include "src/plot/axes.hpp"
 #include "src/plot/note.hpp"
 #include "src/plot/plot_style.hpp"
@@ -135,6 +136,7 @@ std::vector<NamedFigure> calibrate_figures(const study::Calibration& c) {
     FigureData data = data_of_kind(c, kind);
     if (!data.rows.empty()) figures.push_back({kind.name, drawing_of(c, kind), std::move(data)});
   }
+  if (c.domain && c.domain->none.empty()) figures.push_back(implied_domain_figure(c));
   return figures;
 }
 

@@ -58,8 +58,8 @@ void add_calibrate_options(CLI::App& app, CalibrateOptions& o) {
       ->type_name("FILE.toml");
   app.add_option("--figures", o.figures,
                  "write measured and computed curves of all tests into FOLDER, as "
-                 "calibrate_undrained, calibrate_drained and calibrate_stress_path (.svg, .png, "
-                 ".pdf, .csv, .json)")
+                 "calibrate_undrained, calibrate_drained and calibrate_stress_path, and cones and "
+                 "domain of the set as calibrate_domain (.svg, .png, .pdf, .csv, .json)")
       ->type_name("FOLDER");
   add_json(app, o.json);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/calibrate/implied_domain_text.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
 
@@ -118,6 +119,7 @@ std::string calibrate_text(const Calibration& c) {
         "INTERRUPTED: the best so far; a search may find better, and what is missing below was "
         "not computed\n";
   out += searches(c) + "\n" + parameters(c) + correlations(c) + misfits(c) + predictions(c);
+  if (c.domain) out += implied_domain_text(*c.domain);
   if (!c.notes.empty()) out += "\nNotes\n";
   for (const auto& note : c.notes) out += "  " + note + "\n";
   return out;

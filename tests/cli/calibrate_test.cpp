@@ -84,6 +84,14 @@ TEST_CASE("calibrate finds a soil of known parameters, and domain takes the file
   }
   CHECK(json["misfits"].size() == 4);
   CHECK(here.has("curves/calibrate_drained.svg"));
+  // Perfect plasticity has a limit, M = 6 sin 30/(3 - sin 30) = 1.2, and no domain before it.
+  const auto& domain = json["domain"];
+  CHECK_THAT(domain["none"].get<std::string>(), Contains("before the plastic limit"));
+  CHECK(domain["void_ratio"] == 0.8);
+  CHECK(domain["compression"].size() == 7);
+  CHECK(domain["compression"][0]["limit"]["value"].get<double>() == Approx(1.2).epsilon(0.01));
+  CHECK(domain["compression"][0]["first_unstable"]["value"].is_null());
+  CHECK_FALSE(here.has("curves/calibrate_domain.svg"));
   CHECK(here.triax("probe --materials soil.toml --material mohr_coulomb/soil --p-kPa 100 --eta 0.5 "
                    "--void-ratio 0.8")
             .status == 0);

@@ -189,7 +189,7 @@ class Calibrations(ASand):
         told = []
         kept = triax.calibrate(self.sand, "sanisand", free=self.KEYS, searches=1, progress=lambda what, share: told.append((what, share)))
         self.assertFalse(kept.interrupted)
-        self.assertEqual({what for what, _ in told}, {"calibrating"})
+        self.assertEqual({what for what, _ in told}, {"calibrating", "cones and domain"})
         shares = [share for _, share in told]
         self.assertEqual(shares, sorted(shares))
         self.assertGreater(len(shares), 10)
@@ -197,6 +197,8 @@ class Calibrations(ASand):
         self.assertTrue(early.interrupted)
         self.assertGreaterEqual(early.cost, kept.cost)
         self.assertTrue(early.report["interrupted"])
+        self.assertIsNone(early.report["domain"])
+        self.assertEqual(kept.report["domain"]["draws"], 200)
 
     def test_what_progress_raises_comes_out_with_the_best_so_far(self):
         def fail(what, share):

@@ -5,6 +5,7 @@ import pathlib
 
 from remade.benchmark import timed
 from remade.others import of_others
+from remade.program import indented
 
 DRAINED = ("TMD1", "TMD3", "TMD5", "TMD8", "TMD10", "TMD13", "TMD16", "TMD18", "TMD21", "TMD24")
 PUBLISHED = """law = "hypoplastic"
@@ -18,7 +19,20 @@ loosest_void_ratio = 1.212
 peak_exponent = 0.14
 stiffness_exponent = 2.5
 """
+FREE = "critical_stress_ratio,critical_void_ratio,hardening_factor,dilatancy_factor"
 LIMITS = ("--fix", "densest_void_ratio", "--fix", "critical_void_ratio", "--fix", "loosest_void_ratio")
+
+
+def domain(triax) -> str:
+    """What four simulated tests of a sand leave open of its cones and its domain."""
+    for programme in ("icu_dense", "control_drained_loose"):
+        for void_ratio in ("0.95", "1.0"):
+            triax.run("simulate", f"samples/programmes/{programme}.toml", "--db", "sand.db", "--set", "specimen.material=sanisand/S28-general",
+                      "--set", f"specimen.void_ratio={void_ratio}", "--set", "rig.frame.travel_mm=45", "--set", "stages.4.end.1.above=25")
+    told = triax.run("calibrate", "sanisand", "--db", "sand.db", "--free", FREE, "--searches", "1")
+    lines = told.splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("Cones and domain"))
+    return f"Two undrained and two drained tests of SANISAND itself with the noise of instruments, `--free {FREE}`:\n\n{indented(chr(10).join(lines[first:]))}"
 
 
 def recovery(triax) -> str:

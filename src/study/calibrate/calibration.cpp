@@ -20,8 +20,8 @@ constexpr int kMostIterations = 60;
 constexpr std::size_t kDownhill = 2;  // members of a population that go on
 constexpr double kApart = 0.1;        // of a range: members that are not the same valley
 constexpr double kGlobalShare = 0.6;  // of a search
-constexpr double kSearchShare = 0.85;
-constexpr const char* kWhat = "calibrating";
+constexpr double kSearchShare = 0.80, kPredictedShare = 0.90;
+constexpr const char *kWhat = "calibrating", *kDomain = "cones and domain";
 
 /// Optima whose cost is no worse than this are told.
 double told_below(double best) { return std::max(1.1 * best, best + 0.01); }
@@ -239,7 +239,12 @@ Calibration conclude(const CalibrationRequest& request, const std::vector<Search
   c.misfits = misfits_of(c.measured, c.computed);
   if (request.left_out && go_on())
     c.predictions = predict_left_out(fine, x, request.void_ratio_error, [&](double share) {
-      show(progress, kWhat, kSearchShare + (1 - kSearchShare) * share);
+      show(progress, kWhat, std::lerp(kSearchShare, kPredictedShare, share));
+      return go_on();
+    });
+  if (request.domain && go_on())
+    c.domain = implied_domain(fine, x, sure, {.seed = request.seed}, [&](double share) {
+      show(progress, kDomain, std::lerp(kPredictedShare, 1, share));
       return go_on();
     });
   c.interrupted = !go_on();

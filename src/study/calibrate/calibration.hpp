@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "src/study/calibrate/implied_domain.hpp"
 #include "src/study/calibrate/uncertainty.hpp"
 #include "src/study/progress.hpp"
 
@@ -37,6 +38,7 @@ struct CalibrationRequest {
   int threads = 0;                 ///< 0: all cores; results do not depend on it
   double void_ratio_error = 0;     ///< standard error of each test's void ratio
   bool left_out = true;            ///< predict each collapse from the other tests
+  bool domain = false;             ///< draw the cones and the domain that the set implies
   std::vector<std::string> notes;  ///< what was taken from where
 };
 
@@ -77,6 +79,7 @@ struct Calibration {
   std::vector<MeasuredPath> measured;
   std::vector<ComputedPath> computed;  ///< with the best parameters, test by test
   std::vector<Prediction> predictions;
+  std::optional<ImpliedDomain> domain;  ///< empty: not asked for, or stopped before
   bool interrupted = false;
   std::int64_t runs = 0;  ///< of the driver, along a test each
   std::vector<std::string> notes;
@@ -89,7 +92,8 @@ using GoOn = std::function<bool()>;
 std::vector<SearchEnd> run_searches(const CalibrationRequest& request, int first, int step,
                                     const Progress& progress, const GoOn& go_on);
 
-/// What follows from the ends of all searches. Pre-condition: at least one has an optimum.
+/// What follows from the ends of all searches; "cones and domain" is told, too. Pre-condition: at
+/// least one has an optimum.
 Calibration conclude(const CalibrationRequest& request, const std::vector<SearchEnd>& ends,
                      const Progress& progress, const GoOn& go_on);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/study/calibrate/implied_domain_json.hpp"
 #include "src/study/json_parts.hpp"
 
 namespace triax::study {
@@ -107,6 +108,7 @@ std::string calibration_json(const Calibration& c) {
                         {"tests", std::move(tests)},
                         {"misfits", misfits_json(c)},
                         {"predictions", predictions_json(c)},
+                        {"domain", c.domain ? implied_domain_json(*c.domain) : Json(nullptr)},
                         {"driver_runs", c.runs},
                         {"notes", c.notes}});
 }

@@ -4,25 +4,13 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <random>
+
+#include "src/study/calibrate/dice.hpp"
 
 namespace triax::study {
 namespace {
 
 constexpr double kAlike = 1e-3;  // spread of the sums over the least of them
-
-/// What std's distributions give differs from library to library; this does not.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-  std::size_t below(std::size_t count) {
-    return std::min(static_cast<std::size_t>(uniform() * static_cast<double>(count)), count - 1);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// The start, and others so that each unknown has one member in each of as many equal parts.
 std::vector<Candidate> first_members(const Misfit& misfit, std::size_t members, Dice& dice) {

@@ -196,4 +196,11 @@ void lay_knots(MeasuredPath& path, const std::vector<ShearReading>& readings,
   for (PathKnot& knot : path.knots) knot.weight /= sum;
 }
 
+std::optional<PathKnot> onset_knot(const MeasuredPath& path) {
+  if (!path.onset_eta || path.knots.empty()) return std::nullopt;
+  return *std::ranges::min_element(path.knots, {}, [&](const PathKnot& knot) {
+    return std::abs(knot.q / knot.p_eff - *path.onset_eta);
+  });
+}
+
 }  // namespace triax::study

@@ -55,6 +55,9 @@ struct MeasuredPath {
   double onset_eta_error = 0;
 };
 
+/// The knot whose q/p′ is nearest to that of the onset; empty: the test did not collapse.
+std::optional<PathKnot> onset_knot(const MeasuredPath& path);
+
 /// Share of a quantity's span to which a law is expected to follow it.
 inline constexpr double kAccuracy = 0.02;
 

@@ -17,6 +17,7 @@ CalibrationRequest requested_calibration(const StartWish& wish, const std::strin
   CalibrationRequest request{.start = std::move(start.set),
                              .free = std::move(start.free),
                              .paths = paths_of_tests(store, store.find(tests)),
+                             .domain = true,
                              .notes = std::move(start.notes)};
   check_enough(request.free.size(), request.paths);
   return request;

@@ -33,3 +33,32 @@ TEST_CASE("figures and text show measured beside computed of each kind of test")
                            "Misfit", "mohr_coulomb from 2 tests"})
     CHECK(text.find(part) != std::string::npos);
 }
+
+TEST_CASE("the domain that a set implies is drawn and told, with the scatter of the draws") {
+  const auto set = lab::find_material("hypoplastic/Toyoura-HG99");
+  study::CalibrationRequest request{.start = set,
+                                    .free = {{"critical_friction_angle_deg", 25, 40}},
+                                    .searches = 1,
+                                    .left_out = false,
+                                    .domain = true};
+  std::mt19937_64 dice(1);
+  for (const double p_kPa : {100, 300})
+    request.paths.push_back(
+        bench::virtual_path(set, {study::Imposed::undrained, p_kPa, 0.95}, {0.5, 1e-5}, dice, 60));
+  const auto found = study::calibrate(request);
+  REQUIRE(found.domain);
+  const auto figures = calibrate_figures(found);
+  REQUIRE(figures.size() == 2);
+  CHECK(figures[1].name == "domain");
+  const std::string svg = to_svg(*figures[1].drawing.plot);
+  for (const char* part : {"first unstable direction", "plastic limit", "onset of collapse",
+                           "deviator stress q (kPa)", "e = 0.95"})
+    CHECK(svg.find(part) != std::string::npos);
+  const auto& data = figures[1].data;
+  CHECK(data.rows.size() == found.domain->compression.size() + found.domain->cones.size());
+  for (const auto& row : data.rows) CHECK(row.size() == data.columns.size());
+  const std::string text = calibrate_text(found);
+  for (const char* part : {"Cones and domain that the set implies, at e = 0.95", "first unstable",
+                           "of 200 sets drawn", "100 %", "opening"})
+    CHECK(text.find(part) != std::string::npos);
+}

@@ -68,3 +68,40 @@ TEST_CASE("A plug-in that crashes is a misfit that no parameter lessens") {
     CHECK(r.col(0) == r.col(2));
   }
 }
+
+namespace {
+
+/// What a set of the fixture implies, as if its M had been calibrated on a test of a sound one.
+ImpliedDomain implied_by(sim::test::Misbehaviour what) {
+  const auto free = lab::read_search(R"([search]
+"properties.3" = [0.9, 1.5]
+)",
+                                     "umat.toml");
+  std::mt19937_64 dice(1);
+  const std::vector<MeasuredPath> paths = {bench::virtual_path(
+      set_with(sim::test::Misbehaviour::none), {Imposed::drained, 100, 0.8}, {}, dice, 20)};
+  const Uncertainty sure{.parameters = {{.key = "properties.3"}},
+                         .covariance = Eigen::MatrixXd::Constant(1, 1, 1e-4),
+                         .degrees_of_freedom = 30};
+  const SearchSpace space(set_with(what), free);
+  const Misfit misfit(space, paths, 2, {});
+  return implied_domain(misfit, space.start_point(), sure, {}, [](double) { return true; }).value();
+}
+
+}  // namespace
+
+TEST_CASE("A UMAT is asked for its domain by fewer draws at fewer states", "[slow]") {
+  if (!sim::test::umat_fixture_is_there()) return;
+  const ImpliedDomain found = implied_by(sim::test::Misbehaviour::none);
+  CHECK(found.draws == 10);
+  CHECK(found.compression.size() == 3);
+  CHECK_THAT(found.none, Catch::Contains("before the plastic limit"));
+}
+
+TEST_CASE("A UMAT that crashes has no domain and says so") {
+  if (!sim::test::umat_fixture_is_there()) return;
+  const ImpliedDomain found = implied_by(sim::test::Misbehaviour::stop);
+  CHECK(found.draws == 0);  // nothing is gained by crashing it again
+  CHECK_FALSE(found.compression[0].limit.best);
+  CHECK_THAT(found.none, Catch::Contains("does not answer all directions"));
+}
