@@ -22,7 +22,7 @@ LIMITS = ("--fix", "densest_void_ratio", "--fix", "critical_void_ratio", "--fix"
 
 
 def recovery(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh recovery --sets 40")
+    return timed(triax, "bench/calibrate/run.sh recovery --sets 34")
 
 
 def coverage(triax) -> str:
