@@ -36,7 +36,7 @@ def domain(triax) -> str:
 
 
 def recovery(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh recovery --sets 40")
+    return timed(triax, "bench/calibrate/run.sh recovery --sets 34")
 
 
 def coverage(triax) -> str:
