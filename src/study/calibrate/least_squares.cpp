@@ -61,6 +61,7 @@ class Problem {
         points.back()(i) += step(i);
       }
     std::vector<Unknowns> possible;
+    possible.reserve(points.size());
     for (const Unknowns& point : points) possible.push_back(space.possible_near(point));
     const Eigen::MatrixXd tests = misfit_.residuals_of(possible);
     const auto rows = [&](std::size_t k) {
