@@ -44,8 +44,8 @@ struct UmatExchange {
 };
 
 /// A post comes within microseconds while a path is being run: looking for it a while costs less
-/// than a sleep of the process. Where others are at work on the machine looking is in vain, and soon
-/// done hardly any more. True if it came.
+/// than a sleep of the process. Where others are at work on the machine looking is in vain, and
+/// soon done hardly any more. True if it came.
 bool spin_for(sem_t& semaphore);
 
 }  // namespace triax::sim
