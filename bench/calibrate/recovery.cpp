@@ -208,8 +208,8 @@ void one_set(const Options& o, const lab::MaterialSet& base,
   const auto before = std::chrono::steady_clock::now();
   const double processor_before = processor_seconds();
   study::Calibration c;
-  if (o.intervals_only || o.labels) {  // from the truth downhill: for coverage, where the optimum
-                                       // is not in doubt
+  // From the truth downhill: for coverage, where the optimum is not in doubt.
+  if (o.intervals_only || o.labels) {
     request.start = truth;
     const study::SearchSpace space(truth, free);
     const study::Misfit fine(space, request.paths, o.threads,
