@@ -198,7 +198,8 @@ void add_value(std::vector<std::optional<double>>& row, const Implied& of, doubl
 void add_columns(std::vector<DataColumn>& columns, const std::string& name,
                  const std::string& unit) {
   const std::string end = unit.empty() ? "" : "_deg";
-  for (const char* part : {"", "_low", "_high"}) columns.push_back({name + part + end, unit});
+  for (const char* part : {"", "_low", "_high"})
+    columns.push_back({fmt::format("{}{}{}", name, part, end), unit});
   columns.push_back({name + "_share", ""});
 }
 
