@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
 
 #include "src/calibrate/implied_domain_figure.hpp"
@@ -39,18 +40,18 @@ constexpr const char *kStrain = "axial strain ε₁ (%)", *kVolume = "volumetric
                      *kMean = "mean effective stress p′ (kPa)",
                      *kDeviator = "deviator stress q (kPa)";
 
-const Kind kKinds[] = {{Imposed::undrained,
-                        "undrained",
-                        {strain_in_percent, deviator_kPa, kStrain, kDeviator},
-                        {mean_stress_kPa, deviator_kPa, kMean, kDeviator}},
-                       {Imposed::drained,
-                        "drained",
-                        {strain_in_percent, deviator_kPa, kStrain, kDeviator},
-                        {strain_in_percent, volume_in_percent, kStrain, kVolume}},
-                       {Imposed::stress_path,
-                        "stress_path",
-                        {mean_stress_kPa, strain_in_percent, kMean, kStrain},
-                        {mean_stress_kPa, volume_in_percent, kMean, kVolume}}};
+const std::array<Kind, 3> kKinds = {{{Imposed::undrained,
+                                      "undrained",
+                                      {strain_in_percent, deviator_kPa, kStrain, kDeviator},
+                                      {mean_stress_kPa, deviator_kPa, kMean, kDeviator}},
+                                     {Imposed::drained,
+                                      "drained",
+                                      {strain_in_percent, deviator_kPa, kStrain, kDeviator},
+                                      {strain_in_percent, volume_in_percent, kStrain, kVolume}},
+                                     {Imposed::stress_path,
+                                      "stress_path",
+                                      {mean_stress_kPa, strain_in_percent, kMean, kStrain},
+                                      {mean_stress_kPa, volume_in_percent, kMean, kVolume}}}};
 
 Points points_of_knots(const PathKnot& start, const std::vector<PathKnot>& knots,
                        const Plane& plane) {
