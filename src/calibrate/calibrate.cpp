@@ -108,8 +108,7 @@ Command calibrate_command() {
            "The answer has intervals and correlations, names parameters that the tests do not "
            "determine and other optima that fit about as well, and predicts the stress ratio at "
            "collapse of each test from the others. It gives the bifurcation domain and the cones "
-           "of "
-           "unstable directions that the set implies, with how far they scatter over 200 sets "
+           "of unstable directions that the set implies, with how far they scatter over 200 sets "
            "drawn from the estimate (10 of a UMAT). --output writes a parameter file like those "
            "that ship with the program. Stopped by Ctrl-C, it gives the best so far, says so and "
            "ends with status 1.",

@@ -2,6 +2,7 @@
 #pragma once
 // Random numbers that are the same with every standard library of C++; directions are as exact as
 // the machine's sine.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,7 +23,12 @@ class Random {
   double uniform(double from, double to) { return from + (to - from) * uniform(); }
   /// In 0 … n − 1; n > 0.
   std::size_t below(std::size_t n) {
-    return static_cast<std::size_t>(uniform() * static_cast<double>(n));
+    return std::min(static_cast<std::size_t>(uniform() * static_cast<double>(n)), n - 1);
+  }
+  /// Of mean 0 and variance 1, after Box and Muller (1958).
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
   }
   /// Unit vector, all directions alike.
   std::array<double, 3> direction() {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "src/study/calibrate/dice.hpp"
+#include "sim/grains/state/random.hpp"
 
 namespace triax::study {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr double kAlike = 1e-3;  // spread of the sums over the least of them
 
 /// The start, and others so that each unknown has one member in each of as many equal parts.
-std::vector<Candidate> first_members(const Misfit& misfit, std::size_t members, Dice& dice) {
+std::vector<Candidate> first_members(const Misfit& misfit, std::size_t members, sim::Random& dice) {
   const Eigen::Index n = misfit.space().size();
   std::vector<Candidate> all(members, {Unknowns(n), 0});
   std::vector<std::size_t> places(members);
@@ -76,7 +76,7 @@ class Evolution {
   }
 
   const Misfit& misfit_;
-  Dice dice_;
+  sim::Random dice_;
   std::vector<Candidate> all_;
 };
 

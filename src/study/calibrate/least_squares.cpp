@@ -119,8 +119,9 @@ Residuals residuals_with_slopes(const Misfit& misfit, const Unknowns& x, double 
     auto slopes = found.jacobian.col(i);
     if (to_above + to_below > 0) slopes = (above - below) / (to_above + to_below);
     for (std::size_t t = 0; t < misfit.paths().size(); ++t) {
-      if (!driven.whole(t, 0) || driven.whole(t, up) == driven.whole(t, down)) continue;
-      const bool upwards = driven.whole(t, up);
+      const auto whole = driven.whole.row(static_cast<Eigen::Index>(t));
+      const bool upwards = whole(2 * i + 1);
+      if (!whole(0) || upwards == whole(2 * i + 2)) continue;
       const double width = upwards ? to_above : to_below;
       if (width == 0) continue;
       const auto [first, count] = misfit.rows(t);

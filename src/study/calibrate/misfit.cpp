@@ -96,7 +96,7 @@ Driven Misfit::driven(const std::vector<Unknowns>& points) const {
   const auto [before_last, last] = rows(paths_.size() - 1);
   const auto columns = static_cast<Eigen::Index>(points.size());
   Driven found{Eigen::MatrixXd(before_last + last, columns),
-               Eigen::MatrixXd(static_cast<Eigen::Index>(paths_.size()), columns)};
+               {static_cast<Eigen::Index>(paths_.size()), columns}};
   each(points.size() * paths_.size(), [&](std::size_t task) {
     const std::size_t point = task / paths_.size(), path = task % paths_.size();
     const auto column = static_cast<Eigen::Index>(point);
@@ -104,8 +104,8 @@ Driven Misfit::driven(const std::vector<Unknowns>& points) const {
     Laws laws(space_, points[point]);
     const ComputedPath computed = along(paths_[path], laws, driving_);
     found.residuals.col(column).segment(first, count) = residuals(paths_[path], computed);
-    found.missing(static_cast<Eigen::Index>(path), column) =
-        static_cast<double>(paths_[path].knots.size() - computed.knots.size());
+    found.whole(static_cast<Eigen::Index>(path), column) =
+        computed.knots.size() == paths_[path].knots.size();
     ++runs_;
   });
   return found;

@@ -30,11 +30,8 @@ Eigen::VectorXd residuals(const MeasuredPath& measured, const ComputedPath& comp
 /// What came of the tests at some points.
 struct Driven {
   Eigen::MatrixXd residuals;  ///< of all tests, one column a point
-  Eigen::MatrixXd missing;    ///< knots that were not reached: a row a test, a column a point
-
-  bool whole(std::size_t path, std::size_t point) const {
-    return missing(static_cast<Eigen::Index>(path), static_cast<Eigen::Index>(point)) <= 0;
-  }
+  /// Whether the law came to the path's end: a row a test, a column a point.
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> whole;
 };
 
 /// Drives the law of each point through the tests, on several threads.
@@ -50,7 +47,7 @@ class Misfit {
   Eigen::MatrixXd residuals_of(const std::vector<Unknowns>& points) const {
     return driven(points).residuals;
   }
-  /// The same, with how far the law came.
+  /// The same, with where the law came to the end.
   Driven driven(const std::vector<Unknowns>& points) const;
   /// Calls work(i) for i below `count` on all threads.
   void each(std::size_t count, const std::function<void(std::size_t)>& work) const;

@@ -5,7 +5,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
-#include "src/study/calibrate/dice.hpp"
+#include "sim/grains/state/random.hpp"
 
 namespace triax::study {
 namespace {
@@ -40,7 +40,7 @@ ParameterDraws draw_parameters(const SearchSpace& space, const Unknowns& x, cons
                                int count, std::uint64_t seed) {
   const Eigen::MatrixXd root = root_of(bounded_covariance(sure));
   const boost::math::chi_squared chi(sure.degrees_of_freedom);
-  Dice dice(seed);
+  sim::Random dice(seed);
   ParameterDraws draws;
   draws.points.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
