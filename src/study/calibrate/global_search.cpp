@@ -63,7 +63,7 @@ class Evolution {
     const std::size_t a = dice_.below(all_.size()), b = dice_.below(all_.size());
     const double factor = 0.4 + 0.5 * dice_.uniform();
     const double crossing = dice_.uniform() < 0.5 ? 0.9 : 0.4;
-    const Eigen::Index sure = static_cast<Eigen::Index>(dice_.below(static_cast<std::size_t>(n)));
+    const auto sure = static_cast<Eigen::Index>(dice_.below(static_cast<std::size_t>(n)));
     Unknowns x = all_[k].x;
     for (Eigen::Index i = 0; i < n; ++i) {
       if (dice_.uniform() > crossing && i != sure) continue;
