@@ -97,6 +97,7 @@ endfunction()
 function(triax_test_program name sources)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE triax_test_main ${ARGN})
+  triax_folders_as_units(${name})
   triax_precompile(${name} <catch2/catch.hpp> <Eigen/Dense> <fmt/format.h>)
   # A test's own code is not what has to be fast, but all of it has to be compiled: a third of the time.
   # What clang warns of beside g++ is no error in a test.

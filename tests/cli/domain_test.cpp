@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string kSmall =
+const std::string kSmallDomain =
     "domain --material inl2/S28-general --void-ratio 1.086 --p-kPa 20:200/7 --q-kPa -120:240/19 "
     "--directions 36 ";
 
@@ -39,7 +39,7 @@ TEST_CASE("the sample domain prints what tests/cli/golden holds") {
 
 TEST_CASE("domain as JSON: origin, material, boundaries in their order, states") {
   const Workplace here;
-  const Outcome outcome = here.triax(kSmall + "--json");
+  const Outcome outcome = here.triax(kSmallDomain + "--json");
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   const json d = json::parse(outcome.out);
@@ -65,18 +65,18 @@ TEST_CASE("domain as JSON: origin, material, boundaries in their order, states")
 
 TEST_CASE("neither threads nor pieces show in a byte of what is written") {
   const Workplace here;
-  CHECK(here.triax(kSmall + "--jobs 1 --output whole").status == 0);
-  CHECK(here.triax(kSmall + "--jobs 3 --output threads").status == 0);
+  CHECK(here.triax(kSmallDomain + "--jobs 1 --output whole").status == 0);
+  CHECK(here.triax(kSmallDomain + "--jobs 3 --output threads").status == 0);
   for (const std::string piece : {"1", "2", "3"}) {
     const Outcome outcome =
-        here.triax(kSmall + "--piece " + piece + "/3 --output piece" + piece + ".json");
+        here.triax(kSmallDomain + "--piece " + piece + "/3 --output piece" + piece + ".json");
     CHECK(outcome.status == 0);
     CHECK(outcome.out.empty());
   }
   const Outcome merged =
       here.triax("domain --merge piece3.json piece1.json piece2.json --output m");
   CHECK(merged.status == 0);
-  CHECK(merged.out == here.triax(kSmall).out);
+  CHECK(merged.out == here.triax(kSmallDomain).out);
   const auto file = [&](const char* folder, const char* ending) {
     return content(here / (std::string(folder) + "/domain" + ending));
   };
@@ -94,9 +94,10 @@ TEST_CASE("neither threads nor pieces show in a byte of what is written") {
 TEST_CASE("pieces that do not belong together are one line and status 2") {
   const Workplace here;
   for (const std::string piece : {"1", "2"})
-    CHECK(here.triax(kSmall + "--piece " + piece + "/2 --output " + piece + ".json").status == 0);
-  CHECK(here.triax(kSmall + "--set hardening_factor=2.5 --piece 2/2 --output other.json").status ==
-        0);
+    CHECK(here.triax(kSmallDomain + "--piece " + piece + "/2 --output " + piece + ".json").status ==
+          0);
+  CHECK(here.triax(kSmallDomain + "--set hardening_factor=2.5 --piece 2/2 --output other.json")
+            .status == 0);
   write(here / "cut.json", content(here / "2.json").substr(0, 3000));
   write(here / "foreign.json", "{\"type\": \"FeatureCollection\"}");
   std::string digit = content(here / "2.json");

@@ -14,7 +14,7 @@ namespace {
 const std::string kIcu = source("samples/paths/icu_100.toml");
 const std::string kBeyond = source("samples/paths/load_beyond_limit.toml");
 
-const std::string kSmall = R"([path]
+const std::string kSmallPath = R"([path]
 name = "small"
 material = "sanisand/S28-general"
 [start]
@@ -112,22 +112,22 @@ TEST_CASE("bad paths and settings are one line and status 2, and nothing is prin
   const Bad all[] = {
       {"", "", "[path] is missing"},
       {"\x01\x02\xff", "", "invalid TOML"},
-      {with(kSmall, "p_eff_kPa = 100.0", ""), "", "effective stress is missing"},
-      {with(kSmall, "axial_strain", "axial_strian"), "", "did you mean 'axial_strain'?"},
-      {with(kSmall, "radial_stress_kPa", "radial_stress_MPa"), "", "column 1"},
-      {with(kSmall, "radial_stress_kPa = 0", "axial_strain = 0"), "", "axial_strain"},
-      {with(kSmall, "radial_stress_kPa = 0", "2 axial_strain = 0.02"), "", "2 axial_strain"},
-      {with(kSmall, "= 0.01", "= 1e99"), "",
+      {with(kSmallPath, "p_eff_kPa = 100.0", ""), "", "effective stress is missing"},
+      {with(kSmallPath, "axial_strain", "axial_strian"), "", "did you mean 'axial_strain'?"},
+      {with(kSmallPath, "radial_stress_kPa", "radial_stress_MPa"), "", "column 1"},
+      {with(kSmallPath, "radial_stress_kPa = 0", "axial_strain = 0"), "", "axial_strain"},
+      {with(kSmallPath, "radial_stress_kPa = 0", "2 axial_strain = 0.02"), "", "2 axial_strain"},
+      {with(kSmallPath, "= 0.01", "= 1e99"), "",
        "the total 1e+99 is out of range (a strain of 2, a stress of 100000 kPa)"},
-      {with(kSmall, "void_ratio = 1.0", "void_ratio = 19"), "", "out of range for"},
-      {with(kSmall, "rows = 5", "table = \"gone.csv\""), "", "leave conditions out"},
-      {with(kSmall, "sanisand/", "sandy/"), "", "unknown material"},
-      {kSmall, "--set void_ratio", "expected KEY=VALUE"},
-      {kSmall, "--set viod_ratio=1", "did you mean 'void_ratio'?"},
-      {kSmall, "--set poisson_ratio=2", "poisson_ratio"},
-      {kSmall, "--set material=none/x", "unknown material"},
-      {kSmall, "--output p.toml", "p.toml"},
-      {kSmall, "--save-failure x.csv --output x.csv", "x.csv"},
+      {with(kSmallPath, "void_ratio = 1.0", "void_ratio = 19"), "", "out of range for"},
+      {with(kSmallPath, "rows = 5", "table = \"gone.csv\""), "", "leave conditions out"},
+      {with(kSmallPath, "sanisand/", "sandy/"), "", "unknown material"},
+      {kSmallPath, "--set void_ratio", "expected KEY=VALUE"},
+      {kSmallPath, "--set viod_ratio=1", "did you mean 'void_ratio'?"},
+      {kSmallPath, "--set poisson_ratio=2", "poisson_ratio"},
+      {kSmallPath, "--set material=none/x", "unknown material"},
+      {kSmallPath, "--output p.toml", "p.toml"},
+      {kSmallPath, "--save-failure x.csv --output x.csv", "x.csv"},
   };
   for (const Bad& bad : all) {
     const Workplace here;
@@ -219,7 +219,7 @@ TEST_CASE("a crash of a UMAT is an error of the run, not of triax") {
                               "\"\nstate_variables = 12\nvoid_ratio_index = 1\nproperties = [20e3, "
                               "12e3, 1.2, 0.3, 5, " +
                                   std::to_string(misbehaviour) + "]\n");
-    write(here / "path.toml", with(with(kSmall, "sanisand/S28-general", "umat/cone"),
+    write(here / "path.toml", with(with(kSmallPath, "sanisand/S28-general", "umat/cone"),
                                    "material =", "material_file = \"cone.toml\"\nmaterial ="));
     return here.triax("element path.toml --json");
   };

@@ -22,6 +22,16 @@ inline study::ProbeResult inl2_probes(const std::vector<double>& etas,
   return study::run_probe(inl2_request(etas, probing));
 }
 
+/// What a test had at its collapse, where its own increment had this angle.
+inline study::TestedState tested(double angle) {
+  study::TestedState test{.id = 26, .name = "CSU\n26", .at = "collapse"};
+  test.state.reading = 812;
+  test.state.time_s = 41;
+  test.increment = lab::MeasuredIncrement{
+      .angle = angle, .angle_error = 0.01, .normalised = -0.02, .normalised_error = 0.03};
+  return test;
+}
+
 /// A state that a test was in, whose own increment had this angle.
 inline study::ProbedState inl2_tested(double eta, const study::TestedState& test) {
   const auto set = lab::find_material("inl2/S28-general");

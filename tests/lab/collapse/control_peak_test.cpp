@@ -8,7 +8,7 @@ using namespace triax::lab;
 
 namespace {
 
-PathPoint point(int reading, double q) {
+PathPoint point_of_q(int reading, double q) {
   PathPoint p;
   p.reading = reading;
   p.progress = reading;
@@ -24,12 +24,12 @@ TEST_CASE("of several peaks of q the one that cost most is kept") {
   ControlPeak peak;
   peak.start_stage(nullptr);
   int reading = 0;
-  for (const double q : {50e3, 100e3, 80e3}) peak.add_point(point(reading++, q), true);
+  for (const double q : {50e3, 100e3, 80e3}) peak.add_point(point_of_q(reading++, q), true);
   REQUIRE(peak.finding());
   CHECK(peak.finding()->instant.reading == 1);
-  for (const double q : {120e3, 30e3}) peak.add_point(point(reading++, q), true);
+  for (const double q : {120e3, 30e3}) peak.add_point(point_of_q(reading++, q), true);
   CHECK(peak.finding()->instant.reading == 3);
-  for (const double q : {150e3, 130e3}) peak.add_point(point(reading++, q), true);
+  for (const double q : {150e3, 130e3}) peak.add_point(point_of_q(reading++, q), true);
   CHECK(peak.finding()->instant.reading == 3);
 }
 
@@ -39,18 +39,18 @@ TEST_CASE("a peak is known when a tenth of it is lost, however far q falls later
   int reading = 0;
   for (const double q : {50e3, 100e3, 95e3, 80e3, 40e3, 10e3}) {
     peak.set_now(Moment{reading + 5, {}});
-    peak.add_point(point(reading++, q), true);
+    peak.add_point(point_of_q(reading++, q), true);
   }
   REQUIRE(peak.finding());
   REQUIRE(peak.finding()->noticed);
-  CHECK(peak.finding()->noticed->reading == 8);  // the fourth point, five readings later
+  CHECK(peak.finding()->noticed->reading == 8);  // the fourth point_of_q, five readings later
 }
 
 TEST_CASE("less than a tenth is no peak") {
   ControlPeak peak;
   peak.start_stage(nullptr);
   int reading = 0;
-  for (const double q : {50e3, 100e3, 91e3, 95e3}) peak.add_point(point(reading++, q), true);
+  for (const double q : {50e3, 100e3, 91e3, 95e3}) peak.add_point(point_of_q(reading++, q), true);
   CHECK_FALSE(peak.finding());
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("at constant q, drained, the turn to contraction under falling p' is f
   ControlPeak peak;
   peak.start_stage(&stage);
   for (int i = 0; i < 400; ++i) {
-    PathPoint p = point(i, 60e3);
+    PathPoint p = point_of_q(i, 60e3);
     p.p_rate = -50;
     p.p_rate_error = 2;
     p.axial_rate = 1e-6;
@@ -80,7 +80,7 @@ TEST_CASE("contraction while p' does not fall is consolidation, no collapse") {
   ControlPeak peak;
   peak.start_stage(&stage);
   for (int i = 0; i < 100; ++i) {
-    PathPoint p = point(i, 60e3);
+    PathPoint p = point_of_q(i, 60e3);
     p.p_rate = 50;
     p.p_rate_error = 2;
     p.volumetric_rate = 1e-6;
@@ -98,7 +98,7 @@ TEST_CASE("at constant q with the valve closed the minimum of u under falling p'
   ControlPeak peak;
   peak.start_stage(&stage);
   for (int i = 0; i < 400; ++i) {
-    PathPoint p = point(i, 60e3);
+    PathPoint p = point_of_q(i, 60e3);
     p.p_rate = -20;
     p.p_rate_error = 1;
     p.pore_rate = (i - 200) * 0.1 + noise(rng);
@@ -115,7 +115,7 @@ TEST_CASE("noise around q = 0 is no peak") {
   std::mt19937_64 rng(10);
   std::normal_distribution<double> noise(0, 200);
   for (int i = 0; i < 500; ++i) {
-    PathPoint p = point(i, 10.0 * i + noise(rng));
+    PathPoint p = point_of_q(i, 10.0 * i + noise(rng));
     p.stress_variance = 200.0 * 200.0;
     peak.add_point(p, true);
     REQUIRE_FALSE(peak.finding());
@@ -128,7 +128,7 @@ namespace {
 /// X = p (1 − 1/R) + q (2/3 + 1/(3R)).
 PathPoint on_path(int reading, double R) {
   const double x = 50e3 - 5 * (reading - 100) * (reading - 100);
-  PathPoint p = point(reading, 40e3 + 100.0 * reading);
+  PathPoint p = point_of_q(reading, 40e3 + 100.0 * reading);
   p.p_eff = (x - p.q * (2.0 / 3 + 1 / (3 * R))) / (1 - 1 / R);
   return p;
 }
@@ -159,7 +159,7 @@ TEST_CASE("with the valve closed, a pore pressure that only rises places the tur
   ControlPeak peak;
   peak.start_stage(&stage);
   for (int i = 0; i < 400; ++i) {
-    PathPoint p = point(i, 60e3);
+    PathPoint p = point_of_q(i, 60e3);
     p.p_rate = -50;
     p.p_rate_error = 1;
     p.pore_rate = 10 + 0.1 * i;

@@ -12,7 +12,7 @@ using namespace triax::lab;
 
 namespace {
 
-PathPoint point(int i, double q) {
+PathPoint strained_point(int i, double q) {
   PathPoint p;
   p.reading = p.progress = i;
   p.q = q;
@@ -48,7 +48,7 @@ TEST_CASE("all criteria of a test are fed, and each tells its own finding") {
   Criteria criteria;
   criteria.start_stage(nullptr);
   for (int i = 0; i < 40; ++i)
-    criteria.add_point(point(i, i < 20 ? 3e3 * i : 60e3 - 2e3 * (i - 20)), false);
+    criteria.add_point(strained_point(i, i < 20 ? 3e3 * i : 60e3 - 2e3 * (i - 20)), false);
   const auto all = criteria.criteria();
   REQUIRE(all.size() == collapse_criteria().size());
   for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].name == collapse_criteria()[i].name);
@@ -75,7 +75,7 @@ TEST_CASE("a criterion that could not see anything says why") {
       s.p_eff = 100e3;
       s.strain.axial = 1e-4 * i;
       criteria.add_state(s, true);
-      criteria.add_point(point(i, s.q), true);
+      criteria.add_point(strained_point(i, s.q), true);
     }
     return criteria.criteria()[row].evidence;
   };

@@ -9,12 +9,12 @@ using namespace triax::lab;
 
 namespace {
 
-constexpr double kTop = 2000;
+constexpr double kTopOfHistory = 2000;
 
-/// q passes a smooth top at kTop, asymmetric as that of a test: x exp(1 − x).
+/// q passes a smooth top at kTopOfHistory, asymmetric as that of a test: x exp(1 − x).
 PathSample sample(int i, double noise, std::mt19937_64& rng) {
   std::normal_distribution<double> unit(0, 1);
-  const double x = i / kTop;
+  const double x = i / kTopOfHistory;
   PathSample s;
   s.signal[PathSample::reading] = i;
   s.signal[PathSample::progress] = i;
@@ -35,13 +35,13 @@ TEST_CASE("an onset found late and a hundred readings beside the top is placed w
     for (int i = 0; i < 4000; ++i) {
       history.add(sample(i, 80, rng));
       if (i == 2400)
-        refiner.begin(kTop + 100, Witness::second_order_work, history);
+        refiner.begin(kTopOfHistory + 100, Witness::second_order_work, history);
       else
         refiner.follow(history);
     }
     refiner.finish(history, history.last_reading());
     REQUIRE(refiner.onset());
-    worst = std::max(worst, std::fabs(refiner.onset()->point.reading - kTop));
+    worst = std::max(worst, std::fabs(refiner.onset()->point.reading - kTopOfHistory));
   }
   CHECK(worst < 40);  // the scatter of a single window of the monitor is several times that
 }
@@ -55,10 +55,10 @@ TEST_CASE("readings of a run-away do not move the onset before it") {
     if (i >= 2250) s.signal[PathSample::q] = 1e3;  // within one scan
     history.add(s);
   }
-  refiner.begin(kTop - 50, Witness::second_order_work, history);
+  refiner.begin(kTopOfHistory - 50, Witness::second_order_work, history);
   refiner.finish(history, 2249);
   REQUIRE(refiner.onset());
-  CHECK(std::fabs(refiner.onset()->point.reading - kTop) < 40);
+  CHECK(std::fabs(refiner.onset()->point.reading - kTopOfHistory) < 40);
   CHECK_FALSE(refiner.active());
 }
 

@@ -10,11 +10,11 @@ using namespace triax::lab;
 
 namespace {
 
-const StageInfo kLoad{.number = 1,
-                      .name = {},
-                      .role = StageRole::shear,
-                      .drainage = Drainage::closed,
-                      .control = AxialControl::load};
+const StageInfo kLoadStage{.number = 1,
+                           .name = {},
+                           .role = StageRole::shear,
+                           .drainage = Drainage::closed,
+                           .control = AxialControl::load};
 
 /// Under a load that grows by 1 kPa a reading: η from 0 to 0.6, then strain runs away and q goes.
 State at(int reading, int fall) {
@@ -37,7 +37,7 @@ struct Watched {
   LossOfControl control;
   PathHistory history;
   explicit Watched(int fall, int readings) {
-    control.start_stage(&kLoad);
+    control.start_stage(&kLoadStage);
     PathSampler sampler(true);
     for (int i = 0; i < readings; ++i) {
       const State s = at(i, fall);

@@ -11,7 +11,7 @@ using namespace triax;
 using lab::Transducer;
 
 namespace {
-Transducer in_kPa() {
+Transducer perfect_in_kPa() {
   Transducer t;
   t.unit = *sim::find_unit("kPa");
   return t;
@@ -20,11 +20,11 @@ Transducer in_kPa() {
 
 TEST_CASE("without imperfections the true value passes through") {
   for (const double si : {0.0, 123456.789, -1e-3, 5e5 / 3, 400123.0625})
-    CHECK(lab::read(in_kPa(), si, 1.7).si == Approx(si).epsilon(3e-16).margin(0));
+    CHECK(lab::read(perfect_in_kPa(), si, 1.7).si == Approx(si).epsilon(3e-16).margin(0));
 }
 
 TEST_CASE("readings are multiples of the step that a file can hold bit for bit") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.range = 1000;
   t.step = lab::converter_step(1000, 16);
   CHECK(t.step == 2000.0 / 65536);
@@ -36,14 +36,14 @@ TEST_CASE("readings are multiples of the step that a file can hold bit for bit")
 }
 
 TEST_CASE("noise and offset are in the unit of the field") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.noise_rms = 0.05;
   t.offset = 2;
   CHECK(lab::read(t, 100e3, 3).si == Approx(102.15e3));
 }
 
 TEST_CASE("a transducer stops at its range and says so") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.range = 500;
   CHECK(lab::read(t, 600e3, 0).si == 500e3);
   CHECK(lab::read(t, 600e3, 0).saturated);
@@ -52,7 +52,7 @@ TEST_CASE("a transducer stops at its range and says so") {
 }
 
 TEST_CASE("zero is never negative") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.step = 1;
   CHECK_FALSE(std::signbit(lab::read(t, -100, 0).si));
 }
@@ -72,15 +72,15 @@ TEST_CASE("a look without imperfections gives the true value to the bit") {
   lab::TransducerState state;
   double time_s = 0;
   for (const double field : {0.0, 123.456789, -1e-6, 500.0 / 3, 400.123, 0.1}) {
-    const double si = sim::to_si(field, in_kPa().unit);
-    const auto reading = lab::look(in_kPa(), state, si, time_s += 0.25, 7, 2);
+    const double si = sim::to_si(field, perfect_in_kPa().unit);
+    const auto reading = lab::look(perfect_in_kPa(), state, si, time_s += 0.25, 7, 2);
     CHECK(reading.si == si);
     CHECK_FALSE(reading.saturated);
   }
 }
 
 TEST_CASE("the noise of a look is that of its number, seed and channel") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.noise_rms = 0.5;
   lab::TransducerState state, again;
   for (int i = 0; i < 5; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("the noise of a look is that of its number, seed and channel") {
 }
 
 TEST_CASE("a slow transducer answers a ramp with the lag of its time constant") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.time_constant_s = 2;
   lab::TransducerState state;
   CHECK(seen_kPa(t, state, 50, 0) == 50);
@@ -102,7 +102,7 @@ TEST_CASE("a slow transducer answers a ramp with the lag of its time constant") 
 }
 
 TEST_CASE("rising and falling readings are two half widths of the hysteresis apart") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.range = 160;
   t.hysteresis = 1.6;
   lab::TransducerState state;
@@ -115,7 +115,7 @@ TEST_CASE("rising and falling readings are two half widths of the hysteresis apa
 }
 
 TEST_CASE("non-linearity is 0 at both ends, greatest in the middle and of the reading's sign") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.range = 1000;
   t.nonlinearity = 2;
   const auto reading = [&](double field) {
@@ -131,7 +131,7 @@ TEST_CASE("non-linearity is 0 at both ends, greatest in the middle and of the re
 }
 
 TEST_CASE("the zero drifts with test time") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.drift_per_hour = 0.4;
   lab::TransducerState state;
   CHECK(seen_kPa(t, state, 100, 0) == 100);
@@ -140,7 +140,7 @@ TEST_CASE("the zero drifts with test time") {
 }
 
 TEST_CASE("a calibration polynomial turns millivolts into the unit and can undo a non-linearity") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.range = 1000;
   t.sensitivity_mV = 100;
   const auto reading = [&](double field) {
@@ -160,7 +160,7 @@ TEST_CASE("a calibration polynomial turns millivolts into the unit and can undo 
 }
 
 TEST_CASE("a converter acts on the electrical signal in front of the polynomial") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.range = 1000;
   t.sensitivity_mV = 100;
   t.step = 2;               // 0.2 mV
@@ -172,11 +172,11 @@ TEST_CASE("a converter acts on the electrical signal in front of the polynomial"
   CHECK(beyond.si == Approx(1100e3));
   CHECK(lab::end_of_range_si(t) == beyond.si);
   CHECK(lab::end_of_range_si(t, -1) == Approx(-1100e3));
-  CHECK(std::isinf(lab::end_of_range_si(in_kPa())));
+  CHECK(std::isinf(lab::end_of_range_si(perfect_in_kPa())));
 }
 
 TEST_CASE("samples are held, and depend on how often one looks neither in value nor in noise") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.sampling_interval_s = 2;
   t.noise_rms = 0.5;
   t.time_constant_s = 3;
@@ -208,7 +208,7 @@ TEST_CASE("samples are held, and depend on how often one looks neither in value 
 }
 
 TEST_CASE("a copied state goes on like its original") {
-  Transducer t = in_kPa();
+  Transducer t = perfect_in_kPa();
   t.noise_rms = 0.5;
   t.range = 100;
   t.hysteresis = 0.2;

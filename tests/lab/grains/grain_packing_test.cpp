@@ -14,7 +14,7 @@ namespace {
 
 const std::string kTwo = "2 0 1 0 2 -3 3\n 0.5 1.5 -2 0.1\r\n\n0.25 0.5 2.5\t0.2";
 
-void refused(const std::string& text, const std::string& because) {
+void packing_refused(const std::string& text, const std::string& because) {
   INFO(text);
   CHECK_THROWS_WITH(read_packing(text, "p.txt", 2),
                     Catch::StartsWith("p.txt") && Catch::Contains(because));
@@ -37,20 +37,20 @@ TEST_CASE("a packing of others is read; the axis that is asked for becomes the t
   CHECK(x.box.high_m == std::array<double, 3>{2, 3, 1});
 }
 
-TEST_CASE("a text that is no packing is refused with its line") {
-  refused("", "is empty");
-  refused("\n \n", "is empty");
-  refused("2 0 1 0 1\n", "p.txt:1: '2 0 1 0 1' is not 'N x0 x1 y0 y1 z0 z1'");
-  refused("1.5 0 1 0 1 0 1\n", "not a number of grains");
-  refused("1e9 0 1 0 1 0 1\n", "not a number of grains");
-  refused("1 0 1 1 1 0 1\n", "edge");
-  refused("1 0 1 0 1 0 1\n0.5 0.5 x 0.1\n", "p.txt:2");
-  refused("1 0 1 0 1 0 1\n0.5 0.5 nan 0.1\n", "p.txt:2");
-  refused("1 0 1 0 1 0 1\n0.5 0.5 0.5 0.1 7\n", "p.txt:2");
-  refused("1 0 1 0 1 0 1\n0.5 0.5 0.5 0\n", "radius");
-  refused("1 0 1 0 1 0 1\n0.5 0.5 1.5 0.1\n", "outside");
-  refused("2 0 1 0 1 0 1\n0.5 0.5 0.5 0.1\n", "ends after 1 of 2");
-  refused("1 0 1 0 1 0 1\n0.5 0.5 0.5 0.1\n0.5 0.5 0.5 0.1\n", "p.txt:3: more grains");
+TEST_CASE("a text that is no packing is packing_refused with its line") {
+  packing_refused("", "is empty");
+  packing_refused("\n \n", "is empty");
+  packing_refused("2 0 1 0 1\n", "p.txt:1: '2 0 1 0 1' is not 'N x0 x1 y0 y1 z0 z1'");
+  packing_refused("1.5 0 1 0 1 0 1\n", "not a number of grains");
+  packing_refused("1e9 0 1 0 1 0 1\n", "not a number of grains");
+  packing_refused("1 0 1 1 1 0 1\n", "edge");
+  packing_refused("1 0 1 0 1 0 1\n0.5 0.5 x 0.1\n", "p.txt:2");
+  packing_refused("1 0 1 0 1 0 1\n0.5 0.5 nan 0.1\n", "p.txt:2");
+  packing_refused("1 0 1 0 1 0 1\n0.5 0.5 0.5 0.1 7\n", "p.txt:2");
+  packing_refused("1 0 1 0 1 0 1\n0.5 0.5 0.5 0\n", "radius");
+  packing_refused("1 0 1 0 1 0 1\n0.5 0.5 1.5 0.1\n", "outside");
+  packing_refused("2 0 1 0 1 0 1\n0.5 0.5 0.5 0.1\n", "ends after 1 of 2");
+  packing_refused("1 0 1 0 1 0 1\n0.5 0.5 0.5 0.1\n0.5 0.5 0.5 0.1\n", "p.txt:3: more grains");
 }
 
 TEST_CASE("a packing from a file") {

@@ -11,12 +11,12 @@
 using namespace triax;
 using namespace triax::lab;
 using Catch::Contains;
-using test::kSmallGrains;
-using test::replaced;
+using triax::test::kSmallGrains;
+using triax::test::replaced;
 
 namespace {
 
-void refused(const std::string& text, const std::string& because) {
+void programme_refused(const std::string& text, const std::string& because) {
   INFO(text);
   try {
     read_grain_programme(text, "g.toml");
@@ -84,8 +84,8 @@ state = "made.grains"
   const GrainProgramme p = read_grain_programme(text, "there/g.toml");
   CHECK(p.grains.state_file == "there/made.grains");
   CHECK(p.files == std::vector<std::string>{"there/g.toml", "there/made.grains"});
-  refused(text + "[contact]\ndamping = 0.1\n", "its own law");
-  refused(text + "grains = 4\n", "grains");
+  programme_refused(text + "[contact]\ndamping = 0.1\n", "its own law");
+  programme_refused(text + "grains = 4\n", "grains");
   const auto packed =
       replaced(text, "state = \"made.grains\"", "packing = \"p.txt\"\npacking_axis = \"y\"");
   const GrainProgramme q = read_grain_programme(packed + "[contact]\ndamping = 0.1\n", "g.toml");
@@ -93,36 +93,42 @@ state = "made.grains"
   CHECK(q.grains.packing_axis == 1);
   CHECK(q.law.damping == 0.1);
   CHECK_FALSE(q.grains.made());
-  refused(replaced(packed, "\"y\"", "\"w\""), "x, y or z");
+  programme_refused(replaced(packed, "\"y\"", "\"w\""), "x, y or z");
 }
 
-TEST_CASE("what makes no sense in a programme of grains is refused with file, line and key") {
+TEST_CASE(
+    "what makes no sense in a programme of grains is programme_refused with file, line and key") {
   const auto with = [](const std::string& from, const std::string& to) {
     return replaced(kSmallGrains, from, to);
   };
-  refused(with("grains = 200", "grains = 2"), "grains");
-  refused(with("grains = 200", "grainz = 200"), "grainz");
-  refused(with("pressure_kPa = 100.0", "pressure_kPa = 0"), "pressure_kPa");
-  refused(with("compaction_friction_deg = 20.0", ""), "either compaction_friction_deg or porosity");
-  refused(with("compaction_friction_deg = 20.0", "compaction_friction_deg = 20\nporosity = 0.4"),
-          "one of the two");
-  refused(with("compaction_friction_deg = 20.0", "compaction_friction_deg = 95"),
-          "compaction_friction_deg");
-  refused(with("seed = 3", "seed = 3\ngrading = {diameter_mm = [2, 1], share_pct = [0, 100]}"),
-          "grading");
-  refused(with("friction_angle_deg = 30.0", "stiffness_reading = \"parallel\""), "in_series");
-  refused(with("action = \"drained\"", "action = \"draned\""), "drained");
-  refused(with("strain_rate_per_s = 0.5", "strain_rate_per_s = 0"), "nothing would happen");
-  refused(with("radial_stress_kPa = 120.0\n", ""), "radial_stress_kPa");
-  refused(with("strain_path_R = 0.9", "strain_path_R = 0"), "strain_path_R");
-  refused(with("quantity = \"stress_ratio\"", "quantity = \"eta\""), "stress_ratio");
-  refused(with("load_step_Pa = 100.0\n", ""), "load_step_Pa, kinetic_energy_J or both");
-  refused(with("from = \"a point\"", "from = \"a pint\""), "a point");
-  refused(with("from = \"isotropic\"", "from = \"hit\""), "not a stage or mark before");
-  refused(with("name = \"held\"", "name = \"a point\""), "give the same file names");
-  refused(with("name = \"held\"", "name = \"a:point\""), "give the same file names");
-  refused(with("name = \"held\"", "name = \"specimen\""), "as made");
-  refused("", "run");
+  programme_refused(with("grains = 200", "grains = 2"), "grains");
+  programme_refused(with("grains = 200", "grainz = 200"), "grainz");
+  programme_refused(with("pressure_kPa = 100.0", "pressure_kPa = 0"), "pressure_kPa");
+  programme_refused(with("compaction_friction_deg = 20.0", ""),
+                    "either compaction_friction_deg or porosity");
+  programme_refused(
+      with("compaction_friction_deg = 20.0", "compaction_friction_deg = 20\nporosity = 0.4"),
+      "one of the two");
+  programme_refused(with("compaction_friction_deg = 20.0", "compaction_friction_deg = 95"),
+                    "compaction_friction_deg");
+  programme_refused(
+      with("seed = 3", "seed = 3\ngrading = {diameter_mm = [2, 1], share_pct = [0, 100]}"),
+      "grading");
+  programme_refused(with("friction_angle_deg = 30.0", "stiffness_reading = \"parallel\""),
+                    "in_series");
+  programme_refused(with("action = \"drained\"", "action = \"draned\""), "drained");
+  programme_refused(with("strain_rate_per_s = 0.5", "strain_rate_per_s = 0"),
+                    "nothing would happen");
+  programme_refused(with("radial_stress_kPa = 120.0\n", ""), "radial_stress_kPa");
+  programme_refused(with("strain_path_R = 0.9", "strain_path_R = 0"), "strain_path_R");
+  programme_refused(with("quantity = \"stress_ratio\"", "quantity = \"eta\""), "stress_ratio");
+  programme_refused(with("load_step_Pa = 100.0\n", ""), "load_step_Pa, kinetic_energy_J or both");
+  programme_refused(with("from = \"a point\"", "from = \"a pint\""), "a point");
+  programme_refused(with("from = \"isotropic\"", "from = \"hit\""), "not a stage or mark before");
+  programme_refused(with("name = \"held\"", "name = \"a point\""), "give the same file names");
+  programme_refused(with("name = \"held\"", "name = \"a:point\""), "give the same file names");
+  programme_refused(with("name = \"held\"", "name = \"specimen\""), "as made");
+  programme_refused("", "run");
 }
 
 TEST_CASE("every sample of grains is a programme") {

@@ -11,7 +11,7 @@ using namespace triax::src;
 using namespace triax::lab;
 
 TEST_CASE("the specimen is told as it was made") {
-  const GrainReport report = test::sample_run();
+  const GrainReport report = src::test::sample_run();
   REQUIRE(report.specimen);
   const ReportedGrains& g = *report.specimen;
   CHECK(g.grains == 4);
@@ -29,9 +29,9 @@ TEST_CASE("the specimen is told as it was made") {
 }
 
 TEST_CASE("a specimen from a file has neither seed nor compaction") {
-  auto programme = test::sample_programme();
+  auto programme = src::test::sample_programme();
   programme.grains.state_file = "dense.grains";
-  const ReportedGrains g = reported(programme.grains, test::four_grains());
+  const ReportedGrains g = reported(programme.grains, src::test::four_grains());
   CHECK(g.state_file == "dense.grains");
   CHECK_FALSE(g.compaction_friction);
   CHECK(g.trials == 0);
@@ -40,7 +40,7 @@ TEST_CASE("a specimen from a file has neither seed nor compaction") {
 }
 
 TEST_CASE("stages are told in order, each with what came of it") {
-  const GrainReport report = test::sample_run();
+  const GrainReport report = src::test::sample_run();
   REQUIRE(report.stages.size() == 9);
   CHECK(report.stages[2].name == "R-0.8");
   CHECK(std::get<ReportedGrainPath>(report.stages[2].came).end == sim::GrainPathEnd::collapse);
@@ -55,13 +55,13 @@ TEST_CASE("a mark has the strains and the time since the start of its path") {
   const sim::GrainState start =
       sim::compact(sim::test::small_cloud(150), sim::ContactLaw{}, how).state;
   lab::GrainPathStage work;
-  work.path = test::strain_path(0.825);
+  work.path = src::test::strain_path(0.825);
   work.path.strain_rate_per_s = 0.5;
   work.path.axial_strain = 0.004;
   work.path.marks = {{sim::PathMark::Quantity::axial_strain, 0.002, false},
                      {sim::PathMark::Quantity::axial_strain, 1, false}};
   work.mark_names = {"half", "never"};
-  lab::GrainStage stage = test::stage("R-0.825", "strain_path");
+  lab::GrainStage stage = src::test::stage("R-0.825", "strain_path");
   stage.work = work;
   const sim::GrainPathResult made = sim::follow(start, work.path);
   lab::GrainStageResult result;

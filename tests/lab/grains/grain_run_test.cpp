@@ -14,8 +14,8 @@
 
 using namespace triax;
 using namespace triax::lab;
-using test::kSmallGrains;
-using test::replaced;
+using triax::test::kSmallGrains;
+using triax::test::replaced;
 
 namespace {
 

@@ -5,6 +5,7 @@
 
 #include "tests/lab/grains/vtk_reading.hpp"
 
+using namespace triax;
 using namespace triax::lab;
 
 TEST_CASE("a VTK array has the digits that mean the same number") {
@@ -25,7 +26,7 @@ TEST_CASE("a VTK document is well-formed whatever its names hold") {
   data.lines = true;
   data.field = {vtk_array("of the whole", std::vector<double>{1, 2, 3})};
   data.cell_data = {vtk_array("a \"quoted\" <name>", std::vector<float>{7})};
-  const auto read = test::read_vtk(vtk_document(data));
+  const auto read = lab::test::read_vtk(vtk_document(data));
   CHECK(read.well_formed);
   CHECK(read.type == "PolyData");
   CHECK(read.comment.find("simulated") != std::string::npos);
@@ -42,8 +43,8 @@ TEST_CASE("a VTK document is well-formed whatever its names hold") {
 }
 
 TEST_CASE("a VTK collection gives each file its time, files of one time as parts") {
-  const auto read =
-      test::read_vtk(vtk_collection({{0, "a&b.vtp"}, {0, "b.vtp"}, {0.5, "c.vtp"}}, "simulated"));
+  const auto read = lab::test::read_vtk(
+      vtk_collection({{0, "a&b.vtp"}, {0, "b.vtp"}, {0.5, "c.vtp"}}, "simulated"));
   CHECK(read.well_formed);
   CHECK(read.type == "Collection");
   REQUIRE(read.data_sets.size() == 3);

@@ -22,7 +22,7 @@ double live(std::int64_t i) {
 
 /// Feeds `n` readings of `value`, and checks at each that nothing said before is taken back: what
 /// is found wrong was in doubt until then.
-struct Watched {
+struct WatchedChannel {
   ChannelHealth health{1e-9};
   std::int64_t number = 0;
   std::int64_t settled = 0;  ///< readings before this one were beyond doubt
@@ -45,7 +45,7 @@ struct Watched {
 }  // namespace
 
 TEST_CASE("a live channel is found sound, and settled within a few readings") {
-  Watched w;
+  WatchedChannel w;
   std::int64_t longest = 0;
   for (int i = 0; i < 100; ++i) {
     w.feed(100, live);
@@ -57,7 +57,7 @@ TEST_CASE("a live channel is found sound, and settled within a few readings") {
 }
 
 TEST_CASE("stuck: from the first repeated value on, until it has moved again for good") {
-  Watched w;
+  WatchedChannel w;
   w.feed(500, live);
   const double held = live(499);
   w.feed(100, [&](std::int64_t) { return held; });
@@ -72,7 +72,7 @@ TEST_CASE("stuck: from the first repeated value on, until it has moved again for
 
 TEST_CASE("a jump out of all that was read, to a constant, is a saturated converter") {
   for (double rail : {32767.0, -32768.0}) {
-    Watched w;
+    WatchedChannel w;
     w.feed(500, live);
     w.feed(ChannelHealth::kFlat + 1, [&](std::int64_t) { return rail; });
     REQUIRE(w.health.dead());
@@ -82,7 +82,7 @@ TEST_CASE("a jump out of all that was read, to a constant, is a saturated conver
 }
 
 TEST_CASE("a jump to another level that goes on moving is no fault") {
-  Watched w;
+  WatchedChannel w;
   w.feed(500, live);
   w.feed(500, [](std::int64_t i) { return 5000 + live(i); });
   CHECK_FALSE(w.health.dead());
@@ -91,7 +91,7 @@ TEST_CASE("a jump to another level that goes on moving is no fault") {
 
 TEST_CASE("missing: more than a few readings of a channel that was read at every scan") {
   const auto none = [](std::int64_t) { return kNone; };
-  Watched w;
+  WatchedChannel w;
   w.feed(100, live);
   w.feed(ChannelHealth::kGap, none);
   CHECK(w.health.absent());
@@ -105,7 +105,7 @@ TEST_CASE("missing: more than a few readings of a channel that was read at every
 }
 
 TEST_CASE("a channel that is read now and then only is not missed") {
-  Watched w;
+  WatchedChannel w;
   w.feed(2000, [](std::int64_t i) { return i % 10 == 0 ? live(i) : kNone; });
   CHECK_FALSE(w.health.dead());
   CHECK_FALSE(w.health.absent());
@@ -113,7 +113,7 @@ TEST_CASE("a channel that is read now and then only is not missed") {
 
 TEST_CASE("spikes of one to three readings are found where they are, four are none") {
   for (int width = 1; width <= 4; ++width) {
-    Watched w;
+    WatchedChannel w;
     w.feed(500, live);
     w.feed(width, [](std::int64_t i) { return live(i) - 800; });
     w.feed(100, live);
@@ -130,14 +130,14 @@ TEST_CASE("spikes of one to three readings are found where they are, four are no
 }
 
 TEST_CASE("a perfect ramp that ends at its target is at rest, not stuck") {
-  Watched w;
+  WatchedChannel w;
   w.feed(3000, [](std::int64_t i) { return std::min(double(i) * 3.7, 3700.0); });
   CHECK_FALSE(w.health.dead());
   CHECK(w.spikes.empty());
 }
 
 TEST_CASE("what may rest is not called stuck, and what may not again only from then on") {
-  Watched w;
+  WatchedChannel w;
   w.feed(500, live);
   w.health.may_rest(true);
   w.feed(300, [](std::int64_t) { return 100.0; });
@@ -152,7 +152,7 @@ TEST_CASE("what may rest is not called stuck, and what may not again only from t
 TEST_CASE("two spikes within three readings are left out with what is between them") {
   for (const std::int64_t apart : {1, 2}) {
     for (const double second : {500.0, -500.0}) {
-      Watched w;
+      WatchedChannel w;
       w.feed(540, [&](std::int64_t i) {
         return live(i) + (i == 510 ? 500 : i == 510 + apart ? second : 0);
       });
@@ -168,7 +168,7 @@ TEST_CASE("two spikes within three readings are left out with what is between th
 TEST_CASE("a leap of which nobody learns whether it was a spike, for the channel dies, is dead") {
   const auto leap = [](std::int64_t i) { return live(i) + 500; };
   for (const double rest : {kNone, 32767.0}) {
-    Watched w;
+    WatchedChannel w;
     w.feed(500, live);
     w.feed(1, leap);
     w.feed(ChannelHealth::kFlat + 1, [&](std::int64_t) { return rest; });
@@ -176,7 +176,7 @@ TEST_CASE("a leap of which nobody learns whether it was a spike, for the channel
     CHECK(w.health.dead()->from == 500);
   }
   // A spike long before is another matter.
-  Watched w;
+  WatchedChannel w;
   w.feed(500, live);
   w.feed(1, leap);
   w.feed(19, live);
@@ -186,14 +186,14 @@ TEST_CASE("a leap of which nobody learns whether it was a spike, for the channel
 }
 
 TEST_CASE("that a channel may rest from now on does not excuse the jump it rests after") {
-  Watched w;
+  WatchedChannel w;
   w.feed(500, live);
   w.feed(5, [](std::int64_t) { return 32767.0; });
   w.health.may_rest(true);
   w.feed(ChannelHealth::kFlat - 4, [](std::int64_t) { return 32767.0; });
   CHECK(w.health.jumped_at() == 500);
   CHECK(w.health.run() == ChannelHealth::kFlat);
-  Watched quiet;
+  WatchedChannel quiet;
   quiet.feed(500, live);
   quiet.feed(5, [](std::int64_t) { return live(499); });
   quiet.health.may_rest(true);
@@ -202,7 +202,7 @@ TEST_CASE("that a channel may rest from now on does not excuse the jump it rests
 }
 
 TEST_CASE("what stands still since a jump, and then says nothing, was dead from the jump on") {
-  Watched w;
+  WatchedChannel w;
   w.feed(100, live);
   w.feed(7, [](std::int64_t) { return 1e5; });
   w.feed(10, [](std::int64_t) { return kNone; });

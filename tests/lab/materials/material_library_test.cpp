@@ -39,6 +39,7 @@ TEST_CASE("the shipped sets of hypoplasticity and NorSand are those that were ch
     }
   };
   using namespace triax::sim;
+  namespace test = triax::sim::test;
   const auto& hypoplastic = hypoplastic_table();
   check("hypoplastic/HG99", test::hostun_hg99(), hypoplastic);
   check("hypoplastic/Schranz", test::hostun_schranz(), hypoplastic);

@@ -25,7 +25,7 @@ double left_of_tensor(const std::string& text, const Eigen::Matrix3d& stress,
          c.strain.transpose().dot(triax::sim::components(strain));
 }
 
-void refused(const std::string& text, const std::string& because) {
+void condition_refused(const std::string& text, const std::string& because) {
   INFO(text);
   CHECK_THROWS_WITH(read_condition<Axisymmetric>(text), Contains(because));
 }
@@ -77,28 +77,28 @@ TEST_CASE("components of a tensor, and triaxial names of one") {
     CHECK_NOTHROW(read_condition<Tensor>(name + " = 0.1"));
 }
 
-TEST_CASE("what is no condition is refused with its column and what is known") {
-  refused("", "column 1: expected the name of an increment, found the end");
-  refused("axial_strian = 0.1",
-          "column 1: unknown increment 'axial_strian'; did you mean "
-          "'axial_strain'?");
-  refused("q_kPa + pp_kPa = 1", "column 9");
-  refused("q = 1", "'q'");
-  refused("axial_strain", "expected '= TOTAL'");
-  refused("axial_strain 0.1", "column 14");
-  refused("axial_strain = ", "total increment");
-  refused("axial_strain = abc", "column 16");
-  refused("q_kPa = 10 kPa", "the unit is part of the name");
-  refused("q_kPa = 1e400", "out of range");
-  refused("q_kPa = nan", "total increment");
-  refused("0 q_kPa = 1", "the coefficient 0");
-  refused("1e30 q_kPa = 1", "the coefficient");
-  refused("q_kPa - q_kPa = 1", "nothing is left");
-  refused("q_kPa = 1e9", "out of range");
-  refused("axial_strain = 10", "out of range");
-  refused("stress_11_kPa = 1", "unknown increment");
-  refused("q_kPa == 1", "total increment");
-  refused("q_kPa_pct = 1", "unknown increment");
+TEST_CASE("what is no condition is condition_refused with its column and what is known") {
+  condition_refused("", "column 1: expected the name of an increment, found the end");
+  condition_refused("axial_strian = 0.1",
+                    "column 1: unknown increment 'axial_strian'; did you mean "
+                    "'axial_strain'?");
+  condition_refused("q_kPa + pp_kPa = 1", "column 9");
+  condition_refused("q = 1", "'q'");
+  condition_refused("axial_strain", "expected '= TOTAL'");
+  condition_refused("axial_strain 0.1", "column 14");
+  condition_refused("axial_strain = ", "total increment");
+  condition_refused("axial_strain = abc", "column 16");
+  condition_refused("q_kPa = 10 kPa", "the unit is part of the name");
+  condition_refused("q_kPa = 1e400", "out of range");
+  condition_refused("q_kPa = nan", "total increment");
+  condition_refused("0 q_kPa = 1", "the coefficient 0");
+  condition_refused("1e30 q_kPa = 1", "the coefficient");
+  condition_refused("q_kPa - q_kPa = 1", "nothing is left");
+  condition_refused("q_kPa = 1e9", "out of range");
+  condition_refused("axial_strain = 10", "out of range");
+  condition_refused("stress_11_kPa = 1", "unknown increment");
+  condition_refused("q_kPa == 1", "total increment");
+  condition_refused("q_kPa_pct = 1", "unknown increment");
   CHECK_THROWS_WITH(read_combination<Axisymmetric>("q_kPa = 1"), Contains("column 7"));
   CHECK_THROWS_WITH(check_total(read_combination<Axisymmetric>("q_kPa"), 1e9),
                     Contains("out of range"));

@@ -15,7 +15,7 @@ using test::with;
 
 namespace {
 
-void refused(const std::string& text, const std::string& because) {
+void path_refused(const std::string& text, const std::string& because) {
   INFO(text);
   try {
     read_path(text, "p.toml");
@@ -82,8 +82,8 @@ end = [{quantity = "stress_12_kPa", above = 20}]
   REQUIRE(path.segments[1].end.size() == 1);
   CHECK(path.segments[1].end[0].component == 3);
   CHECK(path.segments[1].end[0].above == 20e3);
-  refused(with(kPath + cartesian, R"(, "strain_23 = 0")", ""),
-          "5 conditions are given; expected 6");
+  path_refused(with(kPath + cartesian, R"(, "strain_23 = 0")", ""),
+               "5 conditions are given; expected 6");
 }
 
 TEST_CASE("ends and repetitions") {
@@ -105,19 +105,19 @@ repeat_from = "compression"
   CHECK(back.end[0].below == -0.3);
   CHECK(back.end[1].below == 5e3);
   CHECK(back.end[1].label == "p_eff_kPa below 5");
-  refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"),
-          "the name of an earlier segment");
-  refused(with(kPath + cycle, "repeat_from = \"compression\"", "repeat_from = \"comp\""),
-          "did you mean 'compression'?");
-  refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat");
-  refused(with(kPath + cycle, "repeat = 4", "repeat = 0"), "must be 1 to 100000");
-  refused(with(kPath + cycle, "rows = 7", "rows = 100000"), "rows of output");
+  path_refused(with(kPath + cycle, "\"compression\"\nd", "\"back\"\nd"),
+               "the name of an earlier segment");
+  path_refused(with(kPath + cycle, "repeat_from = \"compression\"", "repeat_from = \"comp\""),
+               "did you mean 'compression'?");
+  path_refused(with(kPath + cycle, "repeat = 4\n", ""), "needs repeat");
+  path_refused(with(kPath + cycle, "repeat = 4", "repeat = 0"), "must be 1 to 100000");
+  path_refused(with(kPath + cycle, "rows = 7", "rows = 100000"), "rows of output");
   // Few rows, but four million parts with the repetitions.
-  refused(with(kPath + cycle, "rows = 7", "rows = 1\nparts = 1000000"), "parts of segments");
-  refused(with(kPath + cycle, "below = 5", "below = 5, above = 7"), "exactly one");
-  refused(with(kPath + cycle, "\"eta\"", "\"etta\""), "did you mean 'eta'?");
-  refused(with(kPath + cycle, "\"eta\"", "\"stress_11_kPa\""), "is not valid");
-  refused(with(kPath + cycle, "-0.3", "-30"), "must be at least -1.5");
+  path_refused(with(kPath + cycle, "rows = 7", "rows = 1\nparts = 1000000"), "parts of segments");
+  path_refused(with(kPath + cycle, "below = 5", "below = 5, above = 7"), "exactly one");
+  path_refused(with(kPath + cycle, "\"eta\"", "\"etta\""), "did you mean 'eta'?");
+  path_refused(with(kPath + cycle, "\"eta\"", "\"stress_11_kPa\""), "is not valid");
+  path_refused(with(kPath + cycle, "-0.3", "-30"), "must be at least -1.5");
 }
 
 TEST_CASE("a table gives a segment a row, run as one") {
@@ -133,42 +133,46 @@ TEST_CASE("a table gives a segment a row, run as one") {
   CHECK(description.files[1] == "samples/paths/from_table.csv");
 }
 
-TEST_CASE("what is no path is refused with file, line and remedy") {
-  refused("", "[path] is missing");
-  refused("[path]\nname = \"x\"\n", "[start] is missing");
-  refused(with(kPath, "name = \"small\"\n", ""), "name is missing");
-  refused(with(kPath, "material = \"sanisand/S28-general\"\n", ""), "material is missing");
-  refused(with(kPath, "S28-general", "S28-genral"), "p.toml:3: [path] material: unknown material");
-  refused(with(kPath, "p_eff_kPa = 100.0\n", ""), "the effective stress is missing");
-  refused(with(kPath, "p_eff_kPa", "p_eff_MPa"), "effective stress is missing");
-  refused(with(kPath, "100.0", "-100.0"), "must be");
-  refused(with(kPath, "100.0", "1e300"), "must be");
-  refused(with(kPath, "100.0", "nan"), "must be");
-  refused(with(kPath, "100.0", "100.0\nstress_kPa = {axial = 1, radial = 1}"), "one of the two");
-  refused(with(kPath, "p_eff_kPa = 100.0", "stress_kPa = [1, 2]"), "six components");
-  refused(with(kPath, "p_eff_kPa = 100.0", "stress_kPa = [1, 2, 3, 4, 5, 1e9]"), "six components");
-  refused(with(kPath, "void_ratio = 1.0\n", ""), "void_ratio is missing");
-  refused(with(kPath, "void_ratio = 1.0", "void_ratio = 100"), "must be");
-  refused(with(kPath, "void_ratio = 1.0", "voidratio = 1.0"), "did you mean 'voidratio'?");
-  refused(kPath.substr(0, kPath.find("[[")), "write [[segments]]");
-  refused(with(kPath, "\"undrained\"", "\"closed\""), "expected drained or undrained");
-  refused(with(kPath, "drainage = \"undrained\"\n", ""), "drainage is missing");
-  refused(with(kPath, "drainage", "frame = \"triaxal\"\ndrainage"), "did you mean 'triaxial'?");
-  refused(with(kPath, kConditions, "[\"axial_strain = 0.02\"]"),
-          "1 conditions are given; expected 2");
-  refused(with(kPath, "conditions = " + kConditions, ""), "conditions are missing");
-  refused(with(kPath, "axial_strain = 0.02", "axial_strain_kPa = 0.02"), "column 1");
-  refused(with(kPath, "radial_stress_kPa = 0", "radial_strain = 0"), "total stress");
-  refused(with(kPath, "radial_stress_kPa = 0", "q_kPa = 0"), "total stress");
-  refused(with(kPath, "radial_stress_kPa = 0", "axial_strain = 0.01"), "axial_strain");
-  refused(with(kPath, "axial_strain = 0.02", "volumetric_strain = 0"), "undrained implies");
-  refused(with(kPath, "0.02", "0"), "nothing happens");
-  refused(with(kPath, "0.02", "1e6"), "is out of range");
-  refused(kPath + "rowz = 3\n", "did you mean 'rows'?");
-  refused(kPath + "rows = 0\n", "must be 1 to 100000");
-  refused(kPath + "table = \"x.csv\"\n", "leave conditions out");
-  refused(with(kPath, "name = \"small\"", "name = \"small\"\ntolerance = 1.0"), "must be");
-  refused(kPath + "[parameters]\nfoo = 3\n", "has no parameter 'foo'");
+TEST_CASE("what is no path is path_refused with file, line and remedy") {
+  path_refused("", "[path] is missing");
+  path_refused("[path]\nname = \"x\"\n", "[start] is missing");
+  path_refused(with(kPath, "name = \"small\"\n", ""), "name is missing");
+  path_refused(with(kPath, "material = \"sanisand/S28-general\"\n", ""), "material is missing");
+  path_refused(with(kPath, "S28-general", "S28-genral"),
+               "p.toml:3: [path] material: unknown material");
+  path_refused(with(kPath, "p_eff_kPa = 100.0\n", ""), "the effective stress is missing");
+  path_refused(with(kPath, "p_eff_kPa", "p_eff_MPa"), "effective stress is missing");
+  path_refused(with(kPath, "100.0", "-100.0"), "must be");
+  path_refused(with(kPath, "100.0", "1e300"), "must be");
+  path_refused(with(kPath, "100.0", "nan"), "must be");
+  path_refused(with(kPath, "100.0", "100.0\nstress_kPa = {axial = 1, radial = 1}"),
+               "one of the two");
+  path_refused(with(kPath, "p_eff_kPa = 100.0", "stress_kPa = [1, 2]"), "six components");
+  path_refused(with(kPath, "p_eff_kPa = 100.0", "stress_kPa = [1, 2, 3, 4, 5, 1e9]"),
+               "six components");
+  path_refused(with(kPath, "void_ratio = 1.0\n", ""), "void_ratio is missing");
+  path_refused(with(kPath, "void_ratio = 1.0", "void_ratio = 100"), "must be");
+  path_refused(with(kPath, "void_ratio = 1.0", "voidratio = 1.0"), "did you mean 'voidratio'?");
+  path_refused(kPath.substr(0, kPath.find("[[")), "write [[segments]]");
+  path_refused(with(kPath, "\"undrained\"", "\"closed\""), "expected drained or undrained");
+  path_refused(with(kPath, "drainage = \"undrained\"\n", ""), "drainage is missing");
+  path_refused(with(kPath, "drainage", "frame = \"triaxal\"\ndrainage"),
+               "did you mean 'triaxial'?");
+  path_refused(with(kPath, kConditions, "[\"axial_strain = 0.02\"]"),
+               "1 conditions are given; expected 2");
+  path_refused(with(kPath, "conditions = " + kConditions, ""), "conditions are missing");
+  path_refused(with(kPath, "axial_strain = 0.02", "axial_strain_kPa = 0.02"), "column 1");
+  path_refused(with(kPath, "radial_stress_kPa = 0", "radial_strain = 0"), "total stress");
+  path_refused(with(kPath, "radial_stress_kPa = 0", "q_kPa = 0"), "total stress");
+  path_refused(with(kPath, "radial_stress_kPa = 0", "axial_strain = 0.01"), "axial_strain");
+  path_refused(with(kPath, "axial_strain = 0.02", "volumetric_strain = 0"), "undrained implies");
+  path_refused(with(kPath, "0.02", "0"), "nothing happens");
+  path_refused(with(kPath, "0.02", "1e6"), "is out of range");
+  path_refused(kPath + "rowz = 3\n", "did you mean 'rows'?");
+  path_refused(kPath + "rows = 0\n", "must be 1 to 100000");
+  path_refused(kPath + "table = \"x.csv\"\n", "leave conditions out");
+  path_refused(with(kPath, "name = \"small\"", "name = \"small\"\ntolerance = 1.0"), "must be");
+  path_refused(kPath + "[parameters]\nfoo = 3\n", "has no parameter 'foo'");
 }
 
 TEST_CASE("parameters of the file, and sets of one's own") {

@@ -19,7 +19,7 @@ struct TableFile {
   ~TableFile() { std::remove(path.c_str()); }
 };
 
-void refused(const std::string& text, const std::string& because) {
+void table_refused(const std::string& text, const std::string& because) {
   const TableFile file(text);
   CHECK_THROWS_WITH(read_path_table(file.path), Catch::Contains(because));
 }
@@ -34,11 +34,11 @@ TEST_CASE("a table of steps: headings, rows, remarks") {
   CHECK(table.lines == std::vector<std::int64_t>{3, 5, 7});
 }
 
-TEST_CASE("what is no table of steps is refused with its line") {
-  refused("", "no row of numbers");
-  refused("a,b\n", "no row of numbers");
-  refused("a,b\n1,2\n3\n", ":3: 1 cells");
-  refused("a,b\n1,x\n", ":2: column 'b': 'x' is not a number");
-  refused("a,b\n1,\n", "not a number");
-  refused("a,b\n1,inf\n", "not a number");
+TEST_CASE("what is no table of steps is table_refused with its line") {
+  table_refused("", "no row of numbers");
+  table_refused("a,b\n", "no row of numbers");
+  table_refused("a,b\n1,2\n3\n", ":3: 1 cells");
+  table_refused("a,b\n1,x\n", ":2: column 'b': 'x' is not a number");
+  table_refused("a,b\n1,\n", "not a number");
+  table_refused("a,b\n1,inf\n", "not a number");
 }

@@ -11,11 +11,11 @@ using Catch::Contains;
 namespace {
 const std::string kRanged = "[rig.transducers.pore_pressure]\nrange_kPa = 1000\n";
 
-Fault read_one(const std::string& lines) {
+Fault read_one_fault(const std::string& lines) {
   return test::with_rig(kRanged + "[[faults]]\n" + lines).faults.at(0);
 }
 /// The first of `lines` is line 17.
-std::string complaint(const std::string& lines) {
+std::string complaint_of_faults(const std::string& lines) {
   return test::complaint_of_rig(kRanged + "[[faults]]\n" + lines);
 }
 }  // namespace
@@ -53,16 +53,18 @@ spike_N = 20
 
 TEST_CASE("a fault's size has the unit of its device in the name of its key") {
   const std::string from = "from_s = 1\n";
-  CHECK(read_one(from + "device = \"pore_pressure\"\nkind = \"drift\"\ndrift_kPa_per_min = -6")
-            .size == Approx(-100));
-  CHECK(read_one(from + "device = \"axial_displacement\"\nkind = \"spike\"\nspike_mm = 2").size ==
-        Approx(2e-3));
-  CHECK(read_one(from + "device = \"back_volume\"\nkind = \"latency\"\nlatency_s = 2.5").size ==
-        2.5);
-  CHECK(read_one(from + "device = \"cell_controller\"\nkind = \"leak\"\n"
-                        "leak_mm3_per_min_at_100kPa = 6")
+  CHECK(
+      read_one_fault(from + "device = \"pore_pressure\"\nkind = \"drift\"\ndrift_kPa_per_min = -6")
+          .size == Approx(-100));
+  CHECK(read_one_fault(from + "device = \"axial_displacement\"\nkind = \"spike\"\nspike_mm = 2")
+            .size == Approx(2e-3));
+  CHECK(
+      read_one_fault(from + "device = \"back_volume\"\nkind = \"latency\"\nlatency_s = 2.5").size ==
+      2.5);
+  CHECK(read_one_fault(from + "device = \"cell_controller\"\nkind = \"leak\"\n"
+                              "leak_mm3_per_min_at_100kPa = 6")
             .size == Approx(1e-15));
-  CHECK(read_one(from + "device = \"valve\"\nkind = \"does_not_close\"").kind ==
+  CHECK(read_one_fault(from + "device = \"valve\"\nkind = \"does_not_close\"").kind ==
         FaultKind::does_not_close);
 }
 
@@ -89,39 +91,42 @@ TEST_CASE("every device takes every fault that is possible for it") {
 }
 
 TEST_CASE("a fault that a device cannot have is refused with those that it can have") {
-  CHECK_THAT(complaint("device = \"valve\"\nkind = \"spike\"\nfrom_s = 1"),
+  CHECK_THAT(complaint_of_faults("device = \"valve\"\nkind = \"spike\"\nfrom_s = 1"),
              Contains("p.toml:18: [faults 1] kind: 'spike' is not a fault of valve; known: "
                       "does_not_close, does_not_open"));
-  CHECK_THAT(complaint("device = \"frame\"\nkind = \"drop_out\"\nfrom_s = 1"),
+  CHECK_THAT(complaint_of_faults("device = \"frame\"\nkind = \"drop_out\"\nfrom_s = 1"),
              Contains("known: stuck"));
-  CHECK_THAT(complaint("device = \"pore_presure\"\nkind = \"stuck\"\nfrom_s = 1"),
+  CHECK_THAT(complaint_of_faults("device = \"pore_presure\"\nkind = \"stuck\"\nfrom_s = 1"),
              Contains("p.toml:17") && Contains("did you mean 'pore_pressure'?"));
-  CHECK_THAT(complaint("device = \"q_kPa\"\nkind = \"stuck\"\nfrom_s = 1"), Contains("valve"));
+  CHECK_THAT(complaint_of_faults("device = \"q_kPa\"\nkind = \"stuck\"\nfrom_s = 1"),
+             Contains("valve"));
 }
 
 TEST_CASE("an open circuit without a range is refused") {
   CHECK_THAT(
-      complaint("device = \"axial_force\"\nkind = \"open_circuit\"\nfrom_s = 1"),
+      complaint_of_faults("device = \"axial_force\"\nkind = \"open_circuit\"\nfrom_s = 1"),
       Contains("p.toml:18") && Contains("it needs range_N in [rig.transducers.axial_force]"));
 }
 
 TEST_CASE("times and sizes of faults that cannot be are refused") {
   const std::string stuck = "device = \"pore_pressure\"\nkind = \"stuck\"\n";
-  CHECK_THAT(complaint(stuck), Contains("from_min or from_s is missing"));
-  CHECK_THAT(complaint(stuck + "from_s = -1"), Contains("p.toml:19"));
-  CHECK_THAT(complaint(stuck + "from_s = 1\nfrom_min = 1"), Contains("either from_min or from_s"));
-  CHECK_THAT(complaint(stuck + "from_s = 60\nuntil_min = 1"),
+  CHECK_THAT(complaint_of_faults(stuck), Contains("from_min or from_s is missing"));
+  CHECK_THAT(complaint_of_faults(stuck + "from_s = -1"), Contains("p.toml:19"));
+  CHECK_THAT(complaint_of_faults(stuck + "from_s = 1\nfrom_min = 1"),
+             Contains("either from_min or from_s"));
+  CHECK_THAT(complaint_of_faults(stuck + "from_s = 60\nuntil_min = 1"),
              Contains("p.toml:20") && Contains("is not after"));
-  CHECK_THAT(complaint(stuck + "from_s = 1\nspike_kPa = 4"), Contains("unknown key 'spike_kPa'"));
+  CHECK_THAT(complaint_of_faults(stuck + "from_s = 1\nspike_kPa = 4"),
+             Contains("unknown key 'spike_kPa'"));
   const std::string spike = "device = \"pore_pressure\"\nkind = \"spike\"\nfrom_s = 1\n";
-  CHECK_THAT(complaint(spike), Contains("spike_kPa is missing"));
-  CHECK_THAT(complaint(spike + "spike_kPa = 0"), Contains("p.toml:20"));
-  CHECK_THAT(complaint(spike + "spike_N = 5"), Contains("did you mean 'spike_N'?"));
+  CHECK_THAT(complaint_of_faults(spike), Contains("spike_kPa is missing"));
+  CHECK_THAT(complaint_of_faults(spike + "spike_kPa = 0"), Contains("p.toml:20"));
+  CHECK_THAT(complaint_of_faults(spike + "spike_N = 5"), Contains("did you mean 'spike_N'?"));
   const std::string late = "device = \"pore_pressure\"\nkind = \"latency\"\nfrom_s = 1\n";
   // 60 readings of 1 s
-  CHECK(complaint(late + "latency_s = 60") == "accepted");
-  CHECK_THAT(complaint(late + "latency_s = 61"), Contains("at most 60"));
-  CHECK_THAT(complaint("device = \"pore_pressure\"\nkind = \"drift\"\nfrom_s = 1\n"
-                       "drift_kPa_per_min = 0"),
+  CHECK(complaint_of_faults(late + "latency_s = 60") == "accepted");
+  CHECK_THAT(complaint_of_faults(late + "latency_s = 61"), Contains("at most 60"));
+  CHECK_THAT(complaint_of_faults("device = \"pore_pressure\"\nkind = \"drift\"\nfrom_s = 1\n"
+                                 "drift_kPa_per_min = 0"),
              Contains("leave the fault out"));
 }

@@ -25,7 +25,7 @@ Programme guarded(const std::string& keys, const std::string& stages = kByLoad) 
 }
 
 /// "LINE: what is wrong", lines counted from [guard].
-std::string complaint(const std::string& keys, const std::string& stages = kByLoad) {
+std::string complaint_of_guard(const std::string& keys, const std::string& stages = kByLoad) {
   try {
     guarded(keys, stages);
   } catch (const BadInput& error) {
@@ -69,37 +69,38 @@ TEST_CASE("a guard is read in SI, with what a laboratory would expect where it s
 }
 
 TEST_CASE("a guard that makes no sense is refused at its line") {
-  CHECK(complaint("action = \"safe\"\n") == "1: [guard]: on is missing");
-  CHECK(complaint(kOn) == "1: [guard]: action is missing");
-  CHECK_THAT(complaint("on = \"none\"\naction = \"safe\"\n"),
+  CHECK(complaint_of_guard("action = \"safe\"\n") == "1: [guard]: on is missing");
+  CHECK(complaint_of_guard(kOn) == "1: [guard]: action is missing");
+  CHECK_THAT(complaint_of_guard("on = \"none\"\naction = \"safe\"\n"),
              Contains("2: [guard] on") && Contains("known: approaching, imminent, lost"));
-  CHECK_THAT(complaint(kOn + "action = \"handover\"\n"),
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"handover\"\n"),
              Contains("3: [guard] action") && Contains("known: hand_over, hold, unload, safe"));
-  CHECK_THAT(complaint(kOn + "action = \"hand_over\"\n"),
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"hand_over\"\n"),
              Contains("1: [guard]: rate_mm_per_min is missing"));
-  CHECK_THAT(complaint(kOn + "action = \"hold\"\nrate_mm_per_min = 1\n"),
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"hold\"\nrate_mm_per_min = 1\n"),
              Contains("4: [guard] rate_mm_per_min: means nothing with action = \"hold\""));
-  CHECK_THAT(complaint(kOn + "action = \"hand_over\"\nrate_mm_per_min = 1\nshare = 0.2\n"),
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"hand_over\"\nrate_mm_per_min = 1\nshare = 0.2\n"),
              Contains("5: [guard] share: means nothing"));
-  CHECK_THAT(complaint(kOn + "action = \"hand_over\"\nrate_mm_per_min = 1000\n"),
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"hand_over\"\nrate_mm_per_min = 1000\n"),
              Contains("4: [guard] rate_mm_per_min: the frame gives"));
-  CHECK_THAT(complaint(kOn + "action = \"hand_over\"\nrate_mm_per_min = -1\n"),
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"hand_over\"\nrate_mm_per_min = -1\n"),
              Contains("4: [guard] rate_mm_per_min"));
-  CHECK_THAT(complaint(kOn + "action = \"safe\"\nwhen = 3\n"), Contains("4: ") && Contains("when"));
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"safe\"\nwhen = 3\n"),
+             Contains("4: ") && Contains("when"));
 }
 
 TEST_CASE("hand_over needs a stage in which something else than the crosshead holds the load") {
   const std::string hand_over = kOn + "action = \"hand_over\"\nrate_mm_per_min = 0.1\n";
   const std::string by_displacement =
       shear("axial = \"displacement\"\naxial_rate_mm_per_min = 1.0");
-  CHECK_THAT(complaint(hand_over, by_displacement),
+  CHECK_THAT(complaint_of_guard(hand_over, by_displacement),
              Contains("3: [guard] action: no stage of shear"));
-  CHECK(complaint(kOn + "action = \"hold\"\n", by_displacement) == "accepted");
+  CHECK(complaint_of_guard(kOn + "action = \"hold\"\n", by_displacement) == "accepted");
   for (const char* axial :
        {"axial = \"dead_load\"", "axial = \"constant_q\"",
         "axial = \"stress_ratio\"\nheld_stress_ratio = 0.5",
         "axial = \"spring\"\nspring_stiffness_N_per_mm = 100\naxial_rate_mm_per_min = 0.5"})
-    CHECK(complaint(hand_over, shear(axial)) == "accepted");
-  CHECK_THAT(complaint(kOn + "action = \"safe\"\n", shear("axial = \"free\"")),
+    CHECK(complaint_of_guard(hand_over, shear(axial)) == "accepted");
+  CHECK_THAT(complaint_of_guard(kOn + "action = \"safe\"\n", shear("axial = \"free\"")),
              Contains("3: [guard] action: no stage is of shear with a piston"));
 }

@@ -17,7 +17,7 @@ std::string action(const std::string& word, double at_min) {
   return "[[operator]]\naction = \"" + word + "\"\nat_min = " + std::to_string(at_min) + "\n";
 }
 
-std::string complaint(const std::string& actions) {
+std::string complaint_of_actions(const std::string& actions) {
   try {
     read_programme(test::programme_text() + actions, "p.toml");
   } catch (const BadInput& error) {
@@ -39,10 +39,12 @@ TEST_CASE("what the operator does is read in SI, in the order of time") {
 }
 
 TEST_CASE("an order that nobody can follow is refused") {
-  CHECK_THAT(complaint(action("pause", 1)), Contains("known: hold, resume, abort"));
-  CHECK_THAT(complaint(action("resume", 1)), Contains("no hold to resume"));
-  CHECK_THAT(complaint(action("hold", 1) + action("hold", 2)), Contains("on hold already"));
-  CHECK_THAT(complaint(action("hold", 1)), Contains("nothing ends this hold"));
-  CHECK_THAT(complaint(action("hold", 2) + action("resume", 1)), Contains("not later"));
-  CHECK_THAT(complaint(action("abort", 1) + action("hold", 2)), Contains("after an abort"));
+  CHECK_THAT(complaint_of_actions(action("pause", 1)), Contains("known: hold, resume, abort"));
+  CHECK_THAT(complaint_of_actions(action("resume", 1)), Contains("no hold to resume"));
+  CHECK_THAT(complaint_of_actions(action("hold", 1) + action("hold", 2)),
+             Contains("on hold already"));
+  CHECK_THAT(complaint_of_actions(action("hold", 1)), Contains("nothing ends this hold"));
+  CHECK_THAT(complaint_of_actions(action("hold", 2) + action("resume", 1)), Contains("not later"));
+  CHECK_THAT(complaint_of_actions(action("abort", 1) + action("hold", 2)),
+             Contains("after an abort"));
 }

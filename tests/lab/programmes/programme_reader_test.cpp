@@ -14,7 +14,7 @@ using test::replaced;
 
 namespace {
 /// What the reader says of the small programme with `from` replaced by `to`.
-std::string complaint(const std::string& from, const std::string& to) {
+std::string complaint_of_change(const std::string& from, const std::string& to) {
   try {
     read_programme(replaced(programme_text(), from, to), "p.toml");
   } catch (const BadInput& error) {
@@ -55,35 +55,36 @@ noise_N = 0.3
 
 TEST_CASE("absurd values are refused with file and line") {
   CHECK_THAT(
-      complaint("height_mm = 140.0", "height_mm = -140.0"),
+      complaint_of_change("height_mm = 140.0", "height_mm = -140.0"),
       Contains("p.toml:8: [specimen] height_mm: is -140, must be at least 5 and at most 3000"));
-  CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 0"), Contains("p.toml:10"));
-  CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 2.98"), Contains("2.97"));
-  CHECK_THAT(complaint("S28-general", "S28-genral"),
+  CHECK_THAT(complaint_of_change("void_ratio = 1.086", "void_ratio = 0"), Contains("p.toml:10"));
+  CHECK_THAT(complaint_of_change("void_ratio = 1.086", "void_ratio = 2.98"), Contains("2.97"));
+  CHECK_THAT(complaint_of_change("S28-general", "S28-genral"),
              Contains("p.toml:7") && Contains("did you mean 'sanisand/S28-general'?"));
-  CHECK_THAT(complaint("scan_interval_s = 1.0", "scan_interval_s = 0"), Contains("p.toml:5"));
-  CHECK_THAT(complaint("height_mm = 140.0", "hieght_mm = 140.0"),
+  CHECK_THAT(complaint_of_change("scan_interval_s = 1.0", "scan_interval_s = 0"),
+             Contains("p.toml:5"));
+  CHECK_THAT(complaint_of_change("height_mm = 140.0", "hieght_mm = 140.0"),
              Contains("height_mm") && Contains("hieght_mm"));
-  CHECK_THAT(complaint("seed = 3", "seed = 3\nsede = 4"),
+  CHECK_THAT(complaint_of_change("seed = 3", "seed = 3\nsede = 4"),
              Contains("p.toml:5") && Contains("did you mean 'seed'?"));
-  CHECK_THAT(complaint("name = \"small\"", "name = small"), Contains("p.toml:2"));
-  CHECK_THAT(complaint("[rig]", "[rigg]"), Contains("[rig] is missing"));
-  CHECK_THAT(complaint("back_pressure_kPa = 300.0", "back_pressure_kPa = 9e9"),
+  CHECK_THAT(complaint_of_change("name = \"small\"", "name = small"), Contains("p.toml:2"));
+  CHECK_THAT(complaint_of_change("[rig]", "[rigg]"), Contains("[rig] is missing"));
+  CHECK_THAT(complaint_of_change("back_pressure_kPa = 300.0", "back_pressure_kPa = 9e9"),
              Contains("p.toml:13"));
 }
 
 TEST_CASE("specimens and pressures that cannot be are refused at the key") {
   for (const char* height : {"1e300", "4.9", "3001", "-140"})
-    CHECK_THAT(complaint("height_mm = 140.0", std::string("height_mm = ") + height),
+    CHECK_THAT(complaint_of_change("height_mm = 140.0", std::string("height_mm = ") + height),
                Contains("p.toml:8") && Contains("height_mm"));
-  CHECK_THAT(complaint("diameter_mm = 70.0", "diameter_mm = 1e9"), Contains("p.toml:9"));
-  CHECK_THAT(complaint("void_ratio = 1.086", "void_ratio = 21"),
+  CHECK_THAT(complaint_of_change("diameter_mm = 70.0", "diameter_mm = 1e9"), Contains("p.toml:9"));
+  CHECK_THAT(complaint_of_change("void_ratio = 1.086", "void_ratio = 21"),
              Contains("p.toml:10") && Contains("at most 20"));
   for (const char* table : {"cell_controller", "back_controller", "transducers.cell_pressure"})
-    CHECK_THAT(
-        complaint("back_pressure_kPa = 300.0", std::string("back_pressure_kPa = 300.0\n[rig.") +
-                                                   table + "]\nrange_kPa = 100001"),
-        Contains("p.toml:15") && Contains("at most 100000"));
+    CHECK_THAT(complaint_of_change("back_pressure_kPa = 300.0",
+                                   std::string("back_pressure_kPa = 300.0\n[rig.") + table +
+                                       "]\nrange_kPa = 100001"),
+               Contains("p.toml:15") && Contains("at most 100000"));
 }
 
 TEST_CASE("a transducer's noise is not negative and its converter has a range") {
@@ -106,7 +107,7 @@ TEST_CASE("a programme without stages, an empty file, a folder and no file are r
 }
 
 TEST_CASE("a user's own material stands beside the programme") {
-  CHECK_THAT(complaint("material = ", "material_file = \"no_such.toml\"\nmaterial = "),
+  CHECK_THAT(complaint_of_change("material = ", "material_file = \"no_such.toml\"\nmaterial = "),
              Contains("no_such.toml"));
   const Programme p = read_programme(
       replaced(programme_text(),
@@ -135,10 +136,10 @@ void_ratio)"),
   CHECK(p.specimen.membrane_young_modulus_pa == Approx(1.4e6));
   CHECK(p.specimen.membrane_penetration_m == Approx(0.02e-3));
   CHECK(p.specimen.saturation == 0.98);
-  CHECK_THAT(complaint("void_ratio", "saturation = 98\nvoid_ratio"),
+  CHECK_THAT(complaint_of_change("void_ratio", "saturation = 98\nvoid_ratio"),
              Contains("p.toml:10") && Contains("at most 1"));
-  CHECK_THAT(complaint("void_ratio", "membrane_thickness_mm = 0.3\nvoid_ratio"),
+  CHECK_THAT(complaint_of_change("void_ratio", "membrane_thickness_mm = 0.3\nvoid_ratio"),
              Contains("p.toml:10") && Contains("needs membrane_modulus_kPa"));
-  CHECK_THAT(complaint("void_ratio", "membrane_modulus_kPa = 1400\nvoid_ratio"),
+  CHECK_THAT(complaint_of_change("void_ratio", "membrane_modulus_kPa = 1400\nvoid_ratio"),
              Contains("needs membrane_thickness_mm"));
 }

@@ -10,10 +10,11 @@ using namespace triax::lab;
 using Catch::Contains;
 
 namespace {
-Transducer read_one(const std::string& lines, Quantity channel = Quantity::pore_pressure) {
+Transducer read_one_transducer(const std::string& lines,
+                               Quantity channel = Quantity::pore_pressure) {
   return read_transducer(channel, std::nullopt, TomlTable::parse(lines, "t.toml"));
 }
-std::string complaint(const std::string& lines) {
+std::string complaint_of_transducer(const std::string& lines) {
   return test::complaint_of_rig("[rig.transducers.pore_pressure]\n" + lines);
 }
 }  // namespace
@@ -29,7 +30,7 @@ TEST_CASE("a transducer of which nothing is said is perfect") {
 }
 
 TEST_CASE("every imperfection of a transducer has its key") {
-  const Transducer t = read_one(R"(
+  const Transducer t = read_one_transducer(R"(
 range_kPa = 1000
 resolution_kPa = 0.5
 noise_kPa = 0.05
@@ -57,14 +58,14 @@ sampling_interval_s = 2
 }
 
 TEST_CASE("a load cell is spoken of in newtons and kept in kilonewtons") {
-  const Transducer t = read_one(R"(
+  const Transducer t = read_one_transducer(R"(
 range_N = 5000
 drift_N_per_h = 2
 hysteresis_pct_of_range = 0.1
 sensitivity_mV = 20
 calibration_N_of_mV = [10, 250]
 )",
-                                Quantity::axial_force);
+                                           Quantity::axial_force);
   CHECK(t.range == Approx(5));
   CHECK(t.drift_per_hour == Approx(2e-3));
   CHECK(t.hysteresis == Approx(2.5e-3));
@@ -88,16 +89,16 @@ TEST_CASE("the programme's own key is stronger than that of the set, the others 
 }
 
 TEST_CASE("keys that need another one say so, at their line") {
-  CHECK_THAT(complaint("hysteresis_pct_of_range = 1"),
+  CHECK_THAT(complaint_of_transducer("hysteresis_pct_of_range = 1"),
              Contains("p.toml:15: [rig.transducers.pore_pressure] hysteresis_pct_of_range: needs "
                       "range_kPa as well"));
-  CHECK_THAT(complaint("nonlinearity_pct_of_range = 1"), Contains("needs range_kPa"));
-  CHECK_THAT(complaint("sensitivity_mV = 1"), Contains("needs range_kPa"));
-  CHECK_THAT(complaint("range_kPa = 100\ncalibration_kPa_of_mV = [0, 1]"),
+  CHECK_THAT(complaint_of_transducer("nonlinearity_pct_of_range = 1"), Contains("needs range_kPa"));
+  CHECK_THAT(complaint_of_transducer("sensitivity_mV = 1"), Contains("needs range_kPa"));
+  CHECK_THAT(complaint_of_transducer("range_kPa = 100\ncalibration_kPa_of_mV = [0, 1]"),
              Contains("p.toml:16") && Contains("needs sensitivity_mV"));
-  CHECK_THAT(complaint("range_kPa = 100\nbits = 16\nresolution_kPa = 1"),
+  CHECK_THAT(complaint_of_transducer("range_kPa = 100\nbits = 16\nresolution_kPa = 1"),
              Contains("p.toml:16") && Contains("either bits or resolution_kPa"));
-  CHECK_THAT(complaint("range_kPa = 100\nresolution_kPa = 101"), Contains("coarser"));
+  CHECK_THAT(complaint_of_transducer("range_kPa = 100\nresolution_kPa = 101"), Contains("coarser"));
 }
 
 TEST_CASE("values that no instrument has are refused") {
@@ -108,7 +109,8 @@ TEST_CASE("values that no instrument has are refused") {
         "offset_kPa = 1e300", "drift_kPa_per_h = nan", "drift_kPa_per_min = 1",
         "calibration_kPa_of_mV = 3", "calibration_kPa_of_mV = [1]",
         "calibration_kPa_of_mV = [1, 2, 3, 4, 5, 6, 7, 8, 9]"})
-    CHECK_THAT(complaint(line), Contains("p.toml:15"));
-  CHECK_THAT(complaint("calibration_kPa_of_mV = [0, 1e300]\nrange_kPa = 100\nsensitivity_mV = 50"),
+    CHECK_THAT(complaint_of_transducer(line), Contains("p.toml:15"));
+  CHECK_THAT(complaint_of_transducer(
+                 "calibration_kPa_of_mV = [0, 1e300]\nrange_kPa = 100\nsensitivity_mV = 50"),
              Contains("at full scale"));
 }

@@ -13,12 +13,12 @@ using namespace triax::lab;
 
 namespace {
 
-constexpr int kRows = 3000;  ///< some blocks
+constexpr int kRowsInBlocks = 3000;  ///< some blocks
 
 /// Of three columns; a cell is missing in some rows, and `end` stands behind the last.
 std::string table(const std::string& end = "") {
   std::string text = "time_s,axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n";
-  for (int i = 0; i < kRows; ++i)
+  for (int i = 0; i < kRowsInBlocks; ++i)
     text += i % 700 == 650 ? fmt::format("{},{},,{}\n", i, 0.01 * i, 100 + i)
                            : fmt::format("{},{},{},{}\n", i, 0.01 * i, 0.3 * i, 100 + i);
   return text + end;
@@ -84,7 +84,7 @@ void check_same(const std::string& text) {
 TEST_CASE("rows read ahead, and what is found in them, are those of the reader alone",
           "[threads]") {
   const Read alone = Read::alone(table());
-  REQUIRE(alone.rows.size() == kRows);
+  REQUIRE(alone.rows.size() == kRowsInBlocks);
   REQUIRE(alone.told[600] < alone.told[700]);  // told at its row, not before
   check_same(table());
   check_same(table("\n\n3000,30,900,\n"));

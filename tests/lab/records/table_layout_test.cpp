@@ -15,19 +15,19 @@ TableLayout layout_of(const std::string& text, const std::optional<Dialect>& for
   Findings findings(warnings ? *warnings : ignored);
   return recognise_table(*source, forced, findings);
 }
-const std::string kHeadings =
+const std::string kHeadingsOfFive =
     "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa,back_volume_mm3";
 }  // namespace
 
 TEST_CASE("our own table is known by its headings, and has commas") {
-  const auto layout = layout_of(kHeadings + "\n0,1\n");
+  const auto layout = layout_of(kHeadingsOfFive + "\n0,1\n");
   CHECK(layout.dialect.name == "triax");
   CHECK(layout.separator == Separator::comma);
   CHECK(layout.cell_count == 5);
   CHECK(layout.has(ColumnRole::time));
   CHECK(layout.quantities().size() == 4);
   for (const char mark : {';', '\t'}) {
-    std::string headings = kHeadings;
+    std::string headings = kHeadingsOfFive;
     std::ranges::replace(headings, ',', mark);
     CHECK_THROWS_WITH(layout_of(headings + "\n0" + mark + "1\n"), Catch::Contains("has commas"));
   }
@@ -68,12 +68,12 @@ TEST_CASE("what cannot be a record is refused in one line") {
   const std::pair<std::string, std::string> wrong[] = {
       {"", "m.csv: the file is empty"},
       {"\n \n", "the file is empty"},
-      {kHeadings + "\n", "m.csv:1: headings without a row"},
+      {kHeadingsOfFive + "\n", "m.csv:1: headings without a row"},
       {"a|b|c\n1|2|3\n", "m.csv:1: only one column found"},
       {"alpha,beta\n1,2\n", "m.csv:1: no dialect fits this file; headings found: 'alpha', 'beta'"},
       {"time_s,axial_displacement_mm,cell_pressure_kPa\n0,1,2\n", "needs axial_force_kN too"},
-      {kHeadings + ",cell_pressure_psi\n0,1,2,3,4,5\n", "m.csv:1: two columns are the same"},
-      {kHeadings + ",time_s\n0,1,2,3,4,5\n", "two columns are the same"},
+      {kHeadingsOfFive + ",cell_pressure_psi\n0,1,2,3,4,5\n", "m.csv:1: two columns are the same"},
+      {kHeadingsOfFive + ",time_s\n0,1,2,3,4,5\n", "two columns are the same"},
       {"time_s,axial_displacement_mm,axal_force_kN,cell_pressure_kPa\n0,1,2,3\n",
        "did you mean 'axial_force_kN'"}};
   for (const auto& [text, message] : wrong) {
@@ -84,7 +84,8 @@ TEST_CASE("what cannot be a record is refused in one line") {
 
 TEST_CASE("an unknown column is left out and said") {
   std::vector<Warning> warnings;
-  const auto layout = layout_of(kHeadings + ",pore_presure_kPa\n0,1,2,3,4,5\n", {}, &warnings);
+  const auto layout =
+      layout_of(kHeadingsOfFive + ",pore_presure_kPa\n0,1,2,3,4,5\n", {}, &warnings);
   CHECK(layout.quantities().size() == 4);
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0].text, Catch::Contains("did you mean 'pore_pressure_kPa'"));

@@ -14,7 +14,7 @@ struct Table {
   std::vector<Warning> warnings;
   std::string trailer;
 };
-Table read(const std::string& text, const std::optional<Dialect>& dialect = {}) {
+Table read_whole(const std::string& text, const std::optional<Dialect>& dialect = {}) {
   const auto source = open_memory("m.csv", text);
   Table table;
   Findings findings(table.warnings);
@@ -26,12 +26,14 @@ Table read(const std::string& text, const std::optional<Dialect>& dialect = {}) 
   findings.finish();
   return table;
 }
-const std::string kHeadings = "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n";
+const std::string kHeadingsOfFour =
+    "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n";
 }  // namespace
 
 TEST_CASE("rows come in SI with their line, the same by the fast and by the general way") {
-  const auto fast = read(kHeadings + "0.0,0.1,0.2,800.5\n1.0,0.2,0.3,801.5\n");
-  const auto quoted = read(kHeadings + "0.0,0.1,0.2,800.5\n\"1.0\", 0.2 ,3e-1,\"801.5\"\n");
+  const auto fast = read_whole(kHeadingsOfFour + "0.0,0.1,0.2,800.5\n1.0,0.2,0.3,801.5\n");
+  const auto quoted =
+      read_whole(kHeadingsOfFour + "0.0,0.1,0.2,800.5\n\"1.0\", 0.2 ,3e-1,\"801.5\"\n");
   REQUIRE(fast.rows.size() == 2);
   REQUIRE(quoted.rows.size() == 2);
   CHECK(fast.rows[1].line == 3);
@@ -45,7 +47,7 @@ TEST_CASE("rows come in SI with their line, the same by the fast and by the gene
 
 TEST_CASE("missing cells are missing, not zero, and are counted") {
   const auto table =
-      read(kHeadings + "0.0,0.1,0.2,800\n1,0.1,,800\n2,0.1,\"\",800\n3,0.1,0.5,800\n");
+      read_whole(kHeadingsOfFour + "0.0,0.1,0.2,800\n1,0.1,,800\n2,0.1,\"\",800\n3,0.1,0.5,800\n");
   REQUIRE(table.rows.size() == 4);
   CHECK(std::isnan(table.rows[1].si[index(axial_force)]));
   CHECK(std::isnan(table.rows[2].si[index(axial_force)]));
@@ -59,30 +61,30 @@ TEST_CASE("our own format has no word for a missing value") {
   for (const std::string word :
        {"NaN", "nan", "-nan", "NA", "-", "null", "#DIV/0!", "inf", "-inf"}) {
     INFO(word);
-    CHECK_THROWS_WITH(read(kHeadings + "0,0.1,0.2,800\n1,0.1," + word + ",800\n"),
+    CHECK_THROWS_WITH(read_whole(kHeadingsOfFour + "0,0.1,0.2,800\n1,0.1," + word + ",800\n"),
                       Catch::StartsWith("m.csv:3: column 'axial_force_kN' has '" + word + "'") &&
                           Catch::EndsWith("leave the cell empty if the reading is missing"));
   }
-  CHECK_THROWS_AS(read(kHeadings + "NaN,0.1,0.2,800\n"), BadInput);
+  CHECK_THROWS_AS(read_whole(kHeadingsOfFour + "NaN,0.1,0.2,800\n"), BadInput);
 }
 
 TEST_CASE("a foreign table's words for missing are missing, with a warning") {
   const std::string headings = "q,delta_u,p_prime,epsilon_a\n";
-  const auto table = read(headings + "0,0,100,0\n10,NaN,95,0.1\n20,#N/A,90,0.2\n");
+  const auto table = read_whole(headings + "0,0,100,0\n10,NaN,95,0.1\n20,#N/A,90,0.2\n");
   REQUIRE(table.rows.size() == 3);
   CHECK(std::isnan(table.rows[1].si[index(excess_pore_pressure)]));
   CHECK(table.rows[2].si[index(deviator_stress)] == 20e3);
   REQUIRE(table.warnings.size() == 1);
   CHECK(table.warnings[0].line == 3);
-  CHECK_THROWS_AS(read(headings + "0,0,100,0\n10,inf,95,0.1\n"), BadInput);
+  CHECK_THROWS_AS(read_whole(headings + "0,0,100,0\n10,inf,95,0.1\n"), BadInput);
   auto strict = find_dialect("cyclic");
   strict.missing_words = false;
-  CHECK_THROWS_WITH(read(headings + "0,NaN,100,0\n", strict),
+  CHECK_THROWS_WITH(read_whole(headings + "0,NaN,100,0\n", strict),
                     Catch::Contains("leave the cell empty"));
 }
 
 TEST_CASE("lines without values are left out, those inside the table are reported") {
-  const auto table = read(kHeadings + "\n0,0.1,0.2,800\n\n1,0.1,0.2,800\n,,,\n\n\n");
+  const auto table = read_whole(kHeadingsOfFour + "\n0,0.1,0.2,800\n\n1,0.1,0.2,800\n,,,\n\n\n");
   CHECK(table.rows.size() == 2);
   REQUIRE(table.warnings.size() == 2);
   CHECK(table.warnings[0].line == 4);
@@ -101,13 +103,13 @@ TEST_CASE("what is wrong in a row is named with line and column") {
       {"1;0.1;0.2;800\n", "m.csv:3: 1 cell where"}};
   for (const auto& [last, message] : wrong) {
     INFO(last);
-    CHECK_THROWS_WITH(read(kHeadings + row + last), Catch::Contains(message));
+    CHECK_THROWS_WITH(read_whole(kHeadingsOfFour + row + last), Catch::Contains(message));
   }
-  CHECK(read(kHeadings + row + "1,0.1,0.2,800,,\n").rows.size() == 2);
+  CHECK(read_whole(kHeadingsOfFour + row + "1,0.1,0.2,800,,\n").rows.size() == 2);
 }
 
 TEST_CASE("a last line that may have been cut is reported") {
-  const auto table = read(kHeadings + "0,0.1,0.2,800\n1,0.1,0.2,80");
+  const auto table = read_whole(kHeadingsOfFour + "0,0.1,0.2,800\n1,0.1,0.2,80");
   CHECK(table.rows.size() == 2);
   REQUIRE(table.warnings.size() == 1);
   CHECK(table.warnings[0].line == 3);
@@ -115,7 +117,7 @@ TEST_CASE("a last line that may have been cut is reported") {
 
 TEST_CASE("metadata below the rows is kept for its reader with its lines") {
   const auto table =
-      read(kHeadings + "0,0.1,0.2,800\n# [truth]\n#   a = 1\n1,0.1,0.2,800\n# b = 2\n");
+      read_whole(kHeadingsOfFour + "0,0.1,0.2,800\n# [truth]\n#   a = 1\n1,0.1,0.2,800\n# b = 2\n");
   CHECK(table.rows.size() == 2);
   CHECK(table.trailer == "[truth]\n  a = 1\n\nb = 2\n");
 }

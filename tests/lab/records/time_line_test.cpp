@@ -8,7 +8,7 @@
 using namespace triax::lab;
 
 namespace {
-struct Clock {
+struct StampedClock {
   std::vector<Warning> warnings;
   Findings findings{warnings};
   TimeLine line{true, false};
@@ -23,7 +23,7 @@ struct Clock {
 }  // namespace
 
 TEST_CASE("time that runs keeps its bits and says nothing") {
-  Clock clock;
+  StampedClock clock;
   const std::vector<double> stamps{0.1, 0.2, 0.30000000000000004, 1e9, 1e9 + 0.1};
   CHECK(clock.run(stamps) == stamps);
   CHECK(clock.warnings.empty());
@@ -31,7 +31,7 @@ TEST_CASE("time that runs keeps its bits and says nothing") {
 }
 
 TEST_CASE("a repeated stamp is set a little later, the next true one counts again") {
-  Clock clock;
+  StampedClock clock;
   const auto time = clock.run({0, 1, 1, 2, 2, 3});
   CHECK(time[2] == Approx(1.001));
   CHECK(time[3] == 2);
@@ -41,19 +41,19 @@ TEST_CASE("a repeated stamp is set a little later, the next true one counts agai
 }
 
 TEST_CASE("a clock that was set back is shifted along, one wrong stamp is not") {
-  Clock back;
+  StampedClock back;
   const auto time = back.run({100, 101, 41, 42, 43});
   CHECK(time[2] == Approx(101.001));
   CHECK(time[4] - time[3] == Approx(1));
   CHECK(back.warnings.size() == 1);
-  Clock glitch;
+  StampedClock glitch;
   CHECK(glitch.run({10, 11, 0, 12, 13}).back() == 13);
 }
 
 TEST_CASE("any stamps whatever give a strictly increasing time") {
   std::mt19937 random(3);
   for (int test = 0; test < 200; ++test) {
-    Clock clock;
+    StampedClock clock;
     std::vector<double> stamps;
     for (int i = 0; i < 50; ++i)
       stamps.push_back(
@@ -87,7 +87,7 @@ TEST_CASE("stage times are strung together, placed by the test time where there 
 }
 
 TEST_CASE("a clock that never moves is known; no time at all is NaN") {
-  Clock clock;
+  StampedClock clock;
   clock.run({5, 5, 5});
   CHECK(clock.line.stands_still());
   TimeLine none(false, false);

@@ -10,14 +10,14 @@ using namespace triax::lab;
 
 namespace {
 
-Truth read(const std::string& text) {
+Truth read_back(const std::string& text) {
   const TomlTable document = TomlTable::parse(text, "m");
   return read_truth(document.required_table("truth"));
 }
 
 }  // namespace
 
-TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
+TEST_CASE("run-aways read_back back to the bit, what is unknown stays empty") {
   Truth truth;
   truth.lost_sustainability = true;
   truth.time_s = 12.25;
@@ -25,7 +25,7 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   truth.run_aways = {
       {12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, RunAwayEnd::new_equilibrium},
       {40, 2, 41, {}, {}, {}, {}, RunAwayEnd::none}};
-  const Truth found = read(truth_toml(truth));
+  const Truth found = read_back(truth_toml(truth));
   CHECK(found.time_s == 12.25);
   CHECK(found.q_pa == truth.q_pa);
   CHECK_FALSE(found.axial_strain);
@@ -47,13 +47,13 @@ TEST_CASE("a run-away that cannot be is refused at its line") {
   const std::string good =
       "[truth]\n[[truth.run_aways]]\nstart_s = 5\nlargest_kinetic_energy_J = 1\n"
       "largest_at_s = 6\n";
-  CHECK(read(good).run_aways.size() == 1);
-  CHECK_THROWS_WITH(read(good + "end_s = 4\n"),
+  CHECK(read_back(good).run_aways.size() == 1);
+  CHECK_THROWS_WITH(read_back(good + "end_s = 4\n"),
                     Catch::StartsWith("m:6: ") && Catch::Contains("before start_s"));
-  CHECK_THROWS_WITH(read(good + "ending = \"a bang\"\n"),
+  CHECK_THROWS_WITH(read_back(good + "ending = \"a bang\"\n"),
                     Catch::StartsWith("m:6: ") && Catch::Contains("new equilibrium"));
-  CHECK_THROWS_WITH(read(good + "energy_J = 1\n"), Catch::Contains("unknown key 'energy_J'"));
-  CHECK_THROWS_WITH(read(good + "end_s = inf\n"), Catch::Contains("end_s"));
-  CHECK_THROWS_WITH(read("[truth]\n[[truth.run_aways]]\nlargest_at_s = 6\n"),
+  CHECK_THROWS_WITH(read_back(good + "energy_J = 1\n"), Catch::Contains("unknown key 'energy_J'"));
+  CHECK_THROWS_WITH(read_back(good + "end_s = inf\n"), Catch::Contains("end_s"));
+  CHECK_THROWS_WITH(read_back("[truth]\n[[truth.run_aways]]\nlargest_at_s = 6\n"),
                     Catch::Contains("start_s is missing"));
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kM = 1.25, kA = 0.006, kC = 0.005, kStep = 0.0004;
 
-TestSummary replay(const std::string& name) {
+TestSummary replay_curve(const std::string& name) {
   const auto rig = open_record("tests/lab/rig/curves/" + name, {});
   return run_session(*rig, {});
 }
@@ -33,27 +33,27 @@ void check_flow(const TestSummary& s, double p0_pa) {
 }  // namespace
 
 TEST_CASE("a closed-form flow without a clock: onset at the analytic peak of q") {
-  const TestSummary s = replay("flow.dat");
+  const TestSummary s = replay_curve("flow.dat");
   CHECK(s.readings == 42);
   check_flow(s, 100e3);
   CHECK_FALSE(s.collapse.onset->time_s);
 }
 
 TEST_CASE("the same with a clock: the instant of onset is known, too") {
-  const TestSummary s = replay("flow_timed.csv");
+  const TestSummary s = replay_curve("flow_timed.csv");
   check_flow(s, 200e3);
   CHECK(*s.collapse.onset->time_s == Approx(300).margin(24.1));
 }
 
 TEST_CASE("a closed-form loss of strength that comes back is limited") {
-  const TestSummary s = replay("limited.dat");
+  const TestSummary s = replay_curve("limited.dat");
   REQUIRE(s.collapse.kind == CollapseKind::limited);
   CHECK(*s.collapse.onset->axial_strain == Approx(kC).margin(kStep + 1e-9));
   CHECK(*s.peak->axial_strain == Approx(0.05));
 }
 
 TEST_CASE("a closed-form curve that always rises is no collapse") {
-  CHECK(replay("stable.dat").collapse.kind == CollapseKind::none);
+  CHECK(replay_curve("stable.dat").collapse.kind == CollapseKind::none);
 }
 
 TEST_CASE("the table without a clock is read as Karlsruhe's, its stresses agree with each other") {

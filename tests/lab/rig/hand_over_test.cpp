@@ -11,7 +11,7 @@ using namespace triax::lab::test;
 
 namespace {
 
-const std::string kReal =
+const std::string kMovingFrame =
     "water_bulk_modulus_GPa = 2.2\nsystem_compliance_mm3_per_kPa = 0.5\n[rig.frame]\n"
     "travel_mm = 20.0\nmoving_mass_kg = 5.0\n";
 
@@ -33,7 +33,7 @@ TEST_CASE("displacement, dead load, load and spring take over without a jump in 
       displaced(R"("q_kPa", above = 20.0)") + shear_stage("closed", "dead_load", "", kMinute) +
       displaced(R"("q_kPa", above = 25.0)") + sprung(200, kMinute) +
       shear_stage("closed", "load", "load_rate_N_per_min = 2.0", kMinute) + displaced(kMinute);
-  for (const std::string& rig : {kIdealFrame, kReal}) {
+  for (const std::string& rig : {kIdealFrame, kMovingFrame}) {
     INFO(rig);
     VirtualRig virtual_rig(rig_programme(stages, rig));
     const auto readings = all_readings(virtual_rig);
@@ -55,7 +55,7 @@ TEST_CASE("displacement, dead load, load and spring take over without a jump in 
 TEST_CASE("past the peak a dead load runs away, and Eq. 5 holds for what it sets free") {
   VirtualRig rig(rig_programme(
       displaced(kPastPeak) + shear_stage("closed", "dead_load", "impulse_N_s = 0.001", kMinute),
-      kReal));
+      kMovingFrame));
   const auto readings = all_readings(rig);
   const Truth truth = *rig.truth();
   REQUIRE(truth.run_aways.size() == 1);
@@ -70,8 +70,9 @@ TEST_CASE("past the peak a dead load runs away, and Eq. 5 holds for what it sets
 
 TEST_CASE("a spring stiffer than the softening specimen holds it, a softer one does not") {
   const auto run_aways = [](double n_per_mm) {
-    VirtualRig rig(rig_programme(
-        displaced(kPastPeak) + sprung(n_per_mm, R"("axial_strain_pct", above = 2.0)"), kReal));
+    VirtualRig rig(
+        rig_programme(displaced(kPastPeak) + sprung(n_per_mm, R"("axial_strain_pct", above = 2.0)"),
+                      kMovingFrame));
     const auto readings = all_readings(rig);
     CHECK(readings.back().stage == 2);
     return rig.truth()->run_aways;
@@ -137,7 +138,7 @@ TEST_CASE("a stage ends by B, by a rate that has died away, by a pressure that r
   VirtualRig by_b(
       rig_programme(stage_text("b_check", "closed", "free", "cell_rate_kPa_per_min = 30.0",
                                R"("b_value", above = 0.9)"),
-                    kReal));
+                    kMovingFrame));
   const auto checked = all_readings(by_b);
   CHECK(checked.back().time_s == Approx(10).margin(0.6));
   CHECK(by_b.header().warnings.empty());

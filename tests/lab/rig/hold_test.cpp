@@ -12,8 +12,8 @@ using Catch::Contains;
 
 namespace {
 
-/// A compression that ends by time, so that a pause that counted would show.
-std::string compression(const std::string& drainage) {
+/// A timed_compression that ends by time, so that a pause that counted would show.
+std::string timed_compression(const std::string& drainage) {
   return shear_stage(drainage, "displacement", "axial_rate_mm_per_min = 0.5",
                      R"("time_min", above = 2.0)");
 }
@@ -40,13 +40,13 @@ void same_without_pause(const std::string& stage) {
 }  // namespace
 
 TEST_CASE("an ideal rig goes on after a pause as if there had been none") {
-  same_without_pause(compression("closed"));
-  same_without_pause(compression("open"));
+  same_without_pause(timed_compression("closed"));
+  same_without_pause(timed_compression("open"));
   same_without_pause(kLoad);
 }
 
 TEST_CASE("while held the crosshead is locked, the pressures stay, and the header says so") {
-  VirtualRig rig(rig_programme(compression("closed") + kPause));
+  VirtualRig rig(rig_programme(timed_compression("closed") + kPause));
   const auto readings = all_readings(rig);
   const auto held = of_stage(readings, 2);
   REQUIRE(held.size() == 120);
@@ -63,7 +63,7 @@ TEST_CASE("while held the crosshead is locked, the pressures stay, and the heade
 }
 
 TEST_CASE("hold and resume from outside do what the operator's do") {
-  VirtualRig rig(rig_programme(compression("closed")));
+  VirtualRig rig(rig_programme(timed_compression("closed")));
   Reading r;
   while (rig.next(r) && r.time_s < 60) {
   }
@@ -84,7 +84,7 @@ TEST_CASE("hold and resume from outside do what the operator's do") {
 }
 
 TEST_CASE("who asked for it stands in the event, and what changes nothing says so") {
-  VirtualRig rig(rig_programme(compression("closed")));
+  VirtualRig rig(rig_programme(timed_compression("closed")));
   Reading r;
   REQUIRE(rig.next(r));
   CHECK_FALSE(rig.resume("by Anna"));
@@ -105,7 +105,7 @@ TEST_CASE("who asked for it stands in the event, and what changes nothing says s
 }
 
 TEST_CASE("abort: ten more readings in the safe state, and why") {
-  VirtualRig by_call(rig_programme(compression("closed")));
+  VirtualRig by_call(rig_programme(timed_compression("closed")));
   Reading r;
   while (by_call.next(r) && r.time_s < 30) {
   }
@@ -120,8 +120,8 @@ TEST_CASE("abort: ten more readings in the safe state, and why") {
   REQUIRE(by_call.header().warnings.size() == 1);
   CHECK_THAT(by_call.header().warnings[0].text, Contains("somebody smelled smoke"));
 
-  VirtualRig by_operator(
-      rig_programme(compression("closed") + "[[operator]]\naction = \"abort\"\nat_min = 0.5\n"));
+  VirtualRig by_operator(rig_programme(timed_compression("closed") +
+                                       "[[operator]]\naction = \"abort\"\nat_min = 0.5\n"));
   const auto readings = all_readings(by_operator);
   CHECK(of_stage(readings, 2).size() == VirtualRig::kSafeReadings);
   CHECK(readings.back().time_s == Approx(30 + VirtualRig::kSafeReadings * 0.25).margin(0.26));

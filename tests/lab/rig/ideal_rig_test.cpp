@@ -24,14 +24,14 @@ namespace {
 constexpr double kHeight = 0.14;
 constexpr double kVolume = std::numbers::pi / 4 * 0.07 * 0.07 * kHeight;
 
-const std::string kReal =
+const std::string kImperfectRig =
     "water_bulk_modulus_GPa = 2.2\nsystem_compliance_mm3_per_kPa = 0.5\n"
     "drainage_resistance_kPa_s_per_mm3 = 0.1\n[rig.frame]\nstiffness_kN_per_mm = 20.0\n"
     "moving_mass_kg = 5.0\ndamping_N_s_per_m = 20.0\ntravel_mm = 20.0\n";
 
 /// Most of what is imperfect.
 lab::Programme real_programme(const std::string& stages) {
-  lab::Programme p = rig_programme(stages, kReal);
+  lab::Programme p = rig_programme(stages, kImperfectRig);
   p.specimen.membrane_thickness_m = 0.3e-3;
   p.specimen.membrane_young_modulus_pa = 1.4e6;
   p.specimen.membrane_penetration_m = 5e-6;

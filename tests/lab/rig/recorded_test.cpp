@@ -6,21 +6,16 @@
 #include <catch2/catch.hpp>
 
 #include "lab/base/bad_input.hpp"
+#include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax::lab;
 using enum Quantity;
+using triax::lab::test::all_readings;
 
 namespace {
 
 std::unique_ptr<RecordedRig> open_text(const std::string& text, const RecordOptions& options = {}) {
   return open_record(open_memory("m.csv", text), options);
-}
-
-std::vector<Reading> all_readings(RecordedRig& rig) {
-  std::vector<Reading> readings;
-  Reading reading;
-  while (rig.next(reading)) readings.push_back(reading);
-  return readings;
 }
 
 const std::string kHeadings = "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa\n";

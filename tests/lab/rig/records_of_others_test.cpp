@@ -9,9 +9,11 @@
 
 #include "lab/rig/recorded.hpp"
 #include "lab/rig/session.hpp"
+#include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax::lab;
 using enum Quantity;
+using triax::lab::test::all_readings;
 
 namespace {
 
@@ -28,20 +30,13 @@ std::optional<std::string> record_of_others(const std::string& name) {
   return path.string();
 }
 
-std::vector<Reading> all_readings(RecordedRig& rig) {
-  std::vector<Reading> readings;
-  Reading reading;
-  while (rig.next(reading)) readings.push_back(reading);
-  return readings;
-}
-
 bool warns(const RecordHeader& header, std::int64_t line, const std::string& text) {
   return std::ranges::any_of(header.warnings, [&](const Warning& warning) {
     return warning.line == line && warning.text.find(text) != std::string::npos;
   });
 }
 
-TestSummary replay(const std::string& path, RecordOptions options = {}) {
+TestSummary replay_of_others(const std::string& path, RecordOptions options = {}) {
   const auto rig = open_record(path, options);
   return run_session(*rig, {});
 }
@@ -57,7 +52,7 @@ TEST_CASE("Karlsruhe TMU-MT1: flow, onset at the peak of q, inside the limit sur
           "[of-others]") {
   const auto path = record_of_others("kfs/TMU-MT1.dat");
   if (!path) return;
-  const TestSummary s = replay(*path);
+  const TestSummary s = replay_of_others(*path);
   REQUIRE(s.collapse.kind == CollapseKind::flow);
   CHECK(std::abs(s.collapse.onset->reading - s.peak->reading) <= 3);
   CHECK(*s.collapse.onset->q_pa / 1e3 == Approx(56.5).margin(0.05));
@@ -70,7 +65,7 @@ TEST_CASE("Karlsruhe TMU-MT1: flow, onset at the peak of q, inside the limit sur
 TEST_CASE("Karlsruhe TMU-AP2: limited, strength comes back", "[of-others]") {
   const auto path = record_of_others("kfs/TMU-AP2.dat");
   if (!path) return;
-  const TestSummary s = replay(*path);
+  const TestSummary s = replay_of_others(*path);
   REQUIRE(s.collapse.kind == CollapseKind::limited);
   CHECK(*s.collapse.onset->q_pa / 1e3 == Approx(136.8).margin(0.05));
   // Between the readings at 0.383 % (136.79 kPa) and 0.434 % (136.62 kPa), nearer to the first.
@@ -81,7 +76,7 @@ TEST_CASE("Karlsruhe TMU-MT2 and TMD3: no collapse", "[of-others]") {
   for (const char* name : {"kfs/TMU-MT2.dat", "kfs/TMD3.dat"}) {
     const auto path = record_of_others(name);
     if (!path) return;
-    CHECK(replay(*path).collapse.kind == CollapseKind::none);
+    CHECK(replay_of_others(*path).collapse.kind == CollapseKind::none);
   }
 }
 
@@ -89,19 +84,19 @@ TEST_CASE("Nerlerk G101 flows, G107 does not", "[of-others]") {
   const auto flows = record_of_others("nerlerk/Nerlerk270_CIU_G101.csv");
   const auto holds = record_of_others("nerlerk/Nerlerk270_CIU_G107.csv");
   if (!flows || !holds) return;
-  const TestSummary s = replay(*flows);
+  const TestSummary s = replay_of_others(*flows);
   REQUIRE(s.collapse.kind == CollapseKind::flow);
   CHECK(std::abs(s.collapse.onset->reading - s.peak->reading) <= 3);
   CHECK(*s.peak->q_pa / 1e3 == Approx(183).margin(0.5));
   CHECK(*s.consolidation.void_ratio == Approx(0.804));
-  CHECK(replay(*holds).collapse.kind == CollapseKind::none);
+  CHECK(replay_of_others(*holds).collapse.kind == CollapseKind::none);
 }
 
 TEST_CASE("the .gds file: counters joined, B 0.733, its own q 5.4 % too high and the reason said",
           "[of-others]") {
   const auto path = record_of_others("gds/2023-1-2.gds");
   if (!path) return;
-  const TestSummary s = replay(*path);
+  const TestSummary s = replay_of_others(*path);
   CHECK(s.readings == 4501);
   CHECK(*s.consolidation.b_value == Approx(0.733).margin(0.001));
   CHECK(*s.consolidation.height_m * 1e3 == Approx(97.80).margin(0.01));
@@ -119,7 +114,7 @@ TEST_CASE("the .gds file: counters joined, B 0.733, its own q 5.4 % too high and
 TEST_CASE("the cyclic test runs away in its last readings", "[of-others]") {
   const auto path = record_of_others("cyclic/SJT-07.csv");
   if (!path) return;
-  const TestSummary s = replay(*path);
+  const TestSummary s = replay_of_others(*path);
   CHECK(s.collapse.kind == CollapseKind::flow);
   CHECK(s.collapse.onset->reading > 330);
 }
@@ -127,9 +122,9 @@ TEST_CASE("the cyclic test runs away in its last readings", "[of-others]") {
 TEST_CASE("the stress-path sheet asks for the specimen and then is reduced", "[of-others]") {
   const auto path = record_of_others("stress_path/Triax-p-q_01__Versuch01.csv");
   if (!path) return;
-  CHECK_THROWS_WITH(replay(*path), Catch::Contains("specimen.height_mm"));
-  const TestSummary s =
-      replay(*path, {.sets = {{"specimen.height_mm", "100"}, {"specimen.diameter_mm", "50"}}});
+  CHECK_THROWS_WITH(replay_of_others(*path), Catch::Contains("specimen.height_mm"));
+  const TestSummary s = replay_of_others(
+      *path, {.sets = {{"specimen.height_mm", "100"}, {"specimen.diameter_mm", "50"}}});
   CHECK(s.readings == 79);
   CHECK(s.collapse.kind == CollapseKind::none);
 }

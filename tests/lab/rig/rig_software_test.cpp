@@ -35,18 +35,18 @@ class Stumbling : public Apparatus {
   double late_s_;
 };
 
-struct Run {
+struct SoftwareRun {
   std::vector<double> times_s;
   std::string told;
   int rests = 0;
 };
 
-Run run(double late_s) {
+SoftwareRun run(double late_s) {
   const GuardedProgramme all = with_guard_stages(read_programme(programme_text(), "p.toml"));
   auto apparatus = std::make_unique<Stumbling>(all.programme, late_s);
   const Stumbling& watched = *apparatus;
   RigSoftware rig(all, rig_header(all.programme, 1), std::move(apparatus));
-  Run run;
+  SoftwareRun run;
   for (Reading reading; run.times_s.size() < 12 && rig.next(reading);) {
     run.times_s.push_back(reading.time_s);
     for (const Event& event : rig.events()) run.told += event.detail;
@@ -59,11 +59,11 @@ Run run(double late_s) {
 }  // namespace
 
 TEST_CASE("readings that were missed are told and not made up for") {
-  const Run late = run(2.5);
+  const SoftwareRun late = run(2.5);
   CHECK(std::vector(late.times_s.begin() + 4, late.times_s.begin() + 10) ==
         std::vector<double>{4, 5, 7.75, 8, 9, 10});
   CHECK_THAT(late.told, Contains("readings are missed from 6 s on"));
-  const Run on_time = run(0);
+  const SoftwareRun on_time = run(0);
   CHECK(on_time.times_s[8] == 8);
   CHECK(on_time.told.empty());
 }

@@ -37,7 +37,7 @@ inline std::string shear_stage(const std::string& drainage, const std::string& a
   return stage_text("shear", drainage, axial, keys, end);
 }
 
-inline std::vector<Reading> all_readings(VirtualRig& rig) {
+inline std::vector<Reading> all_readings(BackEnd& rig) {
   std::vector<Reading> readings;
   for (Reading reading; rig.next(reading);) readings.push_back(reading);
   return readings;

@@ -71,14 +71,14 @@ std::vector<std::string> verdict(const TestSummary& s) {
   return lines;
 }
 
-struct Run {
+struct SimulatedRun {
   std::vector<double> readings, states;
   std::vector<std::string> events, verdict;
   TestSummary summary;
 };
 
-Run run(BackEnd& rig, double speed = 0) {
-  Run result;
+SimulatedRun run(BackEnd& rig, double speed = 0) {
+  SimulatedRun result;
   SessionListener listener;
   listener.scanned = [&](const Reading& r, const State& s) {
     auto& readings = result.readings;
@@ -101,7 +101,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-void check_same(const Run& a, const Run& b) {
+void check_same(const SimulatedRun& a, const SimulatedRun& b) {
   CHECK(a.readings.size() > 10'000);
   CHECK(same_bits(a.readings, b.readings));
   CHECK(same_bits(a.states, b.states));
@@ -142,9 +142,9 @@ TEST_CASE("the same seed writes the same file, and the sample is that file") {
 
 TEST_CASE("replaying the record of a simulation is the simulation, to the bit") {
   VirtualRig simulated(load_programme(kProgramme));
-  const Run original = run(simulated);
+  const SimulatedRun original = run(simulated);
   const auto recorded = open_record(kRecord, {});
-  const Run replayed = run(*recorded);
+  const SimulatedRun replayed = run(*recorded);
   check_same(original, replayed);
   CHECK(recorded->header().origin == Origin::simulated);
   CHECK(recorded->header().warnings.empty());
@@ -158,7 +158,7 @@ TEST_CASE("replaying the record of a simulation is the simulation, to the bit") 
 
 TEST_CASE("neither speed nor the size of a read changes anything") {
   const auto whole = open_record(kRecord, {});
-  const Run expected = run(*whole);
+  const SimulatedRun expected = run(*whole);
   for (const std::size_t most : {1U, 7U, 1000U}) {
     RecordedRig rig(std::make_unique<Dribble>(kRecord, most), {}, "", "");
     check_same(expected, run(rig));

@@ -11,7 +11,7 @@ using namespace triax::lab;
 
 namespace {
 
-constexpr double kHeight = 0.14, kVolume = 0.07 * 0.07 * M_PI / 4 * kHeight;
+constexpr double kHeightAtStart = 0.14, kVolumeAtStart = 0.07 * 0.07 * M_PI / 4 * kHeightAtStart;
 
 Seen seen_at(double displacement_m, double back_volume_m3) {
   static const RecordHeader header = rig_header(
@@ -38,7 +38,7 @@ StrainPathControl started(std::optional<double> R, const Seen& seen, double filt
   stage.axial = AxialAction::displacement;
   stage.axial_rate_m_per_s = 1e-5;
   stage.strain_path_R = R;
-  StrainPathControl control(kHeight, filter_s);
+  StrainPathControl control(kHeightAtStart, filter_s);
   control.begin_stage(stage, seen);
   return control;
 }
@@ -66,8 +66,8 @@ TEST_CASE("followed tick by tick, the strains are in proportion to the last bit 
     back_volume -= *control.outflow_m3_per_s(seen_at(displacement, back_volume), kTick) * kTick;
     displacement += 1e-5 * kTick;
   }
-  const double axial = -std::log1p(-displacement / kHeight);
-  const double radial = 0.5 * (-std::log1p(back_volume / kVolume) - axial);
+  const double axial = -std::log1p(-displacement / kHeightAtStart);
+  const double radial = 0.5 * (-std::log1p(back_volume / kVolumeAtStart) - axial);
   CHECK(axial > 0.007);
   CHECK(axial + 2 * R * radial == Approx(0).margin(1e-12));
 }
@@ -81,7 +81,7 @@ TEST_CASE("strains count from the start of the stage, not of the test") {
   const Seen then = seen_at(5e-3, -3e-6);
   auto control = started(1.3, then);
   // dV = (1 − 1/R) dH V/H, V and H of the start of the stage.
-  const double volume = kVolume - 3e-6, height = kHeight - 5e-3;
+  const double volume = kVolumeAtStart - 3e-6, height = kHeightAtStart - 5e-3;
   CHECK(*control.outflow_m3_per_s(then, 0.25) ==
         Approx((1 - 1 / 1.3) * 1e-5 * volume / height).epsilon(1e-4));
 }
@@ -99,11 +99,11 @@ TEST_CASE("a servo that smooths keeps the path, and the noise of the height out 
     least = std::min(least, flow);
     most = std::max(most, flow);
   }
-  const double axial = -std::log1p(-displacement / kHeight);
-  const double radial = 0.5 * (-std::log1p(back_volume / kVolume) - axial);
+  const double axial = -std::log1p(-displacement / kHeightAtStart);
+  const double radial = 0.5 * (-std::log1p(back_volume / kVolumeAtStart) - axial);
   CHECK(axial + 1.4 * radial == Approx(0).margin(2e-5));
   // Unsmoothed the flow would swing by twice 1 - 1/R times 1 µm of height in every tick.
-  const double unsmoothed = 2 * (1 / 0.7 - 1) * kNoise * kVolume / kHeight / kTick;
+  const double unsmoothed = 2 * (1 / 0.7 - 1) * kNoise * kVolumeAtStart / kHeightAtStart / kTick;
   CHECK(most < 0);
   CHECK(most - least < unsmoothed / 5);
 }

@@ -88,14 +88,14 @@ double largest_rise(const std::vector<double>& values) {
   return rise;
 }
 
-struct Run {
+struct Table2Run {
   TestSummary summary;
   PorePressure last_stage;
 };
 
-Run run(const Programme& programme) {
+Table2Run run(const Programme& programme) {
   VirtualRig rig(programme);
-  Run result;
+  Table2Run result;
   int stage = 0;
   const SessionListener listener = {.scanned = [&](const Reading&, const State& state) {
     if (std::exchange(stage, state.stage) != state.stage) result.last_stage.start_again();
@@ -121,7 +121,7 @@ TEST_CASE(
     "the pore pressure falls until collapse in CSU") {
   double squares = 0;
   for (const Row& row : kTable2) {
-    const Run result = run(load_programme(file_of(row)));
+    const Table2Run result = run(load_programme(file_of(row)));
     const double eta = eta_found(row, result.summary);
     squares += (eta - row.eta) * (eta - row.eta);
     CHECK(std::fabs(eta - *result.summary.truth->q_pa / *result.summary.truth->p_eff_pa) < 0.02);
@@ -189,7 +189,8 @@ TEST_CASE("stable controls do not collapse, and their specimens lose nothing") {
   for (const char* control :
        {"icu_dense", "control_csd_dense", "control_csu_dense", "control_icu_cam_clay",
         "control_csd_cam_clay", "control_icu_mohr_coulomb", "control_drained_loose"}) {
-    const Run result = run(load_programme(std::string("samples/programmes/") + control + ".toml"));
+    const Table2Run result =
+        run(load_programme(std::string("samples/programmes/") + control + ".toml"));
     INFO(control);
     CHECK(result.summary.collapse.judged);
     CHECK(result.summary.collapse.kind == CollapseKind::none);

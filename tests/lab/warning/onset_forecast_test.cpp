@@ -14,7 +14,7 @@ using triax::lab::testing::shear_header;
 
 namespace {
 
-OnsetForecast started(AxialControl by, Drainage drainage = Drainage::closed) {
+OnsetForecast forecast_started(AxialControl by, Drainage drainage = Drainage::closed) {
   OnsetForecast forecast;
   const RecordHeader header = shear_header(by, drainage);
   forecast.start_stage(header.stage(1), true);
@@ -46,7 +46,7 @@ TEST_CASE("a stiffness that falls linearly over η is continued to its zero, fro
   // Among few readings the mean of the latest three lies behind, where the witnesses differ.
   for (const auto& [readings, margin] :
        {std::pair{9, 0.025}, {30, 0.01}, {400, 0.003}, {30000, 0.003}}) {
-    OnsetForecast forecast = started(AxialControl::load);
+    OnsetForecast forecast = forecast_started(AxialControl::load);
     LoosePath path;
     for (int i = 1; i <= readings; ++i)
       forecast.add(path.at(path.eta_under_load(0.99 * i / readings), i));
@@ -58,7 +58,7 @@ TEST_CASE("a stiffness that falls linearly over η is continued to its zero, fro
 
 TEST_CASE("two witnesses that differ are met halfway, and what lies between is in the error") {
   // −dq/dp′ = 2(η* − η) of the path: its tangent times √η comes to zero later than the stiffness.
-  OnsetForecast forecast = started(AxialControl::load);
+  OnsetForecast forecast = forecast_started(AxialControl::load);
   LoosePath path;
   for (int i = 1; i <= 400; ++i) forecast.add(path.at(0.001 * i, i));
   REQUIRE(forecast.now());
@@ -73,7 +73,7 @@ TEST_CASE("two witnesses that differ are met halfway, and what lies between is i
 
 TEST_CASE("normalised second-order work along the path is that of the closed form") {
   // R = 1, dε_v = 0: dq dε₁/(|dσ′||dε|) = r/√(4.5 + r²), r = −dq/dp′ = 2(η* − η)
-  OnsetForecast forecast = started(AxialControl::load);
+  OnsetForecast forecast = forecast_started(AxialControl::load);
   LoosePath path;
   for (int i = 1; i <= 500; ++i) forecast.add(path.at(0.001 * i, i));
   REQUIRE(forecast.now());
@@ -84,7 +84,7 @@ TEST_CASE("normalised second-order work along the path is that of the closed for
 }
 
 TEST_CASE("where few readings show that y came down, the onset was at the largest of them") {
-  OnsetForecast forecast = started(AxialControl::displacement);
+  OnsetForecast forecast = forecast_started(AxialControl::displacement);
   LoosePath path;
   const double etas[] = {0.15, 0.3, 0.45, 0.58, 0.69, 0.78, 0.86, 0.93, 0.99, 1.04};
   int reading = 0;
@@ -93,11 +93,11 @@ TEST_CASE("where few readings show that y came down, the onset was at the larges
   CHECK(std::fabs(forecast.now()->eta - 0.6) <= 1.645 * forecast.now()->error);
   CHECK(forecast.now()->work < 0);
   // While y grows the largest is the latest, and nothing has come down.
-  OnsetForecast growing = started(AxialControl::displacement);
+  OnsetForecast growing = forecast_started(AxialControl::displacement);
   for (int i = 1; i <= 9; ++i) growing.add(path.at(0.03 * i, i));
   if (growing.now()) CHECK(growing.now()->eta > 0.5);
   // A load cell at the end of its range stands still: y does not come down.
-  OnsetForecast saturated = started(AxialControl::displacement);
+  OnsetForecast saturated = forecast_started(AxialControl::displacement);
   for (int i = 1; i <= 12; ++i) {
     State s = path.at(0.05, i);
     s.strain.axial = 0.001 * i;
@@ -112,7 +112,7 @@ TEST_CASE("under noise the forecast holds the truth within its error") {
   int covered = 0;
   constexpr int kTrials = 60;
   for (unsigned seed = 1; seed <= kTrials; ++seed) {
-    OnsetForecast forecast = started(AxialControl::load);
+    OnsetForecast forecast = forecast_started(AxialControl::load);
     LoosePath path{.noise_pa = 100, .noise_strain = 5e-6, .random = std::mt19937(seed)};
     for (int i = 1; i <= 300; ++i) forecast.add(path.at(path.eta_under_load(0.9 * i / 300), i));
     REQUIRE(forecast.now());
@@ -122,7 +122,7 @@ TEST_CASE("under noise the forecast holds the truth within its error") {
 }
 
 TEST_CASE("what is left under a load is what the closed form leaves") {
-  OnsetForecast forecast = started(AxialControl::load);
+  OnsetForecast forecast = forecast_started(AxialControl::load);
   LoosePath path;
   for (int i = 1; i <= 19800; ++i) forecast.add(path.at(path.eta_under_load(i / 20000.0), i));
   const auto& f = forecast.now();
@@ -134,7 +134,7 @@ TEST_CASE("what is left under a load is what the closed form leaves") {
 }
 
 TEST_CASE("what is left by displacement is what the closed form leaves") {
-  OnsetForecast forecast = started(AxialControl::displacement);
+  OnsetForecast forecast = forecast_started(AxialControl::displacement);
   LoosePath path;
   for (int i = 1; i <= 5500; ++i) forecast.add(path.at(0.0001 * i, i));
   const auto& f = forecast.now();
@@ -145,7 +145,7 @@ TEST_CASE("what is left by displacement is what the closed form leaves") {
 
 TEST_CASE("where p' falls ever less there is no onset ahead, however soft the sand has become") {
   // p′ turns at η = 0.7 while dq/dε₁ is on its way to zero at about 0.9: phase transformation.
-  OnsetForecast forecast = started(AxialControl::load);
+  OnsetForecast forecast = forecast_started(AxialControl::load);
   for (int i = 1; i <= 300; ++i) {
     State s = LoosePath{}.at(0.1, i);
     const double eta = 0.002 * i;
@@ -158,7 +158,7 @@ TEST_CASE("where p' falls ever less there is no onset ahead, however soft the sa
 }
 
 TEST_CASE("at held q, the valve closed, the pore pressure's turn is foretold") {
-  OnsetForecast forecast = started(AxialControl::constant_q, Drainage::closed);
+  OnsetForecast forecast = forecast_started(AxialControl::constant_q, Drainage::closed);
   // u falls as p′ does, du/dp′ = 1 − (η − 0.3)/0.3, and turns at η = 0.6.
   for (int i = 0; i <= 200; ++i) {
     const double p = 3e5 - 600.0 * i, q = 9e4;
@@ -171,7 +171,7 @@ TEST_CASE("at held q, the valve closed, the pore pressure's turn is foretold") {
 }
 
 TEST_CASE("at held q, the drainage open, the end of dilatation is foretold from normalised work") {
-  OnsetForecast forecast = started(AxialControl::constant_q, Drainage::open);
+  OnsetForecast forecast = forecast_started(AxialControl::constant_q, Drainage::open);
   for (int i = 0; i <= 215; ++i) forecast.add(held(3e5 - 600.0 * i, 9e4, 0.6, i + 1));
   REQUIRE(forecast.now());
   CHECK(forecast.now()->now == Approx(0.53).margin(0.01));
@@ -183,10 +183,10 @@ TEST_CASE("at held q, the drainage open, the end of dilatation is foretold from 
 
 TEST_CASE("drained shear by displacement has no forecast, nor has too little of a stage") {
   LoosePath path;
-  OnsetForecast drained = started(AxialControl::displacement, Drainage::open);
+  OnsetForecast drained = forecast_started(AxialControl::displacement, Drainage::open);
   for (int i = 1; i <= 500; ++i) drained.add(path.at(0.001 * i, i));
   CHECK_FALSE(drained.now());
-  OnsetForecast few = started(AxialControl::load);
+  OnsetForecast few = forecast_started(AxialControl::load);
   for (int i = 1; i <= 7; ++i) few.add(path.at(0.07 * i, i));
   CHECK_FALSE(few.now());
 }
@@ -195,7 +195,7 @@ TEST_CASE("a long window that bends over what came since says of no specimen tha
   // dq/dε₁ = 1 + 90 (1 − η/0.8)² MPa up to η = 0.8, then 1 MPa: it levels out, and nothing
   // vanishes.
   const auto p_at = [](double eta) { return 1e5 - 4e4 * std::min(eta, 1.0); };
-  OnsetForecast forecast = started(AxialControl::load);
+  OnsetForecast forecast = forecast_started(AxialControl::load);
   State s;
   double eta = 0.02, axial = 0;
   for (int i = 0; eta < 1.2; ++i) {
@@ -235,7 +235,7 @@ OnsetForecast told_of(double eta) {
 }  // namespace
 
 TEST_CASE("earlier tests of the sand draw the forecast to theirs, and it is surer") {
-  OnsetForecast alone = started(AxialControl::load), knowing = told_of(0.55);
+  OnsetForecast alone = forecast_started(AxialControl::load), knowing = told_of(0.55);
   LoosePath path;
   for (int i = 1; i <= 300; ++i) {
     const State s = path.at(0.001 * i, i);

@@ -11,7 +11,7 @@ using triax::lab::testing::shear_header;
 
 namespace {
 
-WarningLevels started(AxialControl control) {
+WarningLevels levels_started(AxialControl control) {
   WarningLevels levels(true);
   const RecordHeader header = shear_header(control);
   levels.start_stage(header.stage(1));
@@ -42,7 +42,7 @@ State dense(double eta, int reading) {
 }  // namespace
 
 TEST_CASE("among few readings one look is enough where the next may come after the fall") {
-  WarningLevels levels = started(AxialControl::load);
+  WarningLevels levels = levels_started(AxialControl::load);
   LoosePath path{.interval_s = 60};
   constexpr int kReadings = 12;
   for (int i = 1; i < kReadings; ++i)
@@ -52,14 +52,14 @@ TEST_CASE("among few readings one look is enough where the next may come after t
 }
 
 TEST_CASE("dense sand is never imminent, however soft it has become") {
-  WarningLevels levels = started(AxialControl::load);
+  WarningLevels levels = levels_started(AxialControl::load);
   for (int i = 1; i <= 1000; ++i)
     CHECK(after(levels, dense(0.001 * i, i)) != WarningLevel::imminent);
   CHECK(levels.level() == WarningLevel::none);
 }
 
 TEST_CASE("a level is lost once, and never left within its stage") {
-  WarningLevels levels = started(AxialControl::load);
+  WarningLevels levels = levels_started(AxialControl::load);
   LoosePath path;
   for (int i = 1; i <= 100; ++i) after(levels, path.at(0.005 * i, i));
   CHECK(levels.lose());
@@ -74,7 +74,7 @@ TEST_CASE("a level is lost once, and never left within its stage") {
 TEST_CASE("near the limit surface less work is called low") {
   // The path collapses at η = 0.6: with a limit at 0.63 it is close below it all the way.
   const auto first = [](double limit) {
-    WarningLevels levels = started(AxialControl::load);
+    WarningLevels levels = levels_started(AxialControl::load);
     LoosePath path;
     for (int i = 1; i < 600; ++i) {
       levels.add(path.at(0.001 * i, i));

@@ -10,7 +10,7 @@
 
 using namespace triax::sim;
 using Control = MixedControl<Axisymmetric>;
-using Triaxial = CamClay<Axisymmetric>;
+using TriaxialCamClay = CamClay<Axisymmetric>;
 
 namespace {
 
@@ -21,7 +21,7 @@ CamClayParameters hostun_like() { return {0.032, 0.006, 1.2872, 0.2, 1}; }
 
 TEST_CASE("Cam-Clay: the undrained path of a normally consolidated state is its closed form") {
   for (const auto& parameters : {check_set(), hostun_like()}) {
-    const Triaxial law(parameters);
+    const TriaxialCamClay law(parameters);
     const double m2 = parameters.critical_stress_ratio * parameters.critical_stress_ratio;
     const double exponent = 1 - parameters.swelling_slope / parameters.compression_slope;
     auto state = law.isotropic(200e3, 0.8);
@@ -36,7 +36,7 @@ TEST_CASE("Cam-Clay: the undrained path of a normally consolidated state is its 
 }
 
 TEST_CASE("Cam-Clay: the check set ends undrained at p' = q = 107.18 kPa") {
-  const Triaxial law(check_set());
+  const TriaxialCamClay law(check_set());
   const auto step = advance_point(law, law.isotropic(200e3, 0.8), Control::strain_path(0.5));
   REQUIRE(step.outcome == StepOutcome::accepted);
   CHECK(step.state.p() / 1e3 == Approx(107.18).margin(0.005));
@@ -45,7 +45,7 @@ TEST_CASE("Cam-Clay: the check set ends undrained at p' = q = 107.18 kPa") {
 }
 
 TEST_CASE("Cam-Clay: negative control: q rises and work stays positive all the way up to M") {
-  const Triaxial law(hostun_like());
+  const TriaxialCamClay law(hostun_like());
   auto state = law.isotropic(100e3, 1.086);
   int stations = 0;
   while (state.q() / state.p() < 0.999 * 1.2872) {
@@ -60,7 +60,7 @@ TEST_CASE("Cam-Clay: negative control: q rises and work stays positive all the w
 }
 
 TEST_CASE("Cam-Clay: isotropic compression and swelling follow their lines in e, ln p'") {
-  const Triaxial law(check_set());
+  const TriaxialCamClay law(check_set());
   const auto up = advance_point(law, law.isotropic(100e3, 1.2), Control::stress_path(300e3, 0));
   REQUIRE(up.outcome == StepOutcome::accepted);
   CHECK(up.state.void_ratio == Approx(1.2 - 0.1 * std::log(4)).epsilon(1e-9));
@@ -71,7 +71,7 @@ TEST_CASE("Cam-Clay: isotropic compression and swelling follow their lines in e,
 }
 
 TEST_CASE("Cam-Clay: drained compression ends on the critical state line") {
-  const Triaxial law(check_set());
+  const TriaxialCamClay law(check_set());
   const auto step =
       advance_point(law, law.isotropic(200e3, 1.2), Control::drained_compression(1.5));
   REQUIRE(step.outcome == StepOutcome::accepted);
@@ -83,7 +83,7 @@ TEST_CASE("Cam-Clay: drained compression ends on the critical state line") {
 }
 
 TEST_CASE("Cam-Clay: an overconsolidated state is elastic up to its surface, then softens") {
-  const Triaxial law(check_set(8));
+  const TriaxialCamClay law(check_set(8));
   auto state = law.isotropic(50e3, 0.8);
   CHECK(law.yield_distance(state, 0) == Approx(1.0 / 8 - 1));
   // Drained at constant p': yield at q = M √(p (p_c − p)).
@@ -104,7 +104,7 @@ TEST_CASE("Cam-Clay: an overconsolidated state is elastic up to its surface, the
 }
 
 TEST_CASE("Cam-Clay: q raised beyond the critical state loses control of q there") {
-  const Triaxial law(check_set());
+  const TriaxialCamClay law(check_set());
   const auto step =
       advance_point(law, law.isotropic(200e3, 1.2), Control::stress_path(200e3, 600e3));
   REQUIRE(step.outcome == StepOutcome::lost_control);
@@ -115,7 +115,7 @@ TEST_CASE("Cam-Clay: q raised beyond the critical state loses control of q there
 }
 
 TEST_CASE("Cam-Clay: the ratio of plastic strains is that of the flow rule, in both senses") {
-  const Triaxial law(check_set());
+  const TriaxialCamClay law(check_set());
   for (const double eta : {0.3, 0.8, -0.5}) {
     auto state =
         law.start({200e3 * (1 + 2 * eta / 3), std::sqrt(2.0) * 200e3 * (1 - eta / 3)}, 0.9);
@@ -129,7 +129,7 @@ TEST_CASE("Cam-Clay: the ratio of plastic strains is that of the flow rule, in b
 TEST_CASE("Cam-Clay: symmetric, independent of axes, the same in both spaces") {
   test::RandomTensors random;
   const CamClay<Tensor> law(check_set(1.3));
-  const Triaxial triaxial(check_set(1.3));
+  const TriaxialCamClay triaxial(check_set(1.3));
   for (int i = 0; i < 10; ++i) {
     const auto stress = random.stress<Tensor>(150e3, 0.5);
     const auto t = test::tangent_of(law.response(law.start(stress, 0.9)), 1);
@@ -153,7 +153,7 @@ TEST_CASE("Cam-Clay: symmetric, independent of axes, the same in both spaces") {
 }
 
 TEST_CASE("Cam-Clay: unloading into tension stops in words") {
-  const Triaxial law(check_set());
+  const TriaxialCamClay law(check_set());
   const auto step = advance_point(law, law.isotropic(200e3, 0.8), Control::stress_path(-300e3, 0));
   CHECK(step.outcome == StepOutcome::failed);
   CHECK_THAT(step.message, Catch::Contains("p' is not above 0"));
@@ -162,7 +162,7 @@ TEST_CASE("Cam-Clay: unloading into tension stops in words") {
 }
 
 TEST_CASE("Cam-Clay: parameters without meaning are refused by name") {
-  CHECK_THROWS_WITH(Triaxial({0.01, 0.02, 1, 0.3, 1}), Catch::Contains("swelling_slope"));
-  CHECK_THROWS_WITH(Triaxial({0.1, 0.01, 1, 0.3, 0.5}),
+  CHECK_THROWS_WITH(TriaxialCamClay({0.01, 0.02, 1, 0.3, 1}), Catch::Contains("swelling_slope"));
+  CHECK_THROWS_WITH(TriaxialCamClay({0.1, 0.01, 1, 0.3, 0.5}),
                     Catch::Contains("overconsolidation_ratio is 0.5"));
 }

@@ -3,29 +3,21 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "sim/point/point_driver.hpp"
+#include "tests/sim/materials/frictional_sand.hpp"
 #include "tests/sim/materials/random_tensors.hpp"
 
 using namespace triax::sim;
+using triax::sim::test::kDegree;
 using Control = MixedControl<Axisymmetric>;
-using Triaxial = DruckerPrager<Axisymmetric>;
+using TriaxialDruckerPrager = DruckerPrager<Axisymmetric>;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-DruckerPragerParameters sand(double dilation_deg = 0, double cohesion_pa = 0) {
-  DruckerPragerParameters p;
-  p.young_modulus_pa = 30e6;
-  p.poisson_ratio = 0.25;
-  p.reference_pressure_pa = 100e3;
-  p.friction_angle = 34 * kDegree;
-  p.cohesion_pa = cohesion_pa;
-  p.dilation_angle = dilation_deg * kDegree;
-  return p;
+DruckerPragerParameters cone_sand(double dilation_deg = 0, double cohesion_pa = 0) {
+  return test::frictional_sand<DruckerPragerParameters>(dilation_deg, cohesion_pa);
 }
 
 double slope(double degrees) {
@@ -40,7 +32,7 @@ double deviatoric(const Vector<Axisymmetric>& strain) {
 }  // namespace
 
 TEST_CASE("Drucker-Prager: strength at constant p' is M_f p + k, in compression and extension") {
-  const Triaxial law(sand(5, 10e3));
+  const TriaxialDruckerPrager law(cone_sand(5, 10e3));
   const double s = std::sin(34 * kDegree);
   const double expected = slope(34) * 200e3 + 6 * 10e3 * std::cos(34 * kDegree) / (3 - s);
   for (const double side : {1.0, -1.0}) {
@@ -54,7 +46,7 @@ TEST_CASE("Drucker-Prager: strength at constant p' is M_f p + k, in compression 
 }
 
 TEST_CASE("Drucker-Prager: drained compression ends at 3 p0 M/(3 - M), and dilates by M_g") {
-  const Triaxial law(sand(10));
+  const TriaxialDruckerPrager law(cone_sand(10));
   const auto start = law.isotropic(100e3, 0.9);
   const double m = slope(34);
   auto step = advance_point(law, start, Control::drained_compression(0.02));
@@ -67,7 +59,7 @@ TEST_CASE("Drucker-Prager: drained compression ends at 3 p0 M/(3 - M), and dilat
 }
 
 TEST_CASE("Drucker-Prager: undrained without dilation stays at constant p' and keeps M_f p0") {
-  const Triaxial law(sand(0));
+  const TriaxialDruckerPrager law(cone_sand(0));
   auto state = law.isotropic(200e3, 1.0);
   for (int i = 0; i < 10; ++i) {
     state = advance_point(law, state, Control::strain_path(0.01)).state;
@@ -77,7 +69,7 @@ TEST_CASE("Drucker-Prager: undrained without dilation stays at constant p' and k
 }
 
 TEST_CASE("Drucker-Prager: undrained with dilation climbs the cone") {
-  const Triaxial law(sand(10));
+  const TriaxialDruckerPrager law(cone_sand(10));
   const auto step = advance_point(law, law.isotropic(200e3, 1.0), Control::strain_path(0.05));
   REQUIRE(step.outcome == StepOutcome::accepted);
   CHECK(step.state.p() > 250e3);
@@ -86,7 +78,7 @@ TEST_CASE("Drucker-Prager: undrained with dilation climbs the cone") {
 }
 
 TEST_CASE("Drucker-Prager: q raised beyond the strength loses control of q there") {
-  const Triaxial law(sand());
+  const TriaxialDruckerPrager law(cone_sand());
   const double m = slope(34);
   const auto step =
       advance_point(law, law.isotropic(100e3, 0.9), Control::stress_path(200e3, 600e3));
@@ -97,7 +89,7 @@ TEST_CASE("Drucker-Prager: q raised beyond the strength loses control of q there
 
 TEST_CASE("Drucker-Prager: unloading p' to the apex stops in words") {
   for (const double cohesion : {0.0, 10e3}) {
-    const Triaxial law(sand(0, cohesion));
+    const TriaxialDruckerPrager law(cone_sand(0, cohesion));
     const auto step =
         advance_point(law, law.isotropic(100e3, 0.9), Control::stress_path(-150e3, 0));
     CHECK(step.outcome == StepOutcome::failed);
@@ -114,7 +106,7 @@ TEST_CASE("Drucker-Prager: the tangent is symmetric where flow is associated, on
   test::RandomTensors random;
   for (int i = 0; i < 20; ++i) {
     const auto stress = random.stress<Tensor>(100e3, 0.7);
-    const DruckerPrager<Tensor> associated(sand(34)), other(sand(0));
+    const DruckerPrager<Tensor> associated(cone_sand(34)), other(cone_sand(0));
     const auto t = test::tangent_of(associated.response(associated.start(stress, 0.9)), 1);
     CHECK((t - t.transpose()).norm() < 1e-12 * t.norm());
     const auto u = test::tangent_of(other.response(other.start(stress, 0.9)), 1);
@@ -124,8 +116,8 @@ TEST_CASE("Drucker-Prager: the tangent is symmetric where flow is associated, on
 
 TEST_CASE("Drucker-Prager: axes do not matter, and both spaces agree on triaxial paths") {
   test::RandomTensors random;
-  const DruckerPrager<Tensor> law(sand(8, 5e3));
-  const Triaxial triaxial(sand(8, 5e3));
+  const DruckerPrager<Tensor> law(cone_sand(8, 5e3));
+  const TriaxialDruckerPrager triaxial(cone_sand(8, 5e3));
   for (int i = 0; i < 10; ++i) {
     const Matrix<Tensor> turned = rotation(random.turn());
     const auto stress = random.stress<Tensor>(100e3, 0.4);
@@ -146,7 +138,7 @@ TEST_CASE("Drucker-Prager: axes do not matter, and both spaces agree on triaxial
 }
 
 TEST_CASE("Drucker-Prager: a stress outside the cone is not moved silently") {
-  const Triaxial law(sand());
+  const TriaxialDruckerPrager law(cone_sand());
   const auto outside = law.start({300e3, std::sqrt(2.0) * 50e3}, 0.9);
   REQUIRE(law.warning(outside));
   CHECK_THAT(*law.warning(outside), Catch::Contains("outside the yield surface"));
@@ -157,7 +149,7 @@ TEST_CASE("Drucker-Prager: a stress outside the cone is not moved silently") {
 }
 
 TEST_CASE("Drucker-Prager: tension within the cone is said") {
-  auto p = sand();
+  auto p = cone_sand();
   p.friction_angle = 42 * kDegree;
   const DruckerPrager<Tensor> law(p);
   const auto step =
@@ -166,13 +158,14 @@ TEST_CASE("Drucker-Prager: tension within the cone is said") {
   CHECK(step.state.stress(0) == Approx(-10e3));
   REQUIRE(law.warning(step.state));
   CHECK_THAT(*law.warning(step.state), Catch::Contains("tensile"));
-  CHECK(Triaxial(p).warning(Triaxial(p).start({-10e3, std::sqrt(2.0) * 155e3}, 0.9)));
+  CHECK(TriaxialDruckerPrager(p).warning(
+      TriaxialDruckerPrager(p).start({-10e3, std::sqrt(2.0) * 155e3}, 0.9)));
 }
 
 TEST_CASE("Drucker-Prager: parameters without meaning are refused by name") {
-  auto p = sand();
+  auto p = cone_sand();
   p.friction_angle = 0;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("cohesion_kPa"));
+  CHECK_THROWS_WITH(TriaxialDruckerPrager(p), Catch::Contains("cohesion_kPa"));
   p.friction_angle = 1.6;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("friction_angle_deg"));
+  CHECK_THROWS_WITH(TriaxialDruckerPrager(p), Catch::Contains("friction_angle_deg"));
 }

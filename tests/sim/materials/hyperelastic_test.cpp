@@ -19,7 +19,8 @@ using State = PointState<Axisymmetric>;
 namespace {
 
 constexpr double kYoung = 60e6, kPoisson = 0.2, kReference = 100e3;
-constexpr double kBulk = kYoung / (3 * (1 - 2 * kPoisson)), kShear = kYoung / (2 * (1 + kPoisson));
+constexpr double kReferenceBulk = kYoung / (3 * (1 - 2 * kPoisson)),
+                 kReferenceShear = kYoung / (2 * (1 + kPoisson));
 
 ElasticParameters power(double exponent, double hyperelastic) {
   return {kYoung, kPoisson, exponent, kReference, hyperelastic};
@@ -30,7 +31,7 @@ CamClayParameters overconsolidated(double hyperelastic) {
 
 /// The complementary energy in p and q, over K_ref: closed form of the paper, not of the law.
 long double energy(long double p, long double q, long double n) {
-  const long double b = kBulk / (3 * kShear);  // p_o² = p² + (1 − n) b q²
+  const long double b = kReferenceBulk / (3 * kReferenceShear);  // p_o² = p² + (1 − n) b q²
   if (n == 1) return p * std::log(p / kReference) - p + b * q * q / (2 * p);
   const long double p_o = std::sqrt(p * p + (1 - n) * b * q * q);
   return std::pow(p_o, 2 - n) * std::pow(kReference, n) / ((1 - n) * (2 - n)) -
@@ -41,7 +42,7 @@ long double energy_of(const Vector<Tensor>& stress, double n) {
   const long double scale = n == 1 ? kReference : 1;
   return scale *
          energy(mean_stress<Tensor>(stress), deviator<Tensor>(stress).norm() * std::sqrt(1.5L), n) /
-         kBulk;
+         kReferenceBulk;
 }
 
 /// ∂²Ψ/∂σ∂σ by central differences.
@@ -141,7 +142,7 @@ TEST_CASE("a closed cycle of p and q costs nothing with an energy, its closed fo
   CHECK(none.strain.norm() < 1e-10);
 
   const Cycle gain = rectangle(rates, at(rates, p1, q1), p2 - p1, q2 - q1);
-  const auto shear = [n](double p) { return kShear * std::pow(p / kReference, n); };
+  const auto shear = [n](double p) { return kReferenceShear * std::pow(p / kReference, n); };
   const double closed = (q2 * q2 - q1 * q1) / 6 * (1 / shear(p2) - 1 / shear(p1));
   CHECK(closed < 0);  // work for nothing
   CHECK(gain.work == Approx(closed).epsilon(1e-4));

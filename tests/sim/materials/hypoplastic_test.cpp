@@ -20,21 +20,21 @@ using triax::sim::test::kHostunTests;
 using triax::sim::test::run;
 using triax::sim::test::strained;
 using triax::sim::test::undrained_peak;
-using Triaxial = Hypoplastic<Axisymmetric>;
-using Full = Hypoplastic<Tensor>;
+using TriaxialHypoplastic = Hypoplastic<Axisymmetric>;
+using TensorHypoplastic = Hypoplastic<Tensor>;
 using Control = MixedControl<Axisymmetric>;
 using State = PointState<Axisymmetric>;
 
 namespace {
 
-struct Row {
+struct ComputedRow {
   double strain_pct, q_kPa, p_kPa;
 };
 
-std::vector<Row> undrained(const Triaxial& law, double p0_kPa, double e,
-                           const std::vector<double>& strains_pct) {
+std::vector<ComputedRow> undrained(const TriaxialHypoplastic& law, double p0_kPa, double e,
+                                   const std::vector<double>& strains_pct) {
   State state = law.isotropic(p0_kPa * 1e3, e);
-  std::vector<Row> rows;
+  std::vector<ComputedRow> rows;
   double before = 0;
   for (const double at : strains_pct) {
     state = run(law, state, Control::strain_path((at - before) / 100));
@@ -45,7 +45,7 @@ std::vector<Row> undrained(const Triaxial& law, double p0_kPa, double e,
 }
 
 /// Drained shear to q = 0.3 p0′, then falling p′: where the volume begins to contract.
-State collapse_at_constant_q(const Triaxial& law, double p0_kPa, double e) {
+State collapse_at_constant_q(const TriaxialHypoplastic& law, double p0_kPa, double e) {
   const double p0 = p0_kPa * 1e3;
   const State sheared = run(law, law.isotropic(p0, e), Control::stress_path(0.1 * p0, 0.3 * p0));
   return first_without(law, sheared, Control::stress_path(-0.01 * p0, 0),
@@ -63,19 +63,19 @@ double norm_ratio(const Hypoplastic<Space>& law, const PointState<Space>& state)
 }  // namespace
 
 TEST_CASE("undrained Hostun sand of Herle and Gudehus gives both independent tables") {
-  const Triaxial law(test::hostun_hg99());
+  const TriaxialHypoplastic law(test::hostun_hg99());
   const auto rows = undrained(law, 300, 0.95, {0.5, 1, 2, 5, 10});
   // Converged midpoint integration; then the same by extrapolated Euler steps of 1e-5.
-  const std::vector<Row> converged = {{0.5, 95.512, 199.792},
-                                      {1, 118.854, 153.147},
-                                      {2, 122.113, 115.504},
-                                      {5, 104.077, 86.459},
-                                      {10, 78.062, 64.363}};
-  const std::vector<Row> euler = {{0.5, 95.583, 199.750},
-                                  {1, 118.907, 153.119},
-                                  {2, 122.147, 115.505},
-                                  {5, 104.101, 86.478},
-                                  {10, 78.080, 64.378}};
+  const std::vector<ComputedRow> converged = {{0.5, 95.512, 199.792},
+                                              {1, 118.854, 153.147},
+                                              {2, 122.113, 115.504},
+                                              {5, 104.077, 86.459},
+                                              {10, 78.062, 64.363}};
+  const std::vector<ComputedRow> euler = {{0.5, 95.583, 199.750},
+                                          {1, 118.907, 153.119},
+                                          {2, 122.147, 115.505},
+                                          {5, 104.101, 86.478},
+                                          {10, 78.080, 64.378}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     INFO("axial strain " << rows[i].strain_pct << " %");
     CHECK(rows[i].q_kPa == Approx(converged[i].q_kPa).margin(0.0011));
@@ -86,11 +86,11 @@ TEST_CASE("undrained Hostun sand of Herle and Gudehus gives both independent tab
 }
 
 TEST_CASE("undrained moist-tamped Hostun sand gives both independent tables") {
-  const Triaxial law(test::hostun_moist_tamped());
+  const TriaxialHypoplastic law(test::hostun_moist_tamped());
   const auto rows = undrained(law, 100, 1.04, {0.1, 0.5, 1, 2});
-  const std::vector<Row> converged = {
+  const std::vector<ComputedRow> converged = {
       {0.1, 16.809, 81.527}, {0.5, 31.606, 43.226}, {1, 25.009, 25.385}, {2, 12.075, 10.960}};
-  const std::vector<Row> euler = {
+  const std::vector<ComputedRow> euler = {
       {0.1, 16.813, 81.525}, {0.5, 31.609, 43.223}, {1, 25.010, 25.384}, {2, 12.0754, 10.9602}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     INFO("axial strain " << rows[i].strain_pct << " %");
@@ -104,7 +104,7 @@ TEST_CASE("undrained moist-tamped Hostun sand gives both independent tables") {
 TEST_CASE("the undrained peak and the collapse at constant q lie on the closed-form line") {
   for (const auto& set :
        {test::hostun_hg99(), test::hostun_schranz(), test::hostun_moist_tamped()}) {
-    const Triaxial law(set);
+    const TriaxialHypoplastic law(set);
     for (const auto& t : kHostunTests) {
       INFO("p0' " << t.p0_kPa << " kPa, e " << t.e << ", alpha " << set.peak_exponent);
       const State peak = undrained_peak(law, t.p0_kPa, t.e);
@@ -116,8 +116,8 @@ TEST_CASE("the undrained peak and the collapse at constant q lie on the closed-f
 }
 
 TEST_CASE("stress ratios at the undrained peak are the published ones") {
-  const Triaxial hg99(test::hostun_hg99());
-  const Triaxial schranz(test::hostun_schranz());
+  const TriaxialHypoplastic hg99(test::hostun_hg99());
+  const TriaxialHypoplastic schranz(test::hostun_schranz());
   const std::vector<double> of_hg99 = {0.873, 0.871, 0.837};
   const std::vector<double> of_schranz = {0.970, 0.967, 0.925};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ TEST_CASE("stress ratios at the undrained peak are the published ones") {
 
 TEST_CASE("the moist-tamped set gives the stress ratios it was calibrated for") {
   // The published ones were read from rows of a finite strain step, at a flat peak: to 1.5e-3.
-  const Triaxial law(test::hostun_moist_tamped());
+  const TriaxialHypoplastic law(test::hostun_moist_tamped());
   const std::vector<double> measured = {0.58, 0.59, 0.56, 0.57, 0.55, 0.62, 0.52, 0.56, 0.51, 0.58};
   const std::vector<double> published = {0.623, 0.618, 0.554, 0.522, 0.611,
                                          0.521, 0.568, 0.606, 0.570, 0.509};
@@ -150,8 +150,8 @@ TEST_CASE("the moist-tamped set gives the stress ratios it was calibrated for") 
 
 TEST_CASE("at the critical void ratio the limit surface has the critical friction angle") {
   for (const auto& set : {test::hostun_hg99(), test::hostun_moist_tamped()}) {
-    const Triaxial law(set);
-    const Full full(set);
+    const TriaxialHypoplastic law(set);
+    const TensorHypoplastic full(set);
     const double sine = std::sin(set.critical_friction_angle);
     const double p = 200e3, e = set.critical_void_ratio * law.compression(p);
     for (const double ratio : {6 * sine / (3 - sine), -6 * sine / (3 + sine)}) {
@@ -168,7 +168,7 @@ TEST_CASE("at the critical void ratio the limit surface has the critical frictio
 TEST_CASE("between compression and extension the critical state is that of Matsuoka and Nakai") {
   // I₁ I₂/I₃ = (9 − sin² φ)/(1 − sin² φ) at |L⁻¹N| = 1.
   const auto set = test::hostun_hg99();
-  const Full law(set);
+  const TensorHypoplastic law(set);
   const double sine = std::sin(set.critical_friction_angle);
   const double p = 200e3, e = set.critical_void_ratio * law.compression(p);
   for (const double angle : {0.1, 0.4, 0.7, 1.0}) {
@@ -188,7 +188,7 @@ TEST_CASE("between compression and extension the critical state is that of Matsu
 }
 
 TEST_CASE("a drained path that asks for more than the limit stops on it and names the condition") {
-  const Triaxial law(test::hostun_moist_tamped());
+  const TriaxialHypoplastic law(test::hostun_moist_tamped());
   const State dense = law.isotropic(100e3, 0.85);
   // p′ held, q raised; then q raised at constant σ₃′ by its stress.
   for (const Control& control :
@@ -211,7 +211,7 @@ TEST_CASE("a drained path that asks for more than the limit stops on it and name
 }
 
 TEST_CASE("undrained load control is lost at the peak, and q is the limiting_variable") {
-  const Triaxial law(test::hostun_moist_tamped());
+  const TriaxialHypoplastic law(test::hostun_moist_tamped());
   Control load;  // q raised at constant volume
   load.stress << 1, -1 / std::sqrt(2.0), 0, 0;
   load.strain << 0, 0, 1, std::sqrt(2.0);
@@ -228,8 +228,8 @@ TEST_CASE("a triaxial state has the same response as a tensor") {
   for (const bool intergranular : {false, true}) {
     auto set = test::hostun_moist_tamped();
     if (intergranular) set = test::with_intergranular_strain(set);
-    const Triaxial triaxial(set);
-    const Full full(set);
+    const TriaxialHypoplastic triaxial(set);
+    const TensorHypoplastic full(set);
     for (int i = 0; i < 200; ++i) {
       const double p = dice(20e3, 800e3), ratio = dice(-1.2, 2.2);
       auto flat =
@@ -251,8 +251,8 @@ TEST_CASE("triaxial paths are the same in axisymmetry and as tensors") {
   for (const bool intergranular : {false, true}) {
     auto set = test::hostun_moist_tamped();
     if (intergranular) set = test::with_intergranular_strain(set);
-    const Triaxial triaxial(set);
-    const Full full(set);
+    const TriaxialHypoplastic triaxial(set);
+    const TensorHypoplastic full(set);
     for (const double sign : {1.0, -1.0}) {
       const auto flat = advance_point(triaxial, triaxial.isotropic(200e3, 0.95),
                                       Control::drained_compression(sign * 0.02));
@@ -269,7 +269,7 @@ TEST_CASE("hypoplasticity does not depend on the axes") {
   Dice dice;
   for (const auto& set : {test::hostun_moist_tamped(),
                           test::with_intergranular_strain(test::hostun_moist_tamped())}) {
-    const Full law(set);
+    const TensorHypoplastic law(set);
     for (int i = 0; i < 200; ++i) {
       const auto state = dice.state(law);
       const Vector<Tensor> strain = dice.direction<Tensor>();
@@ -288,7 +288,7 @@ TEST_CASE("the response is homogeneous of degree one, and not linear") {
   Dice dice;
   for (const auto& set : {test::hostun_moist_tamped(),
                           test::with_intergranular_strain(test::hostun_moist_tamped())}) {
-    const Full law(set);
+    const TensorHypoplastic law(set);
     double asymmetry = 0;
     for (int i = 0; i < 100; ++i) {
       const auto state = dice.state(law);
@@ -304,7 +304,7 @@ TEST_CASE("the response is homogeneous of degree one, and not linear") {
 }
 
 TEST_CASE("void ratios outside the limits are allowed, with words") {
-  const Triaxial law(test::hostun_moist_tamped());
+  const TriaxialHypoplastic law(test::hostun_moist_tamped());
   CHECK_FALSE(law.warning(law.isotropic(100e3, 0.9)));
   const State loose = law.isotropic(100e3, 1.192);
   CHECK_FALSE(law.objection(loose));
@@ -317,8 +317,8 @@ TEST_CASE("void ratios outside the limits are allowed, with words") {
 }
 
 TEST_CASE("a principal stress of zero or tension is refused in words") {
-  const Triaxial law(test::hostun_moist_tamped());
-  const Full full(test::hostun_moist_tamped());
+  const TriaxialHypoplastic law(test::hostun_moist_tamped());
+  const TensorHypoplastic full(test::hostun_moist_tamped());
   const Vector<Axisymmetric> pulled = components(AxisymmetricStress{300e3, -10e3});
   CHECK_THAT(law.objection(law.start(pulled, 0.9)).value(), Catch::Contains("principal"));
   CHECK_THAT(full.objection(full.start(as_tensor(pulled), 0.9)).value(),
@@ -335,7 +335,7 @@ TEST_CASE("a principal stress of zero or tension is refused in words") {
 TEST_CASE("a liquefying specimen ends in words, with a stress still above 0") {
   for (const auto& set : {test::hostun_moist_tamped(),
                           test::with_intergranular_strain(test::hostun_moist_tamped())}) {
-    const Triaxial law(set);
+    const TriaxialHypoplastic law(set);
     const auto step = advance_point(law, law.isotropic(100e3, 1.1), Control::strain_path(0.3));
     CHECK(step.outcome == StepOutcome::failed);
     CHECK_THAT(step.message, Catch::Contains("liquefied"));
@@ -347,14 +347,15 @@ TEST_CASE("a liquefying specimen ends in words, with a stress still above 0") {
 TEST_CASE("absurd hypoplastic parameters are refused with their name") {
   auto p = test::hostun_hg99();
   p.pressure_exponent = 1;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("pressure_exponent is 1"));
+  CHECK_THROWS_WITH(TriaxialHypoplastic(p), Catch::Contains("pressure_exponent is 1"));
   p = test::hostun_hg99();
   p.critical_void_ratio = 0.6;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("must be above densest_void_ratio = 0.61"));
+  CHECK_THROWS_WITH(TriaxialHypoplastic(p),
+                    Catch::Contains("must be above densest_void_ratio = 0.61"));
   p = test::hostun_hg99();
   p.loosest_void_ratio = 0.9;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("loosest_void_ratio is 0.9"));
+  CHECK_THROWS_WITH(TriaxialHypoplastic(p), Catch::Contains("loosest_void_ratio is 0.9"));
   p = test::hostun_hg99();
   p.peak_exponent = 9;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("peak_exponent is 9"));
+  CHECK_THROWS_WITH(TriaxialHypoplastic(p), Catch::Contains("peak_exponent is 9"));
 }

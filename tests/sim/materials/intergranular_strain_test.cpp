@@ -13,15 +13,15 @@ using triax::sim::test::kHostunTests;
 using triax::sim::test::run;
 using triax::sim::test::strained;
 using triax::sim::test::undrained_peak;
-using Triaxial = Hypoplastic<Axisymmetric>;
-using Full = Hypoplastic<Tensor>;
+using TriaxialHypoplastic = Hypoplastic<Axisymmetric>;
+using TensorHypoplastic = Hypoplastic<Tensor>;
 using Control = MixedControl<Axisymmetric>;
 using State = PointState<Axisymmetric>;
 
 TEST_CASE("with the intergranular strain full along the path the base law remains") {
   Dice dice;
   const auto set = test::hostun_moist_tamped();
-  const Full base(set), law(test::with_intergranular_strain(set));
+  const TensorHypoplastic base(set), law(test::with_intergranular_strain(set));
   for (int i = 0; i < 50; ++i) {
     auto state = dice.state(law);
     const Vector<Tensor> along = dice.direction<Tensor>();
@@ -34,7 +34,7 @@ TEST_CASE("with the intergranular strain full along the path the base law remain
 TEST_CASE("after a reversal the stiffness is m_R times the linear part, after a turn m_T times") {
   Dice dice;
   const auto set = test::hostun_moist_tamped();
-  const Full base(set), law(test::with_intergranular_strain(set));
+  const TensorHypoplastic base(set), law(test::with_intergranular_strain(set));
   for (int i = 0; i < 50; ++i) {
     auto state = dice.state(law);
     const Vector<Tensor> along = dice.direction<Tensor>();
@@ -52,7 +52,7 @@ TEST_CASE("after a reversal the stiffness is m_R times the linear part, after a 
 }
 
 TEST_CASE("intergranular strain follows the strain, never beyond its range") {
-  const Triaxial law(test::with_intergranular_strain(test::hostun_moist_tamped()));
+  const TriaxialHypoplastic law(test::with_intergranular_strain(test::hostun_moist_tamped()));
   State state = law.isotropic(200e3, 0.95);
   CHECK(law.mobilisation(state) == Approx(1));
   CHECK(state.memory(0) == Approx(1e-4 / std::sqrt(3.0)));
@@ -74,7 +74,7 @@ TEST_CASE("intergranular strain follows the strain, never beyond its range") {
 }
 
 TEST_CASE("the path through a reversal does not depend on how it is cut") {
-  const Triaxial law(test::with_intergranular_strain(test::hostun_moist_tamped()));
+  const TriaxialHypoplastic law(test::with_intergranular_strain(test::hostun_moist_tamped()));
   const State loaded = run(law, law.isotropic(200e3, 0.95), Control::drained_compression(0.003));
   const State at_once = run(law, loaded, Control::drained_compression(-0.002));
   State cut = loaded;
@@ -85,7 +85,7 @@ TEST_CASE("the path through a reversal does not depend on how it is cut") {
 
 TEST_CASE("with full intergranular strain the undrained peak moves by less than 2 %") {
   const auto set = test::hostun_moist_tamped();
-  const Triaxial base(set), law(test::with_intergranular_strain(set));
+  const TriaxialHypoplastic base(set), law(test::with_intergranular_strain(set));
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [p0, e] = kHostunTests[i];
     const State with = undrained_peak(law, p0, e), without = undrained_peak(base, p0, e);
@@ -97,9 +97,9 @@ TEST_CASE("with full intergranular strain the undrained peak moves by less than 
 
 TEST_CASE("small cycles barely change the state once the intergranular strain is there") {
   const auto set = test::hostun_moist_tamped();
-  const Triaxial base(set), law(test::with_intergranular_strain(set));
+  const TriaxialHypoplastic base(set), law(test::with_intergranular_strain(set));
   double fall = 0, fall_without = 0;
-  for (const Triaxial* which : {&law, &base}) {
+  for (const TriaxialHypoplastic* which : {&law, &base}) {
     State state = which->isotropic(200e3, 0.9);
     for (int cycle = 0; cycle < 10; ++cycle)
       for (const double part : {2e-5, -4e-5, 2e-5})

@@ -4,33 +4,25 @@
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
 #include "sim/law/on_yield.hpp"
 #include "sim/point/point_driver.hpp"
+#include "tests/sim/materials/frictional_sand.hpp"
 #include "tests/sim/materials/random_tensors.hpp"
 
 using namespace triax::sim;
+using triax::sim::test::kDegree;
 using Control = MixedControl<Axisymmetric>;
 using TensorControl = MixedControl<Tensor>;
-using Triaxial = MohrCoulomb<Axisymmetric>;
-using Full = MohrCoulomb<Tensor>;
+using TriaxialMohrCoulomb = MohrCoulomb<Axisymmetric>;
+using TensorMohrCoulomb = MohrCoulomb<Tensor>;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-MohrCoulombParameters sand(double dilation_deg = 0, double cohesion_pa = 0) {
-  MohrCoulombParameters p;
-  p.young_modulus_pa = 30e6;
-  p.poisson_ratio = 0.25;
-  p.reference_pressure_pa = 100e3;
-  p.friction_angle = 34 * kDegree;
-  p.cohesion_pa = cohesion_pa;
-  p.dilation_angle = dilation_deg * kDegree;
-  return p;
+MohrCoulombParameters pyramid_sand(double dilation_deg = 0, double cohesion_pa = 0) {
+  return test::frictional_sand<MohrCoulombParameters>(dilation_deg, cohesion_pa);
 }
 
 double sine(double degrees) { return std::sin(degrees * kDegree); }
@@ -56,8 +48,8 @@ TensorControl true_triaxial(double axial_strain, double d_sigma2, double d_sigma
 
 TEST_CASE("Mohr-Coulomb: strength at constant p', compression and extension, both spaces") {
   const double c = 10e3, cosine = std::cos(34 * kDegree);
-  const Triaxial law(sand(5, c));
-  const Full full(sand(5, c));
+  const TriaxialMohrCoulomb law(pyramid_sand(5, c));
+  const TensorMohrCoulomb full(pyramid_sand(5, c));
   for (const double side : {1.0, -1.0}) {
     const double expected = side > 0
                                 ? compression_slope(34) * 200e3 + 6 * c * cosine / (3 - sine(34))
@@ -76,7 +68,7 @@ TEST_CASE("Mohr-Coulomb: strength at constant p', compression and extension, bot
 }
 
 TEST_CASE("Mohr-Coulomb: sigma1/sigma3 at failure is (1 + sin)/(1 - sin) whatever sigma2") {
-  const Full law(sand(6));
+  const TensorMohrCoulomb law(pyramid_sand(6));
   for (const double b : {0.0, 0.2, 0.5, 0.9, 1.0}) {
     auto state = law.isotropic(100e3, 0.9);
     const double top = flow_number() * 100e3;
@@ -94,7 +86,7 @@ TEST_CASE("Mohr-Coulomb: sigma1/sigma3 at failure is (1 + sin)/(1 - sin) whateve
 }
 
 TEST_CASE("Mohr-Coulomb: plane strain yields on one plane, and dilates by sin psi") {
-  const Full law(sand(10));
+  const TensorMohrCoulomb law(pyramid_sand(10));
   TensorControl c = true_triaxial(0.02, 0, 0);
   c.stress(1, 1) = 0;
   c.strain(1, 1) = 1;
@@ -110,8 +102,8 @@ TEST_CASE("Mohr-Coulomb: plane strain yields on one plane, and dilates by sin ps
 }
 
 TEST_CASE("Mohr-Coulomb: triaxial corners flow with M_g, in compression and extension") {
-  const Triaxial law(sand(10));
-  const Full full(sand(10));
+  const TriaxialMohrCoulomb law(pyramid_sand(10));
+  const TensorMohrCoulomb full(pyramid_sand(10));
   for (const double side : {1.0, -1.0}) {
     auto a =
         advance_point(law, law.isotropic(100e3, 0.9), Control::drained_compression(side * 0.02));
@@ -133,8 +125,8 @@ TEST_CASE("Mohr-Coulomb: triaxial corners flow with M_g, in compression and exte
 }
 
 TEST_CASE("Mohr-Coulomb: undrained without dilation stays at constant p' and keeps its q") {
-  const Triaxial law(sand(0));
-  const Full full(sand(0));
+  const TriaxialMohrCoulomb law(pyramid_sand(0));
+  const TensorMohrCoulomb full(pyramid_sand(0));
   auto state = law.isotropic(200e3, 1.0);
   auto wide = full.isotropic(200e3, 1.0);
   for (int i = 0; i < 10; ++i) {
@@ -148,8 +140,8 @@ TEST_CASE("Mohr-Coulomb: undrained without dilation stays at constant p' and kee
 }
 
 TEST_CASE("Mohr-Coulomb: q raised beyond the strength loses control of q there") {
-  const Triaxial law(sand(4));
-  const Full full(sand(4));
+  const TriaxialMohrCoulomb law(pyramid_sand(4));
+  const TensorMohrCoulomb full(pyramid_sand(4));
   const double m = compression_slope(34), expected = 3 * 100e3 * m / (3 - m);
   const auto a = advance_point(law, law.isotropic(100e3, 0.9), Control::stress_path(200e3, 600e3));
   REQUIRE(a.outcome == StepOutcome::lost_control);
@@ -164,10 +156,10 @@ TEST_CASE("Mohr-Coulomb: q raised beyond the strength loses control of q there")
 
 TEST_CASE(
     "Mohr-Coulomb: any strain path keeps every pair of stresses admissible, from corners on") {
-  // Triaxial failure first, so that two principal stresses are equal; then strains in any
-  // direction.
+  // TriaxialMohrCoulomb failure first, so that two principal stresses are equal; then strains in
+  // any direction.
   test::RandomTensors random;
-  const Full law(sand(10));
+  const TensorMohrCoulomb law(pyramid_sand(10));
   for (const double side : {1.0, -1.0})
     for (int i = 0; i < 12; ++i) {
       const auto corner = advance_point(law, law.isotropic(100e3, 0.9),
@@ -190,7 +182,7 @@ TEST_CASE(
 
 TEST_CASE("Mohr-Coulomb: axes do not matter, on planes nor at corners") {
   test::RandomTensors random;
-  const Full law(sand(8, 5e3));
+  const TensorMohrCoulomb law(pyramid_sand(8, 5e3));
   for (int i = 0; i < 12; ++i) {
     const Matrix<Tensor> turned = rotation(random.turn());
     const auto stress = random.stress<Tensor>(100e3, 0.3);
@@ -214,7 +206,7 @@ TEST_CASE("Mohr-Coulomb: axes do not matter, on planes nor at corners") {
 
 TEST_CASE("Mohr-Coulomb: the tangent is symmetric where flow is associated, only there") {
   test::RandomTensors random;
-  const Full associated(sand(34)), other(sand(0));
+  const TensorMohrCoulomb associated(pyramid_sand(34)), other(pyramid_sand(0));
   for (const unsigned set : {1U, 2U, 3U, 5U}) {
     const auto stress = random.stress<Tensor>(100e3, 0.5);
     const auto t = test::tangent_of(associated.response(associated.start(stress, 0.9)), set);
@@ -225,7 +217,7 @@ TEST_CASE("Mohr-Coulomb: the tangent is symmetric where flow is associated, only
 }
 
 TEST_CASE("Mohr-Coulomb: unloading leaves the surface elastic") {
-  const Full law(sand(5));
+  const TensorMohrCoulomb law(pyramid_sand(5));
   const auto failed =
       advance_point(law, law.isotropic(100e3, 0.9), TensorControl::drained_compression(0.03)).state;
   const auto back = advance_point(law, failed, TensorControl::drained_compression(-0.001));
@@ -238,8 +230,8 @@ TEST_CASE("Mohr-Coulomb: unloading leaves the surface elastic") {
 
 TEST_CASE("Mohr-Coulomb: unloading p' to the apex stops in words") {
   for (const double cohesion : {0.0, 10e3}) {
-    const Triaxial law(sand(0, cohesion));
-    const Full full(sand(0, cohesion));
+    const TriaxialMohrCoulomb law(pyramid_sand(0, cohesion));
+    const TensorMohrCoulomb full(pyramid_sand(0, cohesion));
     const double apex = -cohesion / std::tan(34 * kDegree);
     const auto a = advance_point(law, law.isotropic(100e3, 0.9), Control::stress_path(-150e3, 0));
     const auto t =
@@ -256,7 +248,7 @@ TEST_CASE("Mohr-Coulomb: unloading p' to the apex stops in words") {
 }
 
 TEST_CASE("Mohr-Coulomb: a stress outside the surface is not moved silently") {
-  const Full law(sand());
+  const TensorMohrCoulomb law(pyramid_sand());
   Vector<Tensor> stress;
   stress << 500e3, 120e3, 50e3, 0, 0, 0;
   const auto outside = law.start(stress, 0.9);
@@ -269,7 +261,7 @@ TEST_CASE("Mohr-Coulomb: a stress outside the surface is not moved silently") {
 
 TEST_CASE("Mohr-Coulomb: a settled state stays as it is to the bit, on planes and at corners") {
   test::RandomTensors random;
-  const Full law(sand(5, 10e3));
+  const TensorMohrCoulomb law(pyramid_sand(5, 10e3));
   const auto start = law.isotropic(100e3, 0.9);
   for (int i = 0; i < 12; ++i) {
     const auto control = i % 3 == 2 ? true_triaxial(0.03, 20e3, 0)
@@ -291,9 +283,9 @@ TEST_CASE("Mohr-Coulomb: a settled state stays as it is to the bit, on planes an
 }
 
 TEST_CASE("Mohr-Coulomb: the distance is that of this law and stress, whatever was asked before") {
-  std::optional<Full> law;
+  std::optional<TensorMohrCoulomb> law;
   const auto distance = [&law](double cohesion_pa, double axial_pa) {
-    law.emplace(sand(0, cohesion_pa));  // where the last one was
+    law.emplace(pyramid_sand(0, cohesion_pa));  // where the last one was
     return law->yield_distance(
         law->start(as_tensor(components(AxisymmetricStress{axial_pa, 100e3})), 0.9), 0);
   };
@@ -304,40 +296,40 @@ TEST_CASE("Mohr-Coulomb: the distance is that of this law and stress, whatever w
 }
 
 TEST_CASE("Mohr-Coulomb: without friction it is Tresca's law") {
-  auto p = sand(0, 50e3);
+  auto p = pyramid_sand(0, 50e3);
   p.friction_angle = 0;
-  const Full law(p);
+  const TensorMohrCoulomb law(p);
   const auto step = advance_point(law, law.isotropic(100e3, 0.9), TensorControl::strain_path(0.02));
   REQUIRE(step.outcome == StepOutcome::accepted);
   CHECK(step.state.q() == Approx(100e3).epsilon(1e-9));
   CHECK_FALSE(law.limit_stress_ratio());
   p.cohesion_pa = 0;
-  CHECK_THROWS_WITH(Full(p), Catch::Contains("friction_angle_deg"));
+  CHECK_THROWS_WITH(TensorMohrCoulomb(p), Catch::Contains("friction_angle_deg"));
 }
 
 TEST_CASE(
     "Mohr-Coulomb: points driven in turn, by laws in the same place, do not disturb another") {
   const auto control = true_triaxial(1e-3, 500, -500);
-  const auto next = [&control](const Full& law, const PointState<Tensor>& s) {
+  const auto next = [&control](const TensorMohrCoulomb& law, const PointState<Tensor>& s) {
     const auto step = advance_point(law, s, control);
     REQUIRE(step.outcome == StepOutcome::accepted);
     return step.state;
   };
   const auto alone = [&next](double cohesion_pa) {
-    const Full law(sand(5, cohesion_pa));
+    const TensorMohrCoulomb law(pyramid_sand(5, cohesion_pa));
     PointState<Tensor> s = law.isotropic(100e3, 0.8);
     for (int i = 0; i < 20; ++i) s = next(law, s);
     return s;
   };
   const double cohesion[] = {0, 20e3};
-  PointState<Tensor> s[] = {Full(sand(5, 0)).isotropic(100e3, 0.8),
-                            Full(sand(5, 20e3)).isotropic(100e3, 0.8)};
-  std::optional<Full> law;
+  PointState<Tensor> s[] = {TensorMohrCoulomb(pyramid_sand(5, 0)).isotropic(100e3, 0.8),
+                            TensorMohrCoulomb(pyramid_sand(5, 20e3)).isotropic(100e3, 0.8)};
+  std::optional<TensorMohrCoulomb> law;
   for (int i = 0; i < 40; ++i) {
-    law.emplace(sand(5, cohesion[i % 2]));
+    law.emplace(pyramid_sand(5, cohesion[i % 2]));
     s[i % 2] = next(*law, s[i % 2]);
     // Asked of another's state in between, at which only the strength differs.
-    law.emplace(sand(5, cohesion[1 - i % 2]));
+    law.emplace(pyramid_sand(5, cohesion[1 - i % 2]));
     static_cast<void>(law->yield_distance(s[i % 2], 1));
   }
   for (int i = 0; i < 2; ++i) {

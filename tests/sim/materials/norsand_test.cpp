@@ -40,7 +40,7 @@ void check_refused(const NorSand& law, const State& from, const Control& control
   CHECK((step.state.stress - from.stress).norm() < 1e-9 * from.p());
 }
 
-double eta(const State& s) { return s.q() / s.p(); }
+double eta_of(const State& s) { return s.q() / s.p(); }
 
 }  // namespace
 
@@ -54,14 +54,14 @@ TEST_CASE("Hostun sand peaks where it was calibrated, and later the higher its p
     // With the workbook's water; its steps make up to 1 % where the peak is only 0.14 % away.
     const Peak peak =
         peak_on(law, loose(law, p0, 0.141), [](double d) { return undrained_with_water(d, 1e9); });
-    CHECK(eta(peak.state) == Approx(etas[i]).epsilon(0.01));
+    CHECK(eta_of(peak.state) == Approx(etas[i]).epsilon(0.01));
     CHECK(peak.state.q() / p0 / 1e3 == Approx(ratios[i]).margin(0.0056));
     CHECK(peak.strain * 100 == Approx(strains[i]).margin(0.0075));
     // Without any water the peak is 2 to 3 % higher.
     const Peak rigid =
         peak_on(law, loose(law, p0, 0.141), [](double d) { return Control::strain_path(d); });
-    CHECK(eta(rigid.state) > eta(peak.state));
-    CHECK(eta(rigid.state) == Approx(eta(peak.state)).epsilon(0.03));
+    CHECK(eta_of(rigid.state) > eta_of(peak.state));
+    CHECK(eta_of(rigid.state) == Approx(eta_of(peak.state)).epsilon(0.03));
   }
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("the fabric input of each Hostun test gives its collapse") {
     INFO("p0' " << t.p0_kPa << " kPa, psi " << t.psi);
     const Peak peak = peak_on(law, loose(law, t.p0_kPa, t.psi),
                               [](double d) { return undrained_with_water(d, 1e9); });
-    CHECK(eta(peak.state) == Approx(t.eta).margin(0.008));
+    CHECK(eta_of(peak.state) == Approx(t.eta).margin(0.008));
   }
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("a plastic increment has the flow and the hardening of the equations")
   const double shear = shear_strain(strain) - dq / (3 * law.shear_modulus(state.p()));
   const NorSand::Image i = law.image(state);
   REQUIRE(shear > 0);
-  CHECK(volume / shear == Approx(i.stress_ratio - eta(state)).epsilon(1e-4));
+  CHECK(volume / shear == Approx(i.stress_ratio - eta_of(state)).epsilon(1e-4));
   const double growth = law.hardening(state) * (i.largest_ratio - i.ratio) / (i.ratio * i.ratio) +
                         law.cap_softening(state, i, law.restraint(state));
   CHECK(std::log(NorSand::image_pressure(step.state) / NorSand::image_pressure(state)) ==
@@ -172,11 +172,11 @@ TEST_CASE("dense sand dilates to a peak above M and comes back towards it") {
     const auto step = advance_point<Axisymmetric>(law, state, Control::drained_compression(1e-3));
     REQUIRE(step.outcome == StepOutcome::accepted);
     state = step.state;
-    highest = std::max(highest, eta(state));
+    highest = std::max(highest, eta_of(state));
   }
   CHECK(highest > 1.55);
-  CHECK(eta(state) < highest - 0.05);
-  CHECK(eta(state) > 1.40);
+  CHECK(eta_of(state) < highest - 0.05);
+  CHECK(eta_of(state) > 1.40);
 }
 
 TEST_CASE("drained load beyond the peak is lost and named; undrained at its peak likewise") {
@@ -186,7 +186,7 @@ TEST_CASE("drained load beyond the peak is lost and named; undrained at its peak
       Control::stress_path(400e3, 1200e3));
   REQUIRE(drained.outcome == StepOutcome::lost_control);
   CHECK(drained.limiting_variable == 1);
-  CHECK(eta(drained.state) > 1.55);
+  CHECK(eta_of(drained.state) > 1.55);
 
   const NorSand law(test::nerlerk());
   Control load;  // q raised at constant volume, that of grains and water
@@ -211,7 +211,7 @@ TEST_CASE("falling p' at constant q is refused at once, with the reason") {
     REQUIRE(sheared.outcome == StepOutcome::accepted);
     check_refused(law, sheared.state, Control::stress_path(-250e3, 0), "no instability line");
     const NorSand::Image i = law.image(sheared.state);
-    caps.push_back(eta(sheared.state) * i.largest_ratio / i.ratio);
+    caps.push_back(eta_of(sheared.state) * i.largest_ratio / i.ratio);
   }
   CHECK(caps[1] - caps[0] > 0.1);  // the reason: no one stress ratio at the inner cap
   CHECK_THAT(norsand_law().refuses, Catch::Contains("CSD"));
@@ -250,7 +250,7 @@ TEST_CASE("extension is refused from the isotropic state on; unloading towards i
   INFO(back.message);
   REQUIRE(back.outcome == StepOutcome::accepted);
   CHECK(law.yield_distance(back.state, 0) < -0.1);
-  CHECK(eta(back.state) < eta(loaded.state));
+  CHECK(eta_of(back.state) < eta_of(loaded.state));
 }
 
 TEST_CASE("a set for the other drainage is refused, and the refusal says which to take") {

@@ -25,7 +25,7 @@ using State = PointState<Axisymmetric>;
 namespace {
 
 /// One row of the workbook: strain as an engineer's, from the change of height.
-struct Row {
+struct WorkbookRow {
   double strain_pct = 0, p_kPa = 0, q_kPa = 0, e = 0;
 };
 
@@ -48,7 +48,7 @@ class Workbook {
     m_ = law_.image(state_).stress_ratio;
   }
 
-  Row step(double d) {  // d = dε_q^p
+  WorkbookRow step(double d) {  // d = dε_q^p
     place(r_);
     const double shear = law_.shear_modulus(p_), bulk = law_.bulk_modulus(p_);
     const NorSand::Image image = law_.image(state_);
@@ -97,24 +97,25 @@ class Workbook {
 constexpr int kSteps = 3699;
 
 /// All rows of the workbook with a step of plastic strain divided by `finer`.
-std::vector<Row> workbook(const NorSand& law, Drainage drainage, bool softens_with_skeleton,
-                          int finer = 1) {
+std::vector<WorkbookRow> workbook(const NorSand& law, Drainage drainage, bool softens_with_skeleton,
+                                  int finer = 1) {
   Workbook book(law, loose(law, 500, 0.108), drainage, softens_with_skeleton);
-  std::vector<Row> rows{{}};
+  std::vector<WorkbookRow> rows{{}};
   for (int i = 0; i < kSteps; ++i) {
-    Row row;
+    WorkbookRow row;
     for (int k = 0; k < finer; ++k) row = book.step(0.22 / kSteps / finer);
     rows.push_back(row);
   }
   return rows;
 }
 
-Row peak_of(const std::vector<Row>& rows) {
-  return *std::max_element(rows.begin(), rows.end(),
-                           [](const Row& a, const Row& b) { return a.q_kPa < b.q_kPa; });
+WorkbookRow peak_of(const std::vector<WorkbookRow>& rows) {
+  return *std::max_element(
+      rows.begin(), rows.end(),
+      [](const WorkbookRow& a, const WorkbookRow& b) { return a.q_kPa < b.q_kPa; });
 }
 
-void check_row(const Row& found, const Row& printed) {
+void check_row(const WorkbookRow& found, const WorkbookRow& printed) {
   // The workbook's own λ has more digits than are printed with it: 5e-7 kPa.
   CHECK(found.strain_pct == Approx(printed.strain_pct).margin(1e-6));
   CHECK(found.p_kPa == Approx(printed.p_kPa).margin(5e-7));
@@ -131,7 +132,7 @@ TEST_CASE("the workbook's undrained rows come out of the law's functions, digit 
   check_row(rows[100], {0.685466, 211.693651, 174.132371});
   check_row(rows[500], {2.851869, 5.435713, 7.435512});
   check_row(rows[kSteps], {19.676024, 2.955666048, 4.285715207});
-  const Row peak = peak_of(rows);
+  const WorkbookRow peak = peak_of(rows);
   check_row(peak, {0.445759055, 292.2292516, 192.3586264});
   CHECK(peak.q_kPa / peak.p_kPa == Approx(0.658245625).margin(5e-9));
 }
@@ -146,7 +147,7 @@ TEST_CASE("the workbook's drained rows come out of the law's functions, digit by
 }
 
 TEST_CASE("with K_S in the cap softening the workbook's peak is the published one") {
-  const Row peak = peak_of(workbook(NorSand(test::nerlerk()), Drainage::undrained, false));
+  const WorkbookRow peak = peak_of(workbook(NorSand(test::nerlerk()), Drainage::undrained, false));
   CHECK(peak.q_kPa == Approx(196.02).margin(0.005));
   CHECK(peak.q_kPa / peak.p_kPa == Approx(0.6791).margin(5e-5));
   CHECK(peak.strain_pct == Approx(0.460).margin(5e-4));
@@ -172,8 +173,8 @@ TEST_CASE("docs/material-point.md prints these peaks") {
   const auto holds = [&](double q_kPa, double eta) {
     CHECK_THAT(page, Catch::Contains(fmt::format("| {:.2f} | {:.3f} |", q_kPa, eta)));
   };
-  const Row printed = peak_of(workbook(law, Drainage::undrained, true));
-  const Row right = peak_of(workbook(law, Drainage::undrained, false));
+  const WorkbookRow printed = peak_of(workbook(law, Drainage::undrained, true));
+  const WorkbookRow right = peak_of(workbook(law, Drainage::undrained, false));
   const auto converged = [&](auto control) {
     return peak_on(law, loose(law, 500, 0.108), control).state;
   };

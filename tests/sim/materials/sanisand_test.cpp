@@ -10,21 +10,21 @@
 #include "tests/sim/materials/parameter_sets.hpp"
 
 using namespace triax::sim;
-using Triaxial = Sanisand<Axisymmetric>;
+using TriaxialSanisand = Sanisand<Axisymmetric>;
 using Control = MixedControl<Axisymmetric>;
 
 namespace {
 
-struct Row {
+struct PublishedRow {
   double strain_pct, q_kPa, p_kPa;
 };
 
 /// Undrained compression at `rows`, each compared within `margin` kPa.
-void check_undrained(const Triaxial& law, double p0_pa, double e, const std::vector<Row>& rows,
-                     double margin_kPa) {
+void check_undrained(const TriaxialSanisand& law, double p0_pa, double e,
+                     const std::vector<PublishedRow>& rows, double margin_kPa) {
   PointState<Axisymmetric> state = law.isotropic(p0_pa, e);
   double strain = 0;
-  for (const Row& row : rows) {
+  for (const PublishedRow& row : rows) {
     const double target = row.strain_pct / 100;
     const auto step = advance_point(law, state, Control::strain_path(target - strain));
     REQUIRE(step.outcome == StepOutcome::accepted);
@@ -41,7 +41,7 @@ void check_undrained(const Triaxial& law, double p0_pa, double e, const std::vec
 struct CollapseTerms {
   double p_h, eta_k_d;
 };
-CollapseTerms collapse_terms(const Triaxial& law, const PointState<Axisymmetric>& state) {
+CollapseTerms collapse_terms(const TriaxialSanisand& law, const PointState<Axisymmetric>& state) {
   const auto l = law.loading(state);
   const double root = std::sqrt(2.0 / 3);
   const double h = l.stiffness / (law.alpha(state) - law.alpha_in(state)).dot(l.n) / root *
@@ -54,7 +54,7 @@ CollapseTerms collapse_terms(const Triaxial& law, const PointState<Axisymmetric>
 
 TEST_CASE("undrained Toyoura sand gives the published check numbers of the triaxial form") {
   // The multiaxial code gives 1063.788, 1333.938, 1403.187, 1348.419, 1266.847 for q.
-  check_undrained(Triaxial(test::toyoura()), 3000e3, 0.833,
+  check_undrained(TriaxialSanisand(test::toyoura()), 3000e3, 0.833,
                   {{0.5, 1063.799, 2620.027},
                    {1, 1333.943, 2209.649},
                    {2, 1403.187, 1661.472},
@@ -64,7 +64,7 @@ TEST_CASE("undrained Toyoura sand gives the published check numbers of the triax
 }
 
 TEST_CASE("undrained S28 variant gives the check numbers of the triaxial form") {
-  check_undrained(Triaxial(test::s28_variant()), 100e3, 1.086,
+  check_undrained(TriaxialSanisand(test::s28_variant()), 100e3, 1.086,
                   {{0.05, 11.46094, 98.45798},
                    {0.15, 23.56143, 91.88525},
                    {0.25, 30.07361, 84.44783},
@@ -73,7 +73,7 @@ TEST_CASE("undrained S28 variant gives the check numbers of the triaxial form") 
 }
 
 TEST_CASE("undrained S28-general gives its table") {
-  check_undrained(Triaxial(test::s28_general()), 100e3, 1.086,
+  check_undrained(TriaxialSanisand(test::s28_general()), 100e3, 1.086,
                   {{0.05, 11.8569, 98.4856},
                    {0.1, 19.4316, 95.3490},
                    {0.2, 28.8140, 87.6786},
@@ -85,7 +85,7 @@ TEST_CASE("undrained S28-general gives its table") {
 }
 
 TEST_CASE("S28-general peaks undrained at 37.21 kPa, 0.517 %, eta 0.5878, where pH = eta K D") {
-  const Triaxial law(test::s28_general());
+  const TriaxialSanisand law(test::s28_general());
   PointState<Axisymmetric> state = law.isotropic(100e3, 1.086), before = state;
   double strain = 0;
   const double increment = 1e-5;
@@ -112,7 +112,7 @@ TEST_CASE("S28-general peaks undrained at 37.21 kPa, 0.517 %, eta 0.5878, where 
 }
 
 TEST_CASE("at constant q the volume turns to contraction where pH = eta K D") {
-  const Triaxial law(test::s28_general());
+  const TriaxialSanisand law(test::s28_general());
   PointState<Axisymmetric> state = law.isotropic(100e3, 1.086);
   state = advance_point(law, state, Control::stress_path(10e3, 30e3)).state;
   const MixedControl falling = Control::stress_path(-1, 0);
@@ -127,7 +127,7 @@ TEST_CASE("at constant q the volume turns to contraction where pH = eta K D") {
 TEST_CASE("extension mirrors compression where the law is symmetric") {
   SanisandParameters p = test::s28_general();
   p.extension_ratio = 1;
-  const Triaxial law(p);
+  const TriaxialSanisand law(p);
   const auto start = law.isotropic(200e3, 1.0);
   const auto up = advance_point(law, start, Control::stress_path(0, 60e3));
   const auto down = advance_point(law, start, Control::stress_path(0, -60e3));
@@ -138,7 +138,7 @@ TEST_CASE("extension mirrors compression where the law is symmetric") {
 }
 
 TEST_CASE("strength at constant p' ends at the bounding line of its side") {
-  const Triaxial law(test::s28_general());
+  const TriaxialSanisand law(test::s28_general());
   for (const double side : {1.0, -1.0}) {
     const auto step =
         advance_point(law, law.isotropic(300e3, 0.9), Control::stress_path(0, side * 600e3));
@@ -150,7 +150,7 @@ TEST_CASE("strength at constant p' ends at the bounding line of its side") {
 }
 
 TEST_CASE("a reversal starts elastic and remembers where it began") {
-  const Triaxial law(test::s28_general());
+  const TriaxialSanisand law(test::s28_general());
   const auto loaded =
       advance_point(law, law.isotropic(200e3, 1.0), Control::stress_path(0, 80e3)).state;
   const auto back = advance_point(law, loaded, Control::stress_path(0, -1e3));
@@ -163,7 +163,7 @@ TEST_CASE("a reversal starts elastic and remembers where it began") {
 }
 
 TEST_CASE("dilation builds fabric, contraction alone does not") {
-  const Triaxial law(test::s28_general());
+  const TriaxialSanisand law(test::s28_general());
   auto dense = law.isotropic(100e3, 0.75);
   auto loose = law.isotropic(100e3, 1.1);
   for (int i = 0; i < 50; ++i) {
@@ -176,7 +176,7 @@ TEST_CASE("dilation builds fabric, contraction alone does not") {
 }
 
 TEST_CASE("a void ratio at which the hardening vanishes is refused in words") {
-  const Triaxial law(test::toyoura());
+  const TriaxialSanisand law(test::toyoura());
   const auto objection = law.objection(law.isotropic(100e3, 1.05));
   REQUIRE(objection);
   CHECK(objection->find("1/c_h = 1.03306") != std::string::npos);
@@ -187,7 +187,7 @@ TEST_CASE("a void ratio at which the hardening vanishes is refused in words") {
 }
 
 TEST_CASE("tension is refused in words, at the start and on a path") {
-  const Triaxial law(test::s28_general());
+  const TriaxialSanisand law(test::s28_general());
   const auto start = law.start(components(AxisymmetricStress{200e3, -10e3}), 0.9);
   const auto objection = law.objection(start);
   REQUIRE(objection);
@@ -197,8 +197,8 @@ TEST_CASE("tension is refused in words, at the start and on a path") {
 TEST_CASE("absurd parameters are refused with their name") {
   SanisandParameters p = test::s28_general();
   p.poisson_ratio = 0.5;
-  CHECK_THROWS_WITH(Triaxial(p), Catch::Contains("poisson_ratio is 0.5"));
+  CHECK_THROWS_WITH(TriaxialSanisand(p), Catch::Contains("poisson_ratio is 0.5"));
   p = test::s28_general();
   p.critical_slope = std::nan("");
-  CHECK_THROWS_AS(Triaxial(p), std::invalid_argument);
+  CHECK_THROWS_AS(TriaxialSanisand(p), std::invalid_argument);
 }

@@ -13,8 +13,8 @@
 using namespace triax::sim;
 using namespace triax::sim::test;
 using Catch::Contains;
-using Triaxial = MixedControl<Axisymmetric>;
-using Full = MixedControl<Tensor>;
+using Control = MixedControl<Axisymmetric>;
+using TensorControl = MixedControl<Tensor>;
 
 namespace {
 

@@ -6,12 +6,13 @@
 
 #include "sim/materials/sanisand.hpp"
 #include "tests/sim/materials/parameter_sets.hpp"
+#include "tests/sim/point/triaxial_segment.hpp"
 
 using namespace triax::sim;
+using triax::sim::test::kRadial;
 
 namespace {
 
-constexpr double kRadial = 1 / std::numbers::sqrt2;
 const Eigen::RowVector2d kQ(1, -kRadial), kCell(0, kRadial), kAxial(1, 0);
 
 using TriaxialPath = Path<Axisymmetric>;

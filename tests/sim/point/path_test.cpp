@@ -4,11 +4,12 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
+#include "tests/sim/point/triaxial_segment.hpp"
+
 using namespace triax::sim;
+using triax::sim::test::kRadial;
 
 namespace {
-
-constexpr double kRadial = 1 / std::numbers::sqrt2;
 
 Segment<Axisymmetric> undrained(double axial_strain, double radial_stress) {
   Segment<Axisymmetric> s;

@@ -11,12 +11,12 @@ using namespace triax::sim;
 
 namespace {
 
-const Sanisand<Axisymmetric> kSand{test::s28_general()};
+const Sanisand<Axisymmetric> kWitnessedSand{test::s28_general()};
 const PointTolerance kTolerance{.relative = 1e-9};
 
 PathInstant<Axisymmetric> start_of(const SegmentParts<Axisymmetric>& parts) {
   PathInstant<Axisymmetric> start;
-  start.state = kSand.start(isotropic<Axisymmetric>(100e3), 1.086);
+  start.state = kWitnessedSand.start(isotropic<Axisymmetric>(100e3), 1.086);
   start.rate = parts.rate_at(start.state);
   return start;
 }
@@ -37,7 +37,7 @@ TEST_CASE("what happened within a part is found, isolated and in order") {
                   .below = 90e3,
                   .label = "early"}};
   const auto effective = effective_control(segment);
-  const SegmentParts<Axisymmetric> parts(kSand, segment, effective, kTolerance);
+  const SegmentParts<Axisymmetric> parts(kWitnessedSand, segment, effective, kTolerance);
   SegmentWitnesses<Axisymmetric> witnesses(parts);
   const auto start = start_of(parts);
   CHECK(witnesses.at_start(start).empty());
@@ -65,7 +65,7 @@ TEST_CASE("an end condition that is met at the start is told there") {
                   .below = 200e3,
                   .label = "met"}};
   const auto effective = effective_control(segment);
-  const SegmentParts<Axisymmetric> parts(kSand, segment, effective, kTolerance);
+  const SegmentParts<Axisymmetric> parts(kWitnessedSand, segment, effective, kTolerance);
   SegmentWitnesses<Axisymmetric> witnesses(parts);
   const auto found = witnesses.at_start(start_of(parts));
   REQUIRE(found.size() == 1);

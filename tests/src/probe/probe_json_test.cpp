@@ -10,19 +10,6 @@
 using namespace triax;
 using nlohmann::json;
 
-namespace {
-
-study::TestedState tested(double angle) {
-  study::TestedState test{.id = 26, .name = "CSU\n26", .at = "collapse"};
-  test.state.reading = 812;
-  test.state.time_s = 41;
-  test.increment = lab::MeasuredIncrement{
-      .angle = angle, .angle_error = 0.01, .normalised = -0.02, .normalised_error = 0.03};
-  return test;
-}
-
-}  // namespace
-
 TEST_CASE("one state is part of the document, several are a list with the same keys") {
   const json one = json::parse(src::probe_json(src::test::inl2_probes({0.6})));
   const json two = json::parse(src::probe_json(src::test::inl2_probes({0.5, 0.6})));
@@ -83,7 +70,7 @@ TEST_CASE("a test's own increment: inside the cone, outside it, and beside no co
   const auto with = [](double eta, double angle_deg) {
     study::ProbeResult result;
     result.material = lab::find_material("inl2/S28-general");
-    result.states = {src::test::inl2_tested(eta, tested(sim::radians(angle_deg)))};
+    result.states = {src::test::inl2_tested(eta, src::test::tested(sim::radians(angle_deg)))};
     return result;
   };
   const auto own = [&](double eta, double angle_deg) {

@@ -13,15 +13,6 @@ using nlohmann::json;
 
 namespace {
 
-study::TestedState tested(double angle) {
-  study::TestedState test{.id = 26, .name = "CSU\n26", .at = "collapse"};
-  test.state.reading = 812;
-  test.state.time_s = 41;
-  test.increment = lab::MeasuredIncrement{
-      .angle = angle, .angle_error = 0.01, .normalised = -0.02, .normalised_error = 0.03};
-  return test;
-}
-
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
@@ -65,7 +56,7 @@ TEST_CASE("the first unstable state of a list is that of least |eta|, in whateve
   CHECK(src::probe_text(result, {}).find("unstable state of these by |η|: p′ 70.00 kPa, q 42.00") !=
         std::string::npos);
   auto tests = result;
-  for (auto& state : tests.states) state.test = tested(3.7);
+  for (auto& state : tests.states) state.test = src::test::tested(3.7);
   CHECK_FALSE(tests.first_unstable());
   CHECK(src::probe_text(tests, {}).find("unstable state") == std::string::npos);
   CHECK_FALSE(json::parse(src::probe_json(tests)).contains("first_unstable_state"));

@@ -12,7 +12,7 @@ using namespace triax::src;
 
 namespace {
 
-Subject subject() { return {"sample", "probes"}; }
+Subject subject_of_roses() { return {"sample", "probes"}; }
 
 /// Spans of the areas of one colour, degrees.
 std::vector<QCPRange> shaded(const QCustomPlot& plot, const QColor& colour) {
@@ -29,7 +29,7 @@ std::vector<QCPRange> shaded(const QCustomPlot& plot, const QColor& colour) {
 }  // namespace
 
 TEST_CASE("the envelope shows the strains as they are, without what did not come to rest") {
-  const Drawing drawing = grain_envelope_figure(test::rose(), 1000, subject());
+  const Drawing drawing = grain_envelope_figure(test::rose(), 1000, subject_of_roses());
   REQUIRE(drawing.plot);
   CHECK(test::any_has_point(*drawing.plot, 0, 10, 1e-9));  // α = 90°: dε₁ = 10·10⁻⁶
   CHECK(test::any_has_point(*drawing.plot, 0, 1, 1e-9));   // dσ₁ = 1 kPa
@@ -40,7 +40,7 @@ TEST_CASE("the envelope shows the strains as they are, without what did not come
 }
 
 TEST_CASE("Fig. 14: parts, micro and macro over the direction; ranges half a step wider") {
-  const Drawing drawing = grain_work_figure(test::rose(), subject());
+  const Drawing drawing = grain_work_figure(test::rose(), subject_of_roses());
   REQUIRE(drawing.plot);
   const QCustomPlot& plot = *drawing.plot;
   CHECK(plot.axisRectCount() == 2);
@@ -64,7 +64,7 @@ TEST_CASE("Fig. 14: parts, micro and macro over the direction; ranges half a ste
 }
 
 TEST_CASE("Fig. 15: shares in percent, energies on a logarithmic axis, the null probe named") {
-  const Drawing drawing = grain_contacts_figure(test::rose(), subject());
+  const Drawing drawing = grain_contacts_figure(test::rose(), subject_of_roses());
   REQUIRE(drawing.plot);
   CHECK(test::any_has_point(*drawing.plot, 90, 5, 1e-12));
   CHECK(test::any_has_point(*drawing.plot, 90, 0.1, 1e-12));
@@ -80,10 +80,11 @@ TEST_CASE("Fig. 15: shares in percent, energies on a logarithmic axis, the null 
 TEST_CASE("a piece of a rose is not closed, and where all agrees all is shaded once") {
   sim::ProbeRose rose = test::rose();
   rose.probes.resize(5);  // 0° to 40°
-  CHECK_FALSE(test::any_has_point(*grain_work_figure(rose, subject()).plot, 360, 0.01, 1e-9));
+  CHECK_FALSE(
+      test::any_has_point(*grain_work_figure(rose, subject_of_roses()).plot, 360, 0.01, 1e-9));
   rose = test::rose();
   for (auto& probe : rose.probes) probe = test::probe_at(sim::degrees(probe.angle), 0.01);
-  const auto spans = shaded(*grain_work_figure(rose, subject()).plot, kGreen);
+  const auto spans = shaded(*grain_work_figure(rose, subject_of_roses()).plot, kGreen);
   REQUIRE(spans.size() == 1);
   CHECK(spans[0].lower == 0);
   CHECK(spans[0].upper == 360);
@@ -92,14 +93,14 @@ TEST_CASE("a piece of a rose is not closed, and where all agrees all is shaded o
 TEST_CASE("without a probe there is no figure") {
   sim::ProbeRose rose = test::rose();
   for (auto& probe : rose.probes) probe.stopped = true;
-  CHECK_FALSE(grain_envelope_figure(rose, 1000, subject()).plot);
-  CHECK_FALSE(grain_work_figure(rose, subject()).plot);
-  CHECK_FALSE(grain_contacts_figure({}, subject()).plot);
+  CHECK_FALSE(grain_envelope_figure(rose, 1000, subject_of_roses()).plot);
+  CHECK_FALSE(grain_work_figure(rose, subject_of_roses()).plot);
+  CHECK_FALSE(grain_contacts_figure({}, subject_of_roses()).plot);
 }
 
 TEST_CASE(
     "probes by strain: strains on the left, stresses answer; the explained gap lies on micro") {
-  Subject by_strain = subject();
+  Subject by_strain = subject_of_roses();
   by_strain.kind = sim::ProbeKind::strain;
   const Drawing envelope = grain_envelope_figure(test::rose(), 2e-5, by_strain);
   REQUIRE(envelope.plot);

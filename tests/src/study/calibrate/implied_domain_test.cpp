@@ -52,7 +52,7 @@ struct Calibrated {
   Uncertainty sure;
 };
 
-const std::string kSand = "hypoplastic/Toyoura-HG99";
+const std::string kSandByName = "hypoplastic/Toyoura-HG99";
 Unknown friction(double error, double low = 25, double high = 40) {
   return {{.key = "critical_friction_angle_deg", .low = low, .high = high}, error};
 }
@@ -73,7 +73,7 @@ double ratio_of(double friction_deg) {
 }  // namespace
 
 TEST_CASE("sets are drawn from Student's distribution of the estimate") {
-  const Calibrated c(kSand, {friction(0.02)}, 4);
+  const Calibrated c(kSandByName, {friction(0.02)}, 4);
   const Unknowns x = c.space.start_point();
   const auto draws = draw_parameters(c.space, x, c.sure, 4000, 1);
   REQUIRE(draws.points.size() == 4000);
@@ -86,8 +86,8 @@ TEST_CASE("sets are drawn from Student's distribution of the estimate") {
 }
 
 TEST_CASE("a parameter that is not determined stays within its range and leaves others alone") {
-  Calibrated c(kSand, {friction(0.02), {{.key = "peak_exponent", .low = 0.01, .high = 0.5}, 1e4}},
-               1000);
+  Calibrated c(kSandByName,
+               {friction(0.02), {{.key = "peak_exponent", .low = 0.01, .high = 0.5}, 1e4}}, 1000);
   REQUIRE_FALSE(c.sure.parameters[1].determined);
   const auto draws = draw_parameters(c.space, c.space.start_point(), c.sure, 2000, 1);
   REQUIRE(draws.points.size() == 2000);
@@ -103,11 +103,12 @@ TEST_CASE("a parameter that is not determined stays within its range and leaves 
 
 TEST_CASE("sets that the law refuses are drawn anew and counted") {
   // The law wants the critical void ratio above the densest one.
-  const auto sand = lab::find_material(kSand);
+  const auto sand = lab::find_material(kSandByName);
   const double densest = *value_of(sand, "densest_void_ratio");
   const double critical = *value_of(sand, "critical_void_ratio");
   const Calibrated c(
-      kSand, {{{.key = "critical_void_ratio", .low = densest - 0.4, .high = critical + 0.1}, 0.6}});
+      kSandByName,
+      {{{.key = "critical_void_ratio", .low = densest - 0.4, .high = critical + 0.1}, 0.6}});
   const auto draws = draw_parameters(c.space, c.space.start_point(), c.sure, 200, 1);
   REQUIRE(draws.points.size() == 200);
   CHECK(draws.refused > 5);
@@ -115,7 +116,7 @@ TEST_CASE("sets that the law refuses are drawn anew and counted") {
 }
 
 TEST_CASE("the best set has the domain that triax domain maps") {
-  const Calibrated c(kSand, {friction(0)});
+  const Calibrated c(kSandByName, {friction(0)});
   const ImpliedDomain found = c.domain(2, 12);
   REQUIRE(found.none.empty());
   CHECK(found.void_ratio == 0.95);
@@ -185,7 +186,7 @@ TEST_CASE("the interval of a number that one parameter decides is the image of i
 }
 
 TEST_CASE("cones and domain do not depend on the number of threads, and stop when asked") {
-  const Calibrated c(kSand, {friction(0.05)});
+  const Calibrated c(kSandByName, {friction(0.05)});
   const auto one = implied_domain_json(c.domain(1)), two = implied_domain_json(c.domain(2));
   CHECK(one.dump() == two.dump());
   CHECK(one["compression"][0]["first_unstable"]["high"].get<double>() >

@@ -11,18 +11,14 @@
 #include "src/triaxial/sheet/set_sheet.hpp"
 #include "src/triaxial/sheet/sheet_boxes.hpp"
 #include "tests/src/sample_sheets.hpp"
+#include "tests/src/triaxial/sheet/box_value.hpp"
 
 using namespace triax;
 using namespace triax::src;
 using study::TestResult;
+using triax::src::test::value;
 
 namespace {
-
-std::string value(const SheetBox& box, const std::string& label) {
-  for (const auto& fact : box.facts)
-    if (fact.label == label) return fact.lines.empty() ? "" : fact.lines.front();
-  return "no " + label;
-}
 
 std::string cell(const SheetBox& box, const std::string& row, std::size_t column) {
   for (const auto& cells : box.table.rows)

@@ -11,9 +11,11 @@
 #include "src/triaxial/sheet/sheet_json.hpp"
 #include "src/triaxial/sheet/test_sheet.hpp"
 #include "tests/src/sample_sheets.hpp"
+#include "tests/src/triaxial/sheet/box_value.hpp"
 
 using namespace triax;
 using namespace triax::src;
+using triax::src::test::value;
 
 namespace {
 
@@ -56,12 +58,6 @@ SheetTest sheet_of_cell(double cell, double strength, const SheetRequest& reques
   }
   test.values = reader.take();
   return test;
-}
-
-std::string value(const SheetBox& box, const std::string& label) {
-  for (const auto& fact : box.facts)
-    if (fact.label == label) return fact.lines.empty() ? "" : fact.lines.front();
-  return "no " + label;
 }
 
 std::vector<std::string> titles(const Sheet& sheet) {
