@@ -45,7 +45,8 @@ function(triax_precompile target)
 endfunction()
 
 # triax_folders_as_units(TARGET): compiles the sources of a folder as one unit where TRIAX_FOLDERS_AS_UNITS says so. Most
-# of a small source is what its headers hold. For this, names of anonymous namespaces are unique in a folder.
+# of a small source is what its headers hold. For this, names of anonymous namespaces are unique in a folder, in tests too,
+# where what `using namespace` brings in holds for the next files as well.
 option(TRIAX_FOLDERS_AS_UNITS "compile each folder as one unit: less to do in all, more after a change" OFF)
 function(triax_folders_as_units target)
   if(NOT TRIAX_FOLDERS_AS_UNITS)

@@ -27,7 +27,7 @@ Scans scans_of(const std::string& path, std::int64_t id) {
   return scans;
 }
 
-std::int64_t record(const std::string& path) {
+std::int64_t record_with_channels(const std::string& path) {
   db::Recorder recorder(path);
   const lab::SessionListener listener = recorder.listener();
   listener.started(testing::raw_header("a"));
@@ -66,7 +66,7 @@ TEST_CASE("every quantity has a column, that of a raw channel among the scans") 
 TEST_CASE("a database gets the columns it lacks when it is opened, and both tests come back") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
-  const std::int64_t before = record(path);
+  const std::int64_t before = record_with_channels(path);
   const Scans first = scans_of(path, before);
   REQUIRE(first.size() == 20);
   {
@@ -74,7 +74,7 @@ TEST_CASE("a database gets the columns it lacks when it is opened, and both test
     forget(database);
     CHECK_FALSE(db::has_all_channels(database));
   }
-  const std::int64_t after = record(path);
+  const std::int64_t after = record_with_channels(path);
   CHECK(all_same(scans_of(path, after), first));
   Scans without = first;
   for (auto& [reading, state] : without) reading[lab::Quantity::back_pressure] = lab::kMissing;
@@ -90,7 +90,7 @@ TEST_CASE("a database gets the columns it lacks when it is opened, and both test
 TEST_CASE("where a database cannot be written, a column that it lacks is unknown") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
-  record(path);
+  record_with_channels(path);
   SQLite::Database database(path, SQLite::OPEN_READWRITE);
   forget(database);
   CHECK(db::selected(database, "scans", "s", {"id", "back_pressure_kPa", "q_Pa"}) ==

@@ -148,7 +148,7 @@ Bits bits(const T& value) {
   return all;
 }
 
-std::int64_t record(const std::string& path, std::size_t stages, bool finish = true) {
+std::int64_t record_grains(const std::string& path, std::size_t stages, bool finish = true) {
   db::GrainRecorder recorder(path, programme());
   recorder.made(ran().made);
   for (std::size_t k = 0; k < stages; ++k) recorder.ended(ran().results.at(k));
@@ -159,7 +159,7 @@ std::int64_t record(const std::string& path, std::size_t stages, bool finish = t
 
 TEST_CASE("a run of grains comes back from the database to the bit") {
   testing::TemporaryFolder folder;
-  const auto id = record(folder.file("t.db"), 7);
+  const auto id = record_grains(folder.file("t.db"), 7);
   const db::StoredGrainRun run = db::GrainStore(folder.file("t.db")).load(id);
   CHECK(run.id == id);
   CHECK(run.status == db::TestStatus::complete);
@@ -210,7 +210,7 @@ TEST_CASE("probes by strain come back to the bit, without a norm of stress") {
 
 TEST_CASE("the energy of stages and probes is stored, and its rows add up") {
   testing::TemporaryFolder folder;
-  record(folder.file("t.db"), 7);
+  record_grains(folder.file("t.db"), 7);
   auto d = db::open_for_reading(folder.file("t.db"));
   // Six stages have one, the rose has one for each of its five probes.
   CHECK(d.execAndGet("SELECT count(*) FROM grain_energies").getInt() == 11);
@@ -233,7 +233,7 @@ TEST_CASE("the energy of stages and probes is stored, and its rows add up") {
 
 TEST_CASE("ends, kinds and marks of a run of grains come back") {
   testing::TemporaryFolder folder;
-  record(folder.file("t.db"), 7);
+  record_grains(folder.file("t.db"), 7);
   const auto run = db::GrainStore(folder.file("t.db")).load(1);
   for (std::size_t k : {0, 1, 4}) {
     const auto& read = std::get<lab::ReportedGrainPath>(run.report.stages[k].came);
@@ -254,7 +254,7 @@ TEST_CASE("ends, kinds and marks of a run of grains come back") {
 
 TEST_CASE("of an interrupted run of grains the stages that had ended are read") {
   testing::TemporaryFolder folder;
-  const auto id = record(folder.file("t.db"), 2, false);
+  const auto id = record_grains(folder.file("t.db"), 2, false);
   const auto run = db::GrainStore(folder.file("t.db")).load(id);
   CHECK(run.status == db::TestStatus::interrupted);
   REQUIRE(run.report.stages.size() == 2);
@@ -264,8 +264,8 @@ TEST_CASE("of an interrupted run of grains the stages that had ended are read") 
 
 TEST_CASE("of several runs of grains each has its own stages; the latest of a name is meant") {
   testing::TemporaryFolder folder;
-  record(folder.file("t.db"), 3);
-  record(folder.file("t.db"), 5);
+  record_grains(folder.file("t.db"), 3);
+  record_grains(folder.file("t.db"), 5);
   const db::GrainStore store(folder.file("t.db"));
   CHECK(store.all() == std::vector<std::int64_t>{1, 2});
   CHECK(store.load(1).report.stages.size() == 3);

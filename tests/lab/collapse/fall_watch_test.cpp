@@ -20,7 +20,7 @@ RecordHeader header_of(AxialControl control) {
 }
 
 /// Reading, strain in % and q in kPa.
-State at(std::int64_t reading, double strain, double q) {
+State state_of_fall(std::int64_t reading, double strain, double q) {
   State s;
   s.reading = reading;
   s.time_s = 10.0 * static_cast<double>(reading);
@@ -43,7 +43,7 @@ std::optional<Told> told(AxialControl control, double q_per_reading,
   std::optional<Told> first;
   std::int64_t reading = 0;
   const auto add = [&](double strain, double q) {
-    const auto fall = watch.watch(at(reading, strain, q));
+    const auto fall = watch.watch(state_of_fall(reading, strain, q));
     if (fall && !first) first = Told{fall->instant.reading, reading};
     ++reading;
   };

@@ -14,7 +14,7 @@ const StageInfo kHeld{.number = 1,
                       .drainage = Drainage::open,
                       .control = AxialControl::constant_q};
 
-State at(int reading, double q, double strain) {
+State state_under_control(int reading, double q, double strain) {
   State s;
   s.reading = reading;
   s.time_s = reading;
@@ -31,10 +31,11 @@ TEST_CASE("a held q that falls is loss of control; its noise is not") {
   std::normal_distribution<double> noise(0, 500);
   LossOfControl control;
   control.start_stage(&kHeld);
-  for (int i = 0; i < 2000; ++i) control.add_state(at(i, 60e3 + noise(rng), i * 1e-6), true);
+  for (int i = 0; i < 2000; ++i)
+    control.add_state(state_under_control(i, 60e3 + noise(rng), i * 1e-6), true);
   CHECK_FALSE(control.finding());
   for (int i = 2000; i < 2050; ++i)
-    control.add_state(at(i, 60e3 - (i - 2000) * 1e3 + noise(rng), i * 1e-6), true);
+    control.add_state(state_under_control(i, 60e3 - (i - 2000) * 1e3 + noise(rng), i * 1e-6), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading > 2000);
   CHECK(control.finding()->instant.reading < 2010);
@@ -45,9 +46,9 @@ TEST_CASE("a burst of strain within one scan is loss of control under load") {
   load.control = AxialControl::load;
   LossOfControl control;
   control.start_stage(&load);
-  for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
+  for (int i = 0; i < 300; ++i) control.add_state(state_under_control(i, 50e3, i * 1e-5), true);
   CHECK_FALSE(control.finding());
-  control.add_state(at(300, 5e3, 0.15), true);
+  control.add_state(state_under_control(300, 5e3, 0.15), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading == 299);
   CHECK(control.sudden());
@@ -58,12 +59,12 @@ TEST_CASE("a loss is known at the reading taken by then, and in a later stage no
   load.control = AxialControl::load;
   LossOfControl control;
   control.start_stage(&load);
-  for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
+  for (int i = 0; i < 300; ++i) control.add_state(state_under_control(i, 50e3, i * 1e-5), true);
   control.set_now(Moment{304, 304.0});  // four readings were held back
   control.start_stage(&load);
-  for (int i = 300; i < 330; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
+  for (int i = 300; i < 330; ++i) control.add_state(state_under_control(i, 50e3, i * 1e-5), true);
   control.set_now(Moment{331, 331.0});
-  control.add_state(at(330, 5e3, 0.15), true);
+  control.add_state(state_under_control(330, 5e3, 0.15), true);
   control.set_now(Moment{400, 400.0});
   control.start_stage(&kHeld);
   REQUIRE(control.finding());
@@ -74,9 +75,9 @@ TEST_CASE("a loss is known at the reading taken by then, and in a later stage no
 
   LossOfControl late;
   late.start_stage(&load);
-  for (int i = 0; i < 300; ++i) late.add_state(at(i, 50e3, i * 1e-5), true);
+  for (int i = 0; i < 300; ++i) late.add_state(state_under_control(i, 50e3, i * 1e-5), true);
   late.set_now(std::nullopt);  // the record is over
-  late.add_state(at(300, 5e3, 0.15), true);
+  late.add_state(state_under_control(300, 5e3, 0.15), true);
   REQUIRE(late.finding());
   CHECK_FALSE(late.finding()->noticed);
 }
@@ -87,7 +88,7 @@ TEST_CASE("a burst with which a load grew, and is carried on, took no control aw
   LossOfControl control;
   control.start_stage(&load);
   const auto add = [&](int i, double q, double strain) {
-    control.add_state(at(i, q, strain), true);
+    control.add_state(state_under_control(i, q, strain), true);
   };
   int i = 0;
   for (; i < 300; ++i) add(i, 98e3 + 10 * i, i * 1e-5);
@@ -114,10 +115,12 @@ TEST_CASE(
   const auto lost = [&](double force_growth) {
     LossOfControl control;
     control.start_stage(&load);
-    for (int i = 0; i < 30; ++i) control.add_state(at(i, 10e3 * i, i * 2e-4), true);
+    for (int i = 0; i < 30; ++i)
+      control.add_state(state_under_control(i, 10e3 * i, i * 2e-4), true);
     for (int i = 1; i <= 8; ++i) {
       const double strain = 6e-3 + 0.02 * i;
-      State state = at(29 + i, 300e3 * (1 + force_growth * i) * (1 - strain), strain);
+      State state =
+          state_under_control(29 + i, 300e3 * (1 + force_growth * i) * (1 - strain), strain);
       state.strain.radial = -strain / 2;
       control.add_state(state, true);
     }
@@ -134,7 +137,7 @@ TEST_CASE("what a burst was is decided by its own stage, and not before the reco
   LossOfControl control;
   control.start_stage(&load);
   const auto add = [&](int i, double q, double strain) {
-    control.add_state(at(i, q, strain), true);
+    control.add_state(state_under_control(i, q, strain), true);
   };
   int i = 0;
   for (; i < 300; ++i) add(i, 98e3 + 10 * i, i * 1e-5);
@@ -149,11 +152,12 @@ TEST_CASE("what a burst was is decided by its own stage, and not before the reco
   // Lost while q was held: no later load takes that back.
   LossOfControl held;
   held.start_stage(&kHeld);
-  for (i = 0; i < 300; ++i) held.add_state(at(i, 50e3, i * 1e-5), true);
-  held.add_state(at(i, 50e3, 0.1), true);
+  for (i = 0; i < 300; ++i) held.add_state(state_under_control(i, 50e3, i * 1e-5), true);
+  held.add_state(state_under_control(i, 50e3, 0.1), true);
   REQUIRE(held.lost());
   held.start_stage(&load);
-  for (const int end = i + 40; i < end; ++i) held.add_state(at(i, 80e3, 0.1), true);
+  for (const int end = i + 40; i < end; ++i)
+    held.add_state(state_under_control(i, 80e3, 0.1), true);
   REQUIRE(held.lost());
   CHECK(held.lost()->instant.reading == 299);
   CHECK(held.loss()->came_back());
@@ -164,9 +168,9 @@ TEST_CASE("a load that fell in a burst was lost, whatever comes later") {
   load.control = AxialControl::load;
   LossOfControl control;
   control.start_stage(&load);
-  for (int i = 0; i < 300; ++i) control.add_state(at(i, 100e3, i * 1e-5), true);
-  control.add_state(at(300, 60e3, 0.05), true);
-  for (int i = 301; i < 400; ++i) control.add_state(at(i, 101e3, 0.06), true);
+  for (int i = 0; i < 300; ++i) control.add_state(state_under_control(i, 100e3, i * 1e-5), true);
+  control.add_state(state_under_control(300, 60e3, 0.05), true);
+  for (int i = 301; i < 400; ++i) control.add_state(state_under_control(i, 101e3, 0.06), true);
   CHECK(control.lost());
 }
 
@@ -176,8 +180,9 @@ TEST_CASE("where nobody says what is prescribed, a leap beyond any frame with q 
   const auto found = [&](double step, double q_after, bool has_time) {
     LossOfControl control;
     control.start_stage(&unsaid);
-    for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-4), has_time);
-    control.add_state(at(300, q_after, 299e-4 + step), has_time);
+    for (int i = 0; i < 300; ++i)
+      control.add_state(state_under_control(i, 50e3, i * 1e-4), has_time);
+    control.add_state(state_under_control(300, q_after, 299e-4 + step), has_time);
     return control.finding().has_value();
   };
   for (const bool has_time : {true, false}) {
@@ -196,9 +201,11 @@ TEST_CASE("a specimen that falls before the stage has shown a rate has lost cont
     displacement.control = AxialControl::displacement;
     LossOfControl control;
     control.start_stage(&displacement);
-    for (int i = 0; i < 100 - standing; ++i) control.add_state(at(i, 40e3, i * 1e-5), true);
+    for (int i = 0; i < 100 - standing; ++i)
+      control.add_state(state_under_control(i, 40e3, i * 1e-5), true);
     control.start_stage(&load);
-    for (int i = 100 - standing; i < 100; ++i) control.add_state(at(i, 40e3, 1e-3), true);
+    for (int i = 100 - standing; i < 100; ++i)
+      control.add_state(state_under_control(i, 40e3, 1e-3), true);
     CHECK_FALSE(control.finding());
     control.add_state(after, true);
     CHECK_FALSE(control.sudden());
@@ -207,28 +214,29 @@ TEST_CASE("a specimen that falls before the stage has shown a rate has lost cont
   };
   for (const int standing : {0, 1, 10}) {
     INFO(standing);
-    const auto found = finding(standing, at(100, 2e3, 0.15));
+    const auto found = finding(standing, state_under_control(100, 2e3, 0.15));
     REQUIRE(found);
     CHECK(found->instant.reading == 99);
     CHECK(found->evidence.find("axial strain jumped from") == 0);
     // A load step that the specimen carries is told; a displacement set to zero, a blow that
     // settles and a pause of the logger are not.
-    REQUIRE(finding(standing, at(100, 60e3, 0.02)));
-    CHECK_FALSE(finding(standing, at(100, 60e3, 0.02))->detected);
-    CHECK_FALSE(finding(standing, at(100, 39e3, 0.15)));
-    CHECK_FALSE(finding(standing, at(100, 36e3, 0.002)));
-    CHECK_FALSE(finding(standing, at(110, 2e3, 0.15)));
+    REQUIRE(finding(standing, state_under_control(100, 60e3, 0.02)));
+    CHECK_FALSE(finding(standing, state_under_control(100, 60e3, 0.02))->detected);
+    CHECK_FALSE(finding(standing, state_under_control(100, 39e3, 0.15)));
+    CHECK_FALSE(finding(standing, state_under_control(100, 36e3, 0.002)));
+    CHECK_FALSE(finding(standing, state_under_control(110, 2e3, 0.15)));
   }
 }
 
 TEST_CASE("what creeps faster before a fall is not yet the fall") {
   LossOfControl control;
   control.start_stage(&kHeld);
-  for (int i = 0; i < 300; ++i) control.add_state(at(i, 60e3, i * 1e-6), true);
+  for (int i = 0; i < 300; ++i) control.add_state(state_under_control(i, 60e3, i * 1e-6), true);
   double strain = 299e-6;
-  for (int i = 300; i < 304; ++i) control.add_state(at(i, 60e3, strain += 2e-5), true);
+  for (int i = 300; i < 304; ++i)
+    control.add_state(state_under_control(i, 60e3, strain += 2e-5), true);
   CHECK_FALSE(control.finding());
-  control.add_state(at(304, 1e3, 0.15), true);
+  control.add_state(state_under_control(304, 1e3, 0.15), true);
   REQUIRE(control.finding());
   CHECK(control.finding()->instant.reading == 303);
   CHECK(control.sudden());
@@ -237,8 +245,9 @@ TEST_CASE("what creeps faster before a fall is not yet the fall") {
 TEST_CASE("a burst over many readings is no fall") {
   LossOfControl control;
   control.start_stage(&kHeld);
-  for (int i = 0; i < 300; ++i) control.add_state(at(i, 60e3, i * 1e-6), true);
-  for (int i = 300; i < 320; ++i) control.add_state(at(i, 60e3, 3e-4 + (i - 299) * 5e-4), true);
+  for (int i = 0; i < 300; ++i) control.add_state(state_under_control(i, 60e3, i * 1e-6), true);
+  for (int i = 300; i < 320; ++i)
+    control.add_state(state_under_control(i, 60e3, 3e-4 + (i - 299) * 5e-4), true);
   REQUIRE(control.finding());
   CHECK_FALSE(control.sudden());
 }
@@ -248,8 +257,8 @@ TEST_CASE("a prescribed displacement is never lost") {
   displacement.control = AxialControl::displacement;
   LossOfControl control;
   control.start_stage(&displacement);
-  for (int i = 0; i < 300; ++i) control.add_state(at(i, 50e3, i * 1e-5), true);
-  control.add_state(at(300, 5e3, 0.15), true);
+  for (int i = 0; i < 300; ++i) control.add_state(state_under_control(i, 50e3, i * 1e-5), true);
+  control.add_state(state_under_control(300, 5e3, 0.15), true);
   CHECK_FALSE(control.finding());
 }
 
@@ -258,7 +267,7 @@ TEST_CASE("a logger that slows down makes no burst of a steady creep") {
   load.control = AxialControl::load;
   LossOfControl control;
   control.start_stage(&load);
-  State s = at(0, 50e3, 0);
+  State s = state_under_control(0, 50e3, 0);
   for (int i = 0; i < 600; ++i) {
     s.reading = i;
     s.time_s += i < 300 ? 1 : 120;
@@ -278,7 +287,7 @@ std::optional<Finding> pore_finding(Drainage drainage, int readings, Pore pore, 
   LossOfControl control;
   control.start_stage(&stage);
   for (int i = 0; i < readings; ++i) {
-    State s = at(i, 60e3, i * 1e-6);
+    State s = state_under_control(i, 60e3, i * 1e-6);
     s.pore_pressure = pore(i);
     s.effective_stress = {cell(i) - pore(i) + 60e3, cell(i) - pore(i)};
     control.add_state(s, true);

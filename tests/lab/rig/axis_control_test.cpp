@@ -28,7 +28,7 @@ Seen seen_with(double force_n, double pore_pa = 300e3) {
   return seen;
 }
 
-AxisControl started(const Stage& stage, const Seen& seen, double true_force_n) {
+AxisControl axis_started(const Stage& stage, const Seen& seen, double true_force_n) {
   AxisControl axis;
   axis.begin_stage(stage, seen, true_force_n);
   return axis;
@@ -41,7 +41,7 @@ TEST_CASE("a load starts from what stands on the piston and rises at its rate") 
   stage.axial = AxialAction::load;
   stage.load_rate_n_per_s = 2;
   Seen seen = seen_with(100);
-  AxisControl axis = started(stage, seen, 100);
+  AxisControl axis = axis_started(stage, seen, 100);
   CHECK(axis.demand(seen, 400e3, 0.5).force_n == Approx(101).epsilon(1e-12));
   seen.add_stage_time(0.5);
   CHECK(axis.demand(seen, 400e3, 0.5).start_force_n > 100.9);
@@ -51,7 +51,7 @@ TEST_CASE("a servo believes its load cell: an offset makes a wrong force, withou
   Stage stage;
   stage.axial = AxialAction::load;
   Seen seen = seen_with(100);
-  AxisControl axis = started(stage, seen, 90);  // reads 10 N too much
+  AxisControl axis = axis_started(stage, seen, 90);  // reads 10 N too much
   CHECK(axis.demand(seen, 400e3, 1).force_n == Approx(90));
   const Seen less = seen_with(95);
   axis.demand(less, 400e3, 1);
@@ -66,10 +66,10 @@ TEST_CASE(
   stage.axial = AxialAction::constant_q;
   stage.held_q_pa = 50e3;
   const Seen seen = seen_with(0);
-  CHECK(started(stage, seen, 0).demand(seen, 400e3, 1).force_n == Approx(50e3 * kArea));
+  CHECK(axis_started(stage, seen, 0).demand(seen, 400e3, 1).force_n == Approx(50e3 * kArea));
   stage.axial = AxialAction::stress_ratio;
   stage.held_stress_ratio = 0.5;
-  const double q = started(stage, seen, 0).demand(seen, 420e3, 1).force_n / kArea;
+  const double q = axis_started(stage, seen, 0).demand(seen, 420e3, 1).force_n / kArea;
   CHECK(q / (120e3 + q / 3) == Approx(0.5));
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("a dead load keeps the true force, and a perturbation comes once") {
   stage.load_step_n = 3;
   stage.impulse_n_s = 0.1;
   const Seen seen = seen_with(100);
-  AxisControl axis = started(stage, seen, 97);
+  AxisControl axis = axis_started(stage, seen, 97);
   const AxisDemand first = axis.demand(seen, 400e3, 1);
   CHECK(first.dead);
   CHECK(first.force_n == 100);
@@ -98,12 +98,12 @@ TEST_CASE("crosshead and free piston ask for no force") {
   stage.axial_rate_m_per_s = 1e-6;
   stage.spring_stiffness_n_per_m = 5e4;
   const Seen seen = seen_with(100);
-  const AxisDemand spring = started(stage, seen, 100).demand(seen, 400e3, 1);
+  const AxisDemand spring = axis_started(stage, seen, 100).demand(seen, 400e3, 1);
   CHECK(spring.kind == AxisDemand::Kind::crosshead);
   CHECK(spring.velocity_m_per_s == 1e-6);
   CHECK(spring.spring_n_per_m == 5e4);
   stage.axial = AxialAction::free;
-  CHECK(started(stage, seen, 100).demand(seen, 400e3, 1).kind == AxisDemand::Kind::free);
+  CHECK(axis_started(stage, seen, 100).demand(seen, 400e3, 1).kind == AxisDemand::Kind::free);
 }
 
 TEST_CASE("a filter takes the noise out of the area, and follows a steady change without lag") {
@@ -147,7 +147,7 @@ TEST_CASE("at constant q a spike of the displacement or the volume moves no forc
     stage.axial = AxialAction::constant_q;
     stage.held_q_pa = 100e3;
     Seen seen = seen_with(100e3 * kArea);
-    AxisControl axis = started(stage, seen, 100e3 * kArea);
+    AxisControl axis = axis_started(stage, seen, 100e3 * kArea);
     double largest = 0;
     for (int look = 1; look < 20; ++look) {
       Reading r;

@@ -115,7 +115,7 @@ void check_verdict_stands(const Subject& s, const Fault& f, const Outcome& out) 
 
 /// Whether what a load or a held q did to the axis can be known all the same: a fall is one,
 /// whatever became of the water and of what is measured of it.
-bool leaves_the_axis(const Subject& s, const Fault& f) {
+bool fault_leaves_the_axis(const Subject& s, const Fault& f) {
   return s.by_force() &&
          (f.device == "pore_pressure" || f.device == "back_volume" || f.device == "valve");
 }
@@ -125,7 +125,7 @@ void check_onset(const Subject& s, const Fault& f, const Outcome& out) {
   const Instant& onset = *out.summary.collapse.onset;
   const auto& falls = out.summary.truth->run_aways;
   if (*onset.time_s <= f.from_s + 1) return;
-  REQUIRE(leaves_the_axis(s, f));
+  REQUIRE(fault_leaves_the_axis(s, f));
   REQUIRE_FALSE(falls.empty());
   // Where it drains it falls as slowly as the water goes.
   CHECK(*onset.time_s > falls.back().start_s - 2);

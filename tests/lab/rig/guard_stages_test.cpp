@@ -39,7 +39,7 @@ struct Guarded {
 };
 
 /// Calls the guard where the axial force in N has come to `force`.
-Guarded run(VirtualRig& rig, double force) {
+Guarded run_guarded(VirtualRig& rig, double force) {
   Guarded all;
   for (Reading r; rig.next(r);) {
     all.readings.push_back(r);
@@ -61,11 +61,11 @@ double strain_between(const Reading& a, const Reading& b) {
 TEST_CASE("a load that is handed over stays, and the crosshead goes on past its peak") {
   const std::string stages = by_load(60);
   VirtualRig unguarded(rig_programme(stages, kWithMass));
-  CHECK(run(unguarded, 1e9).readings.size() > 100);
+  CHECK(run_guarded(unguarded, 1e9).readings.size() > 100);
   REQUIRE(unguarded.truth()->run_aways.size() == 1);
 
   VirtualRig rig(rig_programme(stages + kHandOver, kWithMass));
-  const Guarded all = run(rig, 160);
+  const Guarded all = run_guarded(rig, 160);
   REQUIRE(all.acted > 0);
   CHECK(all.done == "handed over to displacement at 0.5 mm/min");
   CHECK(rig.truth()->run_aways.empty());
@@ -98,7 +98,7 @@ TEST_CASE("masses and springs are handed over as a servo's load is") {
   for (const auto& [stages, force] :
        {std::pair{spring, 160.0}, std::pair{crosshead + masses, 100.0}}) {
     VirtualRig rig(rig_programme(stages + kHandOver, kWithMass));
-    const Guarded all = run(rig, force);
+    const Guarded all = run_guarded(rig, force);
     REQUIRE(all.acted > 0);
     const Reading& at = all.readings[all.acted - 1];
     CHECK(rig.truth()->run_aways.empty());
@@ -160,7 +160,7 @@ TEST_CASE("at held q the pressures stop with the hand-over, the valve stays as i
 
 TEST_CASE("in extension the crosshead goes on in extension, and takes back towards zero") {
   VirtualRig rig(rig_programme(by_load(-30) + kHandOver, kWithMass));
-  const Guarded all = run(rig, 60);
+  const Guarded all = run_guarded(rig, 60);
   REQUIRE(all.acted > 0);
   CHECK(strain_between(all.readings[all.acted - 1], all.readings.back()) ==
         Approx(-0.01).margin(2e-4));
@@ -169,7 +169,7 @@ TEST_CASE("in extension the crosshead goes on in extension, and takes back towar
 TEST_CASE("hold locks the crosshead for its time, and then the test ends") {
   VirtualRig rig(
       rig_programme(by_load(60) + guard("action = \"hold\"\nhold_min = 2.0\n"), kWithMass));
-  const Guarded all = run(rig, 160);
+  const Guarded all = run_guarded(rig, 160);
   REQUIRE(all.acted > 0);
   const Reading &at = all.readings[all.acted - 1], &last = all.readings.back();
   CHECK(last.stage == 2);
@@ -184,7 +184,7 @@ TEST_CASE("unload takes the share of q back and holds") {
       by_load(60) +
           guard("action = \"unload\"\nrate_mm_per_min = 0.1\nshare = 0.25\nhold_min = 1\n"),
       kWithMass));
-  const Guarded all = run(rig, 160);
+  const Guarded all = run_guarded(rig, 160);
   REQUIRE(all.acted > 0);
   const Reading &at = all.readings[all.acted - 1], &last = all.readings.back();
   CHECK(last[Quantity::axial_force] == Approx(0.75 * at[Quantity::axial_force]).epsilon(0.02));
@@ -197,7 +197,7 @@ TEST_CASE("unload takes the share of q back and holds") {
 
 TEST_CASE("safe is the safe state") {
   VirtualRig rig(rig_programme(by_load(60) + guard("action = \"safe\"\n"), kWithMass));
-  const Guarded all = run(rig, 160);
+  const Guarded all = run_guarded(rig, 160);
   REQUIRE(all.acted > 0);
   CHECK(all.readings.size() == all.acted + VirtualRig::kSafeReadings);
   CHECK_THAT(rig.header().cut_short, Contains("safe state") && Contains("by the guard"));

@@ -13,7 +13,7 @@ using namespace triax::lab;
 
 namespace {
 
-TestSummary run(const std::string& programme, std::uint64_t seed) {
+TestSummary run_with_seed(const std::string& programme, std::uint64_t seed) {
   VirtualRig rig(load_programme("samples/programmes/" + programme + ".toml"), seed);
   return run_session(rig, {});
 }
@@ -26,7 +26,7 @@ TEST_CASE(
   for (const char* programme : {"icu_6", "icu_42", "csd_51", "csd_58", "csd_60", "csu_26", "csu_27",
                                 "csu_31", "csu_41", "icu_7", "csd_61"}) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const TestSummary s = run(programme, seed);
+      const TestSummary s = run_with_seed(programme, seed);
       INFO(programme << ", seed " << seed);
       REQUIRE(s.truth);
       REQUIRE(s.truth->lost_sustainability);
@@ -40,7 +40,7 @@ TEST_CASE(
 
 TEST_CASE(
     "a blow under dead load past the peak of q: the fall is seen, its onset is that of the peak") {
-  const TestSummary s = run("perturbed", 1);
+  const TestSummary s = run_with_seed("perturbed", 1);
   REQUIRE(s.truth->run_aways.size() == 2);
   const RunAwayTruth& fall = s.truth->run_aways[1];
   const auto lost = std::ranges::find(s.collapse.criteria, "loss_of_control", &Criterion::name);
@@ -59,7 +59,7 @@ TEST_CASE(
 
 TEST_CASE("dense sand is a control: it must not collapse, whatever the noise") {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const TestSummary s = run("icu_dense", seed);
+    const TestSummary s = run_with_seed("icu_dense", seed);
     CHECK_FALSE(s.truth->lost_sustainability);
     CHECK(s.collapse.kind == CollapseKind::none);
     CHECK(s.collapse.judged);

@@ -41,7 +41,7 @@ struct SoftwareRun {
   int rests = 0;
 };
 
-SoftwareRun run(double late_s) {
+SoftwareRun run_late(double late_s) {
   const GuardedProgramme all = with_guard_stages(read_programme(programme_text(), "p.toml"));
   auto apparatus = std::make_unique<Stumbling>(all.programme, late_s);
   const Stumbling& watched = *apparatus;
@@ -59,13 +59,15 @@ SoftwareRun run(double late_s) {
 }  // namespace
 
 TEST_CASE("readings that were missed are told and not made up for") {
-  const SoftwareRun late = run(2.5);
+  const SoftwareRun late = run_late(2.5);
   CHECK(std::vector(late.times_s.begin() + 4, late.times_s.begin() + 10) ==
         std::vector<double>{4, 5, 7.75, 8, 9, 10});
   CHECK_THAT(late.told, Contains("readings are missed from 6 s on"));
-  const SoftwareRun on_time = run(0);
+  const SoftwareRun on_time = run_late(0);
   CHECK(on_time.times_s[8] == 8);
   CHECK(on_time.told.empty());
 }
 
-TEST_CASE("a test that is broken off brings its apparatus to rest") { CHECK(run(0).rests == 1); }
+TEST_CASE("a test that is broken off brings its apparatus to rest") {
+  CHECK(run_late(0).rests == 1);
+}

@@ -77,7 +77,7 @@ struct SimulatedRun {
   TestSummary summary;
 };
 
-SimulatedRun run(BackEnd& rig, double speed = 0) {
+SimulatedRun run_and_collect(BackEnd& rig, double speed = 0) {
   SimulatedRun result;
   SessionListener listener;
   listener.scanned = [&](const Reading& r, const State& s) {
@@ -142,9 +142,9 @@ TEST_CASE("the same seed writes the same file, and the sample is that file") {
 
 TEST_CASE("replaying the record of a simulation is the simulation, to the bit") {
   VirtualRig simulated(load_programme(kProgramme));
-  const SimulatedRun original = run(simulated);
+  const SimulatedRun original = run_and_collect(simulated);
   const auto recorded = open_record(kRecord, {});
-  const SimulatedRun replayed = run(*recorded);
+  const SimulatedRun replayed = run_and_collect(*recorded);
   check_same(original, replayed);
   CHECK(recorded->header().origin == Origin::simulated);
   CHECK(recorded->header().warnings.empty());
@@ -158,15 +158,15 @@ TEST_CASE("replaying the record of a simulation is the simulation, to the bit") 
 
 TEST_CASE("neither speed nor the size of a read changes anything") {
   const auto whole = open_record(kRecord, {});
-  const SimulatedRun expected = run(*whole);
+  const SimulatedRun expected = run_and_collect(*whole);
   for (const std::size_t most : {1U, 7U, 1000U}) {
     RecordedRig rig(std::make_unique<Dribble>(kRecord, most), {}, "", "");
-    check_same(expected, run(rig));
+    check_same(expected, run_and_collect(rig));
   }
   const auto paced = open_record(kRecord, {});
-  check_same(expected, run(*paced, 50'000));
+  check_same(expected, run_and_collect(*paced, 50'000));
   VirtualRig simulated(load_programme(kProgramme));
-  check_same(expected, run(simulated, 50'000));
+  check_same(expected, run_and_collect(simulated, 50'000));
 }
 
 TEST_CASE("why a test was cut short stands in its record: the replay is not judged either") {

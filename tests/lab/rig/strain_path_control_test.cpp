@@ -33,7 +33,8 @@ Seen seen_at(double displacement_m, double back_volume_m3) {
   return seen;
 }
 
-StrainPathControl started(std::optional<double> R, const Seen& seen, double filter_s = 0) {
+StrainPathControl path_control_started(std::optional<double> R, const Seen& seen,
+                                       double filter_s = 0) {
   Stage stage;
   stage.axial = AxialAction::displacement;
   stage.axial_rate_m_per_s = 1e-5;
@@ -47,19 +48,19 @@ StrainPathControl started(std::optional<double> R, const Seen& seen, double filt
 
 TEST_CASE("a stage without a strain path leaves the volume to the pressure controller") {
   const Seen seen = seen_at(0, 0);
-  CHECK_FALSE(started({}, seen).outflow_m3_per_s(seen, 0.25));
+  CHECK_FALSE(path_control_started({}, seen).outflow_m3_per_s(seen, 0.25));
 }
 
 TEST_CASE("R = 1 keeps the volume, more lets water out, less takes it in") {
   const Seen seen = seen_at(0, 0);
-  CHECK(*started(1.0, seen).outflow_m3_per_s(seen, 0.25) == Approx(0).margin(1e-18));
-  CHECK(*started(1.3, seen).outflow_m3_per_s(seen, 0.25) > 0);
-  CHECK(*started(0.7, seen).outflow_m3_per_s(seen, 0.25) < 0);
+  CHECK(*path_control_started(1.0, seen).outflow_m3_per_s(seen, 0.25) == Approx(0).margin(1e-18));
+  CHECK(*path_control_started(1.3, seen).outflow_m3_per_s(seen, 0.25) > 0);
+  CHECK(*path_control_started(0.7, seen).outflow_m3_per_s(seen, 0.25) < 0);
 }
 
 TEST_CASE("followed tick by tick, the strains are in proportion to the last bit that counts") {
   const double R = GENERATE(0.7, 1.3);
-  StrainPathControl control = started(R, seen_at(0, 0));
+  StrainPathControl control = path_control_started(R, seen_at(0, 0));
   constexpr double kTick = 0.25;
   double displacement = 0, back_volume = 0;
   for (int i = 0; i < 400; ++i) {
@@ -73,13 +74,13 @@ TEST_CASE("followed tick by tick, the strains are in proportion to the last bit 
 }
 
 TEST_CASE("what was missed before is made good within the tick") {
-  StrainPathControl control = started(1.0, seen_at(0, 0));
+  StrainPathControl control = path_control_started(1.0, seen_at(0, 0));
   CHECK(*control.outflow_m3_per_s(seen_at(0, 2e-9), 0.5) == Approx(4e-9));
 }
 
 TEST_CASE("strains count from the start of the stage, not of the test") {
   const Seen then = seen_at(5e-3, -3e-6);
-  auto control = started(1.3, then);
+  auto control = path_control_started(1.3, then);
   // dV = (1 − 1/R) dH V/H, V and H of the start of the stage.
   const double volume = kVolumeAtStart - 3e-6, height = kHeightAtStart - 5e-3;
   CHECK(*control.outflow_m3_per_s(then, 0.25) ==
@@ -88,7 +89,7 @@ TEST_CASE("strains count from the start of the stage, not of the test") {
 
 TEST_CASE("a servo that smooths keeps the path, and the noise of the height out of the flow") {
   constexpr double kTick = 0.25, kNoise = 1e-6;
-  StrainPathControl control = started(0.7, seen_at(0, 0), 10);
+  StrainPathControl control = path_control_started(0.7, seen_at(0, 0), 10);
   double displacement = 0, back_volume = 0, least = 0, most = -1;
   for (int i = 0; i < 4000; ++i) {
     const double read = displacement + kNoise * std::sin(17.0 * i * i);

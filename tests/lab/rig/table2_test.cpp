@@ -93,7 +93,7 @@ struct Table2Run {
   PorePressure last_stage;
 };
 
-Table2Run run(const Programme& programme) {
+Table2Run run_table2(const Programme& programme) {
   VirtualRig rig(programme);
   Table2Run result;
   int stage = 0;
@@ -121,7 +121,7 @@ TEST_CASE(
     "the pore pressure falls until collapse in CSU") {
   double squares = 0;
   for (const Row& row : kTable2) {
-    const Table2Run result = run(load_programme(file_of(row)));
+    const Table2Run result = run_table2(load_programme(file_of(row)));
     const double eta = eta_found(row, result.summary);
     squares += (eta - row.eta) * (eta - row.eta);
     CHECK(std::fabs(eta - *result.summary.truth->q_pa / *result.summary.truth->p_eff_pa) < 0.02);
@@ -140,8 +140,8 @@ TEST_CASE(
 
 TEST_CASE("test 61, by raising the pore pressure under masses, collapses where test 51 does") {
   const Row as_51{"csd_61", 61, 100, 1.192, 0};
-  const TestSummary raised = run(load_programme(file_of(as_51))).summary;
-  const TestSummary lowered = run(load_programme(file_of(kTable2[3]))).summary;
+  const TestSummary raised = run_table2(load_programme(file_of(as_51))).summary;
+  const TestSummary lowered = run_table2(load_programme(file_of(kTable2[3]))).summary;
   const double eta = eta_found(as_51, raised);
   CHECK(eta == Approx(*raised.truth->q_pa / *raised.truth->p_eff_pa).margin(0.005));
   CHECK(eta == Approx(*lowered.collapse.onset->eta()).margin(0.01));
@@ -153,7 +153,7 @@ TEST_CASE("test 61, by raising the pore pressure under masses, collapses where t
 
 TEST_CASE("Table 2 by a set of parameters a test: each stress ratio within 0.02", "[slow]") {
   for (const Row& row : kTable2) {
-    const double eta = eta_found(row, run(with_own_parameters(row)).summary);
+    const double eta = eta_found(row, run_table2(with_own_parameters(row)).summary);
     INFO(row.programme);
     CHECK(std::fabs(eta - row.eta) <= 0.02);
   }
@@ -190,7 +190,7 @@ TEST_CASE("stable controls do not collapse, and their specimens lose nothing") {
        {"icu_dense", "control_csd_dense", "control_csu_dense", "control_icu_cam_clay",
         "control_csd_cam_clay", "control_icu_mohr_coulomb", "control_drained_loose"}) {
     const Table2Run result =
-        run(load_programme(std::string("samples/programmes/") + control + ".toml"));
+        run_table2(load_programme(std::string("samples/programmes/") + control + ".toml"));
     INFO(control);
     CHECK(result.summary.collapse.judged);
     CHECK(result.summary.collapse.kind == CollapseKind::none);

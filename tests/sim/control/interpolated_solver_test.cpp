@@ -35,7 +35,7 @@ InterpolatedForm<Tensor> any_form(RandomTensors& random, bool quadratic) {
 }
 
 /// Three conditions on the principal components, and each shear held at zero in stress or strain.
-MixedControl<Tensor> any_control(RandomTensors& random) {
+MixedControl<Tensor> any_tensor_control(RandomTensors& random) {
   MixedControl<Tensor> c;
   const bool strains_only = random.uniform(0, 1) < 0.3;
   for (int i = 0; i < 3; ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("principal components alone answer as all six do") {
   int met = 0, lost = 0;
   for (int i = 0; i < 3000; ++i) {
     const auto form = any_form(random, i % 2 == 0);
-    const auto control = any_control(random);
+    const auto control = any_tensor_control(random);
     REQUIRE(PreparedControl<Tensor>(control, 30e6).principal);
     const auto found = solved(form, control);
     check_alike(found, solved(coupled(form), control));
@@ -175,7 +175,7 @@ TEST_CASE("principal components: a linear form is objective under any rotation")
   InterpolatedForm<Tensor> form = any_form(random, true);
   for (int i = 0; i < 50; ++i) {
     form.minus = form.plus;
-    const auto control = any_control(random);
+    const auto control = any_tensor_control(random);
     const auto rate = solved(form, control);
     const Square turned = rotation(random.turn());
     InterpolatedForm<Tensor> there{turned * form.plus * turned.transpose(), {}, true};

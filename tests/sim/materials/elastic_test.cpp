@@ -14,7 +14,7 @@ using Control = MixedControl<Axisymmetric>;
 namespace {
 
 ElasticParameters linear() { return {60e6, 0.2, 0, 100e3}; }
-ElasticParameters power(double exponent) { return {60e6, 0.2, exponent, 100e3}; }
+ElasticParameters elastic_power(double exponent) { return {60e6, 0.2, exponent, 100e3}; }
 
 }  // namespace
 
@@ -47,7 +47,7 @@ TEST_CASE("linear elasticity carries tension; a power of p' ends at p' = 0, in w
   CHECK(pulled.outcome == StepOutcome::accepted);
   CHECK(pulled.state.p() == Approx(-50e3));
 
-  const Elastic<Axisymmetric> curved(power(0.65));
+  const Elastic<Axisymmetric> curved(elastic_power(0.65));
   const auto stopped = advance_point(curved, curved.isotropic(100e3, 0.9), falling);
   CHECK(stopped.outcome == StepOutcome::failed);
   CHECK_THAT(stopped.message, Catch::Contains("p' is not above 0"));
@@ -59,7 +59,7 @@ TEST_CASE("linear elasticity carries tension; a power of p' ends at p' = 0, in w
 TEST_CASE("with a power of p' isotropic compression follows its closed form") {
   // dε_v = dp/K, K = K_ref (p/p_ref)ⁿ: ε_v = (p^(1−n) − p0^(1−n)) p_refⁿ/((1 − n) K_ref)
   const double n = 0.65, k_ref = 60e6 / (3 * (1 - 0.4));
-  const Elastic<Axisymmetric> law(power(n));
+  const Elastic<Axisymmetric> law(elastic_power(n));
   const auto step = advance_point(law, law.isotropic(50e3, 0.9), Control::stress_path(350e3, 0));
   REQUIRE(step.outcome == StepOutcome::accepted);
   const double strain =
@@ -69,7 +69,7 @@ TEST_CASE("with a power of p' isotropic compression follows its closed form") {
 }
 
 TEST_CASE("an exponent of one makes ln p' proportional to the volume change") {
-  const Elastic<Axisymmetric> law(power(1));
+  const Elastic<Axisymmetric> law(elastic_power(1));
   const double k_ref = 60e6 / (3 * (1 - 0.4)), volume = 0.003;
   const auto step = advance_point(law, law.isotropic(100e3, 0.9),
                                   Control::strains({volume / 3, std::sqrt(2.0) * volume / 3}));
@@ -78,7 +78,7 @@ TEST_CASE("an exponent of one makes ln p' proportional to the volume change") {
 
 TEST_CASE("a cycle of volume and shear does not close where stiffness grows with p'") {
   // Shear at high p', back at low p': what the header calls hypoelastic.
-  const Elastic<Axisymmetric> law(power(0.65));
+  const Elastic<Axisymmetric> law(elastic_power(0.65));
   auto state = law.isotropic(100e3, 0.9);
   const Vector<Axisymmetric> volume = 1e-3 * identity<Axisymmetric>();
   const Vector<Axisymmetric> shear(1e-3, -std::sqrt(2.0) * 0.5e-3);
@@ -91,8 +91,8 @@ TEST_CASE("a cycle of volume and shear does not close where stiffness grows with
 
 TEST_CASE("elasticity is symmetric, isotropic and the same in both spaces") {
   test::RandomTensors random;
-  const Elastic<Tensor> law(power(0.65));
-  const Elastic<Axisymmetric> triaxial(power(0.65));
+  const Elastic<Tensor> law(elastic_power(0.65));
+  const Elastic<Axisymmetric> triaxial(elastic_power(0.65));
   for (int i = 0; i < 30; ++i) {
     const auto stress = random.stress<Tensor>(random.uniform(20e3, 900e3), 0.5);
     const auto state = law.start(stress, 0.9);

@@ -115,7 +115,7 @@ WorkbookRow peak_of(const std::vector<WorkbookRow>& rows) {
       [](const WorkbookRow& a, const WorkbookRow& b) { return a.q_kPa < b.q_kPa; });
 }
 
-void check_row(const WorkbookRow& found, const WorkbookRow& printed) {
+void check_workbook_row(const WorkbookRow& found, const WorkbookRow& printed) {
   // The workbook's own λ has more digits than are printed with it: 5e-7 kPa.
   CHECK(found.strain_pct == Approx(printed.strain_pct).margin(1e-6));
   CHECK(found.p_kPa == Approx(printed.p_kPa).margin(5e-7));
@@ -127,22 +127,22 @@ void check_row(const WorkbookRow& found, const WorkbookRow& printed) {
 TEST_CASE("the workbook's undrained rows come out of the law's functions, digit by digit") {
   // This file was made with K instead of K_S in the cap softening.
   const auto rows = workbook(NorSand(test::nerlerk()), Drainage::undrained, true);
-  check_row(rows[1], {0.011842968, 494.3155888, 12.23922979});
-  check_row(rows[50], {0.396958, 311.842335, 190.997251});
-  check_row(rows[100], {0.685466, 211.693651, 174.132371});
-  check_row(rows[500], {2.851869, 5.435713, 7.435512});
-  check_row(rows[kSteps], {19.676024, 2.955666048, 4.285715207});
+  check_workbook_row(rows[1], {0.011842968, 494.3155888, 12.23922979});
+  check_workbook_row(rows[50], {0.396958, 311.842335, 190.997251});
+  check_workbook_row(rows[100], {0.685466, 211.693651, 174.132371});
+  check_workbook_row(rows[500], {2.851869, 5.435713, 7.435512});
+  check_workbook_row(rows[kSteps], {19.676024, 2.955666048, 4.285715207});
   const WorkbookRow peak = peak_of(rows);
-  check_row(peak, {0.445759055, 292.2292516, 192.3586264});
+  check_workbook_row(peak, {0.445759055, 292.2292516, 192.3586264});
   CHECK(peak.q_kPa / peak.p_kPa == Approx(0.658245625).margin(5e-9));
 }
 
 TEST_CASE("the workbook's drained rows come out of the law's functions, digit by digit") {
   const auto rows = workbook(NorSand(test::nerlerk_drained()), Drainage::drained, false);
-  check_row(rows[1], {0.011139095, 501.4156009, 4.246802616});
-  check_row(rows[100], {0.956934, 590.313975, 270.941925});
-  check_row(rows[1000], {7.167968, 785.021927, 855.065782});
-  check_row(rows[kSteps], {21.70712864, 913.2910717, 1239.873215});
+  check_workbook_row(rows[1], {0.011139095, 501.4156009, 4.246802616});
+  check_workbook_row(rows[100], {0.956934, 590.313975, 270.941925});
+  check_workbook_row(rows[1000], {7.167968, 785.021927, 855.065782});
+  check_workbook_row(rows[kSteps], {21.70712864, 913.2910717, 1239.873215});
   CHECK(rows[kSteps].e == Approx(0.747313955).margin(2e-9));
 }
 

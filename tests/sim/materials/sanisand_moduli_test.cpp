@@ -56,7 +56,7 @@ double shear_compliance(const Law<Axisymmetric>& material, const State& s, doubl
 
 /// η at which the volume stops swelling (W2 vanishes) at constant q and falling p′, in steps of
 /// 50 Pa; on each q goes off by `wobble` and back.
-double constant_shear_collapse(const Law<Axisymmetric>& material, double wobble) {
+double wobbling_shear_collapse(const Law<Axisymmetric>& material, double wobble) {
   const double q = 90e3;
   State s = moved(material, material.isotropic(300e3, 1.161), q / 3, q);
   const Control falling = Control::stress_path(-1, 0);
@@ -116,10 +116,10 @@ TEST_CASE("a loop within a loop is left for the outer one, and that for the load
 
 TEST_CASE("a wobble of 10 Pa in q does not move the end of a constant-q path") {
   const auto material = inl2();
-  const double plain = constant_shear_collapse(material, 0);
+  const double plain = wobbling_shear_collapse(material, 0);
   CHECK(plain == Approx(0.545).margin(0.003));
-  CHECK(constant_shear_collapse(material, 10) == Approx(plain).margin(0.001));
-  CHECK(constant_shear_collapse(material, -10) == Approx(plain).margin(0.001));
+  CHECK(wobbling_shear_collapse(material, 10) == Approx(plain).margin(0.001));
+  CHECK(wobbling_shear_collapse(material, -10) == Approx(plain).margin(0.001));
 }
 
 TEST_CASE("reversals and q = 0 are met at the same place however the path is cut") {

@@ -19,8 +19,8 @@ namespace {
 
 /// Every kind of probe at one state.
 template <class MadeLaw2, class MadeLaw3>
-void check_stable(const MadeLaw2& triaxial, const MadeLaw3& full, double p_kPa, double eta,
-                  double e) {
+void check_law_stable(const MadeLaw2& triaxial, const MadeLaw3& full, double p_kPa, double eta,
+                      double e) {
   INFO("p = " << p_kPa << " kPa, eta = " << eta);
   for (const auto kind : {ProbeKind::stress, ProbeKind::strain}) {
     const auto flat = circle_at<Axisymmetric>(triaxial, p_kPa, eta, e, kind);
@@ -44,10 +44,10 @@ void check_below(const Parameters& p, double limit_compression, double limit_ext
   const SomeLaw<Tensor> full(p);
   RandomTensors random;
   for (int i = 0; i < 6; ++i)
-    check_stable(triaxial, full, random.uniform(20, 800),
-                 random.uniform(-limit_extension, limit_compression), random.uniform(0.6, 1.1));
+    check_law_stable(triaxial, full, random.uniform(20, 800),
+                     random.uniform(-limit_extension, limit_compression), random.uniform(0.6, 1.1));
   for (const double eta : {0.0, 0.999 * limit_compression, -0.999 * limit_extension})
-    check_stable(triaxial, full, 100, eta, 0.8);
+    check_law_stable(triaxial, full, 100, eta, 0.8);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::vector<OctolinearZone> zones_of(const IncrementalResponse<Space>& response)
   return octolinear_zones(std::get<InterpolatedForm<Space>>(response.response()));
 }
 
-bool apart(const std::vector<ClosedForm>& roots) {
+bool roots_apart(const std::vector<ClosedForm>& roots) {
   for (std::size_t i = 0; i < roots.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (std::abs(roots[i].angle - roots[j].angle) < 1e-3) return false;
@@ -57,7 +57,7 @@ bool apart(const std::vector<ClosedForm>& roots) {
 template <class Space>
 int check_closed_form(const IncrementalResponse<Space>& response) {
   const auto expected = closed_form(zones_of(response));
-  if (!apart(expected)) return 0;
+  if (!roots_apart(expected)) return 0;
   const auto roots = control_roots(response).roots;
   REQUIRE(roots.size() == expected.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {

@@ -11,7 +11,7 @@ using namespace triax::sim::test;
 
 namespace {
 
-DomainGrid grid(ProbePlane plane) {
+DomainGrid plane_grid(ProbePlane plane) {
   return {.p_from = 60e3,
           .p_to = 120e3,
           .columns = 2,
@@ -29,7 +29,7 @@ TEST_CASE("the determinant changes sign where the probing finds the first unstab
   for (const auto kind : {Interpolation::inl2, Interpolation::octolinear})
     for (const auto plane : {ProbePlane::axisymmetric, ProbePlane::plane_strain}) {
       const Material material = interpolated(kind, kind == Interpolation::inl2 ? kInl2 : kOcto);
-      const DomainGrid g = grid(plane);
+      const DomainGrid g = plane_grid(plane);
       const DomainCriteria criteria = domain_criteria(material, g);
       const DomainBoundary found = domain_column(material, g, 1).compression;
       const double q = *found.first_unstable_q;
@@ -42,16 +42,16 @@ TEST_CASE("the determinant changes sign where the probing finds the first unstab
 
 TEST_CASE("beyond its limit a law has no determinant; without a law there is no criterion") {
   const Material material = interpolated(Interpolation::inl2, kInl2);
-  const DomainCriteria criteria = domain_criteria(material, grid(ProbePlane::axisymmetric));
+  const DomainCriteria criteria = domain_criteria(material, plane_grid(ProbePlane::axisymmetric));
   REQUIRE(criteria.size() == 1);
   CHECK(criteria[0].witness(100e3, 20e3));
   CHECK_FALSE(criteria[0].witness(100e3, 200e3));
-  CHECK(domain_criteria({}, grid(ProbePlane::axisymmetric)).empty());
+  CHECK(domain_criteria({}, plane_grid(ProbePlane::axisymmetric)).empty());
 }
 
 TEST_CASE("a criterion that takes long is looked for where it is asked for, in fewer states") {
   const Material material = interpolated(Interpolation::octolinear, kOcto);
-  const DomainGrid g = grid(ProbePlane::plane_strain);
+  const DomainGrid g = plane_grid(ProbePlane::plane_strain);
   for (const DomainCriterionKind& kind : domain_criterion_kinds()) {
     INFO(kind.name);
     const auto has = [&](const DomainCriteria& criteria) {

@@ -24,7 +24,7 @@ std::vector<OctolinearZone> zones_at(double p_kPa, double eta, double e) {
 
 /// The closed form against the probes around the circle. Where W₂ has just become negative the
 /// probes' allowance for round-off (kUnstable) moves their edges, so narrow cones are left out.
-int check_against_probes(const std::vector<OctolinearZone>& zones, const Prober& prober) {
+int check_zones_against_probes(const std::vector<OctolinearZone>& zones, const Prober& prober) {
   const Circle circle = probe_circle(prober, {.directions = 72});
   const auto sectors = unstable_sectors(zones);
   CHECK((least_work(zones) < 0) == !sectors.empty());
@@ -82,8 +82,8 @@ TEST_CASE("octolinear's cones in axisymmetry are those that probes find") {
     for (double eta = -0.75; eta < 1.25; eta += 0.05) {
       const auto s = state_at(material, 70, eta, e);
       if (material.objection(s)) continue;
-      cones += check_against_probes(octolinear_zones(moduli(material, s)),
-                                    stress_prober<Axisymmetric>(material, s));
+      cones += check_zones_against_probes(octolinear_zones(moduli(material, s)),
+                                          stress_prober<Axisymmetric>(material, s));
     }
   CHECK(cones > 50);
 }
@@ -102,7 +102,7 @@ TEST_CASE("octolinear's cones in plane strain are those that probes find") {
         const auto form = std::get<InterpolatedForm<Tensor>>(material.response(s));
         if (!answers_in_plane_strain(form)) continue;
         const auto zones = octolinear_zones(form);
-        cones += check_against_probes(zones, stress_prober<Tensor>(material, s));
+        cones += check_zones_against_probes(zones, stress_prober<Tensor>(material, s));
         CHECK(covered(zones) == Approx(2 * std::numbers::pi));
       }
   CHECK(cones > 20);
@@ -124,7 +124,7 @@ TEST_CASE("any octolinear response: cones that cross zones, two cones, cones thr
       across_zones += std::floor(s.from / (90 * kDegree)) != std::floor(s.to / (90 * kDegree));
     }
     twofold += sectors.size() > 1;
-    cones += check_against_probes(
+    cones += check_zones_against_probes(
         zones, stress_prober<Axisymmetric>(material, material.isotropic(1e5, 1)));
   }
   CHECK(cones > 100);

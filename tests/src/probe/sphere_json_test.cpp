@@ -13,8 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-study::SphereResult result_of(const std::string& material, const std::vector<double>& etas,
-                              const study::SphereProbing& probing = {}) {
+study::SphereResult sphere_result_of(const std::string& material, const std::vector<double>& etas,
+                                     const study::SphereProbing& probing = {}) {
   study::GivenStates states{.stress_kPa = {}, .void_ratio = 1.086};
   for (const double eta : etas) states.stress_kPa.push_back(study::triaxial_stress(70, 70 * eta));
   return study::run_sphere(
@@ -24,7 +24,7 @@ study::SphereResult result_of(const std::string& material, const std::vector<dou
 }  // namespace
 
 TEST_CASE("in space INL2 is unstable where it is in the axisymmetric plane, by as much") {
-  const json d = json::parse(src::sphere_json(result_of("inl2/S28-general", {0.6})));
+  const json d = json::parse(src::sphere_json(sphere_result_of("inl2/S28-general", {0.6})));
   CHECK(d["origin"] == "simulated");
   CHECK(d["probing"]["plane"] == "3d");
   CHECK(d["unstable_regions"] == 1);
@@ -41,7 +41,7 @@ TEST_CASE("in space INL2 is unstable where it is in the axisymmetric plane, by a
 
 TEST_CASE("increments have the norm that is asked for, in the units of their keys") {
   const json d = json::parse(
-      src::sphere_json(result_of("inl2/S28-general", {0.6}, {.norm = 2e3, .rings = 6})));
+      src::sphere_json(sphere_result_of("inl2/S28-general", {0.6}, {.norm = 2e3, .rings = 6})));
   CHECK(d["probes"].size() == 72);
   CHECK(d["probing"]["step_deg"] == 30.0);
   for (const auto& probe : d["probes"]) {
@@ -58,7 +58,7 @@ TEST_CASE("increments have the norm that is asked for, in the units of their key
 }
 
 TEST_CASE("elasticity is stable in every direction; several states are a list") {
-  const auto result = result_of("elastic/linear", {0.2, 0.4}, {.rings = 6});
+  const auto result = sphere_result_of("elastic/linear", {0.2, 0.4}, {.rings = 6});
   const json d = json::parse(src::sphere_json(result));
   REQUIRE(d["states"].size() == 2);
   for (const auto& state : d["states"]) {
@@ -75,8 +75,8 @@ TEST_CASE("elasticity is stable in every direction; several states are a list") 
 }
 
 TEST_CASE("strain probes of space give their norm as a strain") {
-  const auto result = result_of("inl2/S28-general", {0.6},
-                                {.kind = sim::ProbeKind::strain, .norm = 1e-5, .rings = 6});
+  const auto result = sphere_result_of("inl2/S28-general", {0.6},
+                                       {.kind = sim::ProbeKind::strain, .norm = 1e-5, .rings = 6});
   const json d = json::parse(src::sphere_json(result));
   CHECK(d["probing"]["norm_strain"] == 1e-5);
   CHECK(d["probing"]["norm_kPa"].is_null());

@@ -13,7 +13,7 @@ using Catch::Contains;
 
 namespace {
 
-GrainState driven() {
+GrainState driven_state() {
   Grains grains(test::lattice(4));
   grains.drive({stress_drive(1e4), strain_rate_drive(0.3), following_drive(1, -0.5)});
   grains.step(40);
@@ -23,7 +23,7 @@ GrainState driven() {
 /// Why the state is refused, also once its bytes were sealed again; empty if it is not.
 template <class Change>
 std::string refusal(const Change& change) {
-  GrainState state = driven();
+  GrainState state = driven_state();
   change(state);
   std::string why;
   try {

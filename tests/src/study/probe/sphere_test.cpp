@@ -9,7 +9,7 @@ using namespace triax;
 
 namespace {
 
-study::SphereResult inl2_at(double eta, const study::SphereProbing& probing) {
+study::SphereResult inl2_sphere_at(double eta, const study::SphereProbing& probing) {
   const auto request = src::test::inl2_request({eta});
   return study::run_sphere(
       {.material = request.material, .states = request.states, .probing = probing});
@@ -22,7 +22,7 @@ TEST_CASE("an increment of space has the norm asked for, be it of stress or of s
       of_strain{.kind = sim::ProbeKind::strain, .norm = 1e-5, .rings = 6};
   for (const auto& probing : {of_stress, of_strain}) {
     const bool stress = probing.kind == sim::ProbeKind::stress;
-    const auto result = inl2_at(0.6, probing);
+    const auto result = inl2_sphere_at(0.6, probing);
     REQUIRE(result.states.size() == 1);
     CHECK(result.any_answer());
     CHECK(result.states[0].sphere.probes.size() == 72);

@@ -9,7 +9,7 @@ using namespace triax;
 
 namespace {
 
-study::StrainPathsRequest loose(const std::string& material) {
+study::StrainPathsRequest loose_request(const std::string& material) {
   return {.material = lab::find_material(material),
           .p = 100e3,
           .void_ratio = 1.086,
@@ -20,7 +20,7 @@ study::StrainPathsRequest loose(const std::string& material) {
 }  // namespace
 
 TEST_CASE("strain paths come in the order of their R, from the start that is asked for") {
-  const auto result = study::strain_paths(loose("inl2/S28-general"));
+  const auto result = study::strain_paths(loose_request("inl2/S28-general"));
   REQUIRE(result.paths.size() == 2);
   CHECK(result.paths[0].R == 0.7);
   CHECK(result.paths[1].R == 1);
@@ -32,7 +32,7 @@ TEST_CASE("strain paths come in the order of their R, from the start that is ask
 }
 
 TEST_CASE("a strain path whose stress vanishes without a peak is warned of, with the place") {
-  auto request = loose("inl2/S28-general");
+  auto request = loose_request("inl2/S28-general");
   request.R = {0.5};
   const auto result = study::strain_paths(request);
   CHECK_FALSE(result.paths[0].peak);
@@ -42,11 +42,11 @@ TEST_CASE("a strain path whose stress vanishes without a peak is warned of, with
 
 TEST_CASE(
     "a start of strain paths that the law refuses is bad input; outside its range a warning") {
-  auto request = loose("hypoplastic/S28-MT");
+  auto request = loose_request("hypoplastic/S28-MT");
   request.p = -1e3;
   request.void_ratio = 0.9;
   CHECK_THROWS_WITH(study::strain_paths(request), Catch::Contains("out of range for"));
-  request = loose("inl2/S28-general");
+  request = loose_request("inl2/S28-general");
   request.void_ratio = 1.25;
   request.R = {1.0};
   request.axial_strain = 0.001;

@@ -27,7 +27,7 @@ SheetTest with(FailureCriterion criterion, double strain = 0.15) {
   return sample::sheet_of(sample::flow_test(), request);
 }
 
-bool any_says(const std::vector<std::string>& sentences, const std::string& part) {
+bool any_sentence_says(const std::vector<std::string>& sentences, const std::string& part) {
   return std::ranges::any_of(sentences, [&](const auto& s) { return s.find(part) != s.npos; });
 }
 
@@ -63,7 +63,8 @@ TEST_CASE("what a dead sensor said is no failure") {
   REQUIRE(sheet.values.end);
   CHECK(sheet.values.end->state.reading == 199);
   CHECK(sheet.values.failure->state.reading == 199);
-  CHECK(any_says(deviations_of(sheet.result.stored, sheet.values, sheet.words), "a sensor failed"));
+  CHECK(any_sentence_says(deviations_of(sheet.result.stored, sheet.values, sheet.words),
+                          "a sensor failed"));
 }
 
 TEST_CASE("a test at constant q, simulated, is told to be none of the standards' tests") {
@@ -71,11 +72,11 @@ TEST_CASE("a test at constant q, simulated, is told to be none of the standards'
   result.stored.header.stages[0].control = lab::AxialControl::constant_q;
   const auto test = sample::sheet_of(result);
   const auto deviations = deviations_of(test.result.stored, test.values, test.words);
-  CHECK(any_says(deviations, "CSU: shear at constant q is none of the standards' tests"));
-  CHECK(any_says(deviations, "simulated"));
+  CHECK(any_sentence_says(deviations, "CSU: shear at constant q is none of the standards' tests"));
+  CHECK(any_sentence_says(deviations, "simulated"));
   const auto plain = sample::sheet_of(sample::flow_test());
-  CHECK_FALSE(
-      any_says(deviations_of(plain.result.stored, plain.values, plain.words), "constant q"));
+  CHECK_FALSE(any_sentence_says(deviations_of(plain.result.stored, plain.values, plain.words),
+                                "constant q"));
 }
 
 TEST_CASE("masses, water and saturation follow from what is said") {
@@ -195,6 +196,6 @@ TEST_CASE("the rate that t_100 allows brings failure after F t_100") {
   }
   // 0.05/1e4 per second is faster than 0.04/(8.5 t_100) by that ratio.
   const auto drained = consolidated(lab::Drainage::open, DrainageBoundary::one_end);
-  CHECK(any_says(deviations_of(drained.result.stored, drained.values, drained.words),
-                 "sheared 3.3 times as fast as t_100 allows"));
+  CHECK(any_sentence_says(deviations_of(drained.result.stored, drained.values, drained.words),
+                          "sheared 3.3 times as fast as t_100 allows"));
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "src/triaxial/sheet/sheet.hpp"
+#include "src/sheet/sheet.hpp"
 
 namespace triax::src::test {
 
