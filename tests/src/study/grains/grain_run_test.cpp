@@ -13,7 +13,7 @@ using namespace triax;
 namespace {
 
 lab::GrainProgramme two_stages() {
-  auto programme = lab::read_grain_programme(test::kSmallGrains, "g.toml");
+  auto programme = lab::read_grain_programme(triax::test::kSmallGrains, "g.toml");
   programme.stages.resize(2);
   return programme;
 }
