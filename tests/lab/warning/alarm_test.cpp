@@ -26,12 +26,12 @@ struct Said {
   }
 };
 
-constexpr int kReadings = 1000;
+constexpr int kReadingsUnderLoad = 1000;
 
 /// By a load that grows to that share of the largest that the specimen carries.
 void load(Alarm& alarm, LoosePath path, double to) {
-  for (int i = 1; i <= kReadings; ++i)
-    alarm.watch(path.at(path.eta_under_load(to * i / kReadings), i));
+  for (int i = 1; i <= kReadingsUnderLoad; ++i)
+    alarm.watch(path.at(path.eta_under_load(to * i / kReadingsUnderLoad), i));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ TEST_CASE("under a load the alarm comes before the fall and says what is left of
   load(alarm, LoosePath{.noise_pa = 30, .noise_strain = 1e-6}, 0.9999);
   const Event* soon = said.first(EventKind::imminent);
   REQUIRE(soon);
-  CHECK(soon->reading < kReadings - 10);  // a second each
+  CHECK(soon->reading < kReadingsUnderLoad - 10);  // a second each
   CHECK(alarm.level() == WarningLevel::imminent);
   REQUIRE(alarm.imminent());
   const Outlook& o = *alarm.imminent();
@@ -53,9 +53,11 @@ TEST_CASE("under a load the alarm comes before the fall and says what is left of
   CHECK(0.6 < o.eta_high);
   REQUIRE(o.left);
   CHECK(o.left->quantity == Quantity::deviator_stress);
-  const double q_left = 1e5 * 0.3 * (1 - 0.9999 * static_cast<double>(o.reading) / kReadings);
+  const double q_left =
+      1e5 * 0.3 * (1 - 0.9999 * static_cast<double>(o.reading) / kReadingsUnderLoad);
   CHECK(o.left->value == Approx(q_left).epsilon(0.35));
-  CHECK(*o.left->time_s == Approx(kReadings - static_cast<double>(o.reading)).epsilon(0.35));
+  CHECK(*o.left->time_s ==
+        Approx(kReadingsUnderLoad - static_cast<double>(o.reading)).epsilon(0.35));
 }
 
 TEST_CASE("a level that the test does not bear out is taken back aloud") {
@@ -79,7 +81,8 @@ TEST_CASE(
   const RecordHeader header = shear_header(AxialControl::displacement);
   Alarm alarm(header, {said.listener()});
   LoosePath path{.noise_pa = 30, .noise_strain = 1e-6};
-  for (int i = 1; i <= kReadings; ++i) alarm.watch(path.at(0.7 * i / kReadings, i));
+  for (int i = 1; i <= kReadingsUnderLoad; ++i)
+    alarm.watch(path.at(0.7 * i / kReadingsUnderLoad, i));
   REQUIRE(said.first(EventKind::approaching));
   REQUIRE(said.first(EventKind::imminent));
   CHECK(said.first(EventKind::approaching)->reading < said.first(EventKind::imminent)->reading);
@@ -126,7 +129,7 @@ TEST_CASE("after a loss nothing is imminent any more, and the levels that were s
   alarm.lose();
   CHECK(alarm.level() == WarningLevel::lost);
   const auto events = said.events.size();
-  for (int i = 1; i <= 200; ++i) alarm.watch(path.at(0.6 + 0.001 * i, kReadings + i));
+  for (int i = 1; i <= 200; ++i) alarm.watch(path.at(0.6 + 0.001 * i, kReadingsUnderLoad + i));
   CHECK(said.events.size() == events);
   CHECK(alarm.imminent());
 }
@@ -136,12 +139,13 @@ TEST_CASE("states without q between the others change nothing that is said") {
   const RecordHeader header = shear_header(AxialControl::displacement);
   Alarm one(header, {alone.listener()}), other(header, {after.listener()});
   LoosePath path;
-  for (int i = 1; i <= kReadings; ++i) one.watch(path.at(0.599 * i / kReadings, i));
-  for (int i = 1; i <= kReadings; ++i) {
+  for (int i = 1; i <= kReadingsUnderLoad; ++i)
+    one.watch(path.at(0.599 * i / kReadingsUnderLoad, i));
+  for (int i = 1; i <= kReadingsUnderLoad; ++i) {
     State incomplete = path.at(0.3, i);
     incomplete.q = kMissing;
     other.watch(incomplete);
-    other.watch(path.at(0.599 * i / kReadings, i));
+    other.watch(path.at(0.599 * i / kReadingsUnderLoad, i));
   }
   REQUIRE(alone.events.size() == after.events.size());
   REQUIRE(alone.first(EventKind::imminent));

@@ -8,10 +8,9 @@
 
 using namespace triax::sim;
 using namespace triax::sim::test;
+using Control = MixedControl<Axisymmetric>;
 
 namespace {
-
-using Control = MixedControl<Axisymmetric>;
 
 /// A law that integrates itself, with a closed form: σ₁ = A (1 − (1 − ε₁/ε_p)²), a peak A at ε_p
 /// and softening beyond, σ₃ = K ε₃. Its tangent may be withheld.

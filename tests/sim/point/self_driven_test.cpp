@@ -6,11 +6,10 @@
 #include "sim/materials/elastic.hpp"
 
 using namespace triax::sim;
-
-namespace {
-
 using State = PointState<Axisymmetric>;
 using Control = MixedControl<Axisymmetric>;
+
+namespace {
 
 struct Counter : Interior {
   int increments = 0;
