@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string kIcu = source("samples/paths/icu_100.toml");
+const std::string kIcuPath = source("samples/paths/icu_100.toml");
 const std::string kBeyond = source("samples/paths/load_beyond_limit.toml");
 
 const std::string kSmallPath = R"([path]
@@ -49,7 +49,7 @@ TEST_CASE("the two samples print what tests/cli/golden holds") {
 
 TEST_CASE("undrained compression as JSON: peak, events, rows") {
   const Workplace here;
-  const Outcome outcome = here.triax("element " + kIcu + " --set void_ratio=1.086 --json");
+  const Outcome outcome = here.triax("element " + kIcuPath + " --set void_ratio=1.086 --json");
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   const json d = json::parse(outcome.out);
@@ -73,7 +73,7 @@ TEST_CASE("undrained compression as JSON: peak, events, rows") {
   CHECK(outcome.out.find(": nan") == std::string::npos);
   // Another void ratio is another result.
   const json denser =
-      json::parse(here.triax("element " + kIcu + " --set void_ratio=0.9 --json").out);
+      json::parse(here.triax("element " + kIcuPath + " --set void_ratio=0.9 --json").out);
   CHECK(denser["peak"]["q_kPa"].get<double>() > d["peak"]["q_kPa"].get<double>());
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a load beyond the limit: status 1, the limiting variable, and the fai
   CHECK(e["limiting_variable"] == "q_kPa");
   CHECK(e["last"]["q_kPa"].get<double>() == Approx(d["last"]["q_kPa"].get<double>()).epsilon(1e-9));
 
-  CHECK(here.triax("element " + kIcu + " --save-failure none.toml").status == 0);
+  CHECK(here.triax("element " + kIcuPath + " --save-failure none.toml").status == 0);
   CHECK_FALSE(here.has("none.toml"));
   CHECK(here.triax("element " + kBeyond + " --save-failure no/where.toml").status == 1);
 }
