@@ -57,6 +57,7 @@ void Alarm::take_back(const State& state, const std::string& reason) {
 void Alarm::interrupt(const std::string& reason) {
   if (!latest_) return;
   take_back(*latest_, reason);
+  levels_.forget();
   stage_.reset();
 }
 

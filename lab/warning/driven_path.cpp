@@ -10,6 +10,7 @@ namespace triax::lab {
 namespace {
 
 constexpr double kBelow = 0.05;      ///< of the largest η, and in η itself
+constexpr int kLoop = 8;             ///< readings below it in a row: no outliers
 constexpr std::size_t kLatest = 24;  ///< means that stay single readings
 
 PathMean mean_of(const PathMean& a, const PathMean& b) {
@@ -27,6 +28,8 @@ PathMean mean_of(const PathMean& a, const PathMean& b) {
   return m;
 }
 
+double ratio_of(const StageInfo* stage) { return stage ? stage->strain_path_R.value_or(1) : 1; }
+
 }  // namespace
 
 DrivenPath::Control DrivenPath::control_of(const StageInfo* stage) {
@@ -37,12 +40,17 @@ DrivenPath::Control DrivenPath::control_of(const StageInfo* stage) {
   return Control::strain_path;
 }
 
+bool DrivenPath::goes_on_in(const StageInfo* stage) const {
+  return in_loop() && is_watched(stage) && control_of(stage) == control_ &&
+         ratio_of(stage) == ratio_;
+}
+
 void DrivenPath::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
   *this = DrivenPath();
   fluid_ = fluid;
   control_ = control_of(stage);
   has_time_ = has_time;
-  if (stage && stage->strain_path_R) ratio_ = *stage->strain_path_R;
+  ratio_ = ratio_of(stage);
 }
 
 /// The reading by itself; integrals are not in it.
@@ -69,6 +77,7 @@ void DrivenPath::add(const State& state) {
   if (const bool extension = state.q < 0; extension != in_extension_) {
     means_.clear();
     before_.reset();
+    below_ = 0;
     highest_ = 0;
     readings_ = 0;
     in_extension_ = extension;
@@ -76,12 +85,21 @@ void DrivenPath::add(const State& state) {
   PathMean now = sample(state);
   if (!std::isfinite(now.y)) return;
   if (now.eta < highest_ - kBelow * std::max(1.0, highest_)) {
-    left_out_ = true;
+    if (++below_ == kLoop) leave_out();
     return;
+  }
+  if (in_loop() && now.eta < highest_) return;
+  now.y += gone_y_;
+  now.beside += gone_beside_;
+  if (in_loop()) {
+    gone_y_ += before_->y - now.y;
+    gone_beside_ += before_->beside - now.beside;
+    now.y = before_->y;
+    now.beside = before_->beside;
   }
   if (before_) {
     // What moved while the path was left out is none of its own.
-    const double dx = left_out_ ? 0 : now.x - before_->x;
+    const double dx = below_ > 0 ? 0 : now.x - before_->x;
     const auto weight = [&](const PathMean& m) {
       return control_ == Control::strain_path ? std::sqrt(m.p) : 1.0;
     };
@@ -93,12 +111,23 @@ void DrivenPath::add(const State& state) {
     }
     highest_ = std::max(highest_, std::min(now.eta, before_->eta));
   }
-  left_out_ = false;
+  below_ = 0;
   before_ = now;
   ++readings_;
   if (std::isfinite(state.pore_pressure)) compliance_ = fluid_.compliance(state.pore_pressure);
   if (means_.size() == kMost) merge();
   means_.push_back(now);
+}
+
+bool DrivenPath::in_loop() const { return below_ >= kLoop; }
+
+/// A loop begins. The way down from the largest η belongs to it.
+void DrivenPath::leave_out() {
+  const auto latest = means_.end() - static_cast<std::ptrdiff_t>(std::min(means_.size(), kLatest));
+  const auto top = std::max_element(
+      latest, means_.end(), [](const PathMean& a, const PathMean& b) { return a.eta < b.eta; });
+  means_.erase(top + 1, means_.end());
+  before_ = *top;
 }
 
 /// Joins about half of the pairs, those that lie closest together in η, and none of the latest.

@@ -39,11 +39,15 @@ class DrivenPath {
 
   /// None where q alone is no sign of a loss: the drainage open under prescribed displacement.
   static Control control_of(const StageInfo* stage);
+  /// Whether that stage drives the specimen as the present one did before it went back in a loop:
+  /// then it is the way back to the path.
+  bool goes_on_in(const StageInfo* stage) const;
   void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   Control control() const { return control_; }
 
-  /// The next reading in shear. What lies below the largest η so far (a rest, a loop of unloading)
-  /// is left out, and the path goes on where it is regained. Pre-condition: complete(state).
+  /// The next reading in shear. One that lies well below the largest η is left out; where several
+  /// do in a row the specimen is in a loop of unloading, and the path goes on where the largest η
+  /// is regained, as if x, y and what is beside had stood still. Pre-condition: complete(state).
   void add(const State& state);
   /// In order, kMost at most: where there are more readings, means of neighbours, about equal in η.
   const std::vector<PathMean>& means() const { return means_; }
@@ -56,16 +60,20 @@ class DrivenPath {
 
  private:
   PathMean sample(const State& state) const;
+  bool in_loop() const;
+  void leave_out();
   void merge();
 
   Control control_ = Control::none;
   double ratio_ = 1;  ///< R
   PoreFluid fluid_;
   double compliance_ = 0;
-  bool has_time_ = true, in_extension_ = false, left_out_ = false;
+  bool has_time_ = true, in_extension_ = false;
   std::int64_t readings_ = 0;
-  double highest_ = 0;              ///< η, of two neighbours the lower
-  std::optional<PathMean> before_;  ///< the reading before, with its integrals
+  int below_ = 0;                        ///< readings in a row below the largest η
+  double highest_ = 0;                   ///< η, of two neighbours the lower
+  double gone_y_ = 0, gone_beside_ = 0;  ///< by what was left out
+  std::optional<PathMean> before_;       ///< the reading before, with its integrals
   std::vector<PathMean> means_;
 };
 

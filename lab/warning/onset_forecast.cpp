@@ -151,10 +151,14 @@ double EtaForecast::way_to(double at) const {
 }
 
 void OnsetForecast::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
-  *this = OnsetForecast(earlier_);
-  path_.start_stage(stage, has_time, fluid);
+  if (!path_.goes_on_in(stage)) {
+    forget();
+    path_.start_stage(stage, has_time, fluid);
+  }
   if (stage) by_ = stage->control;
 }
+
+void OnsetForecast::forget() { *this = OnsetForecast(std::move(earlier_)); }
 
 bool OnsetForecast::add(const State& state) {
   if (path_.control() == DrivenPath::Control::none) return false;

@@ -63,8 +63,9 @@ struct DrivenFit;
 class OnsetForecast {
  public:
   explicit OnsetForecast(EarlierTests earlier = {}) : earlier_(std::move(earlier)) {}
-  /// A stage begins, and all is forgotten.
+  /// A stage begins, and all is forgotten unless it is the way back from a loop.
   void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
+  void forget();
   /// The next reading in shear; true where the forecast was made anew. Pre-condition:
   /// complete(state).
   bool add(const State& state);

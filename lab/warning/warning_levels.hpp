@@ -36,6 +36,8 @@ class WarningLevels {
       : has_time_(has_time), forecast_(earlier) {}
 
   void start_stage(const StageInfo* stage, const PoreFluid& fluid = {});
+  /// What was measured so far says nothing of the stage that starts next.
+  void forget() { forecast_.forget(); }
   /// The next state in shear; true where the forecast was made anew. Pre-condition:
   /// complete(state).
   bool add(const State& state);

@@ -151,3 +151,40 @@ TEST_CASE("states without q between the others change nothing that is said") {
   REQUIRE(alone.first(EventKind::imminent));
   CHECK(alone.first(EventKind::imminent)->reading == after.first(EventKind::imminent)->reading);
 }
+
+TEST_CASE(
+    "a loop in a stage of its own is no onset, and the stage after it is warned of as without") {
+  RecordHeader header = shear_header(AxialControl::load);
+  for (int number : {2, 3}) {
+    header.stages.push_back(header.stages.front());
+    header.stages.back().number = number;
+  }
+  LoosePath path{.noise_pa = 30, .noise_strain = 1e-6};
+  Said said;
+  Alarm alarm(header, {said.listener()});
+  int reading = 0;
+  const auto watch = [&](State s, int stage) {
+    s.stage = stage;
+    alarm.watch(s);
+  };
+  for (int i = 1; i <= 400; ++i) watch(path.at(0.15 * i / 400, ++reading), 1);
+  // Fifty times as stiff as the specimen is on its path, down to a third of η and back.
+  const State top = path.at(0.15, reading);
+  const auto stiff = [&](double share) {
+    State s = path.at(0.15, ++reading);
+    s.q = top.q * share;
+    s.strain.axial = top.strain.axial - (1 - share) * 0.15 * path.strain_per_eta / 50;
+    return s;
+  };
+  for (int i = 1; i <= 100; ++i) watch(stiff(1 - 0.67 * i / 100), 2);
+  for (int i = 1; i < 100; ++i) watch(stiff(0.33 + 0.67 * i / 100), 3);
+  const int back = reading;
+  for (int i = 1; i <= 600; ++i) {
+    const double eta = path.eta_under_load(0.4375 + 0.5624 * i / 600);
+    watch(path.at(eta, ++reading), 3);
+  }
+  const Event* soon = said.first(EventKind::imminent);
+  REQUIRE(soon);
+  CHECK(soon->reading > back + 300);
+  CHECK(soon->reading < reading - 10);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/warning/driven_path.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -83,6 +84,86 @@ TEST_CASE("a loop of unloading and the creep in it are left out of the path") {
   for (int i = 50; i <= 100; ++i) looped.add(later(0.004 * i, 20 + i));
   const auto &a = straight.means().back().weighted, &b = looped.means().back().weighted;
   for (std::size_t k = 0; k < a.size(); ++k) CHECK(b[k] == Approx(a[k]).epsilon(1e-9));
+}
+
+namespace {
+
+/// A stiff loop from η = 0.4 down to 0.1 and back, 0.002 of strain and a fifth of p′ gone after it.
+State in_loop(LoosePath& loose, int step, int reading) {
+  constexpr int kHalf = 20;
+  State s = loose.at(0.4, reading);
+  const double back = 1 - std::fabs(step - kHalf) / kHalf;
+  s.p_eff *= 1 - 0.2 * step / (2 * kHalf);
+  s.q = (0.4 - 0.3 * back) * s.p_eff;
+  s.strain.axial += 0.001 * step / kHalf - 0.0005 * back;
+  return s;
+}
+
+State after_loop(LoosePath& loose, double eta, int reading) {
+  State s = loose.at(eta, reading);
+  s.q *= 0.8;
+  s.p_eff *= 0.8;
+  s.strain.axial += 0.002;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("after a loop that took p′ from the specimen its path goes on without a step") {
+  const RecordHeader header = shear_header(AxialControl::load);
+  LoosePath loose;
+  DrivenPath path = path_of(header);
+  for (int i = 1; i <= 100; ++i) path.add(loose.at(0.004 * i, i));
+  const PathMean before = path.means().back();
+  for (int step = 1; step < 40; ++step) path.add(in_loop(loose, step, 100 + step));
+  // The way down and the way back are none of the path, however near to its end they run.
+  CHECK(path.means().back().y == before.y);
+  CHECK(path.readings() <= 103);
+  for (int i = 0; i <= 20; ++i) path.add(after_loop(loose, 0.4 + 0.004 * i, 140 + i));
+  const auto& means = path.means();
+  double largest = 0;
+  for (std::size_t i = 1; i < means.size(); ++i) {
+    CHECK(means[i].y >= means[i - 1].y);
+    CHECK(means[i].beside <= means[i - 1].beside);
+    largest = std::max(largest, means[i].y - means[i - 1].y);
+  }
+  CHECK(largest < 0.05 * before.y);
+  CHECK(means.back().y > before.y);
+}
+
+TEST_CASE("two low readings in a row are outliers and no loop") {
+  const RecordHeader header = shear_header(AxialControl::load);
+  LoosePath loose;
+  DrivenPath path = path_of(header);
+  for (int i = 1; i <= 100; ++i) {
+    path.add(loose.at(0.004 * i, i));
+    if (i % 10 == 0)
+      for (int k = 0; k < 2; ++k) path.add(loose.at(0.3 * 0.004 * i, i));
+  }
+  CHECK(path.readings() >= 98);
+  CHECK(path.means().back().q == Approx(loose.at(0.4, 100).q));
+}
+
+TEST_CASE("a stage that begins in a loop is the way back to the path, one at its end begins anew") {
+  RecordHeader header = shear_header(AxialControl::load);
+  header.stages.push_back(header.stages.front());
+  header.stages.back().number = 2;
+  LoosePath loose;
+  DrivenPath path = path_of(header);
+  CHECK_FALSE(path.goes_on_in(header.stage(2)));
+  for (int i = 1; i <= 100; ++i) path.add(loose.at(0.004 * i, i));
+  CHECK_FALSE(path.goes_on_in(header.stage(2)));
+  for (int step = 1; step <= 20; ++step) path.add(in_loop(loose, step, 100 + step));
+  CHECK(path.goes_on_in(header.stage(2)));
+  StageInfo other = header.stages.back();
+  other.drainage = Drainage::open, other.control = AxialControl::constant_q;
+  CHECK_FALSE(path.goes_on_in(&other));
+  other = header.stages.back();
+  other.strain_path_R = 0.7;
+  CHECK_FALSE(path.goes_on_in(&other));
+  other = header.stages.back();
+  other.role = StageRole::consolidation;
+  CHECK_FALSE(path.goes_on_in(&other));
 }
 
 TEST_CASE("in extension a path is what it is in compression, mirrored") {
