@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lab/measured/path_sampler.hpp"
 
@@ -40,13 +41,17 @@ DrivenPath::Control DrivenPath::control_of(const StageInfo* stage) {
   return Control::strain_path;
 }
 
-bool DrivenPath::goes_on_in(const StageInfo* stage) const {
-  return in_loop() && is_watched(stage) && control_of(stage) == control_ &&
-         ratio_of(stage) == ratio_;
+bool DrivenPath::is_alike(const StageInfo* stage) const {
+  return is_watched(stage) && control_of(stage) == control_ && ratio_of(stage) == ratio_;
 }
 
 void DrivenPath::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
-  *this = DrivenPath();
+  const bool alike = is_alike(stage);
+  DrivenPath before = std::exchange(*this, DrivenPath());
+  if (alike) {  // a loop may have been begun, or may begin, in a stage of its own
+    in_extension_ = before.in_extension_;
+    highest_ = before.highest_;
+  }
   fluid_ = fluid;
   control_ = control_of(stage);
   has_time_ = has_time;
@@ -91,7 +96,7 @@ void DrivenPath::add(const State& state) {
   if (in_loop() && now.eta < highest_) return;
   now.y += gone_y_;
   now.beside += gone_beside_;
-  if (in_loop()) {
+  if (in_loop() && before_) {
     gone_y_ += before_->y - now.y;
     gone_beside_ += before_->beside - now.beside;
     now.y = before_->y;
@@ -123,9 +128,8 @@ bool DrivenPath::in_loop() const { return below_ >= kLoop; }
 
 /// A loop begins. The way down from the largest η belongs to it.
 void DrivenPath::leave_out() {
-  const auto latest = means_.end() - static_cast<std::ptrdiff_t>(std::min(means_.size(), kLatest));
-  const auto top = std::max_element(
-      latest, means_.end(), [](const PathMean& a, const PathMean& b) { return a.eta < b.eta; });
+  if (means_.empty()) return;
+  const auto top = std::ranges::max_element(means_, {}, &PathMean::eta);
   means_.erase(top + 1, means_.end());
   before_ = *top;
 }

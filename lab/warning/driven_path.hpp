@@ -41,7 +41,8 @@ class DrivenPath {
   static Control control_of(const StageInfo* stage);
   /// Whether that stage drives the specimen as the present one did before it went back in a loop:
   /// then it is the way back to the path.
-  bool goes_on_in(const StageInfo* stage) const;
+  bool goes_on_in(const StageInfo* stage) const { return in_loop() && is_alike(stage); }
+  /// The path begins anew. Of a stage driven alike its largest η stands: below it is a loop.
   void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
   Control control() const { return control_; }
 
@@ -60,6 +61,7 @@ class DrivenPath {
 
  private:
   PathMean sample(const State& state) const;
+  bool is_alike(const StageInfo* stage) const;
   bool in_loop() const;
   void leave_out();
   void merge();

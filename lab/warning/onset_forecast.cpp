@@ -152,7 +152,9 @@ double EtaForecast::way_to(double at) const {
 
 void OnsetForecast::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
   if (!path_.goes_on_in(stage)) {
+    DrivenPath path = std::move(path_);
     forget();
+    path_ = std::move(path);
     path_.start_stage(stage, has_time, fluid);
   }
   if (stage) by_ = stage->control;

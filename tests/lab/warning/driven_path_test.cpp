@@ -166,6 +166,23 @@ TEST_CASE("a stage that begins in a loop is the way back to the path, one at its
   CHECK_FALSE(path.goes_on_in(&other));
 }
 
+TEST_CASE(
+    "a stage driven alike that begins anew below the largest η begins where that is regained") {
+  RecordHeader header = shear_header(AxialControl::load);
+  header.stages.push_back(header.stages.front());
+  header.stages.back().number = 2;
+  LoosePath loose;
+  DrivenPath path = path_of(header);
+  for (int i = 1; i <= 100; ++i) path.add(loose.at(0.004 * i, i));
+  path.start_stage(header.stage(2), true);
+  CHECK(path.means().empty());
+  for (int i = 50; i < 99; ++i) path.add(loose.at(0.004 * i, 50 + i));
+  CHECK(path.means().empty());
+  for (int i = 100; i <= 120; ++i) path.add(loose.at(0.004 * i, 50 + i));
+  REQUIRE(path.means().size() == 21);
+  CHECK(path.means().front().eta == Approx(0.4));
+}
+
 TEST_CASE("in extension a path is what it is in compression, mirrored") {
   const RecordHeader header = shear_header(AxialControl::load);
   LoosePath loose;
