@@ -46,12 +46,12 @@ bool DrivenPath::is_alike(const StageInfo* stage) const {
 }
 
 void DrivenPath::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
-  const bool alike = is_alike(stage);
-  DrivenPath before = std::exchange(*this, DrivenPath());
-  if (alike) {  // a loop may have been begun, or may begin, in a stage of its own
-    in_extension_ = before.in_extension_;
-    highest_ = before.highest_;
+  DrivenPath next;
+  if (is_alike(stage)) {  // a loop may be a stage of its own
+    next.in_extension_ = in_extension_;
+    next.highest_ = highest_;
   }
+  *this = std::move(next);
   fluid_ = fluid;
   control_ = control_of(stage);
   has_time_ = has_time;
@@ -83,7 +83,7 @@ void DrivenPath::add(const State& state) {
     means_.clear();
     before_.reset();
     below_ = 0;
-    highest_ = 0;
+    highest_ = gone_y_ = gone_beside_ = 0;
     readings_ = 0;
     in_extension_ = extension;
   }

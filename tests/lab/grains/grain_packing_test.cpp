@@ -37,7 +37,7 @@ TEST_CASE("a packing of others is read; the axis that is asked for becomes the t
   CHECK(x.box.high_m == std::array<double, 3>{2, 3, 1});
 }
 
-TEST_CASE("a text that is no packing is packing_refused with its line") {
+TEST_CASE("a text that is no packing is refused with its line") {
   packing_refused("", "is empty");
   packing_refused("\n \n", "is empty");
   packing_refused("2 0 1 0 1\n", "p.txt:1: '2 0 1 0 1' is not 'N x0 x1 y0 y1 z0 z1'");

@@ -96,8 +96,7 @@ state = "made.grains"
   programme_refused(replaced(packed, "\"y\"", "\"w\""), "x, y or z");
 }
 
-TEST_CASE(
-    "what makes no sense in a programme of grains is programme_refused with file, line and key") {
+TEST_CASE("what makes no sense in a programme of grains is refused with file, line and key") {
   const auto with = [](const std::string& from, const std::string& to) {
     return replaced(kSmallGrains, from, to);
   };

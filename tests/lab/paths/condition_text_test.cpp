@@ -77,7 +77,7 @@ TEST_CASE("components of a tensor, and triaxial names of one") {
     CHECK_NOTHROW(read_condition<Tensor>(name + " = 0.1"));
 }
 
-TEST_CASE("what is no condition is condition_refused with its column and what is known") {
+TEST_CASE("what is no condition is refused with its column and what is known") {
   condition_refused("", "column 1: expected the name of an increment, found the end");
   condition_refused("axial_strian = 0.1",
                     "column 1: unknown increment 'axial_strian'; did you mean "

@@ -133,7 +133,7 @@ TEST_CASE("a table gives a segment a row, run as one") {
   CHECK(description.files[1] == "samples/paths/from_table.csv");
 }
 
-TEST_CASE("what is no path is path_refused with file, line and remedy") {
+TEST_CASE("what is no path is refused with file, line and remedy") {
   path_refused("", "[path] is missing");
   path_refused("[path]\nname = \"x\"\n", "[start] is missing");
   path_refused(with(kPath, "name = \"small\"\n", ""), "name is missing");

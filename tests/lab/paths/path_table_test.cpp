@@ -34,7 +34,7 @@ TEST_CASE("a table of steps: headings, rows, remarks") {
   CHECK(table.lines == std::vector<std::int64_t>{3, 5, 7});
 }
 
-TEST_CASE("what is no table of steps is table_refused with its line") {
+TEST_CASE("what is no table of steps is refused with its line") {
   table_refused("", "no row of numbers");
   table_refused("a,b\n", "no row of numbers");
   table_refused("a,b\n1,2\n3\n", ":3: 1 cells");

@@ -17,7 +17,7 @@ Truth read_back(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("run-aways read_back back to the bit, what is unknown stays empty") {
+TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   Truth truth;
   truth.lost_sustainability = true;
   truth.time_s = 12.25;

@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace {
 
-/// A timed_compression that ends by time, so that a pause that counted would show.
+/// A compression that ends by time, so that a pause that counted would show.
 std::string timed_compression(const std::string& drainage) {
   return shear_stage(drainage, "displacement", "axial_rate_mm_per_min = 0.5",
                      R"("time_min", above = 2.0)");
