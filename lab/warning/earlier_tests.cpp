@@ -10,9 +10,9 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kScatter = 0.01;  ///< s, of η among specimens of a sand
-constexpr double kByGive = 0.5;    ///< b, of η by x
-constexpr double kStiff = 0.05;    ///< x up to which the pore fluid is as good as stiff
+constexpr double kScatter = 0.007;  ///< s, of η among specimens of a sand
+constexpr double kByGive = 0.5;     ///< b, of η by x
+constexpr double kStiff = 0.05;     ///< x up to which the pore fluid is as good as stiff
 
 /// η at the true onset of a simulation; empty where it had none, or does not say where.
 std::optional<double> true_eta(const std::optional<Truth>& truth) {
@@ -95,7 +95,10 @@ std::optional<EarlierTests::Onset> EarlierTests::onset(DrivenPath::Control contr
     ++count;
   });
   const double more = std::max(1.0, count > 1 ? off / (count - 1) : 1.0);
-  return Onset{eta, std::sqrt(more / weight + kScatter * kScatter)};
+  const bool agreed = std::ranges::none_of(tests_, [&](const EarlierTest& t) {
+    return !t.onset && t.control == control && t.in_extension == in_extension;
+  });
+  return Onset{eta, std::sqrt(more / weight + kScatter * kScatter), agreed};
 }
 
 std::optional<double> EarlierTests::carried_on(DrivenPath::Control control,

@@ -39,6 +39,7 @@ class EarlierTests {
  public:
   struct Onset {
     double eta = 0, error = 0;  ///< |η| to come, and its standard error
+    bool agreed = true;         ///< none that was driven so carried on
   };
   void add(const EarlierTest& test) { tests_.push_back(test); }
   bool empty() const { return tests_.empty(); }

@@ -54,8 +54,9 @@ struct EtaForecast {
   /// −dp′/dx at the onset over what it is now, along a strain path: 1 and more where loose sand
   /// falls, well below where p′ turns at phase transformation.
   double fall = 1;
-  double answer = 0;        ///< dy/dx now
-  bool by_earlier = false;  ///< earlier tests of the sand have their share in it
+  double answer = 0;           ///< dy/dx now
+  bool by_earlier = false;     ///< earlier tests of the sand have their share in it
+  bool earlier_agree = false;  ///< likewise, and none of them carried on
 };
 
 struct DrivenFit;

@@ -104,12 +104,12 @@ bool WarningLevels::carried_on_there() const {
   return least && forecast()->work + 2 * forecast()->work_error + kSure >= *least;
 }
 
-/// Where earlier tests know of the onset it needs no stiffness that is nearly gone: it may come
-/// within the next scans.
+/// Where earlier tests agree that there is an onset it needs no stiffness that is nearly gone: it
+/// may come within the next scans.
 bool WarningLevels::may_come() const {
   const EtaForecast& f = *forecast();
   const double step = std::fabs(state_->eta()) - std::fabs(before_->eta());
-  return f.by_earlier && f.error <= kSureKnown * f.eta && f.fall >= kTurns &&
+  return f.earlier_agree && f.error <= kSureKnown * f.eta && f.fall >= kTurns &&
          eta_now_ + kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
 }
 
