@@ -118,6 +118,20 @@ TEST_CASE("the least work of sound tests is known as long as none collapsed") {
   CHECK_FALSE(tests.carried_on(Control::strain_path, false));
 }
 
+TEST_CASE("earlier tests agree on an onset where none that was driven so carried on") {
+  EarlierTests tests;
+  tests.add(lost(0.60));
+  EarlierTest other_way = sound(0.1), held = sound(0.1);
+  other_way.in_extension = true;
+  held.control = Control::held_q_open;
+  tests.add(other_way);
+  tests.add(held);
+  CHECK(tests.onset(Control::strain_path, false, 0)->agreed);
+  tests.add(sound(0.1));
+  CHECK_FALSE(tests.onset(Control::strain_path, false, 0)->agreed);
+  CHECK(tests.onset(Control::strain_path, false, 0)->eta == Approx(0.60));
+}
+
 TEST_CASE("what a stored test says: its onset, with the error of its interval") {
   const RecordHeader header = shear_header(AxialControl::load);
   const auto said = earlier_test(header, collapse_at(-0.6), {});
