@@ -11,6 +11,7 @@ namespace triax::lab {
 namespace {
 
 constexpr double kScatter = 0.007;  ///< s, of η among specimens of a sand
+constexpr double kOfLaw = 0.004;    ///< likewise, of a calibrated law
 constexpr double kByGive = 0.5;     ///< b, of η by x
 constexpr double kStiff = 0.05;     ///< x up to which the pore fluid is as good as stiff
 
@@ -42,6 +43,7 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   const auto known = true_eta(summary.truth);
   if (!c.judged && !known) return std::nullopt;
   EarlierTest test{.name = header.name};
+  test.by_law = summary.truth.has_value();
   if (header.origin == Origin::simulated) test.name += " (simulated)";
   for (const StageInfo& stage : header.stages) {
     const auto control = DrivenPath::control_of(&stage);
@@ -78,7 +80,7 @@ std::optional<EarlierTests::Onset> EarlierTests::onset(DrivenPath::Control contr
                                                        bool in_extension, double give) const {
   double weight = 0, sum = 0;
   const auto error_of = [&](const EarlierTest& t) {
-    return std::hypot(kScatter, kByGive * (t.give - give), t.onset_error);
+    return std::hypot(t.by_law ? kOfLaw : kScatter, kByGive * (t.give - give), t.onset_error);
   };
   const auto each = [&](const auto& what) {
     for (const EarlierTest& t : tests_)

@@ -6,7 +6,8 @@
 // The stress ratio at onset hardly moves with p′ and rates, and with density slowly; it does with
 // what the pore fluid gives way, x = (1 − B)/B = c K. So each earlier test of the same control says
 // its η with the standard error √(s² + (b Δx)² + its own²), and the mean of them by their
-// precisions counts, its error not less than what they scatter by.
+// precisions counts, its error not less than what they scatter by. A simulation does not scatter as
+// specimens do: in place of s stands the error of a calibrated law.
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ namespace triax::lab {
 
 struct EarlierTest {
   std::string name;
+  bool by_law = false;  ///< a simulation, which knows what became of the specimen
   DrivenPath::Control control = DrivenPath::Control::none;
   bool in_extension = false;
   double give = 0;              ///< x = (1 − B)/B of the pore fluid; 0 where B is not known

@@ -2,6 +2,7 @@
 #include "lab/warning/earlier_tests.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/lab/warning/loose_path.hpp"
 
@@ -68,12 +69,27 @@ TEST_CASE("a simulation knows its onset, also where it was not judged") {
   CHECK(said->onset == 0.58);
   CHECK(said->onset_error == 0);
   CHECK(said->in_extension);
+  CHECK(said->by_law);
   summary.collapse.withhold("its end");
   said = earlier_test(header, summary, forecasts);
   REQUIRE(said);
   CHECK(said->onset == 0.58);
   summary.truth->p_eff_pa.reset();  // a preamble that was edited
   CHECK_FALSE(earlier_test(header, summary, forecasts));
+}
+
+TEST_CASE("a simulation does not scatter as specimens do, the specimen to come does") {
+  EarlierTest test = lost(0.60);
+  test.onset_error = 0;
+  EarlierTest simulation = test;
+  simulation.by_law = true;
+  EarlierTests tests, simulations;
+  tests.add(test);
+  simulations.add(simulation);
+  const double of_test = tests.onset(Control::strain_path, false, 0)->error;
+  const double of_law = simulations.onset(Control::strain_path, false, 0)->error;
+  CHECK(of_law < 0.9 * of_test);
+  CHECK(of_law > of_test / std::sqrt(2.0));
 }
 
 TEST_CASE("a simulation that carried on is none that collapsed, whatever its verdict") {
@@ -141,6 +157,7 @@ TEST_CASE("what a stored test says: its onset, with the error of its interval") 
   CHECK(*said->onset == Approx(0.6));
   CHECK(said->onset_error == Approx(0.01));
   CHECK(said->give == 0);
+  CHECK_FALSE(said->by_law);
 
   TestSummary stable;
   stable.collapse.nearest = Nearest{.reading = 5, .normalised = 0.04, .error = 0.01};
