@@ -14,7 +14,7 @@ constexpr double kTryAgain_s = 0.1;
 }  // namespace
 
 struct TcpListener::State : std::enable_shared_from_this<State> {
-  explicit State(LineLoop& l) : loop(l), acceptor(l.context()) {}
+  explicit State(LineLoop& l) : loop(l), acceptor(l.context()), held(l.context()) {}
 
   /// Throws boost::system::system_error.
   void open() {
@@ -43,6 +43,8 @@ struct TcpListener::State : std::enable_shared_from_this<State> {
   }
 
   void reopen() {
+    TcpError ignored;
+    held.close(ignored);
     try {
       open();
     } catch (const boost::system::system_error&) {
@@ -55,11 +57,22 @@ struct TcpListener::State : std::enable_shared_from_this<State> {
     again.cancel();
     TcpError ignored;
     acceptor.close(ignored);
+    held.close(ignored);
+  }
+
+  /// Nobody else gets the port: who calls it would meet a stranger in place of nobody.
+  void refuse() {
+    close();
+    TcpError ignored;  // taken in between: it is tried for again when it is to be heard
+    held.open(endpoint.protocol(), ignored);
+    held.set_option(tcp::acceptor::reuse_address(true), ignored);
+    held.bind(endpoint, ignored);
   }
 
   LineLoop& loop;
   tcp::endpoint endpoint;
   tcp::acceptor acceptor;
+  tcp::socket held;  ///< bound to the port while the acceptor is closed
   LineTimer again;
   bool ended = false;
   std::function<void(std::unique_ptr<ByteLine>)> come;
@@ -87,7 +100,7 @@ int TcpListener::port() const { return state_->endpoint.port(); }
 
 void TcpListener::listen(bool on) {
   if (on == state_->acceptor.is_open()) return;
-  on ? state_->reopen() : state_->close();
+  on ? state_->reopen() : state_->refuse();
 }
 
 struct TcpConnector::State : std::enable_shared_from_this<State> {

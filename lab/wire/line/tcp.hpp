@@ -21,7 +21,8 @@ class TcpListener {
   TcpListener& operator=(const TcpListener&) = delete;
 
   int port() const;
-  /// Off: the port is given up. On: taken again, at once or as soon as it is free.
+  /// Off: the port stays taken, connections to it are refused. On: heard again, at once or as soon
+  /// as the system lets it.
   void listen(bool on);
 
  private:

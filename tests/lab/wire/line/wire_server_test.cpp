@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <list>
@@ -48,6 +49,35 @@ TEST_CASE("a client over the limit is turned away, and one that is idle is close
   CHECK(echo.server.turned_away(echo.link) == 1);
   CHECK(echo.loop.run_until([&] { return lost == 2; }, echo.loop.now_s() + 1));
   CHECK(echo.server.clients(echo.link) == 0);
+}
+
+namespace {
+
+/// 0, or why a stranger who asks for that port of this machine does not get it.
+int taking(int port) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int failed = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  const int why = failed ? errno : 0;
+  ::close(socket);
+  return why;
+}
+
+}  // namespace
+
+TEST_CASE("while clients are refused the port is nobody else's, and is heard again") {
+  EchoLine echo;
+  REQUIRE(echo.open() == "");
+  echo.server.set_fault(echo.link, WireFault::refuse);
+  CHECK_THAT(echo.open(), Catch::Contains("refused"));
+  CHECK(taking(echo.link.port) == EADDRINUSE);
+  echo.server.set_fault(echo.link, WireFault::none);
+  REQUIRE(echo.open() == "");
+  CHECK(echo.ask("7").values == std::vector{7.0});
+  CHECK(taking(echo.link.port) == EADDRINUSE);
 }
 
 #ifndef __has_feature
