@@ -40,7 +40,7 @@ std::string list(const char* what, const std::vector<std::string>& files) {
 WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
   struct stat present {};
   replaces_ = ::stat(path_.c_str(), &present) == 0;
-  file_ = path_ != "-" && (!replaces_ || S_ISREG(present.st_mode));
+  file_ = !path_.empty() && path_ != "-" && (!replaces_ || S_ISREG(present.st_mode));
 }
 
 void WrittenFile::is_there() const {

@@ -7,7 +7,7 @@
 namespace triax::src {
 
 /// One file, noted before it is written: whether something is replaced cannot be seen afterwards.
-/// The same file written twice in a command is one. Pipes, devices and "-" are none.
+/// The same file written twice in a command is one. Pipes, devices, "-" and an empty path are none.
 class WrittenFile {
  public:
   explicit WrittenFile(std::string path);

@@ -24,6 +24,12 @@ TEST_CASE("what is written is told once, and what it replaced") {
   CHECK(take_announcement() == "wrote " + c + ", replaced " + b);
 }
 
+TEST_CASE("a file that was not asked for is none") {
+  static_cast<void>(take_announcement());
+  WrittenFile("").is_there();
+  CHECK(take_announcement().empty());
+}
+
 TEST_CASE("many files are a number and two names") {
   const testing::TemporaryFolder folder;
   static_cast<void>(take_announcement());
