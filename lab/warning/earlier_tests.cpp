@@ -43,7 +43,6 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   const auto known = true_eta(summary.truth);
   if (!c.judged && !known) return std::nullopt;
   EarlierTest test{.name = header.name};
-  test.by_law = summary.truth.has_value();
   if (header.origin == Origin::simulated) test.name += " (simulated)";
   for (const StageInfo& stage : header.stages) {
     const auto control = DrivenPath::control_of(&stage);
@@ -56,6 +55,7 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
   const bool carried_on = summary.truth && !summary.truth->lost_sustainability;
   if (known && c.inside_limit_surface != false) {
     test.onset = std::fabs(*known);
+    test.by_law = true;
     test.in_extension = *known < 0;
   } else if (c.detected() && !carried_on) {
     if (!c.onset || !c.onset->eta() || c.inside_limit_surface == false) return std::nullopt;
@@ -97,10 +97,13 @@ std::optional<EarlierTests::Onset> EarlierTests::onset(DrivenPath::Control contr
     ++count;
   });
   const double more = std::max(1.0, count > 1 ? off / (count - 1) : 1.0);
-  const bool agreed = std::ranges::none_of(tests_, [&](const EarlierTest& t) {
+  return Onset{eta, std::sqrt(more / weight + kScatter * kScatter)};
+}
+
+bool EarlierTests::agree(DrivenPath::Control control, bool in_extension) const {
+  return std::ranges::none_of(tests_, [&](const EarlierTest& t) {
     return !t.onset && t.control == control && t.in_extension == in_extension;
   });
-  return Onset{eta, std::sqrt(more / weight + kScatter * kScatter), agreed};
 }
 
 std::optional<double> EarlierTests::carried_on(DrivenPath::Control control,

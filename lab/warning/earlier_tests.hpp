@@ -21,7 +21,7 @@ namespace triax::lab {
 
 struct EarlierTest {
   std::string name;
-  bool by_law = false;  ///< a simulation, which knows what became of the specimen
+  bool by_law = false;  ///< the onset is that of a simulation, which knows it
   DrivenPath::Control control = DrivenPath::Control::none;
   bool in_extension = false;
   double give = 0;              ///< x = (1 − B)/B of the pore fluid; 0 where B is not known
@@ -41,13 +41,14 @@ class EarlierTests {
  public:
   struct Onset {
     double eta = 0, error = 0;  ///< |η| to come, and its standard error
-    bool agreed = true;         ///< none that was driven so carried on
   };
   void add(const EarlierTest& test) { tests_.push_back(test); }
   bool empty() const { return tests_.empty(); }
   const std::vector<EarlierTest>& all() const { return tests_; }
   /// Empty where none of that control had one.
   std::optional<Onset> onset(DrivenPath::Control control, bool in_extension, double give) const;
+  /// None that was driven so, in that sense of shear, carried on.
+  bool agree(DrivenPath::Control control, bool in_extension) const;
   /// The least normalised work with which all that were driven so, in that sense of shear, carried
   /// on; empty where one did not, or there is none.
   std::optional<double> carried_on(DrivenPath::Control control, bool in_extension) const;

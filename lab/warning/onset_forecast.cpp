@@ -112,7 +112,6 @@ void weigh(const EarlierTests::Onset& known, EtaForecast& made) {
   made.eta = (own * made.eta + theirs * known.eta) / (own + theirs);
   made.error = std::max(1.0, std::fabs(apart)) / std::sqrt(own + theirs);
   made.by_earlier = true;
-  made.earlier_agree = known.agreed;
 }
 
 /// What single readings scatter by: from how far each of the latest lies off the middle of its
@@ -192,8 +191,7 @@ std::optional<EtaForecast> OnsetForecast::known_alone(const PathMean& here) cons
                      .now = here.eta,
                      .by = by_,
                      .q = here.q,
-                     .by_earlier = true,
-                     .earlier_agree = before->agreed};
+                     .by_earlier = true};
 }
 
 /// How stiff the specimen is here and what second-order work it does, without where that leads.
@@ -241,7 +239,6 @@ std::optional<EtaForecast> OnsetForecast::made() {
     made.eta = before->eta;
     made.error = before->error;
     made.by_earlier = true;
-    made.earlier_agree = before->agreed;
     if (on_path) path_at_onset(*f, (made.eta - here.eta) / f->distance, here, made);
   }
   if (made.by_earlier) return made;

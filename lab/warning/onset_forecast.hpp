@@ -54,9 +54,8 @@ struct EtaForecast {
   /// −dp′/dx at the onset over what it is now, along a strain path: 1 and more where loose sand
   /// falls, well below where p′ turns at phase transformation.
   double fall = 1;
-  double answer = 0;           ///< dy/dx now
-  bool by_earlier = false;     ///< earlier tests of the sand have their share in it
-  bool earlier_agree = false;  ///< likewise, and none of them carried on
+  double answer = 0;        ///< dy/dx now
+  bool by_earlier = false;  ///< earlier tests of the sand have their share in it
 };
 
 struct DrivenFit;
@@ -83,6 +82,8 @@ class OnsetForecast {
   std::optional<double> carried_on() const {
     return earlier_.carried_on(path_.control(), path_.in_extension());
   }
+  /// None of those carried on.
+  bool earlier_agree() const { return earlier_.agree(path_.control(), path_.in_extension()); }
 
  private:
   std::optional<EtaForecast> made();

@@ -109,8 +109,8 @@ bool WarningLevels::carried_on_there() const {
 bool WarningLevels::may_come() const {
   const EtaForecast& f = *forecast();
   const double step = std::fabs(state_->eta()) - std::fabs(before_->eta());
-  return f.earlier_agree && f.error <= kSureKnown * f.eta && f.fall >= kTurns &&
-         eta_now_ + kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
+  return f.by_earlier && forecast_.earlier_agree() && f.error <= kSureKnown * f.eta &&
+         f.fall >= kTurns && eta_now_ + kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
 }
 
 /// Not when it will be, but when it may be: `left` counts to a standard error before the forecast.

@@ -46,8 +46,8 @@ TEST_CASE("a simulated test and the replay of its record agree to the bit") {
   REQUIRE(here.triax("simulate " + kCsu26 + " --record again.csv --db c.db").status == 0);
   CHECK(content(here / "x.csv") == content(here / "again.csv"));
   REQUIRE(here.triax("simulate " + kCsu26 + " --seed 99 --record other.csv --db c.db").status == 0);
-  CHECK(here.triax("simulate " + kCsu26 + " --seed 98 --db c.db").err.empty());
   CHECK(content(here / "x.csv") != content(here / "other.csv"));
+  CHECK(here.triax("simulate " + kCsu26 + " --seed 98 --db c.db").err.empty());
   REQUIRE(here.triax("replay x.csv --db d.db --speed 20000").status == 0);
   CHECK(states == here.triax(kStates + "d.db").out);
 }

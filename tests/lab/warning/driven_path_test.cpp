@@ -131,6 +131,30 @@ TEST_CASE("after a loop that took p′ from the specimen its path goes on withou
   CHECK(means.back().y > before.y);
 }
 
+TEST_CASE("a path that turns to the other sense of shear after a loop is one that begins there") {
+  const RecordHeader header = shear_header(AxialControl::load);
+  LoosePath loose;
+  DrivenPath turned = path_of(header), begun = path_of(header);
+  for (int i = 1; i <= 100; ++i) turned.add(loose.at(0.004 * i, i));
+  for (int step = 1; step < 40; ++step) turned.add(in_loop(loose, step, 100 + step));
+  for (int i = 0; i <= 20; ++i) turned.add(after_loop(loose, 0.4 + 0.004 * i, 140 + i));
+  LoosePath other_way;
+  for (int i = 1; i <= 40; ++i) {
+    State state = other_way.at(0.01 * i, 200 + i);
+    state.q = -state.q;
+    state.strain.axial = -state.strain.axial;
+    turned.add(state);
+    begun.add(state);
+  }
+  REQUIRE(turned.means().size() == begun.means().size());
+  CHECK(turned.readings() == begun.readings());
+  for (std::size_t i = 0; i < begun.means().size(); ++i) {
+    CHECK(turned.means()[i].y == begun.means()[i].y);
+    CHECK(turned.means()[i].beside == begun.means()[i].beside);
+    CHECK(turned.means()[i].weighted == begun.means()[i].weighted);
+  }
+}
+
 TEST_CASE("two low readings in a row are outliers and no loop") {
   const RecordHeader header = shear_header(AxialControl::load);
   LoosePath loose;

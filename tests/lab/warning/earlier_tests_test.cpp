@@ -142,9 +142,9 @@ TEST_CASE("earlier tests agree on an onset where none that was driven so carried
   held.control = Control::held_q_open;
   tests.add(other_way);
   tests.add(held);
-  CHECK(tests.onset(Control::strain_path, false, 0)->agreed);
+  CHECK(tests.agree(Control::strain_path, false));
   tests.add(sound(0.1));
-  CHECK_FALSE(tests.onset(Control::strain_path, false, 0)->agreed);
+  CHECK_FALSE(tests.agree(Control::strain_path, false));
   CHECK(tests.onset(Control::strain_path, false, 0)->eta == Approx(0.60));
 }
 

@@ -53,13 +53,16 @@ TEST_CASE("a client over the limit is turned away, and one that is idle is close
 
 namespace {
 
-/// 0, or why a stranger who asks for that port of this machine does not get it.
+sockaddr_in on_this_machine(int port) {
+  return {.sin_family = AF_INET,
+          .sin_port = htons(static_cast<std::uint16_t>(port)),
+          .sin_addr = {htonl(INADDR_LOOPBACK)}};
+}
+
+/// 0, or why a stranger who asks for that port does not get it.
 int taking(int port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const sockaddr_in address = on_this_machine(port);
   const int failed = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address);
   const int why = failed ? errno : 0;
   ::close(socket);
@@ -139,10 +142,8 @@ TEST_CASE("a client that takes no answers is asked no more, and is closed when i
   const int buffer = 1 << 16;
   for (const int which : {SO_SNDBUF, SO_RCVBUF})
     ::setsockopt(socket, SOL_SOCKET, which, &buffer, sizeof buffer);
-  sockaddr_in address{.sin_family = AF_INET,
-                      .sin_port = htons(static_cast<std::uint16_t>(echo.link.port))};
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  ::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address);
+  const sockaddr_in address = on_this_machine(echo.link.port);
+  ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address);
   echo.loop.run_for(0.05);
   CHECK(echo.server.clients(echo.link) == 2);
   const std::string questions(std::size_t{1} << 16, '\n');
