@@ -38,6 +38,7 @@ constexpr auto kCheckKinds = std::to_array<std::pair<CheckKind, std::string_view
      {CheckKind::zero_difference, "zero_difference"},
      {CheckKind::rate, "rate"},
      {CheckKind::undrained_volume, "undrained_volume"},
+     {CheckKind::stage_target, "stage_target"},
      {CheckKind::closure_deviator_stress, "closure_deviator_stress"},
      {CheckKind::closure_mean_effective_stress, "closure_mean_effective_stress"},
      {CheckKind::closure_effective_axial_stress, "closure_effective_axial_stress"},

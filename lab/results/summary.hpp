@@ -116,6 +116,7 @@ enum class CheckKind {
   zero_difference,   ///< of the transducers of pore and back pressure
   rate,              ///< of drained shear: slow enough
   undrained_volume,  ///< a closed valve is
+  stage_target,      ///< a stage ended at the pressure that was its target
   closure_deviator_stress,
   closure_mean_effective_stress,
   closure_effective_axial_stress,

@@ -30,6 +30,8 @@ class BackEnd {
   virtual std::optional<Truth> truth() const { return std::nullopt; }
   /// What happened to the rig itself since the last call: held, safe state, run-away.
   virtual std::vector<Event> events() { return {}; }
+  /// What it checked itself, beside the checks of the readings, up to the reading last drawn.
+  virtual std::vector<Check> checks() const { return {}; }
   /// The alarm has come to this level by the reading last drawn, or back to none: a back end that
   /// drives something does what the guard of its programme asks for, once a test.
   virtual void heed(WarningLevel /*level*/) {}

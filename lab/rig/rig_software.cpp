@@ -10,6 +10,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
 #include "lab/rig/logger.hpp"
+#include "lab/rig/ramp_target.hpp"
 #include "lab/rig/rig_guard.hpp"
 #include "lab/rig/stage_progress.hpp"
 #include "lab/rig/stage_words.hpp"
@@ -17,6 +18,29 @@
 #include "lab/rig/supervision.hpp"
 
 namespace triax::lab {
+namespace {
+
+/// Whether the end of a stage is the target of its own ramp.
+bool is_target(const EndCondition& end, EndQuantity pressure, const PressureDemand& ramp) {
+  return end.quantity == pressure && ramp.target_pa == end.above.value_or(end.below.value_or(0));
+}
+
+/// Fails if the pressure reads other than its target; empty: it does not.
+std::optional<Check> missed_target(const Stage& stage, std::string_view name, double target_pa,
+                                   double read_pa) {
+  const double difference_pa = std::fabs(read_pa - target_pa);
+  const double allowed_pa = Supervision::allowed_difference_pa(target_pa);
+  if (!(difference_pa > allowed_pa)) return std::nullopt;
+  return Check{.kind = CheckKind::stage_target,
+               .measured = difference_pa / 1e3,
+               .limit = allowed_pa / 1e3,
+               .ok = false,
+               .note = fmt::format("stage \"{}\" ended at a {} pressure of {:.1f} kPa instead of "
+                                   "its target of {:.1f} kPa",
+                                   stage.name, name, read_pa / 1e3, target_pa / 1e3)};
+}
+
+}  // namespace
 
 struct RigSoftware::Impl {
   /// `fallen`: the cap lies on the stop after a run-away; the record goes on for some readings.
@@ -49,6 +73,7 @@ struct RigSoftware::Impl {
   void look();
   void begin_stage();
   bool met(const EndCondition& end) const;
+  void check_targets();
   bool stage_over();
   void hold_by_guard(const std::string& detail);
   void act_as_guard_if_due();
@@ -70,6 +95,8 @@ struct RigSoftware::Impl {
   AxisControl axis;
   StrainPathControl strain_path;
   StageProgress progress;
+  RampTarget cell_target, back_target;
+  std::vector<Check> checks;
   std::vector<Event> events;
 
   Reading reading;  ///< the latest look
@@ -94,7 +121,11 @@ void RigSoftware::Impl::look() {
   reading.time_s = time_s;
   const bool paused = mode == Mode::held || mode == Mode::safe;
   reading.stage = static_cast<int>(paused ? programme.stages.size() : stage_index) + 1;
+  const double cell_pa = apparatus->devices().cell.asked_pa;
+  const double back_pa = apparatus->devices().back.asked_pa;
   apparatus->look(reading);
+  cell_target.look(cell_pa, apparatus->devices().cell.asked_pa);
+  back_target.look(back_pa, apparatus->devices().back.asked_pa);
   seen.take(reading);
 }
 
@@ -113,13 +144,25 @@ void RigSoftware::Impl::begin_stage() {
 /// A pressure that is the target of the stage's own ramp counts as reached when its controller has
 /// come to it, whatever an offset of the transducer says.
 bool RigSoftware::Impl::met(const EndCondition& end) const {
-  const double bound = end.above.value_or(end.below.value_or(0));
-  if (end.quantity == EndQuantity::cell_pressure && stage().cell.target_pa == bound)
-    return end.met(apparatus->devices().cell.asked_pa);
-  if (end.quantity == EndQuantity::back_pressure && stage().back.target_pa == bound)
-    return end.met(apparatus->devices().back.asked_pa);
+  if (is_target(end, EndQuantity::cell_pressure, stage().cell))
+    return cell_target.met(end, std::fabs(stage().cell.rate_pa_per_s) * kTick_s);
+  if (is_target(end, EndQuantity::back_pressure, stage().back))
+    return back_target.met(end, std::fabs(stage().back.rate_pa_per_s) * kTick_s);
   // Its last value stands in for a channel that says nothing; no stage ends by that.
   return Supervision::can_tell(end.quantity, reading, apparatus->devices()) && seen.met(end);
+}
+
+/// At the end of a stage: whether the transducers read the pressures that its ramps led to.
+void RigSoftware::Impl::check_targets() {
+  for (const EndCondition& end : stage().end) {
+    const bool cell = is_target(end, EndQuantity::cell_pressure, stage().cell);
+    const bool back = is_target(end, EndQuantity::back_pressure, stage().back);
+    if ((!cell && !back) || !met(end)) continue;
+    if (auto check = missed_target(stage(), cell ? "cell" : "back",
+                                   *(cell ? stage().cell : stage().back).target_pa,
+                                   seen[cell ? Quantity::cell_pressure : Quantity::back_pressure]))
+      checks.push_back(std::move(*check));
+  }
 }
 
 void RigSoftware::Impl::hold_by_guard(const std::string& detail) {
@@ -146,6 +189,7 @@ bool RigSoftware::Impl::stage_over() {
   if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
   if (mode == Mode::held) return held_until_s && time_s >= *held_until_s;
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
+    check_targets();
     if (guard.unloads()) {
       hold_by_guard("q was taken back");
       return false;
@@ -287,6 +331,8 @@ const RecordHeader& RigSoftware::header() const { return impl_->header; }
 
 const Apparatus& RigSoftware::apparatus() const { return *impl_->apparatus; }
 std::optional<Truth> RigSoftware::truth() const { return impl_->apparatus->truth(); }
+
+std::vector<Check> RigSoftware::checks() const { return impl_->checks; }
 
 std::vector<Event> RigSoftware::events() { return std::exchange(impl_->events, {}); }
 

@@ -46,6 +46,8 @@ class RigSoftware : public BackEnd {
   std::optional<Truth> truth() const override;
   /// What happened to the rig since the last call.
   std::vector<Event> events() override;
+  /// CheckKind::stage_target of each stage that ended at a pressure other than its target.
+  std::vector<Check> checks() const override;
 
   /// Pauses, goes on, or leads to the safe state, from the next tick on. `by` says who asked, for
   /// the event. False where nothing changes: it is so already, or in the safe state.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <thread>
 
 #include "lab/base/listeners.hpp"
@@ -353,7 +354,8 @@ void SessionRun::summarise() {
   summary_.membrane_correction = reduction_.membrane_correction();
   summary_.checks = reduction_.checks(back_end_.header().back_volume_joined);
   const auto& onset = collapse.onset;
-  const auto crossed = cross_checks_.checks(onset ? std::optional(onset->reading) : std::nullopt);
+  auto crossed = cross_checks_.checks(onset ? std::optional(onset->reading) : std::nullopt);
+  std::ranges::move(back_end_.checks(), std::back_inserter(crossed));
   summary_.checks.insert(summary_.checks.end(), crossed.begin(), crossed.end());
   take_back(states_, summary_);
   for (const auto& warnings :

@@ -150,6 +150,10 @@ std::optional<std::string> Supervision::deaf(const Reading& raw, const DeviceSta
   return std::nullopt;
 }
 
+double Supervision::allowed_difference_pa(double asked_pa) {
+  return std::max(5e3, 0.02 * std::fabs(asked_pa));
+}
+
 std::optional<std::string> Supervision::astray(const Seen& seen, const Demanded& asked,
                                                double dt_s) {
   struct Loop {
@@ -162,8 +166,8 @@ std::optional<std::string> Supervision::astray(const Seen& seen, const Demanded&
        {Loop{"cell", seen[Quantity::cell_pressure], asked.cell_pa, cell_off_s_, true},
         Loop{"back", seen[Quantity::back_pressure], asked.back_pa, back_off_s_,
              !asked.back_by_volume}}) {
-    const double allowed = std::max(5e3, 0.02 * std::fabs(loop.asked));
-    const bool off = loop.active && std::fabs(loop.seen - loop.asked) > allowed;
+    const bool off =
+        loop.active && std::fabs(loop.seen - loop.asked) > allowed_difference_pa(loop.asked);
     loop.off_s = off ? loop.off_s + dt_s : 0;
     if (loop.off_s >= kAstray_s)
       return fmt::format("the {} pressure reads {:.1f} kPa instead of the {:.1f} kPa prescribed",

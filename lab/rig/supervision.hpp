@@ -43,6 +43,9 @@ class Supervision {
   static constexpr double kDeaf_s = 3;     ///< a channel may be silent for so long
   static constexpr double kAstray_s = 60;  ///< a controlled quantity may be off for so long
 
+  /// By how much a pressure may read other than its set point, Pa.
+  static double allowed_difference_pa(double asked_pa);
+
   explicit Supervision(const Programme& programme);
 
   void begin_stage(const Stage& stage);

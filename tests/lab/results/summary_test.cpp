@@ -28,7 +28,7 @@ TEST_CASE("kinds of events and checks read back as what they are called") {
   }
   CHECK_FALSE(event_kind_from("collapse"));
   for (const char* text :
-       {"b_value", "consolidation", "zero_difference", "rate", "undrained_volume",
+       {"b_value", "consolidation", "zero_difference", "rate", "undrained_volume", "stage_target",
         "closure_deviator_stress", "closure_mean_effective_stress",
         "closure_effective_axial_stress", "closure_effective_radial_stress", "closure_axial_strain",
         "closure_volumetric_strain", "closure_void_ratio", "closure_current_area"}) {

@@ -35,6 +35,56 @@ class Stumbling : public Apparatus {
   double late_s_;
 };
 
+/// A controller of the cell pressure that says something else at one look or from it on.
+class Misread : public Apparatus {
+ public:
+  Misread(const Programme& programme, double from_s, double until_s)
+      : inner_(programme, 1), from_s_(from_s), until_s_(until_s) {}
+  void look(Reading& reading) override {
+    inner_.look(reading);
+    said_ = inner_.devices();
+    if (reading.time_s >= from_s_ && reading.time_s < until_s_) said_.cell.asked_pa = 4000e3;
+  }
+  const DeviceStates& devices() const override { return said_; }
+  Ticked tick(const PlantDemand& demand, const Tick& tick) override {
+    const Ticked done = inner_.tick(demand, tick);
+    said_ = inner_.devices();
+    return done;
+  }
+
+ private:
+  VirtualApparatus inner_;
+  DeviceStates said_;
+  double from_s_, until_s_;
+};
+
+/// A ramp of the cell pressure from 400 kPa to 410 kPa in 10 s.
+const char* const kRamp = R"(
+[[stages]]
+name = "ramp"
+role = "consolidation"
+drainage = "closed"
+axial = "free"
+cell_rate_kPa_per_min = 60.0
+cell_target_kPa = 410.0
+end = [{quantity = "cell_pressure_kPa", above = 410.0}]
+)";
+
+struct RampRun {
+  double end_s = 0;
+  std::vector<Check> checks;
+};
+
+RampRun run_ramp(double misread_from_s, double until_s) {
+  const GuardedProgramme all = with_guard_stages(read_programme(programme_text(kRamp), "p.toml"));
+  RigSoftware rig(all, rig_header(all.programme, 1),
+                  std::make_unique<Misread>(all.programme, misread_from_s, until_s));
+  RampRun run;
+  for (Reading reading; rig.next(reading);) run.end_s = reading.time_s;
+  run.checks = rig.checks();
+  return run;
+}
+
 struct SoftwareRun {
   std::vector<double> times_s;
   std::string told;
@@ -70,4 +120,22 @@ TEST_CASE("readings that were missed are told and not made up for") {
 
 TEST_CASE("a test that is broken off brings its apparatus to rest") {
   CHECK(run_late(0).rests == 1);
+}
+
+TEST_CASE("RigSoftware: one wrong set point of a controller ends no stage") {
+  CHECK(run_ramp(100, 100).end_s == 10);
+  for (const double from_s : {3.0, 4.0, 4.25}) CHECK(run_ramp(from_s, from_s + 0.25).end_s == 10);
+  CHECK(run_ramp(100, 100).checks.empty());
+}
+
+TEST_CASE("RigSoftware: a stage that ends short of its target fails its check") {
+  const RampRun run = run_ramp(2.75, 1e9);
+  CHECK(run.end_s == 3);
+  REQUIRE(run.checks.size() == 1);
+  CHECK(run.checks[0].kind == CheckKind::stage_target);
+  CHECK_FALSE(run.checks[0].ok);
+  CHECK(run.checks[0].measured.value() == Approx(7).margin(0.5));
+  CHECK(run.checks[0].limit == 8.2);
+  CHECK_THAT(run.checks[0].note, Contains("stage \"ramp\" ended at a cell pressure of 403.0 kPa "
+                                          "instead of its target of 410.0 kPa"));
 }
