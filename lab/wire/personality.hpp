@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace triax::lab {
@@ -38,6 +39,8 @@ struct PersonalityPoint {
   std::string scpi;  ///< "SOURce:PRESsure:TARGet"; empty: not by SCPI
   /// Empty: not by Modbus. The controller uses the first; a scaled integer may stand beside it.
   std::vector<PointRegister> registers;
+  /// Smallest and largest value that the instrument can give; empty: any.
+  std::optional<std::pair<double, double>> range;
 };
 
 struct PersonalityIdentity {
@@ -57,6 +60,8 @@ struct PersonalityScan {
   /// Behind every number stand year,month,day,hour,minute,second of its instant, by the
   /// instrument's own clock.
   bool stamped = false;
+  /// Smallest and largest number that the instrument can give; empty: any.
+  std::optional<std::pair<double, double>> range;
   /// Channels are chosen by `prepare` or `ask` and answered in rising order, in one line; else all
   /// numbers come always, the first is channel 1.
   bool chooses() const;

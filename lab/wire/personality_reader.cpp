@@ -91,6 +91,14 @@ void read_registers(PersonalityPoint& point, const TomlTable& table) {
   modbus->finish();
 }
 
+std::optional<std::pair<double, double>> read_range(const TomlTable& table) {
+  if (!table.has("range")) return std::nullopt;
+  const auto range = table.numbers("range");
+  if (range.size() != 2 || !(range[0] < range[1]))
+    table.fail("range", "expected [MIN, MAX] in the unit of the instrument");
+  return std::pair(range[0], range[1]);
+}
+
 PersonalityPoint read_point(const TomlTable& table, const std::string& name) {
   PersonalityPoint point;
   point.name = name;
@@ -101,6 +109,7 @@ PersonalityPoint read_point(const TomlTable& table, const std::string& name) {
   point.readable = access != "w";
   point.writable = access != "r";
   point.scpi = table.text("scpi").value_or("");
+  point.range = read_range(table);
   read_registers(point, table);
   table.finish();
   return point;
@@ -144,6 +153,7 @@ PersonalityScan read_scan(const TomlTable& table) {
   scan.columns = static_cast<int>(table.integer("columns", 1, kMost).value_or(1));
   scan.no_value = table.text("no_value").value_or("");
   scan.stamped = table.flag("stamped").value_or(false);
+  scan.range = read_range(table);
   if (scan.chooses() && (table.has("lines") || table.has("columns")))
     table.fail("",
                "where {at} chooses channels they are answered in one line; leave out lines and "

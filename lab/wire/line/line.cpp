@@ -147,8 +147,11 @@ void Line::read_answer() {
   const std::string answer = received_.substr(0, length);
   received_.erase(0, length);
   const Entry entry = take_front();
-  rest(State::pauses, times_.pause_s);
-  Asked result{.kind = Asked::Kind::answered, .sent_s = entry->sent_s, .answered_s = loop_.now_s()};
+  Asked result{.kind = Asked::Kind::answered,
+               .sent_s = entry->sent_s,
+               .answered_s = loop_.now_s(),
+               .length = length,
+               .trailing = !entry->exchange.request.empty() && !received_.empty()};
   try {
     if (entry->exchange.values) result.values = entry->exchange.values(answer);
     if (entry->exchange.text) result.text = entry->exchange.text(answer);
@@ -157,6 +160,12 @@ void Line::read_answer() {
     result.values.clear();
     result.why = malformed.what();
   }
+  // The rest of an answer that went wrong may still come; it is no part of the next one.
+  const bool wrong = result.kind == Asked::Kind::malformed || result.trailing;
+  if (wrong && link_.is_serial() && !entry->exchange.request.empty())
+    rest(State::resyncs, times_.quiet_s);
+  else
+    rest(State::pauses, times_.pause_s);
   entry->done(result);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The controller's side of a line: asks one exchange after the other, each with a deadline.
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -28,9 +29,11 @@ struct Asked {
   Kind kind = Kind::closed;
   std::vector<double> values{};
   std::string text{};
-  std::string why{};      ///< empty if answered
-  double sent_s = 0;      ///< when the question left, on the loop's clock; 0: it never did
-  double answered_s = 0;  ///< when the last byte of the answer came
+  std::string why{};       ///< empty if answered
+  double sent_s = 0;       ///< when the question left, on the loop's clock; 0: it never did
+  double answered_s = 0;   ///< when the last byte of the answer came
+  std::size_t length = 0;  ///< of the answer, bytes
+  bool trailing = false;   ///< more bytes had come behind the answer to a question
 };
 
 struct LineTimes {
@@ -48,7 +51,8 @@ struct LineTimes {
 ///   no end, is asked again: there owed_s is the most that an answer may be late;
 /// - behind bytes of which no answer can be made out (Exchange::whole throws) a TCP line is closed;
 ///   a serial line is asked again when it has been quiet. A whole answer that says nothing
-///   (Exchange::values throws) closes nothing.
+///   (Exchange::values throws), or that more bytes follow, closes nothing; a serial line is then
+///   asked again when it has been quiet, too.
 /// An exchange without a request takes what the instrument says unasked: the next whole answer that
 /// comes after it was asked; the first after opening is thrown away, since it may be a part.
 /// Handlers are called from the loop, and from open() and close() as said there. They may ask, open

@@ -104,10 +104,10 @@ void RemoteApparatus::take(const WireInstrument& one, const WireInstrument::Scan
 
 /// What a drive does not say it is taken to be as before.
 void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said) {
-  if (role == RigRole::reads || std::isnan(said[0])) return;
+  if (role == RigRole::reads) return;
   if (role == RigRole::frame) {
-    frame_state_ = static_cast<FrameState>(static_cast<int>(said[0]));
-    devices_.piston_force_n = said[1];
+    if (!std::isnan(said[0])) frame_state_ = static_cast<FrameState>(static_cast<int>(said[0]));
+    if (!std::isnan(said[1])) devices_.piston_force_n = said[1];
     if (frame_state_ == FrameState::emergency_stop)
       devices_.fault = "emergency stop: the frame says so";
     if (frame_state_ == FrameState::watchdog)
@@ -120,8 +120,10 @@ void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said)
   const double asked_pa = said[0] * 1e3;
   if (std::fabs(asked_pa - one.asked_pa) > kDigits * std::max(1e3, asked_pa))
     one.asked_pa = asked_pa;
-  one.full = said[1] == 1;
-  one.empty = said[1] == 2;
+  if (!std::isnan(said[1])) {
+    one.full = said[1] == 1;
+    one.empty = said[1] == 2;
+  }
   if (said[2] == 1)
     devices_.fault = fmt::format("the {}-pressure controller held by its watchdog", to_text(role));
 }

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "lab/base/text.hpp"
+#include "lab/wire/remote/reply_places.hpp"
 
 namespace triax::lab {
 namespace {
@@ -39,7 +41,8 @@ struct WireInstrument::Round {
   Scan scan;
   std::vector<double> raw;
   std::size_t open = 0;
-  double awaited_s = 0;  ///< at most
+  double deadline_s = 0;  ///< on the loop's clock
+  double awaited_s = 0;   ///< at most
   std::function<void(const Scan&)> done;
 };
 
@@ -53,6 +56,13 @@ WireInstrument::WireInstrument(LineLoop& loop, const RigInstrument& described,
   for (const RigChannel& channel : described.channels) asked_.push_back(channel.asked);
   for (std::string& point : also) asked_.push_back({.point = std::move(point), .at = {}});
   if (!asked_.empty()) round_ = questions_->read(asked_);
+  const std::vector<ReplyPlace> all = reply_places(described, asked_);
+  for (const Question& question : round_) {
+    std::vector<ReplyPlace> places;
+    for (const std::size_t place : question.places) places.push_back(all[place]);
+    if (question.stamped) places.push_back({.name = "the instrument's clock"});
+    checks_.emplace_back(std::move(places), !question.exchange.request.empty());
+  }
   line_.on_lost([this](const std::string& why) { fail("the link is down: " + why); });
 }
 
@@ -122,32 +132,50 @@ void WireInstrument::scan(std::function<void(const Scan&)> done, double latest_s
     round->scan.also.assign(asked_.size() - channels_, kNothing);
     if (!ready()) round->scan.why = trouble_.empty() ? "it is not linked yet" : trouble_;
     if (ready()) wrong_s_.reset();
+    for (ReplyCheck& check : checks_) check.end();
     loop_.soon([round] { round->done(round->scan); });
     return;
   }
   round->open = round_.size();
-  const double deadline_s = std::min(loop_.now_s() + described_.personality.deadline_s, latest_s);
-  round->awaited_s = deadline_s - loop_.now_s();
-  for (const Question& question : round_)
-    line_.ask(question.exchange, deadline_s,
-              [this, round, &question](const Asked& a) { take(*round, question, a); });
+  round->deadline_s = std::min(loop_.now_s() + described_.personality.deadline_s, latest_s);
+  round->awaited_s = round->deadline_s - loop_.now_s();
+  for (std::size_t i = 0; i < round_.size(); ++i) ask(round, i);
 }
 
-void WireInstrument::take(Round& round, const Question& question, const Asked& asked) {
-  if (asked.kind == Asked::Kind::answered) {
-    for (std::size_t i = 0; i < question.places.size() && i < asked.values.size(); ++i)
-      round.raw[question.places[i]] = asked.values[i];
-    if (question.stamped) round.scan.stamp_s = asked.values.back();
-  } else {
-    round.scan.why = trouble_of(asked, round.awaited_s);
+void WireInstrument::ask(const std::shared_ptr<Round>& round, std::size_t question) {
+  line_.ask(round_[question].exchange, round->deadline_s,
+            [this, round, question](const Asked& asked) { take(round, question, asked); });
+}
+
+void WireInstrument::take(const std::shared_ptr<Round>& round, std::size_t question,
+                          const Asked& asked) {
+  const Question& of = round_[question];
+  ReplyCheck& check = checks_[question];
+  Scan& scan = round->scan;
+  const bool answered = asked.kind == Asked::Kind::answered;
+  if (scan.sent_s == 0 || (answered && of.stamped)) scan.sent_s = asked.sent_s;
+  scan.answered_s = std::max(scan.answered_s, asked.answered_s);
+  const std::string trouble = trouble_of(asked, round->awaited_s);
+  if (answered || asked.kind == Asked::Kind::malformed) {
+    const bool again = check.add({.values = asked.values,
+                                  .length = asked.length,
+                                  .trailing = asked.trailing,
+                                  .trouble = trouble});
+    if (again && line_.is_open() && loop_.now_s() < round->deadline_s) return ask(round, question);
   }
-  const bool whole = round.open == 1 && round.scan.why.empty();
+  check.fail(trouble);
+  const ReplyCheck::Outcome outcome = check.end();
+  for (std::size_t i = 0; i < of.places.size(); ++i) round->raw[of.places[i]] = outcome.values[i];
+  if (of.stamped && !std::isnan(outcome.values.back())) scan.stamp_s = outcome.values.back();
+  if (!outcome.why.empty()) scan.why = outcome.why;
+  if (--round->open == 0) finish(*round);
+}
+
+void WireInstrument::finish(Round& round) {
+  const bool whole = round.scan.why.empty();
   if (whole) wrong_s_.reset();
-  if (!round.scan.why.empty() && !wrong_s_) wrong_s_ = loop_.now_s();
-  if (state_ == State::ready && (whole || !round.scan.why.empty())) trouble_ = round.scan.why;
-  if (round.scan.sent_s == 0) round.scan.sent_s = asked.sent_s;
-  round.scan.answered_s = std::max(round.scan.answered_s, asked.answered_s);
-  if (--round.open > 0) return;
+  if (!whole && !wrong_s_) wrong_s_ = loop_.now_s();
+  if (state_ == State::ready) trouble_ = round.scan.why;
   for (std::size_t i = 0; i < channels_; ++i)
     round.scan.channels[i] = described_.channels[i].calibration.value_of(round.raw[i]);
   round.scan.also.assign(round.raw.begin() + static_cast<std::ptrdiff_t>(channels_),

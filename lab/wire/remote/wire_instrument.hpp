@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One instrument of a rig on the controller's side: its line, who it says that it is, what it is
-// asked and set. Nothing is invented: what did not come is missing, with the cause in words.
+// asked and set. Nothing is invented: what did not come, or what a ReplyCheck rejects, is missing,
+// with the cause in words.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "lab/wire/asking/questions.hpp"
 #include "lab/wire/line/line.hpp"
+#include "lab/wire/remote/reply_check.hpp"
 #include "lab/wire/rig_file.hpp"
 
 namespace triax::lab {
@@ -62,13 +64,16 @@ class WireInstrument {
   void prepare(std::vector<Exchange> rest);
   void set_next(std::vector<Exchange> rest, std::function<void(const std::string&)> done);
   void fail(const std::string& why);
-  void take(Round& round, const Question& question, const Asked& asked);
+  void ask(const std::shared_ptr<Round>& round, std::size_t question);
+  void take(const std::shared_ptr<Round>& round, std::size_t question, const Asked& asked);
+  void finish(Round& round);
 
   LineLoop& loop_;
   const RigInstrument& described_;
   std::vector<AskedValue> asked_;
   std::unique_ptr<Questions> questions_;
-  std::vector<Question> round_;  ///< of one scan
+  std::vector<Question> round_;     ///< of one scan
+  std::vector<ReplyCheck> checks_;  ///< one per question
   std::size_t channels_ = 0;
   Line line_;
   LineTimer again_;

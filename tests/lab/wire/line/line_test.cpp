@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of a question on a line that is well, and on one that is not.
+#include <fcntl.h>
+#include <pty.h>
+#include <termios.h>
+#include <unistd.h>
 #include <catch2/catch.hpp>
 
 #include "tests/lab/wire/line/echo.hpp"
@@ -188,4 +192,57 @@ TEST_CASE("what an instrument says unasked is taken line by line, never a part, 
   CHECK(got.at(3) == -1);
   ask(1);
   CHECK(got.at(4) >= got.at(2) + 10);
+}
+
+TEST_CASE("Line: an answer has its length, and says if more bytes follow") {
+  EchoLine echo;
+  REQUIRE(echo.open() == "");
+  const Asked alone = echo.ask("12");
+  CHECK(alone.length == 5);
+  CHECK_FALSE(alone.trailing);
+  const Asked followed = echo.ask("1\n2");
+  CHECK(followed.values == std::vector{1.0});
+  CHECK(followed.length == 4);
+  CHECK(followed.trailing);
+}
+
+TEST_CASE("Line: a serial line waits until the rest of a wrong answer has come") {
+  int instrument = -1, client = -1;
+  char name[100];
+  REQUIRE(::openpty(&instrument, &client, name, nullptr, nullptr) == 0);
+  termios raw{};
+  ::tcgetattr(instrument, &raw);
+  ::cfmakeraw(&raw);
+  ::tcsetattr(instrument, TCSANOW, &raw);
+  ::fcntl(instrument, F_SETFL, O_NONBLOCK);
+  const auto say = [instrument](const std::string& text) {
+    REQUIRE(::write(instrument, text.data(), text.size()) == std::ssize(text));
+  };
+  LineLoop loop;
+  Line line(loop, parse_link(std::string("serial://") + name));
+  line.open(1, [](const std::string&) {});
+  std::vector<Asked> asked;
+  const auto ask = [&](const std::string& text) {
+    line.ask(question(text), loop.now_s() + 1, [&](const Asked& one) { asked.push_back(one); });
+  };
+  const auto wait_for = [&](std::size_t count) {
+    return loop.run_until([&] { return asked.size() == count; }, loop.now_s() + 1);
+  };
+  ask("1");
+  loop.run_for(0.01);
+  say("= x\n");
+  REQUIRE(wait_for(1));
+  CHECK(asked[0].kind == Kind::malformed);
+  ask("2");
+  loop.run_for(0.01);
+  say("= 9\n");
+  loop.run_for(0.1);
+  char questions[10];
+  CHECK(::read(instrument, questions, sizeof questions) == 4);
+  say("= 2\n");
+  REQUIRE(wait_for(2));
+  CHECK(asked[1].values == std::vector{2.0});
+  line.close();
+  ::close(instrument);
+  ::close(client);
 }
