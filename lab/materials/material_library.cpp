@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iterator>
 #include <stdexcept>
@@ -35,9 +34,7 @@ std::optional<ValidRange> read_range(const TomlTable& table, const char* key) {
 std::string digits_outside(const ValidRange& range, double value) {
   for (int digits = 4; digits < 10; ++digits) {
     std::string text = fmt::format("{:.{}g}", value, digits);
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    if (!range.holds(read)) return text;
+    if (!range.holds(whole_text_as<double>(text).value_or(value))) return text;
   }
   return fmt::format("{}", value);
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "lab/base/bad_input.hpp"
@@ -20,15 +19,9 @@ std::optional<double> fortran_number(std::string_view word) {
   std::string text(word);
   for (char& c : text)
     if (c == 'd' || c == 'D') c = 'e';
-  const char* begin = text.data();
-  const char* const end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
-  if (begin == end || *begin == '+' || (begin != text.data() && *begin == '-')) return std::nullopt;
-  double value = 0;
-  const auto [stopped, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || stopped != end || !(std::abs(value) <= kLargestNumber))
-    return std::nullopt;
-  return value;
+  if (text.starts_with('+') && !text.starts_with("+-")) text.erase(0, 1);
+  const auto value = whole_text_as<double>(text);
+  return value && std::abs(*value) <= kLargestNumber ? value : std::nullopt;
 }
 
 std::vector<std::string> inp_words(std::string_view line) {

@@ -56,21 +56,14 @@ bool is_missing(std::string_view cell) {
 }
 
 CellKind parse_general(std::string_view text, double& value) {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  const bool two_signs = text.starts_with("+-");
+  if (text.starts_with('+') && !two_signs) text.remove_prefix(1);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (stop != end) return CellKind::text;
-  if (error == std::errc::result_out_of_range) {
-    // Too small is zero for a laboratory, too large is nothing that anyone measured.
-    const auto exponent = text.find_first_of("eE");
-    const bool tiny = exponent != std::string_view::npos && exponent + 1 < text.size() &&
-                      text[exponent + 1] == '-';
-    value = 0;
-    return tiny ? CellKind::number : CellKind::infinite;
-  }
-  if (error != std::errc{}) return CellKind::text;
+  if (stop != end || error == std::errc::invalid_argument) return CellKind::text;
+  if (error != std::errc{}) return CellKind::out_of_range;
   if (std::isnan(value)) return CellKind::missing;
-  return std::isfinite(value) ? CellKind::number : CellKind::infinite;
+  return std::isfinite(value) ? CellKind::number : CellKind::out_of_range;
 }
 
 }  // namespace

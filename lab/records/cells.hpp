@@ -23,7 +23,9 @@ char character(Separator separator);
 /// surrounding blanks and quotes and point into `line`, except that a doubled quote stays doubled.
 void split_cells(std::string_view line, Separator separator, std::vector<std::string_view>& cells);
 
-enum class CellKind { number, missing, infinite, text };
+/// `out_of_range` is a number that no double is near to: infinite, 1e400, and 1e-400, which is not
+/// 0.
+enum class CellKind { number, missing, out_of_range, text };
 
 /// Which decimal mark a table uses; open until the first one is met.
 enum class DecimalMark : char { open = 0, point = '.', comma = ',' };

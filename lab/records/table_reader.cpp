@@ -50,9 +50,16 @@ bool parse_long(const char*& at, const char* end, double& value) {
   return true;
 }
 
+/// What no apparatus measures, in the quantity's unit; a stress that somebody reduced has the limit
+/// of the pressures that it comes from.
+double absurd_of(Quantity quantity) {
+  const QuantityInfo& row = info(quantity);
+  return row.unit == "kPa" ? info(Quantity::cell_pressure).raw.absurd : row.raw.absurd;
+}
+
 double limit_of(const PlannedColumn& column) {
   if (column.role != ColumnRole::quantity) return std::numeric_limits<double>::infinity();
-  return sim::to_si(info(column.quantity).raw.absurd, *sim::find_unit(info(column.quantity).unit));
+  return sim::to_si(absurd_of(column.quantity), *sim::find_unit(info(column.quantity).unit));
 }
 
 }  // namespace
@@ -62,12 +69,18 @@ TableReader::TableReader(ByteSource& source, const TableLayout& layout, Findings
       findings_(findings),
       lines_(source),
       plan_(layout.cell_count),
+      consistency_(layout),
       decimal_(layout.dialect.decimal),
       separator_(character(layout.separator)) {
   values_.fill(kMissing);
   for (const PlannedColumn& column : layout.columns)
-    plan_[column.cell] = {slot_of(column, kTime, kStageTime, kStage), column.scale, &column,
-                          "missing " + column.heading, limit_of(column)};
+    plan_[column.cell] = {
+        slot_of(column, kTime, kStageTime, kStage),
+        column.scale,
+        &column,
+        "missing " + column.heading,
+        limit_of(column),
+        column.role == ColumnRole::quantity && consistency_.needs(column.quantity)};
   std::string_view line;
   while (lines_.line_number() + 1 < layout.first_row_line)
     if (!lines_.next(line)) break;
@@ -92,6 +105,7 @@ bool TableReader::next(Row& row) {
     row.stage_time_s = values_[kStageTime];
     row.stage = values_[kStage];
     row.line = lines_.line_number();
+    if (consistency_.is_needed()) consistency_.add(printed_, row.stage, row.line, findings_);
     return true;
   }
   return false;
@@ -112,8 +126,10 @@ bool TableReader::parse_fast(std::string_view line) {
       continue;
     }
     double value = 0;
+    const char* const begin = at;
     if (!parse_plain(at, end, value) && !parse_long(at, end, value)) return false;
     values_[plan.slot] = value * plan.scale;
+    if (plan.is_compared) keep_printed({begin, static_cast<std::size_t>(at - begin)}, plan);
     if (std::abs(values_[plan.slot]) > plan.limit) return false;  // said by parse_general
   }
   return at == end;
@@ -157,9 +173,19 @@ bool TableReader::parse_general(std::string_view line) {
     return false;
   }
   check_cell_count(line);
-  for (std::size_t i = 0; i < plan_.size(); ++i)
-    if (plan_[i].slot != kUnwanted) parse_number(cells_[i], plan_[i]);
+  for (std::size_t i = 0; i < plan_.size(); ++i) {
+    if (plan_[i].slot == kUnwanted) continue;
+    parse_number(cells_[i], plan_[i]);
+    if (plan_[i].is_compared) keep_printed(cells_[i], plan_[i]);
+  }
   return true;
+}
+
+void TableReader::keep_printed(std::string_view cell, const Plan& plan) {
+  // Of a cell in per cent, whose digits count otherwise, nothing is compared.
+  const bool in_percent = cell.ends_with('%');
+  printed_[plan.slot] = {in_percent ? kMissing : values_[plan.slot],
+                         half_unit_of(cell) * std::fabs(plan.scale)};
 }
 
 void TableReader::check_cell_count(std::string_view line) {
@@ -210,6 +236,9 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
     });
     return;
   }
+  if (kind == CellKind::text && cell == heading)
+    throw BadInput(layout_.file, lines_.line_number(),
+                   "the headings appear again: a second table begins here; split the file");
   if (kind == CellKind::text)
     throw BadInput(
         layout_.file, lines_.line_number(),
@@ -219,7 +248,7 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
                         : fmt::format(" (the decimal mark of this table is '{}')",
                                       static_cast<char>(decimal_))));
   values_[plan.slot] = value * plan.scale;
-  if (kind == CellKind::infinite || !std::isfinite(values_[plan.slot]))
+  if (kind == CellKind::out_of_range || !std::isfinite(values_[plan.slot]))
     throw BadInput(layout_.file, lines_.line_number(),
                    fmt::format("column {} has {}: no instrument can have measured that{}",
                                excerpt(heading), excerpt(cell), remedy));
@@ -246,8 +275,8 @@ void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
   throw BadInput(layout_.file, lines_.line_number(),
                  fmt::format("column {} has {}, beyond {:g} {}: no apparatus measures that; "
                              "check the unit of the column",
-                             excerpt(plan.column->heading), excerpt(cell),
-                             info(quantity).raw.absurd, info(quantity).unit));
+                             excerpt(plan.column->heading), excerpt(cell), absurd_of(quantity),
+                             info(quantity).unit));
 }
 
 }  // namespace triax::lab

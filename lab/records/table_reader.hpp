@@ -7,6 +7,7 @@
 
 #include "lab/base/line_reader.hpp"
 #include "lab/records/clock_time.hpp"
+#include "lab/records/column_consistency.hpp"
 #include "lab/records/table_layout.hpp"
 #include "lab/results/reading.hpp"
 
@@ -30,7 +31,8 @@ class TableReader {
   /// The next row; false at the end. Throws BadInput "FILE:LINE: ..." on text in a number, a wrong
   /// number of cells, an infinite value, a raw channel beyond what any instrument measures, a word
   /// for a missing value where the dialect has none, a file that ends inside a row. Missing cells,
-  /// lines without values and an unclear last line are noted as findings.
+  /// lines without values, an unclear last line and columns that contradict each other are noted as
+  /// findings.
   bool next(Row& row);
 
   std::uint64_t position() const { return lines_.position(); }
@@ -47,6 +49,7 @@ class TableReader {
     const PlannedColumn* column = nullptr;
     std::string missing;                                     // kind of finding
     double limit = std::numeric_limits<double>::infinity();  // of the absolute value, in SI
+    bool is_compared = false;                                // with other columns
   };
 
   bool parse_fast(std::string_view line);
@@ -56,6 +59,7 @@ class TableReader {
   /// "5%" of a quantity that is a plain number, whatever its heading's unit: 0.05.
   bool parse_percent(std::string_view cell, const Plan& plan);
   void check_cell_count(std::string_view line);
+  void keep_printed(std::string_view cell, const Plan& plan);
   bool skipped(std::string_view line);
   void keep_comment(std::string_view line);
 
@@ -65,6 +69,8 @@ class TableReader {
   std::vector<Plan> plan_;
   std::vector<std::string_view> cells_;
   std::array<double, kUnwanted + 1> values_{};
+  ColumnConsistency consistency_;
+  std::array<PrintedValue, kQuantityCount> printed_{};  ///< of the columns that are compared
   DecimalMark decimal_;
   char separator_;
   Clock clock_;

@@ -157,7 +157,8 @@ std::string_view SheetCells::cell_text() {
   switch (kind_) {
     case Kind::number:
       return date_or_number();
-    case Kind::boolean:
+    case Kind::boolean:  // as a spreadsheet shows it: it is no number
+      return value_ == "0" ? "FALSE" : "TRUE";
     case Kind::iso_date:
       return value_;
     case Kind::error:

@@ -80,9 +80,8 @@ void add_speed(CLI::App& app, double& speed) {
          "--speed",
          [&speed](const std::string& text) {
            if (text == "max") return;
-           char* end = nullptr;
-           speed = std::strtod(text.c_str(), &end);
-           if (*end != '\0' || !(speed > 0) || !std::isfinite(speed))
+           speed = lab::whole_text_as<double>(text).value_or(0);
+           if (!(speed > 0) || !std::isfinite(speed))
              throw CLI::ValidationError(
                  "--speed",
                  fmt::format("'{}' is not valid; expected max, or how many times faster than "

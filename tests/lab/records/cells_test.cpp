@@ -40,18 +40,30 @@ TEST_CASE("cells are split by each separator") {
   CHECK(split("", Separator::blanks).empty());
 }
 
-TEST_CASE("a cell is a number, missing, infinite or text") {
+TEST_CASE("parse_cell: a cell is a number, missing, out of range or text") {
   CHECK(parse("12.5").value == 12.5);
   CHECK(parse("5.99205e+002").value == 599.205);
   CHECK(parse("-.15000000000E-03").value == -0.15e-3);
   CHECK(parse("+3").value == 3);
   for (const char* word : {"", "-", "NaN", "nan", "#DIV/0!", "#N/A", "n/a", "null"})
     CHECK(parse(word).kind == CellKind::missing);
-  for (const char* word : {"abc", "1.2.3", "12 kPa", "1e", "0x10", "1,234.5"})
+  for (const char* word :
+       {"abc", "1.2.3", "12 kPa", "1e", "0x10", "1,234.5", "1,2,3", "1.234,5", "1e5.5", "5-"})
     CHECK(parse(word).kind == CellKind::text);
   for (const char* word : {"inf", "-Infinity", "1e999"})
-    CHECK(parse(word).kind == CellKind::infinite);
-  CHECK(parse("1e-999").value == 0);
+    CHECK(parse(word).kind == CellKind::out_of_range);
+}
+
+TEST_CASE("parse_cell: a number with two signs is text") {
+  for (const char* word : {"+-5", "--5", "-+5", "++5", "+-.5", "- 5", "+", "+-inf"})
+    CHECK(parse(word).kind == CellKind::text);
+}
+
+TEST_CASE("parse_cell: a number too small for a double is not 0") {
+  for (const char* word : {"1e-400", "-3.5E-999", "+1e-400"})
+    CHECK(parse(word).kind == CellKind::out_of_range);
+  CHECK(parse("0e-400").value == 0);
+  CHECK(parse("1e-300").value == 1e-300);
 }
 
 TEST_CASE("the first decimal mark decides, the other one is then no number") {

@@ -121,3 +121,20 @@ TEST_CASE("metadata below the rows is kept for its reader with its lines") {
   CHECK(table.rows.size() == 2);
   CHECK(table.trailer == "[truth]\n  a = 1\n\nb = 2\n");
 }
+
+TEST_CASE("TableReader: headings that appear again begin a second table") {
+  CHECK_THROWS_WITH(read_whole(kHeadingsOfFour + "0,0.1,0.2,800\n" + kHeadingsOfFour + "0,0,0,1\n"),
+                    Catch::StartsWith("m.csv:3: the headings appear again: a second table"));
+}
+
+TEST_CASE("TableReader: a cell that is no proper number is an error with its line") {
+  for (const std::string word : {"+-5", "--5", "1e-400", "0x10", "1.2.3"})
+    CHECK_THROWS_WITH(read_whole(kHeadingsOfFour + "0,0.1,0.2,800\n1,0.1," + word + ",800\n"),
+                      Catch::StartsWith("m.csv:3: column 'axial_force_kN' has '" + word + "'"));
+}
+
+TEST_CASE("TableReader: a reduced stress beyond any apparatus is an error") {
+  const std::string headings = "axial_strain,deviator_stress_kPa,mean_effective_stress_kPa\n";
+  CHECK_THROWS_WITH(read_whole(headings + "0,0,100\n0.1,2e6,100\n"),
+                    Catch::StartsWith("m.csv:3: column 'deviator_stress_kPa' has '2e6', beyond"));
+}

@@ -68,7 +68,6 @@ TEST_CASE("texts: shared, rich, phonetic, inline, in quotes where they need them
   CHECK(one_cell("<c t=\"s\"><v>3</v></c>", shared) == "0.5");
   CHECK(one_cell("<c t=\"s\"><v>4</v></c>", shared) == "\"1,5,0\"");
   CHECK(one_cell("<c t=\"inlineStr\"><is><t>-1,25</t></is></c>") == "-1.25");
-  CHECK(one_cell("<c t=\"b\"><v>1</v></c>") == "1");
   CHECK(one_cell("<c t=\"e\"><v>#DIV/0!</v></c>") == "#DIV/0!");
   CHECK(one_cell("<c t=\"e\"><f>A1</f><v>Err:522</v></c>") == "#N/A");  // a circle
 }
@@ -252,4 +251,9 @@ TEST_CASE("what only looks like a row is none") {
              Contains("does not have"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c><v>1</c></row>"), Contains("XML is broken"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c><v>1</v></c>"), Contains("XML is broken"));
+}
+
+TEST_CASE("SheetSource: a truth value is a word, not a number") {
+  CHECK(one_cell("<c r=\"A1\" t=\"b\"><v>1</v></c>") == "TRUE");
+  CHECK(one_cell("<c r=\"A1\" t=\"b\"><v>0</v></c>") == "FALSE");
 }
