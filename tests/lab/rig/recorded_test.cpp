@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "lab/base/bad_input.hpp"
@@ -207,4 +209,59 @@ TEST_CASE("what is said of a stage is asked no more, and what was not said still
   CHECK(asked({.sets = {{"stages.2.role", "shear"}}}) == Keys{"stages.2.drainage=closed"});
   CHECK(asked({.sets = {{"stages.2.drainage", "open"}}}) == Keys{"stages.2.role=consolidation"});
   CHECK(asked({.sets = {{"stages.2.drainage", "open"}, {"stages.2.role", "shear"}}}).empty());
+}
+
+namespace {
+
+/// Undrained shear as a table of reduced columns without time, in `count` rows.
+std::vector<std::string> table_rows(int count) {
+  std::vector<std::string> rows;
+  for (int i = 0; i < count; ++i)
+    rows.push_back(fmt::format("{:.3f}\t{:.3f}\t{:.3f}\n", 0.1 * i, 2.5 * i, 100.0 - i));
+  return rows;
+}
+
+std::unique_ptr<RecordedRig> open_table(const std::vector<std::string>& rows) {
+  std::string text = "eps1\tq\tp\n[%]\t[kPa]\t[kPa]\n";
+  for (const std::string& row : rows) text += row;
+  return open_record(open_memory("m.dat", text), {});
+}
+
+}  // namespace
+
+TEST_CASE("RecordedRig: a second test in the file is an error with its reading") {
+  auto rows = table_rows(30);
+  const auto again = rows;
+  for (int i = 0; i < 2; ++i) rows.insert(rows.end(), again.begin(), again.end());
+  const auto rig = open_table(rows);
+  CHECK_THROWS_WITH(all_readings(*rig),
+                    Catch::StartsWith("m.dat:33: a second test begins with reading 30: "));
+}
+
+TEST_CASE("RecordedRig: rows in reverse order are an error") {
+  auto rows = table_rows(30);
+  std::ranges::reverse(rows);
+  const auto rig = open_table(rows);
+  CHECK_THROWS_WITH(all_readings(*rig),
+                    Catch::StartsWith("m.dat:3: the rows are in reverse order"));
+}
+
+TEST_CASE("RecordedRig: rows that are missing are a warning with the line") {
+  auto rows = table_rows(40);
+  rows.erase(rows.begin() + 20, rows.begin() + 23);
+  const auto rig = open_table(rows);
+  CHECK(all_readings(*rig).size() == 37);
+  CHECK(std::ranges::any_of(rig->header().warnings, [](const Warning& warning) {
+    return warning.line == 23 && warning.text.starts_with("3 rows are missing before this line");
+  }));
+}
+
+TEST_CASE("RecordedRig: a back pressure in another unit is a warning") {
+  const auto rig = open_text(
+      "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa,back_pressure_MPa\n"
+      "0,0,0.1,400,300\n0.5,0.1,0.2,400,300\n");
+  all_readings(*rig);
+  CHECK(std::ranges::any_of(rig->header().warnings, [](const Warning& warning) {
+    return warning.line == 2 && warning.text.starts_with("the back pressure, 300000 kPa");
+  }));
 }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/records/row_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lab/base/bad_input.hpp"
+
+namespace triax::lab {
+namespace {
+
+using enum Quantity;
+
+double strain_in(const Row& row) {
+  const double strain = row.si[index(axial_strain)];
+  return std::isnan(strain) ? row.si[index(axial_displacement)] : strain;
+}
+
+double deviator_in(const Row& row) {
+  const double q = row.si[index(deviator_stress)];
+  if (!std::isnan(q)) return q;
+  const double difference =
+      row.si[index(effective_axial_stress)] - row.si[index(effective_radial_stress)];
+  return std::isnan(difference) ? row.si[index(axial_force)] : difference;
+}
+
+/// Sum of the absolute second differences of one value.
+template <class Points, class Value>
+double roughness(const Points& points, Value value) {
+  double sum = 0;
+  for (std::size_t i = 2; i < points.size(); ++i)
+    sum += std::fabs(points[i].*value - 2 * points[i - 1].*value + points[i - 2].*value);
+  return sum;
+}
+
+}  // namespace
+
+void RowOrder::Course::add(double value) {
+  if (std::isnan(value)) return;
+  if (std::isnan(first)) {
+    first = last = value;
+    return;
+  }
+  if (value > last) ++forward;
+  if (value < last) ++back;
+  largest_later = std::fmax(largest_later, std::fabs(value));
+  last = value;
+}
+
+void RowOrder::add(const Row& row, bool begins_stage, Findings& findings) {
+  if (first_line_ == 0) first_line_ = row.line;
+  last_line_ = row.line;
+  const double time = std::isnan(row.time_s) ? row.stage_time_s : row.time_s;
+  time_.add(time);
+  const double strain = strain_in(row);
+  strain_.add(strain);
+  if (!std::isnan(time_.first) || std::isnan(strain)) return;
+  if (begins_stage) {
+    window_ = {};
+    forward_rows_ = 0;
+  }
+  std::shift_left(window_.begin(), window_.end(), 1);
+  window_.back() = {std::fabs(strain - strain_.first), deviator_in(row), row.line};
+  if (changed_places())
+    findings.note("rows changed places", window_[3].line,
+                  "this row and the one before seem to have changed places: the axial strain runs "
+                  "back here only");
+  if (is_out_of_place())
+    findings.note("row out of place", window_[4].line,
+                  "the axial strain runs back in this row only: rows are out of order");
+}
+
+/// Rows 2 and 3 of the window.
+bool RowOrder::changed_places() const {
+  auto exchanged = window_;
+  std::swap(exchanged[2], exchanged[3]);
+  for (std::size_t i = 1; i < exchanged.size(); ++i)
+    if (!(exchanged[i].strain > exchanged[i - 1].strain)) return false;
+  const auto smooths = [&](double Point::*value) {
+    return roughness(exchanged, value) <= kSmooth_fraction * roughness(window_, value);
+  };
+  return smooths(&Point::strain) && (std::isnan(window_[5].q) || smooths(&Point::q));
+}
+
+/// The last row but one, now that the row after it is known.
+bool RowOrder::is_out_of_place() {
+  const Point &before = window_[2], &last = window_[3], &row = window_[4], &next = window_[5];
+  const double back = last.strain - row.strain;
+  if (back < 0) {
+    forward_rows_ = std::min(forward_rows_ + 1, kRows_before);
+    mean_step_ += (-back - mean_step_) / forward_rows_;
+  }
+  if (!(back > 0)) return false;
+  const bool unloads =
+      row.q < std::min(before.q, last.q) && std::fabs(next.q - last.q) < std::fabs(next.q - row.q);
+  const bool q_goes_on = (row.q - last.q) * (last.q - before.q) >= 0;
+  return std::exchange(forward_rows_, 0) >= kRows_before && next.strain > row.strain &&
+         back >= kBack_steps * mean_step_ && !unloads && !q_goes_on;
+}
+
+void RowOrder::finish() const {
+  // Noise turns a step now and then.
+  constexpr std::int64_t kMin_back_per_forward = 20;
+  constexpr double kNoise_fraction = 0.01;
+  const auto rows_run_back = [](std::int64_t back, std::int64_t forward) {
+    return back + 1 >= kMin_rows && back >= kMin_back_per_forward * forward;
+  };
+  if (rows_run_back(time_.back, time_.forward))
+    throw BadInput(file_, first_line_,
+                   fmt::format("the rows are in reverse order: the time runs back from {:g} s in "
+                               "this line to {:g} s in line {}; sort them by time",
+                               time_.first, time_.last, last_line_));
+  const double largest = std::fabs(strain_.first);
+  const bool to_zero = largest >= (1 - kNoise_fraction) * strain_.largest_later &&
+                       std::fabs(strain_.last) <= kLast_fraction * largest;
+  const bool runs_to_zero = strain_.first > 0 ? rows_run_back(strain_.back, strain_.forward)
+                                              : rows_run_back(strain_.forward, strain_.back);
+  if (std::isnan(time_.first) && to_zero && runs_to_zero)
+    throw BadInput(
+        file_, first_line_,
+        fmt::format("the rows are in reverse order: the axial strain runs back from its largest "
+                    "value in this line to {:.2g} of it in line {}; sort them, or add a column of "
+                    "time if the specimen was unloaded",
+                    std::fabs(strain_.last) / largest, last_line_));
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "lab/records/findings.hpp"
+#include "lab/records/table_reader.hpp"
+
+namespace triax::lab {
+
+/// Finds rows that are not in the order in which they were measured, in constant memory. Each of
+/// these is looked for; the last three only in a record without time, because TimeLine notes each
+/// row in which the time runs back.
+///
+/// - All rows reversed: the time runs back from the first row to the last.
+/// - The same without time: the strain begins at its largest value and runs back, but for noise, to
+///   kLast_fraction of it or less. (A specimen that is unloaded keeps more.)
+/// - Two rows that changed places: exchanged, they make the strain of six rows run forward, and
+///   reduce the second differences of strain and q, summed over the six, to kSmooth_fraction.
+/// - A row out of place: after kRows_before rows that ran forward the strain runs back for one row
+///   by kBack_steps of their mean step, and q turns with it. A row of unloading, with which q falls
+///   and returns, is in its place.
+class RowOrder {
+ public:
+  static constexpr double kLast_fraction = 0.05, kSmooth_fraction = 0.3, kBack_steps = 3;
+  static constexpr int kRows_before = 5, kMin_rows = 5;
+
+  /// `file` is named in messages.
+  explicit RowOrder(std::string file) : file_(std::move(file)) {}
+
+  /// Processes the next row, as the file has it; `begins_stage` for the first of each stage.
+  void add(const Row& row, bool begins_stage, Findings& findings);
+  /// The record is over. Throws BadInput, with the first line, where all rows are reversed.
+  void finish() const;
+
+ private:
+  struct Point {
+    double strain = kMissing;  ///< distance from that of the first row
+    double q = kMissing;
+    std::int64_t line = 0;
+  };
+  /// How one value ran from row to row.
+  struct Course {
+    double first = kMissing, last = kMissing;
+    std::int64_t forward = 0, back = 0;  ///< steps
+    double largest_later = 0;            ///< absolute value, after the first row
+    void add(double value);
+  };
+  bool changed_places() const;
+  bool is_out_of_place();
+
+  std::string file_;
+  std::int64_t first_line_ = 0, last_line_ = 0;
+  Course time_, strain_;
+  std::array<Point, 6> window_{};  ///< the latest rows, the last one last
+  int forward_rows_ = 0;           ///< up to the last but two of the window
+  double mean_step_ = 0;           ///< of them
+};
+
+}  // namespace triax::lab
