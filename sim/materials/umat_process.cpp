@@ -9,10 +9,11 @@
 #include <cerrno>
 #include <cfenv>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
-#include "sim/materials/umat_confinement.hpp"
+#include "sim/materials/process_confinement.hpp"
 #include "sim/materials/umat_host.hpp"
 
 namespace triax::sim {
@@ -59,6 +60,9 @@ void explain_faults() {
 /// work on this machine, and the post cannot come before this process sleeps.
 constexpr int kManyLooks = 2000, kFewLooks = 10;
 constexpr unsigned kFewInVain = 4, kHopeEvery = 64;
+
+/// An endless print ends here.
+constexpr std::uint64_t kMaxOutput_bytes = std::uint64_t{256} << 20;
 
 /// Where the lifeline is kept.
 constexpr int kLifeline = STDERR_FILENO + 1;
@@ -131,7 +135,8 @@ void run_umat(const UmatPlugin& plugin, UmatExchange& exchange, int output, int 
   umat_host_serve(&exchange);
   UmatArguments arguments(plugin);
   arguments_at_fault = &arguments;
-  confine_umat(kLifeline, plugin.memory_limit_bytes);
+  confine_process(kLifeline,
+                  {.memory_bytes = plugin.memory_limit_bytes, .file_bytes = kMaxOutput_bytes});
   void* handle = nullptr;
   void* const umat = load(plugin, exchange, handle);
   exchange.stage = UmatStage::ready;

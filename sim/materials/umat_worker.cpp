@@ -15,7 +15,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "sim/materials/umat_confinement.hpp"
+#include "sim/materials/process_confinement.hpp"
 #include "sim/materials/umat_process.hpp"
 
 namespace triax::sim {

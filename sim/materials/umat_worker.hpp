@@ -3,7 +3,7 @@
 // A foreign library is never run inside triax: a process of its own (fork) loads it and answers
 // calls through shared memory, so that whatever it does (a segmentation fault, STOP, XIT, an
 // endless loop) ends that process only and comes back as words. The process cannot outlive triax,
-// and it has no others (umat_confinement.hpp).
+// and it has no others (process_confinement.hpp).
 #include <memory>
 #include <mutex>
 #include <string>

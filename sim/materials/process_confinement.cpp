@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/materials/umat_confinement.hpp"
+#include "sim/materials/process_confinement.hpp"
 
 #include <fcntl.h>
 #include <linux/audit.h>
@@ -28,9 +28,6 @@
 
 namespace triax::sim {
 namespace {
-
-/// Most that a plug-in may write into one file: an endless print ends here.
-constexpr rlim_t kMostOutput = 256U << 20U;
 
 void limit(__rlimit_resource resource, rlim_t most) {
   rlimit now{};
@@ -184,12 +181,13 @@ void hide_from_umats() {
     close(ruleset);
 }
 
-void confine_umat(int lifeline, std::size_t memory_bytes) {
+void confine_process(int lifeline, const ProcessLimits& limits) {
   setpgid(0, 0);
   hold_on_to(lifeline);
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, kMostOutput);
-  limit(RLIMIT_AS, address_space_bytes() + memory_bytes);
+  limit(RLIMIT_FSIZE, limits.file_bytes);
+  limit(RLIMIT_AS, address_space_bytes() + limits.memory_bytes);
+  if (limits.cpu_s > 0) limit(RLIMIT_CPU, limits.cpu_s);
   prctl(PR_SET_DUMPABLE, 0);
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return;
   see_no_other_process();
