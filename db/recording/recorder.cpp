@@ -32,8 +32,10 @@ constexpr std::size_t kRowsAtMost = 40000;
 struct Recorder::Impl {
   enum class Ending { none, complete, interrupted, discarded };
 
-  Impl(std::string path, Patience patience)
-      : patience_(std::move(patience)), entry_(std::move(path), patience_.quiet) {}
+  Impl(std::string path, Patience patience, const std::string& writer)
+      : patience_(std::move(patience)),
+        entry_(writer.empty() ? TestEntry(std::move(path), patience_.quiet)
+                              : TestEntry(std::move(path), patience_.quiet, writer)) {}
 
   void start(const lab::RecordHeader& header);
   template <class Row>
@@ -236,8 +238,8 @@ void Recorder::when_entered(std::function<void(std::int64_t)> use) {
   impl_->when_entered(std::move(use));
 }
 
-Recorder::Recorder(std::string path, Patience patience)
-    : impl_(std::make_unique<Impl>(std::move(path), std::move(patience))) {}
+Recorder::Recorder(std::string path, Patience patience, const std::string& writer)
+    : impl_(std::make_unique<Impl>(std::move(path), std::move(patience), writer)) {}
 
 Recorder::~Recorder() {
   if (!impl_->open()) return;

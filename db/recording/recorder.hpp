@@ -30,7 +30,9 @@ namespace triax::db {
 /// earlier out of what the session tells next; batches committed before stand until discard().
 class Recorder {
  public:
-  explicit Recorder(std::string path, Patience patience = {});
+  /// `writer` names the lease of the test (db/recording/lease.hpp); empty: a random name. Another
+  /// process that knows the name can remove what a killed recorder left: discard_left_test().
+  explicit Recorder(std::string path, Patience patience = {}, const std::string& writer = {});
   ~Recorder();  ///< a test that was not finished stays behind as interrupted
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;

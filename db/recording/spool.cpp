@@ -2,12 +2,14 @@
 #include "db/recording/spool.hpp"
 
 #include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "db/connection.hpp"
 #include "db/files/created_file.hpp"
+#include "db/test_writer.hpp"
 #include "lab/base/whole_file.hpp"
 
 namespace triax::db {
@@ -97,6 +99,20 @@ std::vector<LeftWaiting> left_waiting(const std::string& database) {
       left.push_back({spool, {}, 0});
     }
   return left;
+}
+
+void discard_left_test(const std::string& database, const std::string& writer, bool was_there) {
+  remove_database(lab::behind_links(database) + kWaiting + writer);
+  if (!fs::exists(database)) return;
+  std::optional<SQLite::Database> there(open_for_writing(database));
+  try {
+    SQLite::Transaction transaction(*there, SQLite::TransactionBehavior::IMMEDIATE);
+    if (const auto id = Lease(Leased::test, writer).row(*there)) remove_test(*there, id);
+    transaction.commit();
+    if (!was_there) CreatedFile(database, *there).remove_if_unused(there);
+  } catch (const SQLite::Exception& error) {
+    throw_for(error, database);
+  }
 }
 
 std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database) {

@@ -39,6 +39,12 @@ std::vector<std::string> spools_beside(const std::string& database);
 /// then; the file goes. Gives the number of the test; none where the writer lives.
 std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database);
 
+/// Removes what the killed recorder of `writer` left of a test that it did not complete: its row
+/// with all readings, and its spool. Also removes a database that holds nothing and that nobody
+/// uses, if `was_there` says that it did not exist before this recorder. Pre-condition: the writer
+/// is gone. Throws as open_for_writing() does.
+void discard_left_test(const std::string& database, const std::string& writer, bool was_there);
+
 /// What a writer that is gone left beside a database.
 struct LeftWaiting {
   std::string spool;

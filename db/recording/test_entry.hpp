@@ -43,7 +43,7 @@ class TestEntry {
   /// A lock is waited for as long as `patience`; the file does not grow beyond `most_bytes`, where
   /// they are not 0.
   TestEntry(std::string path, std::chrono::milliseconds patience, std::int64_t most_bytes = 0);
-  /// Goes on with the test of a writer that is gone, if that ever entered the database.
+  /// Continues the test of `writer` if it is in the database; otherwise begins one of that writer.
   TestEntry(std::string path, std::chrono::milliseconds patience, std::string writer);
 
   const std::string& path() const { return path_; }

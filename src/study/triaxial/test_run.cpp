@@ -10,8 +10,8 @@ namespace triax::study {
 
 std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
                       const std::string& db, lab::SessionListeners also, db::Patience patience,
-                      std::function<void(std::int64_t)> entered) {
-  db::Recorder recorder(db, std::move(patience));
+                      std::function<void(std::int64_t)> entered, const std::string& writer) {
+  db::Recorder recorder(db, std::move(patience), writer);
   if (entered) recorder.when_entered(std::move(entered));
   also.insert(also.begin(), recorder.listener());
   try {

@@ -16,6 +16,7 @@
 #include <mutex>
 #include <thread>
 
+#include "db/catalogue.hpp"
 #include "db/connection.hpp"
 #include "db/recording/recorder.hpp"
 #include "db/recording/repair.hpp"
@@ -326,4 +327,66 @@ TEST_CASE("bad input under a lock leaves nothing beside the database", "[threads
   recorder.discard();
   CHECK(db::spools_beside(path).empty());
   CHECK(db::Store(path).find({}).size() == 1);
+}
+
+namespace {
+
+/// Records into `path` as `writer`, in a process that is killed once its readings are in `where`.
+template <class Where>
+void kill_recorder(const std::string& path, const std::string& writer, const Where& has_readings) {
+  const pid_t child = fork();
+  if (child == 0) {
+    Said said;
+    db::Recorder recorder(path, said.patience(), writer);
+    const auto listener = recorder.listener();
+    listener.started(testing::raw_header("killed"));
+    testing::send_scans(listener, 0, 15000);
+    std::this_thread::sleep_for(60s);
+    _exit(0);
+  }
+  const bool stored = becomes_true([&] {
+    try {
+      return has_readings();
+    } catch (const std::exception&) {
+      return false;
+    }
+  });
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  REQUIRE(stored);
+}
+
+}  // namespace
+
+TEST_CASE("discard_left_test: only the test of the killed writer goes", "[threads]") {
+  TemporaryFolder folder;
+  const std::string path = begun(folder);
+  kill_recorder(path, "0123", [&] { return db::Store(path).scan_count(2) > 0; });
+  db::discard_left_test(path, "4567", true);
+  CHECK(db::list_tests(path).size() == 2);
+  db::discard_left_test(path, "0123", true);
+  REQUIRE(db::list_tests(path).size() == 1);
+  CHECK(db::list_tests(path)[0].name == "first");
+  CHECK(db::Store(path).scan_count(2) == 0);
+}
+
+TEST_CASE("discard_left_test: readings beside the database go too", "[threads]") {
+  TemporaryFolder folder;
+  const std::string path = begun(folder);
+  ForeignLock lock(path);
+  kill_recorder(path, "0123", [&] { return db::Store(path + ".waiting-0123").scan_count(1) > 0; });
+  lock.end();
+  db::discard_left_test(path, "0123", true);
+  CHECK(db::spools_beside(path).empty());
+  CHECK(db::list_tests(path).size() == 1);
+}
+
+TEST_CASE("discard_left_test: a database that the writer made goes", "[threads]") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("new.db");
+  db::discard_left_test(path, "0123", false);
+  CHECK(folder.is_empty());
+  kill_recorder(path, "0123", [&] { return db::Store(path).scan_count(1) > 0; });
+  db::discard_left_test(path, "0123", false);
+  CHECK(folder.is_empty());
 }
