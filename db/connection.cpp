@@ -204,7 +204,7 @@ SQLite::Database open_for_writing(const std::string& path, std::chrono::millisec
 void check_filled(SQLite::Database& database, const std::string& path) {
   check_ours(database, path);
   if (is_empty(database))
-    throw lab::BadInput(path, 0,
+    throw EmptyDatabase(path, 0,
                         "is empty; `triax replay`, `simulate` and `grains` fill a database");
 }
 

@@ -36,6 +36,12 @@ SQLite::Database open_for_writing(const std::string& path,
 /// missing, empty, no triax database or of a newer schema, or cannot be read whole.
 SQLite::Database open_for_reading(const std::string& path);
 
+/// A database without tables, as it is while another process begins to fill it.
+class EmptyDatabase : public lab::BadInput {
+ public:
+  using lab::BadInput::BadInput;
+};
+
 /// Throws lab::BadInput where open_for_reading() would because of what the file is; changes
 /// nothing.
 void check_there(const std::string& path);
