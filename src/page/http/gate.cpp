@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <ctime>
+#include <utility>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
@@ -21,13 +23,6 @@ bool same_name(std::string_view a, std::string_view b) {
       a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// A new word behind those that are there, of which there are at most so many.
-const std::string& add_word(std::deque<std::string>& words, std::size_t most) {
-  words.push_back(random_word());
-  if (words.size() > most) words.pop_front();
-  return words.back();
-}
-
 }  // namespace
 
 std::string random_word() {
@@ -39,8 +34,15 @@ std::string random_word() {
   return word;
 }
 
-Gate::Gate(const std::vector<std::string>& names, unsigned short port)
-    : cookie_name_(fmt::format("triax_{}", port)) {
+std::chrono::seconds seconds_since_boot() {
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return std::chrono::seconds(now.tv_sec);
+}
+
+Gate::Gate(const std::vector<std::string>& names, unsigned short port, AccessTimes times,
+           Clock clock)
+    : cookie_name_(fmt::format("triax_{}", port)), times_(times), clock_(std::move(clock)) {
   constexpr unsigned short kUsual = 80;  // which browsers leave out
   for (const std::string& name : names)
     hosts_.push_back(port == kUsual ? name : fmt::format("{}:{}", name, port));
@@ -50,15 +52,36 @@ bool Gate::is_ours(std::string_view host) const {
   return std::ranges::any_of(hosts_, [&](const auto& ours) { return same_name(ours, host); });
 }
 
-bool Gate::has_cookie(std::string_view cookies) const {
+/// Inside the lock.
+void Gate::drop_expired() {
+  const auto now = clock_();
+  std::erase_if(tokens_, [&](const Secret& one) { return now - one.given >= times_.token; });
+  std::erase_if(cookies_, [&](const Secret& one) {
+    return now - one.given >= times_.absolute || now - one.used >= times_.idle;
+  });
+}
+
+/// A new one behind those that are there, of which there are at most so many. Inside the lock.
+const std::string& Gate::add(std::deque<Secret>& secrets, std::size_t most) {
+  secrets.push_back({random_word(), clock_(), clock_()});
+  if (secrets.size() > most) secrets.pop_front();
+  return secrets.back().word;
+}
+
+bool Gate::has_access(std::string_view cookies) {
   const std::lock_guard lock(mutex_);
+  drop_expired();
   while (!cookies.empty()) {
     const auto end = std::min(cookies.find(';'), cookies.size());
     const std::string_view one = lab::trimmed(cookies.substr(0, end));
     const auto equals = std::min(one.find('='), one.size());
-    if (one.substr(0, equals) == cookie_name_ && equals < one.size() &&
-        std::ranges::find(cookies_, one.substr(equals + 1)) != cookies_.end())
-      return true;
+    if (one.substr(0, equals) == cookie_name_ && equals < one.size()) {
+      const auto found = std::ranges::find(cookies_, one.substr(equals + 1), &Secret::word);
+      if (found != cookies_.end()) {
+        found->used = clock_();
+        return true;
+      }
+    }
     cookies.remove_prefix(std::min(end + 1, cookies.size()));
   }
   return false;
@@ -81,23 +104,24 @@ Gate::Ruling Gate::judge(const RequestHead& head) {
   if (head.post && head.own_field != "1") return Ruling::no_field;
   if (head.token) {
     const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find(tokens_, *head.token);
+    drop_expired();
+    const auto found = std::ranges::find(tokens_, *head.token, &Secret::word);
     if (found != tokens_.end()) {
       tokens_.erase(found);
       return Ruling::enters;
     }
   }
-  return has_cookie(head.cookie) ? Ruling::admitted : Ruling::unknown;
+  return has_access(head.cookie) ? Ruling::admitted : Ruling::unknown;
 }
 
 std::string Gate::new_cookie() {
   const std::lock_guard lock(mutex_);
-  return cookie_name_ + "=" + add_word(cookies_, kMostCookies);
+  return cookie_name_ + "=" + add(cookies_, kMostCookies);
 }
 
 std::string Gate::new_token() {
   const std::lock_guard lock(mutex_);
-  return add_word(tokens_, kMostTokens);
+  return add(tokens_, kMostTokens);
 }
 
 std::string Gate::address(const std::string& token) const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Who may: what a request says of itself against what this server gave out. Knows no socket.
+// From any thread.
+#include <chrono>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -9,6 +12,8 @@
 #include <vector>
 
 namespace triax::src {
+
+std::chrono::seconds seconds_since_boot();
 
 /// What counts of the head of a request. Empty: the field is not there.
 struct RequestHead {
@@ -20,8 +25,17 @@ struct RequestHead {
   std::optional<std::string_view> token;  ///< of GET /?token=...
 };
 
+/// How long tokens and cookies are valid.
+struct AccessTimes {
+  std::chrono::seconds token{std::chrono::hours(1)};       ///< of an address that nobody opened
+  std::chrono::seconds idle{std::chrono::hours(12)};       ///< of a browser, since its last request
+  std::chrono::seconds absolute{std::chrono::hours(168)};  ///< of a browser, since its entry
+};
+
 class Gate {
  public:
+  /// Seconds that never go back and include those that the computer slept.
+  using Clock = std::function<std::chrono::seconds()>;
   enum class Ruling {
     admitted,
     enters,          ///< its token was good: gets the cookie of cookie()
@@ -31,26 +45,38 @@ class Gate {
     unknown,         ///< neither cookie nor good token
   };
   /// Browsers come to these names (IPv6 in brackets), all with this port.
-  Gate(const std::vector<std::string>& names, unsigned short port);
+  Gate(const std::vector<std::string>& names, unsigned short port, AccessTimes times = {},
+       Clock clock = seconds_since_boot);
 
   /// Uses up the token where one is good.
   Ruling judge(const RequestHead& head);
-  /// "triax_8080=..." of the browser that has just entered. Of many browsers the one that entered
-  /// first has to enter anew.
+  /// "triax_8080=..." of the browser that has just entered; valid as AccessTimes says. Of many
+  /// browsers the one that entered first has to enter again.
   std::string new_cookie();
-  /// A token that lets one browser in, once. Of many that nobody uses the oldest is good no more.
+  /// Whether the Cookie field gives access now, which counts as its use.
+  bool has_access(std::string_view cookies);
+  /// A token that lets one browser in, once, within AccessTimes::token. Of many that nobody uses
+  /// the oldest is good no more.
   std::string new_token();
   /// The address with that token.
   std::string address(const std::string& token) const;
 
  private:
   bool is_ours(std::string_view host) const;
-  bool has_cookie(std::string_view cookies) const;
+  /// A token or a cookie.
+  struct Secret {
+    std::string word;
+    std::chrono::seconds given, used;
+  };
+  const std::string& add(std::deque<Secret>& secrets, std::size_t most);
+  void drop_expired();
 
   std::vector<std::string> hosts_;  ///< with ports
   std::string cookie_name_;
-  mutable std::mutex mutex_;
-  std::deque<std::string> tokens_, cookies_;  ///< oldest first
+  AccessTimes times_;
+  Clock clock_;
+  std::mutex mutex_;
+  std::deque<Secret> tokens_, cookies_;  ///< oldest first
 };
 
 /// 128 bits of the system's randomness in hexadecimal figures.

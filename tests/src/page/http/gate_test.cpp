@@ -2,6 +2,7 @@
 #include "src/page/http/gate.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 
 using namespace triax::src;
 using Ruling = Gate::Ruling;
@@ -102,4 +103,45 @@ TEST_CASE("a page of another server of this machine gets nothing of the laborato
   }
   head.api = false;  // a link to our first page
   CHECK(gate.judge(head) == Ruling::admitted);
+}
+
+namespace {
+
+/// A gate whose clock stands where the test sets it.
+struct TimedGate {
+  std::chrono::seconds now{1000};
+  Gate gate{{"127.0.0.1"},
+            8080,
+            {.token = std::chrono::seconds(60),
+             .idle = std::chrono::seconds(100),
+             .absolute = std::chrono::seconds(250)},
+            [this] { return now; }};
+};
+
+}  // namespace
+
+TEST_CASE("Gate: a token that nobody uses expires") {
+  TimedGate timed;
+  RequestHead head = get_from("127.0.0.1:8080");
+  const std::string late = timed.gate.new_token(), in_time = timed.gate.new_token();
+  timed.now += std::chrono::seconds(59);
+  head.token = in_time;
+  CHECK(timed.gate.judge(head) == Ruling::enters);
+  timed.now += std::chrono::seconds(1);
+  head.token = late;
+  CHECK(timed.gate.judge(head) == Ruling::unknown);
+}
+
+TEST_CASE("Gate: access ends without use, and at its absolute limit") {
+  TimedGate timed;
+  const std::string idle = timed.gate.new_cookie(), used = timed.gate.new_cookie();
+  for (int i = 0; i < 3; ++i) {
+    CHECK(timed.gate.judge(get_from("127.0.0.1:8080", used)) == Ruling::admitted);
+    timed.now += std::chrono::seconds(80);
+  }
+  CHECK(timed.gate.judge(get_from("127.0.0.1:8080", idle)) == Ruling::unknown);
+  CHECK(timed.gate.has_access(used));
+  timed.now += std::chrono::seconds(10);
+  CHECK_FALSE(timed.gate.has_access(used));
+  CHECK(timed.gate.judge(get_from("127.0.0.1:8080", used)) == Ruling::unknown);
 }
