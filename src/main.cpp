@@ -10,6 +10,7 @@
 #include <exception>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lab/base/bad_input.hpp"
@@ -24,6 +25,7 @@
 #include "src/output/table.hpp"
 #include "src/output/terminal.hpp"
 #include "src/output/written_files.hpp"
+#include "src/page/record/record_process.hpp"
 
 namespace {
 
@@ -101,6 +103,8 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is for us to see, not a death amid a transaction
   std::signal(SIGXFSZ, SIG_IGN);  // nor is a limit on the size of files: writing fails with EFBIG
   try {
+    if (argc > 1 && argv[1] == std::string_view(triax::src::kReadRecordCommand))
+      triax::src::run_record_process({argv + 2, argv + argc});
     const int status = run(argc, argv);
     announce();
     return status;

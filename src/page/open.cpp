@@ -2,8 +2,13 @@
 #include "src/page/open.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
@@ -14,6 +19,7 @@
 #include "src/output/output.hpp"
 #include "src/page/api/routes.hpp"
 #include "src/page/http/server.hpp"
+#include "src/page/record/record_process.hpp"
 
 namespace triax::src {
 namespace {
@@ -34,6 +40,25 @@ struct OrderlyEnd {
   }
 };
 
+/// Lines that the user enters on standard input.
+class EnteredLines {
+ public:
+  /// Whether something was entered since the last call. Does not wait.
+  bool next() {
+    // The system stops a process that reads a terminal in whose background it runs.
+    if (is_at_end_ || (::isatty(STDIN_FILENO) == 1 && ::tcgetpgrp(STDIN_FILENO) != ::getpgrp()))
+      return false;
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (::poll(&input, 1, 0) <= 0) return false;
+    std::array<char, 4096> text{};
+    is_at_end_ = ::read(STDIN_FILENO, text.data(), text.size()) <= 0;
+    return !is_at_end_;
+  }
+
+ private:
+  bool is_at_end_ = false;
+};
+
 void check_database(const std::string& path) {
   if (std::filesystem::exists(path)) db::Store{path};
   const auto folder = std::filesystem::path(path).parent_path();
@@ -47,10 +72,17 @@ void run_open(const OpenOptions& o) {
   const Interruption interruption;
   PageLaboratory laboratory(o.db, o.rig);
   const auto folder = std::filesystem::path(o.db).parent_path().string();
+  laboratory.read_record = [](const RecordToRead& record, const Upload& upload,
+                              const std::function<bool()>& stop) {
+    // Twice the time: a record is read by two threads.
+    const auto time = 2 * PageLimits{}.time_to_read(upload.size());
+    const auto cpu_s = std::chrono::ceil<std::chrono::seconds>(time).count();
+    return read_record_apart(record, upload, static_cast<std::uint64_t>(cpu_s), stop);
+  };
   PageServer server({.listen = o.listen,
                      .port = o.port,
                      .upload_folder = folder.empty() ? "." : folder,
-                     .is_urgent = is_order,
+                     .queue_of = queue_of,
                      .answer = [&laboratory](const PageRequest& request) {
                        return answer(laboratory, request);
                      }});
@@ -62,7 +94,11 @@ void run_open(const OpenOptions& o) {
         "network that you trust");
   print(fmt::format("{}\n", server.new_address()));
   constexpr std::chrono::milliseconds kLook{100};
-  while (!interruption.requested()) laboratory.desk.work_for(kLook);
+  EnteredLines lines;
+  while (!interruption.requested()) {
+    laboratory.desk.work_for(kLook);
+    if (lines.next()) print(fmt::format("{}\n", server.new_address()));
+  }
 }
 
 }  // namespace
@@ -76,8 +112,12 @@ Command open_command() {
            "takes in records that are dropped on it, runs programmes on the virtual apparatus and "
            "draws them while they run. Everything is inside the program: no other server, nothing "
            "from elsewhere.",
-           "The address works once and lets one browser in; that browser can ask for another "
-           "address. Who has neither is given nothing; but a browser sends what lets it in to "
+           "The address works once, within an hour, and lets one browser in: until 12 hours "
+           "without "
+           "use, and for 7 days at most. That browser can ask for another address, and Enter in "
+           "the "
+           "terminal of `triax open` prints one. Who has neither is given nothing; but a browser "
+           "sends what lets it in to "
            "every server of this machine that it visits, whatever its port: leave servers of other "
            "people on this machine alone with that browser.",
            "With RIG.toml programmes can be run on the instruments of that rig as `triax run` "

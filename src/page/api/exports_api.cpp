@@ -62,14 +62,16 @@ std::string content_of(const std::string& path) {
 }
 
 /// The record of `simulate --record`, from what is stored.
-std::string csv_of(const PageLaboratory& laboratory, std::int64_t id) {
+std::string csv_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request) {
   const auto test = result_of(laboratory, id, study::WithCurves::no).stored;
   const PassingFolder folder;
   const std::string path = folder / "record.csv";
   lab::RecordWriter writer(path, test.header);
   db::Store(laboratory.db)
-      .for_each_scan(
-          id, 1, [&](const lab::Reading& reading, const lab::State&) { writer.write(reading); });
+      .for_each_scan(id, 1, [&](const lab::Reading& reading, const lab::State&) {
+        throw_if_cancelled(request);
+        writer.write(reading);
+      });
   writer.finish(test.header, test.summary.truth);
   return content_of(path);
 }
@@ -93,17 +95,23 @@ ReportSheets sheets_of(const PageLaboratory& laboratory, std::int64_t id) {
   return sheets;
 }
 
-std::string html_of(PageLaboratory& laboratory, std::int64_t id) {
+std::string html_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request) {
   const ReportSheets sheets = sheets_of(laboratory, id);
-  return laboratory.desk.ask([&] { return html_report(sheets); });
+  return laboratory.desk.ask([&] {
+    throw_if_cancelled(request);
+    return html_report(sheets);
+  });
 }
 
-std::string pdf_of(PageLaboratory& laboratory, std::int64_t id) {
+std::string pdf_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request) {
   const ReportSheets sheets = sheets_of(laboratory, id);
-  return laboratory.desk.ask([&] { return pdf_bytes(sheets); });
+  return laboratory.desk.ask([&] {
+    throw_if_cancelled(request);
+    return pdf_bytes(sheets);
+  });
 }
 
-std::string json_of(PageLaboratory& laboratory, std::int64_t id) {
+std::string json_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest&) {
   return json_report({result_of(laboratory, id, study::WithCurves::no)});
 }
 
@@ -115,35 +123,33 @@ constexpr const char* kSheetPolicy =
 struct Format {
   const char* name;
   const char* type;
-  std::string (*bytes)(PageLaboratory&, std::int64_t);
+  std::string (*bytes)(PageLaboratory&, std::int64_t, const PageRequest&);
 };
-constexpr std::array<Format, 4> kFormats = {
-    {{"csv", "text/csv; charset=utf-8",
-      [](PageLaboratory& l, std::int64_t id) { return csv_of(l, id); }},
-     {"json", "application/json", json_of},
-     {"html", "text/html; charset=utf-8", html_of},
-     {"pdf", "application/pdf", pdf_of}}};
+constexpr std::array<Format, 4> kFormats = {{{"csv", "text/csv; charset=utf-8", csv_of},
+                                             {"json", "application/json", json_of},
+                                             {"html", "text/html; charset=utf-8", html_of},
+                                             {"pdf", "application/pdf", pdf_of}}};
 
 }  // namespace
 
-PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const Target& target) {
-  const std::string asked = target.value("format").value_or("");
+PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request) {
+  const std::string asked = request.target.value("format").value_or("");
   const auto format = std::ranges::find(kFormats, asked, &Format::name);
   if (format == kFormats.end())
     throw Refused(400, "format=" + lab::excerpt(asked) + ": expected csv, json, html or pdf");
   const auto test = result_of(laboratory, id, study::WithCurves::no).stored;
   PageAnswer answer;
   answer.type = format->type;
-  answer.body = format->bytes(laboratory, id);
+  answer.body = format->bytes(laboratory, id, request);
   answer.fields = {{"Content-Disposition",
                     "attachment; filename=\"" + file_name(test.header.name, '.' + asked) + '"'},
                    {"Content-Security-Policy", kSheetPolicy}};
   return answer;
 }
 
-PageAnswer sheet_of(PageLaboratory& laboratory, std::int64_t id) {
+PageAnswer sheet_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request) {
   return {.type = "text/html; charset=utf-8",
-          .body = html_of(laboratory, id),
+          .body = html_of(laboratory, id, request),
           .fields = {{"Content-Security-Policy", kSheetPolicy}, {"X-Frame-Options", "SAMEORIGIN"}}};
 }
 

@@ -19,6 +19,7 @@ namespace {
 struct Route {
   bool post;
   std::string_view path;
+  WorkQueue queue;
   PageAnswer (*answer)(PageLaboratory&, const PageRequest&, std::int64_t test);
 };
 
@@ -31,28 +32,38 @@ PageAnswer live_of(PageLaboratory& laboratory, const PageRequest& request, std::
 }
 
 constexpr auto kRoutes = std::to_array<Route>({
-    {false, "api/tests", [](auto& l, auto&, auto) { return list_of_tests(l); }},
-    {false, "api/tests/#", [](auto& l, auto&, auto id) { return test_of(l, id); }},
-    {false, "api/tests/#/outline", [](auto& l, auto&, auto id) { return outline_of(l, id); }},
-    {false, "api/tests/#/window",
+    {false, "api/tests", WorkQueue::light, [](auto& l, auto&, auto) { return list_of_tests(l); }},
+    {false, "api/tests/#", WorkQueue::light,
+     [](auto& l, auto&, auto id) { return test_of(l, id); }},
+    {false, "api/tests/#/outline", WorkQueue::drawing,
+     [](auto& l, auto&, auto id) { return outline_of(l, id); }},
+    {false, "api/tests/#/window", WorkQueue::drawing,
      [](auto& l, auto& r, auto id) { return window_of(l, id, r.target); }},
-    {false, "api/tests/#/export",
-     [](auto& l, auto& r, auto id) { return export_of(l, id, r.target); }},
-    {false, "api/tests/#/sheet", [](auto& l, auto&, auto id) { return sheet_of(l, id); }},
-    {false, "api/tests/#/live", live_of},
-    {true, "api/records", [](auto& l, auto& r, auto) { return take_record(l, r); }},
-    {true, "api/runs", [](auto& l, auto& r, auto) { return begin_run(l, r.body); }},
-    {true, "api/runs/#/hold",
+    {false, "api/tests/#/export", WorkQueue::heavy,
+     [](auto& l, auto& r, auto id) { return export_of(l, id, r); }},
+    {false, "api/tests/#/sheet", WorkQueue::heavy,
+     [](auto& l, auto& r, auto id) { return sheet_of(l, id, r); }},
+    {false, "api/tests/#/live", WorkQueue::light, live_of},
+    {true, "api/records", WorkQueue::records,
+     [](auto& l, auto& r, auto) { return take_record(l, r); }},
+    {true, "api/runs", WorkQueue::heavy,
+     [](auto& l, auto& r, auto) { return begin_run(l, r.body); }},
+    {true, "api/runs/#/hold", WorkQueue::orders,
      [](auto& l, auto& r, auto id) { return order_run(l, id, RunOrder::Kind::hold, r.body); }},
-    {true, "api/runs/#/resume",
+    {true, "api/runs/#/resume", WorkQueue::orders,
      [](auto& l, auto& r, auto id) { return order_run(l, id, RunOrder::Kind::resume, r.body); }},
-    {true, "api/runs/#/stop",
+    {true, "api/runs/#/stop", WorkQueue::orders,
      [](auto& l, auto& r, auto id) { return order_run(l, id, RunOrder::Kind::stop, r.body); }},
-    {true, "api/browsers", [](auto& l, auto&, auto) { return another_browser(l); }},
-    {false, "api/programmes", [](auto&, auto&, auto) { return list_of_programmes(); }},
-    {false, "api/materials", [](auto&, auto&, auto) { return list_of_materials(); }},
-    {true, "api/probe", [](auto&, auto& r, auto) { return probe(r.body); }},
-    {true, "api/domain", [](auto& l, auto& r, auto) { return domain(r.body, l.ending); }},
+    {true, "api/browsers", WorkQueue::light,
+     [](auto& l, auto&, auto) { return another_browser(l); }},
+    {false, "api/programmes", WorkQueue::light,
+     [](auto&, auto&, auto) { return list_of_programmes(); }},
+    {false, "api/materials", WorkQueue::light,
+     [](auto&, auto&, auto) { return list_of_materials(); }},
+    {true, "api/probe", WorkQueue::heavy,
+     [](auto& l, auto& r, auto) { return probe(r, l.ending); }},
+    {true, "api/domain", WorkQueue::heavy,
+     [](auto& l, auto& r, auto) { return domain(r, l.ending); }},
 });
 
 /// Whether the path is that of the route; `test` is what stands for "#".
@@ -92,11 +103,13 @@ PageAnswer file_called(std::string_view name) {
 
 }  // namespace
 
-bool is_order(const PageRequest& request) {
-  const auto& path = request.target.path;
-  constexpr std::array<std::string_view, 3> kOrders = {"hold", "resume", "stop"};
-  return request.post && request.target.begins("api", "runs") && path.size() == 4 &&
-         std::ranges::find(kOrders, path[3]) != kOrders.end();
+WorkQueue queue_of(const PageRequest& request) {
+  for (const Route& route : kRoutes) {
+    std::int64_t test = 0;
+    const auto& path = request.target.path;
+    if (route.post == request.post && !path.empty() && fits(route, path, test)) return route.queue;
+  }
+  return WorkQueue::light;
 }
 
 PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request) {

@@ -7,7 +7,7 @@ namespace triax::src {
 
 /// What the page is given (docs/page.md). Throws Refused, lab::BadInput and lab::WorkFailed.
 PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request);
-/// Whether it holds, resumes or stops a test: no matter of the database, and answered at once.
-bool is_order(const PageRequest& request);
+/// The queue whose threads compute the answer.
+WorkQueue queue_of(const PageRequest& request);
 
 }  // namespace triax::src

@@ -14,6 +14,7 @@
 #include "src/study/domain/domain_json.hpp"
 #include "src/study/domain/domain_report.hpp"
 #include "src/study/domain/domain_run.hpp"
+#include "src/study/progress.hpp"
 
 namespace triax::src {
 namespace {
@@ -44,12 +45,20 @@ int count_in(const Json& body, const char* key, int usual, int most) {
   return static_cast<int>(count);
 }
 
+/// Progress that ends the computation by an exception.
+study::Progress until_stopped(const PageRequest& request, const std::atomic<bool>& ending) {
+  return [&request, &ending](const std::string&, double) {
+    if (ending) throw lab::WorkFailed("triax open was ended while this was computed");
+    throw_if_cancelled(request);
+  };
+}
+
 }  // namespace
 
 PageAnswer list_of_materials() { return json_answer(materials_json(lab::shipped_materials())); }
 
-PageAnswer probe(const std::string& body) {
-  const Json asked = json_body(body);
+PageAnswer probe(const PageRequest& request, const std::atomic<bool>& ending) {
+  const Json asked = json_body(request.body);
   ProbeOptions o;
   o.material = material_of(asked);
   o.p_kPa = number_in(asked, "p_kPa");
@@ -57,12 +66,13 @@ PageAnswer probe(const std::string& body) {
   o.q_kPa = numbers_in(asked, "q_kPa");
   o.step_deg = number_in(asked, "step_deg");
   if (o.step_deg && *o.step_deg < 0.1) throw Refused(400, "step_deg: expected 0.1 or more");
-  return json_answer(probe_json(study::run_probe(probe_request(o))));
+  return json_answer(
+      probe_json(study::run_probe(probe_request(o), until_stopped(request, ending))));
 }
 
-PageAnswer domain(const std::string& body, const std::atomic<bool>& ending) {
+PageAnswer domain(const PageRequest& request, const std::atomic<bool>& ending) {
   static std::mutex one_at_a_time;
-  const Json asked = json_body(body);
+  const Json asked = json_body(request.body);
   DomainOptions o;
   o.material = material_of(asked);
   const int columns = count_in(asked, "columns", 40, 200), rows = count_in(asked, "rows", 40, 200);
@@ -75,11 +85,9 @@ PageAnswer domain(const std::string& body, const std::atomic<bool>& ending) {
   grid.rows = rows;
   const std::unique_lock lock(one_at_a_time, std::try_to_lock);
   if (!lock) throw Refused(503, "another domain is being computed; ask again in a while");
-  const auto look = [&ending](const std::string&, double) {
-    if (ending) throw lab::WorkFailed("triax open was ended while the domain was computed");
-  };
-  return json_answer(study::domain_json(study::run_domain(
-      {.material = material, .grid = grid, .threads = 1, .piece = 1, .pieces = 1}, look)));
+  return json_answer(study::domain_json(
+      study::run_domain({.material = material, .grid = grid, .threads = 1, .piece = 1, .pieces = 1},
+                        until_stopped(request, ending))));
 }
 
 }  // namespace triax::src

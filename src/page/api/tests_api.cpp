@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "db/catalogue.hpp"
+#include "db/connection.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "src/study/json_parts.hpp"
@@ -130,16 +131,18 @@ PageAnswer cut(PageLaboratory& laboratory, const db::Store& store, std::int64_t 
 
 PageAnswer list_of_tests(PageLaboratory& laboratory) {
   std::string json = "{\"tests\":[", running;
-  if (std::filesystem::exists(laboratory.db)) {
-    const auto listed = db::list_tests(laboratory.db);
-    const db::Store store(laboratory.db);
-    for (const db::ListedTest& test : listed) {
-      if (json.back() != '[') json += ',';
-      json += summary_of(laboratory, store, test);
-      if (test.status != db::TestStatus::running) continue;
-      running += (running.empty() ? "" : ",") + std::to_string(test.id);
+  if (std::filesystem::exists(laboratory.db)) try {
+      const auto listed = db::list_tests(laboratory.db);
+      const db::Store store(laboratory.db);
+      for (const db::ListedTest& test : listed) {
+        if (json.back() != '[') json += ',';
+        json += summary_of(laboratory, store, test);
+        if (test.status != db::TestStatus::running) continue;
+        running += (running.empty() ? "" : ",") + std::to_string(test.id);
+      }
+    } catch (const db::EmptyDatabase&) {  // NOLINT(bugprone-empty-catch)
+      // Its first test is about to be stored.
     }
-  }
   return json_answer(json + "],\"running\":[" + running +
                      "],\"rig\":" + (laboratory.rig.empty() ? "false" : "true") +
                      ",\"record_bytes\":" + std::to_string(laboratory.record_bytes) + '}');

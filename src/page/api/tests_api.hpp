@@ -13,9 +13,9 @@ PageAnswer test_of(PageLaboratory& laboratory, std::int64_t id);
 /// A hundred points of q and p′.
 PageAnswer outline_of(PageLaboratory& laboratory, std::int64_t id);
 PageAnswer window_of(PageLaboratory& laboratory, std::int64_t id, const Target& target);
-/// csv, json, html or pdf as a file.
-PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const Target& target);
-/// The report as a page of its own.
-PageAnswer sheet_of(PageLaboratory& laboratory, std::int64_t id);
+/// csv, json, html or pdf as a file. Throws Refused once the request is cancelled.
+PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request);
+/// The report as a page of its own. Throws Refused once the request is cancelled.
+PageAnswer sheet_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request);
 
 }  // namespace triax::src

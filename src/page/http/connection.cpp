@@ -5,14 +5,19 @@
 
 #include <algorithm>
 #include <boost/asio/co_spawn.hpp>
+#include <boost/asio/experimental/awaitable_operators.hpp>
 #include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core/string.hpp>
 #include <boost/beast/http/buffer_body.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <limits>
+#include <optional>
+#include <variant>
 
 #include "lab/base/bad_input.hpp"
 #include "src/page/http/guarded_headers.hpp"
@@ -65,10 +70,11 @@ PageAnswer turned_away(Gate::Ruling ruling) {
     default:
       return text_answer(
           401,
-          "This browser has not been let in, or triax open was started anew.\n"
-          "Open the address that triax open printed when it was started; it works "
-          "once. A browser that is in already gives a new one: \"Address for another "
-          "browser\", at the foot of the page.");
+          "This browser has no access, or its access has ended: after 12 hours without use, 7 days "
+          "after its entry, or with the triax open that gave it.\n"
+          "Open a new address; each works once, within an hour. A browser that has access makes "
+          "one: \"Address for another browser\", at the foot of the page. triax open prints one "
+          "when Enter is pressed in its terminal.");
   }
 }
 
@@ -79,6 +85,43 @@ Refused json_too_long(const PageLimits& limits) {
 Refused record_too_long(const PageLimits& limits) {
   return {413, "the file is longer than the " + std::to_string(limits.record_bytes >> 20) +
                    " MB that are taken in here; `triax replay` reads files of any length"};
+}
+
+/// Of a body that cannot be read to its end.
+[[noreturn]] void throw_for_body(const boost::system::error_code& error) {
+  const auto& ours = http::make_error_code(http::error::bad_target).category();
+  if (error.category() == ours && error != http::error::partial_message)
+    throw Refused(400, "the body of the request is not valid HTTP/1.1: " + error.message());
+  throw boost::system::system_error(error);
+}
+
+/// Why a head that could be parsed is not served (RFC 9110 and 9112), or nothing.
+std::optional<PageAnswer> fault_of(const http::request_parser<http::empty_body>& parser) {
+  const http::request<http::empty_body>& head = parser.get();
+  if (head.method() == http::verb::unknown)
+    return error_answer(501, "unknown method; only GET and POST are answered");
+  if (head.version() == 11 && head.count(http::field::host) != 1)
+    return error_answer(400, "a request of HTTP/1.1 has one Host");
+  const auto length = head[http::field::content_length];
+  if (head.count(http::field::content_length) > 1 || length.find(',') != length.npos)
+    return error_answer(400, "a request has at most one Content-Length");
+  if (head.count(http::field::transfer_encoding) > 0) {
+    if (head.version() < 11 || head.count(http::field::content_length) > 0)
+      return error_answer(400, "Transfer-Encoding is not allowed with Content-Length or HTTP/1.0");
+    if (head.count(http::field::transfer_encoding) > 1 ||
+        !boost::beast::iequals(head[http::field::transfer_encoding], "chunked"))
+      return error_answer(501, "unknown Transfer-Encoding; only chunked is supported");
+  }
+  if (const auto expected = head[http::field::expect];
+      !expected.empty() && !boost::beast::iequals(expected, "100-continue"))
+    return error_answer(417, "unknown Expect; only 100-continue is supported");
+  return std::nullopt;
+}
+
+/// By a thread of a queue. Pre-condition: the upload and the bytes outlive it.
+asio::awaitable<void> write_part(Upload& upload, std::string_view part) {
+  upload.write(part);
+  co_return;
 }
 
 /// Whether more follows than the head.
@@ -120,8 +163,14 @@ asio::awaitable<bool> PageConnection::serve_one() {
   }
   const auto& ours = http::make_error_code(http::error::bad_target).category();
   if (error && (error == http::error::end_of_stream || error.category() != ours)) co_return false;
+  if (error == http::error::bad_version)
+    co_return co_await send(error_answer(505, "only HTTP/1.0 and HTTP/1.1 are supported"), false);
   if (error) co_return co_await send(error_answer(400, "this is no request of HTTP/1.1"), false);
   body_left_ = has_body(head);
+  if (auto fault = fault_of(head)) {
+    body_left_ = true;  // its end is unknown
+    co_return co_await send(std::move(*fault), false);
+  }
   const bool keep = head.get().keep_alive();
   head_only_ = head.get().method() == http::verb::head;
   PageAnswer answered = co_await answer(head);
@@ -137,9 +186,10 @@ PageAnswer PageConnection::let_in() {
   return {.status = 303,
           .type = "text/plain; charset=utf-8",
           .body = "",
-          .fields = {
-              {"Location", "/"},
-              {"Set-Cookie", house_.gate->new_cookie() + "; HttpOnly; SameSite=Strict; Path=/"}}};
+          .fields = {{"Location", "/"},
+                     {"Set-Cookie", house_.gate->new_cookie() +
+                                        "; HttpOnly; SameSite=Strict; Path=/; Max-Age=" +
+                                        std::to_string(house_.options.access.absolute.count())}}};
 }
 
 /// Nothing of a body is read before it is known that its sender may, and no token is used up by
@@ -159,6 +209,7 @@ asio::awaitable<PageAnswer> PageConnection::answer(Head& head) {
     if (ruling == Gate::Ruling::enters) co_return let_in();
     if (ruling != Gate::Ruling::admitted) co_return turned_away(ruling);
     trusted_ = true;
+    cookie_ = field(head.get(), "Cookie");
     co_return co_await admitted_answer(head, *target);
   } catch (const Refused& error) {
     refused = error_answer(error.status(), error.what());
@@ -173,19 +224,28 @@ asio::awaitable<PageAnswer> PageConnection::admitted_answer(Head& head, const Ta
   if (const auto last = field(head.get(), "Last-Event-ID"); !last.empty())
     request.last_event = std::string(last);
   if (!request.post && has_body(head)) co_return error_answer(400, "a GET has no body");
-  if (request.post && target.begins("api", "records"))
-    co_return co_await answer_to_record(head, std::move(request));
+  const auto& queue_of = house_.options.queue_of;
+  const WorkQueue which = queue_of ? queue_of(request) : WorkQueue::light;
+  QueueThreads& queue = house_.queue(which);
+  if (which == WorkQueue::records)
+    co_return co_await answer_to_record(head, std::move(request), queue);
   if (request.post) co_await read_json(head, request);
-  co_return co_await work_out(std::move(request));
+  if (which != WorkQueue::orders && queue.requests >= house_.options.limits.waiting_answers)
+    throw Refused(503, "too much is asked for at once; ask again in a while");
+  const Counted counted(queue.requests);
+  co_return co_await compute(std::move(request), queue, house_.options.limits.answer_time);
 }
 
-/// Records that come lie on the disk already: there are few at a time.
-asio::awaitable<PageAnswer> PageConnection::answer_to_record(Head& head, PageRequest request) {
-  if (house_.records >= house_.options.limits.records)
+/// Uploads lie on the disk already while they arrive: there are few at a time.
+asio::awaitable<PageAnswer> PageConnection::answer_to_record(Head& head, PageRequest request,
+                                                             QueueThreads& queue) {
+  const PageLimits& limits = house_.options.limits;
+  if (queue.requests >= limits.records)
     throw Refused(503, "too many records are sent at once; send it again in a while");
-  const Counted counted(house_.records);
-  co_await read_record(head, request);
-  co_return co_await work_out(std::move(request));
+  const Counted counted(queue.requests);
+  co_await read_record(head, request, queue);
+  const auto time = limits.time_to_read(request.upload->size());
+  co_return co_await compute(std::move(request), queue, time);
 }
 
 /// A client that asks first whether its body is wanted.
@@ -205,12 +265,14 @@ asio::awaitable<void> PageConnection::read_json(Head& head, PageRequest& request
   boost::system::error_code error;
   co_await http::async_read(stream_, buffer_, whole, asio::redirect_error(use_awaitable, error));
   if (error == http::error::body_limit) throw json_too_long(limits);
-  if (error) throw boost::system::system_error(error);
+  if (error) throw_for_body(error);
   body_left_ = false;
   request.body = std::move(whole.get().body());
 }
 
-asio::awaitable<void> PageConnection::read_record(Head& head, PageRequest& request) {
+/// A slow disk holds up a thread of the queue, not the one that waits on all sockets.
+asio::awaitable<void> PageConnection::read_record(Head& head, PageRequest& request,
+                                                  QueueThreads& queue) {
   const PageLimits& limits = house_.options.limits;
   if (head.content_length().value_or(0) > limits.record_bytes) throw record_too_long(limits);
   stream_.expires_after(limits.record_quiet);
@@ -227,18 +289,20 @@ asio::awaitable<void> PageConnection::read_record(Head& head, PageRequest& reque
     parts.get().body().size = part.size();
     boost::system::error_code error;
     co_await http::async_read(stream_, buffer_, parts, asio::redirect_error(use_awaitable, error));
-    if (error && error != http::error::need_buffer) throw boost::system::system_error(error);
+    if (error && error != http::error::need_buffer) throw_for_body(error);
     const std::size_t come = part.size() - parts.get().body().size;
     if (request.upload->size() + come > limits.record_bytes) throw record_too_long(limits);
-    request.upload->write({part.data(), come});
+    co_await asio::co_spawn(queue.threads, write_part(*request.upload, {part.data(), come}),
+                            use_awaitable);
   }
   body_left_ = false;
 }
 
-/// By one of the threads that work.
-asio::awaitable<PageAnswer> PageConnection::worked_out(const PageHouse& house,
-                                                       std::shared_ptr<const PageRequest> request) {
+/// By a thread of a queue.
+asio::awaitable<PageAnswer> PageConnection::computed(const PageHouse& house,
+                                                     std::shared_ptr<const PageRequest> request) {
   try {
+    throw_if_cancelled(*request);
     co_return house.options.answer(*request);
   } catch (const Refused& error) {
     co_return error_answer(error.status(), error.what());
@@ -251,17 +315,40 @@ asio::awaitable<PageAnswer> PageConnection::worked_out(const PageHouse& house,
   }
 }
 
-asio::awaitable<PageAnswer> PageConnection::work_out(PageRequest request) {
-  const auto shared = std::make_shared<const PageRequest>(std::move(request));
-  if (house_.options.is_urgent && house_.options.is_urgent(*shared)) {
-    stream_.expires_never();
-    co_return co_await asio::co_spawn(house_.urgent, worked_out(house_, shared), use_awaitable);
+/// Cancels the request once its client is gone or `time` is over. Ends only when it is cancelled
+/// itself, as the answer is there.
+asio::awaitable<void> PageConnection::watch_client(
+    std::shared_ptr<std::atomic<Cancelled>> cancelled, std::chrono::milliseconds time) {
+  constexpr std::chrono::milliseconds kLook{200};
+  const auto until = Clock::now() + time;
+  asio::steady_timer look(stream_.get_executor());
+  for (;;) {
+    look.expires_after(kLook);
+    co_await look.async_wait(use_awaitable);
+    if (is_gone())
+      *cancelled = Cancelled::client_gone;
+    else if (Clock::now() > until)
+      *cancelled = Cancelled::too_late;
   }
-  if (house_.being_answered >= house_.options.limits.waiting_answers)
-    co_return error_answer(503, "too much is asked for at once; ask again in a while");
-  const Counted counted(house_.being_answered);
+}
+
+asio::awaitable<PageAnswer> PageConnection::compute(PageRequest request, QueueThreads& queue,
+                                                    std::chrono::milliseconds time) {
+  using asio::experimental::awaitable_operators::operator||;
+  const auto cancelled = std::make_shared<std::atomic<Cancelled>>(Cancelled::no);
+  request.cancelled = cancelled;
+  const auto shared = std::make_shared<const PageRequest>(std::move(request));
   stream_.expires_never();
-  co_return co_await asio::co_spawn(house_.workers, worked_out(house_, shared), use_awaitable);
+  auto first = co_await (asio::co_spawn(queue.threads, computed(house_, shared), use_awaitable) ||
+                         watch_client(cancelled, time));
+  PageAnswer answer = std::get<0>(std::move(first));
+  if (*cancelled == Cancelled::client_gone) throw boost::system::system_error(asio::error::eof);
+  if (*cancelled == Cancelled::too_late && answer.status != 200)
+    co_return error_answer(
+        503, "this was stopped after " +
+                 std::to_string(std::chrono::ceil<std::chrono::seconds>(time).count()) +
+                 " s, the time limit of the page; the commands of triax have none");
+  co_return answer;
 }
 
 asio::awaitable<bool> PageConnection::send(PageAnswer answer, bool keep) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One browser's connection: one request after the other until it ends.
+#include <array>
 #include <atomic>
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
@@ -9,24 +10,36 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
+#include <chrono>
 #include <memory>
+#include <string>
 
 #include "src/page/http/feed_waker.hpp"
 #include "src/page/http/server.hpp"
 
 namespace triax::src {
 
+/// The threads of one queue, and how many requests are in it.
+struct QueueThreads {
+  explicit QueueThreads(std::size_t count) : threads(count) {}
+  boost::asio::thread_pool threads;
+  std::atomic<std::size_t> requests = 0;
+};
+
 /// What all connections share.
 struct PageHouse {
   PageServerOptions options;
   std::unique_ptr<Gate> gate;
-  boost::asio::thread_pool workers;
-  boost::asio::thread_pool urgent{1};
-  std::atomic<std::size_t> being_answered = 0, records = 0;
+  /// In the order of WorkQueue. An upload in progress is one of `records`, which has a thread for
+  /// each of them.
+  std::array<QueueThreads, 5> queues;
   FeedWakers wakers;  ///< of the thread that waits on sockets
 
   explicit PageHouse(PageServerOptions o)
-      : options(std::move(o)), workers(static_cast<std::size_t>(options.threads)) {}
+      : options(std::move(o)),
+        queues{QueueThreads(1), QueueThreads(2), QueueThreads(3), QueueThreads(4),
+               QueueThreads(options.limits.records)} {}
+  QueueThreads& queue(WorkQueue which) { return queues.at(static_cast<std::size_t>(which)); }
 };
 
 /// There is one more of something as long as this lives.
@@ -61,12 +74,16 @@ class PageConnection {
   boost::asio::awaitable<PageAnswer> admitted_answer(Head& head, const Target& target);
   PageAnswer let_in();
   boost::asio::awaitable<void> read_json(Head& head, PageRequest& request);
-  boost::asio::awaitable<void> read_record(Head& head, PageRequest& request);
+  boost::asio::awaitable<void> read_record(Head& head, PageRequest& request, QueueThreads& queue);
   boost::asio::awaitable<void> go_ahead(const Head& head);
-  boost::asio::awaitable<PageAnswer> answer_to_record(Head& head, PageRequest request);
-  boost::asio::awaitable<PageAnswer> work_out(PageRequest request);
-  static boost::asio::awaitable<PageAnswer> worked_out(const PageHouse& house,
-                                                       std::shared_ptr<const PageRequest> request);
+  boost::asio::awaitable<PageAnswer> answer_to_record(Head& head, PageRequest request,
+                                                      QueueThreads& queue);
+  boost::asio::awaitable<PageAnswer> compute(PageRequest request, QueueThreads& queue,
+                                             std::chrono::milliseconds time);
+  static boost::asio::awaitable<PageAnswer> computed(const PageHouse& house,
+                                                     std::shared_ptr<const PageRequest> request);
+  boost::asio::awaitable<void> watch_client(std::shared_ptr<std::atomic<Cancelled>> cancelled,
+                                            std::chrono::milliseconds time);
   boost::asio::awaitable<bool> send(PageAnswer answer, bool keep);
   boost::asio::awaitable<void> send_live(LiveStart live);
   boost::asio::awaitable<void> linger();
@@ -76,6 +93,7 @@ class PageConnection {
   boost::beast::tcp_stream stream_;
   boost::beast::flat_buffer buffer_;
   bool trusted_ = false;
+  std::string cookie_;      ///< field of the last request that was admitted
   bool body_left_ = false;  ///< a body that nobody reads follows: nothing else can
   bool head_only_ = false;  ///< answers have no body
   bool is_first_ = true;

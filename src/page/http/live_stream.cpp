@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stream of a test that runs, to one browser.
-#include <sys/socket.h>
+#include <poll.h>
 
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -32,8 +32,8 @@ constexpr std::chrono::milliseconds kLook{1000};
 }  // namespace
 
 bool PageConnection::is_gone() {
-  char byte = 0;
-  return ::recv(stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  pollfd client{stream_.socket().native_handle(), POLLRDHUP, 0};
+  return client.fd < 0 || ::poll(&client, 1, 0) > 0;
 }
 
 asio::awaitable<void> PageConnection::send_live(LiveStart live) {
@@ -49,13 +49,17 @@ asio::awaitable<void> PageConnection::send_live(LiveStart live) {
   asio::steady_timer apart(executor);
   LiveFeed::Cursor cursor;
   if (live.after) cursor.after = live_position(*live.after);
-  auto written = Clock::now();
+  auto written = Clock::now(), seen = written;
   std::string frames = "retry: 500\n\n";
   for (bool over = false; !over;) {
     const LiveTaken taken = live.feed->take(cursor, kMostAtOnce);
     frames += live_frames(taken);
     over = taken.over;
     if (frames.empty() && Clock::now() - written > limits.heartbeat) frames = ": heartbeat\n\n";
+    if (Clock::now() - seen > limits.heartbeat) {  // an open stream is use of its browser's access
+      if (!house_.gate->has_access(cookie_)) break;
+      seen = Clock::now();
+    }
     const bool idle = frames.empty();
     if (!idle) {
       stream_.expires_after(limits.write_time);

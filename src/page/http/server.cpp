@@ -75,7 +75,7 @@ void check_reached(const std::vector<PlacesOfName>& all) {
 struct PageServer::Impl {
   explicit Impl(PageServerOptions options) : house(std::move(options)) {
     open();
-    house.gate = std::make_unique<Gate>(names_of(house.options.listen), port);
+    house.gate = std::make_unique<Gate>(names_of(house.options.listen), port, house.options.access);
     for (tcp::acceptor& acceptor : acceptors)
       asio::co_spawn(context, accept(acceptor), asio::detached);
     thread = std::thread([this] { context.run(); });
@@ -83,8 +83,7 @@ struct PageServer::Impl {
   ~Impl() {
     context.stop();
     thread.join();
-    house.workers.join();
-    house.urgent.join();
+    for (QueueThreads& queue : house.queues) queue.threads.join();
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;

@@ -18,11 +18,10 @@ struct PageServerOptions {
   std::vector<std::string> listen;
   unsigned short port = 0;  ///< 0: any that is free
   PageLimits limits{};
+  AccessTimes access{};
   std::string upload_folder = ".";
-  int threads = 3;
-  /// What is never to wait for other answers, and is answered at once: a rig has to be stopped
-  /// however much is asked for. Empty: nothing.
-  std::function<bool(const PageRequest&)> is_urgent{};
+  /// The queue of a request. Empty: WorkQueue::light for all.
+  std::function<WorkQueue(const PageRequest&)> queue_of{};
   /// Called by several threads at a time. Refused and lab::BadInput go to the browser.
   std::function<PageAnswer(const PageRequest&)> answer;
 };

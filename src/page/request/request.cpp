@@ -7,7 +7,14 @@ namespace triax::src {
 PageAnswer json_answer(std::string json) { return {.body = std::move(json)}; }
 
 PageAnswer error_answer(unsigned status, const std::string& what) {
-  return {.status = status, .body = study::json_line({{"error", what}})};
+  PageAnswer answer{.status = status, .body = study::json_line({{"error", what}})};
+  if (status == 503) answer.fields = {{"Retry-After", "5"}};
+  return answer;
+}
+
+void throw_if_cancelled(const PageRequest& request) {
+  if (request.is_cancelled())
+    throw Refused(503, "the work was stopped; nobody waits for its result");
 }
 
 }  // namespace triax::src

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a browser asks for, once it may: plain values, nothing of the server.
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -14,12 +15,29 @@
 
 namespace triax::src {
 
+/// Why nobody waits for an answer any more.
+enum class Cancelled { no, client_gone, too_late };
+
 struct PageRequest {
   bool post = false;
   Target target;
   std::string body;                       ///< of a JSON request
   std::shared_ptr<Upload> upload;         ///< of a record
   std::optional<std::string> last_event;  ///< Last-Event-ID
+  /// The connection sets it while the answer is computed. Empty: never cancelled.
+  std::shared_ptr<const std::atomic<Cancelled>> cancelled{};
+
+  /// Work that takes long asks now and then, and then ends by an exception.
+  bool is_cancelled() const { return cancelled && *cancelled != Cancelled::no; }
+};
+
+/// Work of one queue does not wait for that of another: each has threads of its own.
+enum class WorkQueue {
+  orders,   ///< to tests that run: answered at once, whatever else is computed
+  light,    ///< little to compute
+  drawing,  ///< readings of tests
+  heavy,    ///< seconds of computing
+  records,  ///< uploads
 };
 
 /// Where a stream of what happens in a test begins: behind the item that a browser had last.
@@ -48,6 +66,9 @@ class Refused : public std::runtime_error {
 };
 
 PageAnswer json_answer(std::string json);
+/// {"error": what}; status 503 also says when to ask again.
 PageAnswer error_answer(unsigned status, const std::string& what);
+/// Throws Refused if the request is cancelled.
+void throw_if_cancelled(const PageRequest& request);
 
 }  // namespace triax::src

@@ -2,6 +2,7 @@
 #include "src/page/request/upload.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,6 +52,13 @@ Upload::Upload(const std::string& folder) {
   }
   if (descriptor_ < 0)
     throw lab::WorkFailed(where + ": no record can be taken in: " + std::strerror(errno));
+}
+
+Upload::Upload(int descriptor) : descriptor_(descriptor) {
+  struct stat file {};
+  if (::fstat(descriptor, &file) != 0)
+    throw lab::WorkFailed(std::string("no record to read: ") + std::strerror(errno));
+  size_ = static_cast<std::uint64_t>(file.st_size);
 }
 
 Upload::~Upload() {

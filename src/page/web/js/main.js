@@ -53,7 +53,7 @@ async function route() {
 async function anotherBrowser(told) {
   try {
     const { address } = await post("/api/browsers", {});
-    fill(told, "Open there, once: ", el("code", {}, address));
+    fill(told, "Open there within an hour, once: ", el("code", {}, address));
   } catch (failure) {
     fill(told, failure.message);
   }
@@ -61,7 +61,8 @@ async function anotherBrowser(told) {
 
 function foot() {
   const told = el("span", { role: "status" });
-  fill(document.getElementById("foot"), el("button", { type: "button", class: "plain", on: { click: () => anotherBrowser(told) } }, "Address for another browser"), " ", told);
+  fill(document.getElementById("foot"), el("button", { type: "button", class: "plain", on: { click: () => anotherBrowser(told) } }, "Address for another browser"), " ", told,
+    el("p", {}, "Access of this browser ends after 12 hours without use, and 7 days after its entry. A new address renews it: from here, or by Enter in the terminal of triax open."));
 }
 
 theme.start(document.getElementById("theme"));

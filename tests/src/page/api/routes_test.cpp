@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/page/api/routes.hpp"
 
+#include <SQLiteCpp/Database.h>
+
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <future>
@@ -63,6 +66,12 @@ TEST_CASE("without a database there are no tests, and nothing is made") {
   Asked page;
   CHECK(page.json("/api/tests")["tests"].empty());
   CHECK(page.folder.is_empty());
+}
+
+TEST_CASE("list_of_tests: a database whose tables are not there yet has no tests") {
+  Asked page;
+  const SQLite::Database begun(page.db, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  CHECK(page.json("/api/tests")["tests"].empty());
 }
 
 TEST_CASE("a record that lacks the specimen is asked for exactly that, and then right") {
@@ -147,17 +156,48 @@ TEST_CASE("no domain is computed for a program that ends") {
                   lab::WorkFailed);
 }
 
-TEST_CASE("orders to tests that run are urgent, and nothing else is") {
-  const auto is_urgent = [](const char* target, bool post) {
-    return is_order({.post = post, .target = *parse_target(target)});
+TEST_CASE("queue_of: orders, uploads and computing do not wait for each other") {
+  const auto queue = [](const char* target, bool post) {
+    return queue_of({.post = post, .target = *parse_target(target)});
   };
   for (const char* order : {"/api/runs/1/hold", "/api/runs/1/resume", "/api/runs/1/stop"}) {
-    CHECK(is_urgent(order, true));
-    CHECK_FALSE(is_urgent(order, false));
+    CHECK(queue(order, true) == WorkQueue::orders);
+    CHECK(queue(order, false) == WorkQueue::light);
   }
-  CHECK_FALSE(is_urgent("/api/runs", true));
-  CHECK_FALSE(is_urgent("/api/runs/1/x", true));
-  CHECK_FALSE(is_urgent("/api/records/1/stop", true));
+  for (const char* heavy : {"/api/runs", "/api/probe", "/api/domain"})
+    CHECK(queue(heavy, true) == WorkQueue::heavy);
+  for (const char* heavy : {"/api/tests/1/export?format=csv", "/api/tests/1/sheet"})
+    CHECK(queue(heavy, false) == WorkQueue::heavy);
+  for (const char* drawing : {"/api/tests/1/window", "/api/tests/1/outline"})
+    CHECK(queue(drawing, false) == WorkQueue::drawing);
+  CHECK(queue("/api/records?name=x", true) == WorkQueue::records);
+  for (const char* light : {"/", "/api/tests", "/api/tests/1", "/api/materials", "/nothing"})
+    CHECK(queue(light, false) == WorkQueue::light);
+}
+
+TEST_CASE("answer: work for a cancelled request ends") {
+  Asked page;
+  page.send("/api/records?name=one.csv&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70",
+            raw_record());
+  const auto cancelled = std::make_shared<std::atomic<Cancelled>>(Cancelled::client_gone);
+  const auto status = [&](const char* target, const Json& body) {
+    try {
+      answer(page.laboratory, {.post = !body.is_null(),
+                               .target = *parse_target(target),
+                               .body = body.dump(),
+                               .cancelled = cancelled});
+    } catch (const Refused& refused) {
+      return refused.status();
+    }
+    return 0U;
+  };
+  const Json material = {{"material", "inl2/S28-general"}, {"void_ratio", 1.086}};
+  Json probe = material, domain = material;
+  probe.update({{"p_kPa", 70}, {"eta", {0.5, 0.6}}});
+  domain.update({{"columns", 200}, {"rows", 200}, {"directions", 720}});
+  CHECK(status("/api/probe", probe) == 503);
+  CHECK(status("/api/domain", domain) == 503);
+  CHECK(status("/api/tests/1/export?format=csv", nullptr) == 503);
 }
 
 TEST_CASE("what is not there, not so or not a number is refused in words") {
