@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/programmes/programme_reader.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/toml_reader.hpp"
@@ -23,10 +27,18 @@ void read_test(const TomlTable& table, Programme& programme) {
   table.finish();
 }
 
-std::vector<MaterialSet> user_materials(const std::string& name, Programme& programme) {
-  const auto path = std::filesystem::path(programme.source).parent_path() / name;
-  programme.files.push_back(path.string());
-  return read_materials(read_text_file(path.string()), path.string());
+/// Path of the file that `key` names, which becomes one of the programme's files. The key must be
+/// one of kProgrammeFileKeys.
+std::optional<std::string> read_file_name(const TomlTable& table, std::string_view key,
+                                          Programme& programme) {
+  if (!std::ranges::any_of(kProgrammeFileKeys, [&](const ProgrammeFileKey& k) {
+        return k.table == table.name() && k.key == key;
+      }))
+    throw std::logic_error(fmt::format("{}.{} is not in kProgrammeFileKeys", table.name(), key));
+  const auto name = table.text(key);
+  if (!name) return std::nullopt;
+  const auto folder = std::filesystem::path(programme.source).parent_path();
+  return programme.files.emplace_back((folder / *name).string());
 }
 
 void read_membrane(const TomlTable& table, sim::SpecimenProperties& specimen) {
@@ -46,10 +58,11 @@ void read_membrane(const TomlTable& table, sim::SpecimenProperties& specimen) {
 
 void read_material(const TomlTable& table, Programme& programme) {
   const std::string material = table.required_text("material");
-  const auto file = table.text("material_file");
+  const auto file = read_file_name(table, "material_file", programme);
   try {
-    programme.material =
-        file ? find_material(material, user_materials(*file, programme)) : find_material(material);
+    programme.material = file
+                             ? find_material(material, read_materials(read_text_file(*file), *file))
+                             : find_material(material);
   } catch (const BadInput& error) {
     if (file) throw;
     table.fail("material", error.what());
@@ -64,20 +77,18 @@ void read_material(const TomlTable& table, Programme& programme) {
 }
 
 /// Void ratio and stress are those of the grains.
-void read_grains(const TomlTable& table, const std::string& name, Programme& programme) {
+void read_grains(const TomlTable& table, const std::string& path, Programme& programme) {
   for (const char* key :
        {"material", "material_file", "void_ratio", "initial_effective_stress_kPa"})
     if (table.has(key))
       table.fail(key,
                  "excluded by grains: material, void ratio and stress are those of the grains; "
                  "leave it out");
-  const auto path = (std::filesystem::path(programme.source).parent_path() / name).string();
   sim::GrainDriving how;
   how.inertial_number = table.number("inertial_number", {.at_least = 1e-6, .at_most = 1e-2})
                             .value_or(how.inertial_number);
   if (const auto angle = table.number("limit_friction_angle_deg", {.at_least = 1, .at_most = 89}))
     programme.limit_friction_angle_rad = sim::radians(*angle);
-  programme.files.push_back(path);
   const auto law = grain_specimen(path, how);
   programme.void_ratio = law->void_ratio();
   programme.initial_effective_stress_pa = law->pressure_pa();
@@ -93,7 +104,7 @@ void read_specimen(const TomlTable& table, Programme& programme) {
   programme.specimen.saturation =
       table.number("saturation", {.at_least = 0.5, .at_most = 1}).value_or(1);
   programme.specific_gravity = table.number("specific_gravity", {.at_least = 1, .at_most = 10});
-  if (const auto grains = table.text("grains"))
+  if (const auto grains = read_file_name(table, "grains", programme))
     read_grains(table, *grains, programme);
   else
     read_material(table, programme);
@@ -101,6 +112,13 @@ void read_specimen(const TomlTable& table, Programme& programme) {
 }
 
 }  // namespace
+
+std::optional<std::string> find_file_key(const TomlTable& document) {
+  for (const auto& [table, key] : kProgrammeFileKeys)
+    if (document.is_table(table) && document.table(table)->has(key))
+      return fmt::format("{}.{}", table, key);
+  return std::nullopt;
+}
 
 Programme read_programme(std::string_view toml_text, const std::string& file,
                          const std::vector<TomlEdit>& edits) {

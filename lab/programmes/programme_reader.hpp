@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,10 +10,23 @@
 
 namespace triax::lab {
 
-/// Reads a programme from TOML text. `file` is what messages call it and where a material_file is
-/// looked for beside. Throws BadInput (file:line, what was found, what would be right) on unknown
-/// keys, wrong types, values that no specimen or rig can have and ends that can never come. `edits`
-/// are put into the document before it is read.
+/// A key of a programme that names another file, as seen from the folder of the programme.
+struct ProgrammeFileKey {
+  std::string_view table;
+  std::string_view key;
+};
+/// All of them. The reader opens no file that another key names.
+inline constexpr std::array<ProgrammeFileKey, 2> kProgrammeFileKeys{
+    {{"specimen", "material_file"}, {"specimen", "grains"}}};
+
+/// The first key of the document that names another file, as "specimen.grains"; empty without one.
+/// For programmes from a source that may not read files. Opens no file.
+std::optional<std::string> find_file_key(const TomlTable& document);
+
+/// Reads a programme from TOML text. `file` is what messages call it; files that the programme
+/// names are looked for beside it. Throws BadInput (file:line, what was found, what would be right)
+/// on unknown keys, wrong types, values that no specimen or rig can have and ends that can never
+/// come. `edits` are put into the document before it is read.
 Programme read_programme(std::string_view toml_text, const std::string& file,
                          const std::vector<TomlEdit>& edits = {});
 

@@ -154,12 +154,10 @@ std::string remark_of(std::string_view text) {
 
 void refuse_files(const std::string& text, const std::string& name,
                   const std::vector<lab::TomlEdit>& edits) {
-  const auto document = lab::TomlTable::parse(text, name, 1, edits);
-  const auto specimen = document.is_table("specimen") ? document.table("specimen") : std::nullopt;
-  if (specimen && specimen->has("material_file"))
-    throw Refused(400,
-                  "specimen.material_file: a programme of the page names no files of this machine; "
-                  "`triax simulate` runs it");
+  if (const auto key = lab::find_file_key(lab::TomlTable::parse(text, name, 1, edits)))
+    throw Refused(400, *key +
+                           ": a programme of the page names no files of this machine; `triax "
+                           "simulate` runs it");
 }
 
 }  // namespace

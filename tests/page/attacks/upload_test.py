@@ -98,8 +98,13 @@ with Opened() as page:
     programme = '[test]\nname = "x"\ntype = "ICU"\nseed = 1\nscan_interval_s = 1.0\n[specimen]\nmaterial = "umat/x"\nmaterial_file = "/etc/passwd"\n'
     status, answer = page.post("/api/runs", {"programme": programme})
     same("a file of this machine", (status, "root" in str(answer)), (400, False))
-    status, answer = page.post("/api/runs", {"programme": "icu_6", "set": {"specimen.material_file": "/etc/passwd"}})
-    same("the same by set", (status, "names no files" in str(answer)), (400, True))
+    # The answer does not depend on the path: it says nothing about the files of this machine.
+    grains = programme.replace('material = "umat/x"\nmaterial_file = "/etc/passwd"', 'grains = "%s"')
+    for path in ("/etc/passwd", "/nonexistent", "/tmp", "/dev/zero", "../../../etc/passwd", "~/.ssh/id_rsa", page.database, ""):
+        for asked in ({"programme": grains % path}, {"programme": "icu_6", "set": {"specimen.material_file": path}},
+                      {"programme": "icu_6", "set": {"specimen.grains": path}}):
+            status, answer = page.post("/api/runs", asked)
+            same(f"the file {path!r}", (status, "names no files of this machine" in str(answer)), (400, True))
     for name in ("../../etc/passwd", "/etc/passwd", "nothing", ""):
         same(f"programme {name!r}", page.post("/api/runs", {"programme": name})[0], 400)
     for wrong in ({}, [], {"programme": 1}, {"programme": "icu_6", "speed": -1}, {"programme": "icu_6", "speed": "fast"}, {"programme": "icu_6", "seed": 0.5},

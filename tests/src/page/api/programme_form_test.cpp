@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/programmes/programme_reader.hpp"
 #include "src/page/request/request.hpp"
 
 using namespace triax;
@@ -58,14 +59,23 @@ TEST_CASE("a cell pressure of consolidation moves the end that waits for it") {
   CHECK(programme.name == "CSU 26 [cell_target_kPa 700, above 700]");
 }
 
-TEST_CASE("a programme of the page names no files and no paths") {
+TEST_CASE("programme_of: a path is no name of a sample") {
   CHECK_THROWS_AS(programme_of("/etc/passwd", {}), Refused);
   CHECK_THROWS_AS(programme_of("../csu_26", {}), Refused);
-  CHECK_THROWS_AS(programme_of("csu_26", {{"specimen.material_file", "/etc/passwd"}}), Refused);
+  CHECK_THROWS_AS(programme_of("no = \n toml", {}), lab::BadInput);
+}
+
+TEST_CASE("programme_of: every key that names a file is refused") {
   const std::string text(*sample_programme("csu_26"));
   CHECK(programme_of(text, {}).name == "CSU 26");
-  std::string with_file = text;
-  with_file.replace(with_file.find("[specimen]"), 10, "[specimen]\nmaterial_file = \"x\"");
-  CHECK_THROWS_AS(programme_of(with_file, {}), Refused);
-  CHECK_THROWS_AS(programme_of("no = \n toml", {}), lab::BadInput);
+  for (const auto& [table, key] : lab::kProgrammeFileKeys) {
+    const std::string name = std::string(table) + '.' + std::string(key);
+    const auto refusal =
+        Catch::Contains(name + ": a programme of the page names no files of this machine");
+    CHECK_THROWS_WITH(programme_of("csu_26", {{name, "/etc/passwd"}}), refusal);
+    std::string with_file = text;
+    with_file.replace(with_file.find("[specimen]"), 10,
+                      "[specimen]\n" + std::string(key) + " = \"x\"");
+    CHECK_THROWS_WITH(programme_of(with_file, {}), refusal);
+  }
 }
