@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/results/summary.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {
@@ -17,10 +18,15 @@ LimitSurface::LimitSurface(const SpecimenInfo& specimen) {
 namespace {
 
 constexpr double kNear = 0.95;  ///< of the limit's stress ratio
+constexpr const char* kGiveAngle = "--set specimen.limit_friction_angle_deg=...";
 
 double ratio_at(double angle, bool compression) {
   return compression ? sim::stress_ratio_at_friction_angle(angle)
                      : 6 * std::sin(angle) / (3 + std::sin(angle));
+}
+
+bool is_below(double eta, double angle) {
+  return std::fabs(eta) < kNear * ratio_at(angle, eta >= 0);
 }
 
 }  // namespace
@@ -75,24 +81,27 @@ double LimitSurface::below(double eta) const {
   return given_angle_ ? 1 - std::fabs(eta) / ratio_at(*given_angle_, eta >= 0) : 1;
 }
 
-std::string LimitSurface::source() const {
-  if (given_angle_) return "friction angle of the specimen";
-  return largest_angle_
-             ? "largest stress ratio mobilised in this test; the limit itself is unknown: "
-               "--set specimen.limit_friction_angle_deg=..."
-             : "unknown";
+std::string LimitSurface::source(bool is_known) const {
+  if (given_angle_) return kGivenLimit;
+  if (!largest_angle_) return fmt::format("unknown; {}", kGiveAngle);
+  if (is_known) return "largest stress ratio of this test, at which the specimen failed";
+  return fmt::format(
+      "unknown: no friction angle is given, and the {:.1f}° that this test mobilised may be less; "
+      "{}",
+      sim::degrees(*largest_angle_), kGiveAngle);
 }
 
 std::optional<bool> LimitSurface::inside(double eta, double onset_reading) const {
-  const auto below = [eta](double angle) {
-    return std::fabs(eta) < kNear * ratio_at(angle, eta >= 0);
-  };
-  if (given_angle_) return below(*given_angle_);
-  if (largest_angle_ && below(*largest_angle_)) return true;
+  if (given_angle_) return is_below(eta, *given_angle_);
+  if (went_beyond(eta)) return std::nullopt;
   if (softened_) return false;
   for (const Walk& walk : walks_)
-    if (walk.reading < onset_reading && !below(walk.angle)) return false;
+    if (walk.reading < onset_reading && !is_below(eta, walk.angle)) return false;
   return std::nullopt;
+}
+
+bool LimitSurface::went_beyond(double eta) const {
+  return !given_angle_ && largest_angle_ && is_below(eta, *largest_angle_);
 }
 
 }  // namespace triax::lab

@@ -10,7 +10,8 @@ namespace triax::lab {
 
 /// The Mohr-Coulomb line η = M against which an onset is judged, from the friction angle that the
 /// specimen's description gives. Without that a test knows of its own limit only what it showed:
-///   an onset at a ratio well below one that was mobilised at any time lies inside;
+///   an onset at a ratio well below one that was mobilised at any time is not on the limit, but the
+///   largest ratio of a test is a lower bound of the limit and no limit;
 ///   an onset lies on the limit where the path had walked along it before: q grew by kWalk while
 ///   sin φ stayed within a tenth, and within 5 % of its largest;
 ///   and where the ratio itself fell afterwards, by a tenth, while p' did not: the skeleton lost
@@ -22,18 +23,21 @@ class LimitSurface {
 
   /// q and p' (Pa) as measured at a reading; passed over where one of them is NaN.
   void add(double reading, double q_pa, double p_eff_pa);
-  /// M in compression: of the angle that was given, else of the largest that was mobilised; empty
-  /// while nothing is known.
+  /// M in compression: of the angle that was given, else of the largest that was mobilised, which
+  /// is the limit only if an onset lies on it; empty while no angle is known.
   std::optional<double> stress_ratio() const;
   /// Whether the specimen's description gives it.
   bool given() const { return given_angle_.has_value(); }
   /// By how much of it η lies below the limit that was given; 1 where none was.
   double below(double eta) const;
-  /// Where M comes from, in words.
-  std::string source() const;
+  /// Where the limit comes from; if it is not known (`is_known`), why not and what to do.
+  std::string source(bool is_known) const;
   /// Whether an onset at η lies strictly inside: more than 5 % below the limit, M in compression
   /// and 6 sin φ/(3 + sin φ) in extension (η < 0); that is about one degree of φ. Empty: unknown.
+  /// True only below an angle that was given.
   std::optional<bool> inside(double eta, double onset_reading) const;
+  /// Whether no angle was given and the test mobilised a ratio of which η is less than 95 %.
+  bool went_beyond(double eta) const;
 
  private:
   static constexpr double kWalk = 0.2;

@@ -52,6 +52,13 @@ void prove_by_fall(const FallWork& work, Collapse& c) {
   criterion.evidence = work.evidence;
 }
 
+/// The limit is known if its angle was given or the onset lies on it.
+void set_limit(const LimitSurface& limit, Collapse& c) {
+  const bool is_known = limit.given() || c.inside_limit_surface == false;
+  if (is_known) c.limit_stress_ratio = limit.stress_ratio();
+  c.limit_source = limit.source(is_known);
+}
+
 /// Too little was seen of shear: nothing is known, which is not the same as no collapse.
 Collapse not_judged(const Evidence& e) {
   Collapse c;
@@ -59,8 +66,7 @@ Collapse not_judged(const Evidence& e) {
   c.judged_until_reason =
       fmt::format("too few readings in shear, {} complete states of the {} needed", e.states,
                   static_cast<int>(BlockPyramid::kBlocks));
-  c.limit_stress_ratio = e.limit.stress_ratio();
-  c.limit_source = e.limit.source();
+  set_limit(e.limit, c);
   c.criteria = no_criteria("not judged: " + c.judged_until_reason);
   return c;
 }
@@ -88,7 +94,8 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
   if ((e.loss_of_control || most) && !e.limit.given() && c.inside_limit_surface == false)
     c.inside_limit_surface.reset();
   const bool on_limit = c.inside_limit_surface == false;
-  const bool drained_failure = drained && !e.loss_of_control && c.inside_limit_surface != true;
+  const bool below_limit = c.inside_limit_surface == true || e.limit.went_beyond(*c.onset->eta());
+  const bool drained_failure = drained && !e.loss_of_control && !below_limit;
   if (!on_limit && !drained_failure) return;
   c.kind = CollapseKind::none;
   c.criteria.front().detected = false;
@@ -214,8 +221,6 @@ void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
       "relaxation; the displacement transducer may be stuck",
       fall.share * 100, fall.reading);
   c.kind = CollapseKind::none;
-  c.onset.reset();
-  c.noticed.reset();
   c.end_at(fall.reading, reason);
 }
 
@@ -239,8 +244,6 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   const bool few = e.backbone && !is_cyclic(e);
   if (e.points == 0 && !e.loss_of_control && !few) return not_judged(e);
   Collapse c;
-  c.limit_stress_ratio = e.limit.stress_ratio();
-  c.limit_source = e.limit.source();
   c.judged_from = e.first_state;
   c.nearest = e.nearest;
   c.criteria = std::move(criteria);
@@ -271,6 +274,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   end_in_the_fall(e, c);
   // A runaway that was seen is never withdrawn.
   if (e.fall_at_rest && !e.loss_of_control) end_at_doubtful_rest(*e.fall_at_rest, c);
+  set_limit(e.limit, c);
   return c;
 }
 

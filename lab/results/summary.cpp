@@ -65,12 +65,19 @@ std::optional<CheckKind> check_kind_from(std::string_view text) {
   return value_of<CheckKind>(text, kCheckKinds);
 }
 
-void Collapse::withhold(const std::string& reason) {
-  judged = false;
-  kind = CollapseKind::none;
+void Collapse::remove_onset() {
   onset.reset();
   noticed.reset();
   inside_limit_surface.reset();
+  if (!limit_stress_ratio || limit_source == kGivenLimit) return;
+  limit_stress_ratio.reset();
+  limit_source = "unknown";
+}
+
+void Collapse::withhold(const std::string& reason) {
+  judged = false;
+  kind = CollapseKind::none;
+  remove_onset();
   second_order_work_normalised.reset();
   second_order_work_error.reset();
   strength_lost.reset();
@@ -83,10 +90,7 @@ void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reaso
   const bool ended = !judged_until_reason.empty();
   if (ended && last && (!judged_until || *judged_until <= *last)) return;
   judged = judged && last && detected();
-  if (!judged) {
-    onset.reset();
-    noticed.reset();
-  }
+  if (!judged) remove_onset();
   judged_until = last;
   judged_until_reason = reason;
   for (Criterion& c : criteria)

@@ -146,6 +146,9 @@ struct Nearest {
   double error = 0;       ///< its standard error
 };
 
+/// `limit_source` of a limit whose friction angle was given.
+inline constexpr const char* kGivenLimit = "friction angle of the specimen";
+
 /// One of three answers, never mixed: collapse (`detected()`), none (`judged` and not detected:
 /// shear was judged to its end), or not judged.
 struct Collapse {
@@ -153,6 +156,7 @@ struct Collapse {
   /// then and says nothing.
   bool judged = true;
   CollapseKind kind = CollapseKind::none;
+  /// Empty: unknown; true only if the friction angle of the limit was given.
   std::optional<bool> inside_limit_surface;
   /// Of the collapse; where kind is none, of a failure: strength lost on the limit surface, or with
   /// the drainage open.
@@ -166,8 +170,8 @@ struct Collapse {
   std::optional<double> second_order_work_error;
   /// Share of |q| at the onset that was lost while second-order work was negative.
   std::optional<double> strength_lost;
-  std::optional<double> limit_stress_ratio;  ///< M of the limit surface used
-  std::string limit_source;                  ///< where M comes from, in words
+  std::optional<double> limit_stress_ratio;  ///< M of the limit surface; empty: unknown
+  std::string limit_source;                  ///< where M comes from, or why it is unknown
   std::vector<Criterion> criteria;
   std::optional<Nearest> nearest;  ///< to second-order work that vanishes, over what was judged
   /// First reading of shear that was judged; empty: none was.
@@ -184,6 +188,10 @@ struct Collapse {
   /// none was found says nothing. Of two ends the earlier stands, of two that leave nothing the
   /// latter.
   void end_at(std::optional<std::int64_t> last, const std::string& reason);
+
+ private:
+  /// With it goes a limit that only the failure at the onset had shown.
+  void remove_onset();
 };
 
 struct CycleInstant {

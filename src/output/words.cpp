@@ -64,8 +64,13 @@ std::string status_in_words(db::TestStatus status, const std::optional<db::SignO
 }
 
 std::string inside_limit_surface(const lab::Collapse& collapse) {
-  if (!collapse.inside_limit_surface) return kUnknown;
+  if (!collapse.inside_limit_surface) return collapse.onset ? "unknown" : kUnknown;
   return *collapse.inside_limit_surface ? "inside" : "on it";
+}
+
+std::string inside_limit_surface_or_reason(const lab::Collapse& collapse) {
+  const bool has_reason = !collapse.limit_stress_ratio && !collapse.limit_source.empty();
+  return has_reason ? collapse.limit_source : inside_limit_surface(collapse);
 }
 
 std::string instant(const lab::Instant& at) {

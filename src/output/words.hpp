@@ -34,8 +34,11 @@ std::string sign_in_words(db::TestStatus status, const std::optional<db::SignOfL
 /// "complete"; "running, last sign of life 3 s ago".
 std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign);
 
-/// "inside", "on the limit surface" or unknown.
+/// "inside", "on it" or "unknown": where the onset is relative to the limit surface; a dash without
+/// an onset.
 std::string inside_limit_surface(const lab::Collapse& collapse);
+/// The same; for a limit that is not known with the reason.
+std::string inside_limit_surface_or_reason(const lab::Collapse& collapse);
 /// "reading 812, 41.0 s, ε₁ 0.51 %, q 56.5 kPa, p′ 96.1 kPa, η 0.59, φ_mob 15.4°"; unknown parts
 /// are left out.
 std::string instant(const lab::Instant& at);

@@ -220,7 +220,9 @@ std::vector<std::string> summary_notes() {
   return {
       "p′₀, e₀: mean effective stress and void ratio at the start of shear",
       "η_coll = q/p′ at the onset of collapse; φ_mob from sin φ_mob = 3η/(6 + η)",
-      "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it",
+      "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it; unknown "
+      "without "
+      "a friction angle",
       "Criteria: how many of the criteria applied agree that the specimen collapsed",
   };
 }

@@ -140,6 +140,34 @@ TEST_CASE("of an old record without time, no strain stays under the name of a ti
                    .c_str()) == "[0.5,null]");
 }
 
+TEST_CASE("migrate: a limit that was the largest ratio of the test becomes unknown") {
+  TemporaryFolder folder;
+  SQLite::Database database(folder.file("t.db"), kCreate);
+  db::migrate(database, "t.db", 18);
+  const std::string own =
+      "largest stress ratio mobilised in this test; the limit itself is unknown";
+  for (const std::string row :
+       {"1, 'flow', 1, 1.3, '" + own + "'", "2, 'flow', NULL, 1.3, '" + own + "'",
+        "3, 'none', 0, 1.3, '" + own + "'",
+        std::string("4, 'flow', 1, 1.3, 'friction angle of the specimen'")}) {
+    database.exec(
+        "INSERT INTO tests (id, name, origin, status, recorded_at, has_time, columns, "
+        "writer_pid, writer_started, writer_host) VALUES (" +
+        row.substr(0, 1) + ", 'a', 'recorded', 'complete', '', 1, '', 1, 1, 'h')");
+    database.exec(
+        "INSERT INTO verdicts (test_id, kind, inside_limit_surface, limit_stress_ratio, "
+        "limit_source) VALUES (" +
+        row + ")");
+  }
+  db::migrate(database, "t.db");
+  CHECK(database
+            .execAndGet("SELECT json_group_array(json_array(inside_limit_surface, "
+                        "limit_stress_ratio)) FROM verdicts")
+            .getString() == "[[null,null],[null,null],[0,1.3],[1,1.3]]");
+  CHECK(read_int(database, "SELECT count(*) FROM verdicts WHERE limit_source LIKE '%mobilised%'") ==
+        0);
+}
+
 TEST_CASE("a database made in one step is what all migrations come to") {
   const auto schema_of = [](SQLite::Database& database) {
     SQLite::Statement all(

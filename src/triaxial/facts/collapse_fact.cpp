@@ -19,7 +19,8 @@ namespace {
 
 std::string limit_line(const db::StoredTest& test) {
   const lab::Collapse& collapse = test.summary.collapse;
-  if (!collapse.limit_stress_ratio) return "unknown; --set specimen.limit_friction_angle_deg=...";
+  if (!collapse.limit_stress_ratio)
+    return collapse.limit_source.empty() ? "unknown" : collapse.limit_source;
   auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
   const bool of_the_law = test.header.origin == lab::Origin::simulated &&
                           test.header.specimen.limit_friction_angle_rad.has_value();

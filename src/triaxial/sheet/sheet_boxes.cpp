@@ -230,7 +230,7 @@ SheetBox verdict_box(const SheetTest& test) {
       box.facts.push_back(
           {"η with 95 %",
            {fmt::format("{:.3f} to {:.3f}", onset->interval->eta.low, onset->interval->eta.high)}});
-    box.facts.push_back({"limit surface", {inside_limit_surface(collapse)}});
+    box.facts.push_back({"limit surface", {inside_limit_surface_or_reason(collapse)}});
   } else if (const auto at = study::failure_onset(stored)) {
     box.facts.push_back({"strength lost from", {instant(*at)}});
   }

@@ -28,21 +28,32 @@ TEST_CASE("without one the ratio at which a specimen fell excuses nothing") {
   for (int i = 0; i < 100; ++i) own.add(i, 1e3 * i, 140e3);  // to η = 0.71, the largest
   CHECK(*own.stress_ratio() == Approx(0.707).margin(1e-3));
   CHECK_FALSE(own.inside(0.70, 98));
-  CHECK(own.inside(0.60, 85) == true);  // the test itself went beyond
+  CHECK_FALSE(own.went_beyond(0.70));
 }
 
-TEST_CASE("what is mobilised later shows that an onset lay inside") {
+TEST_CASE("LimitSurface: the largest ratio of a test is no limit to be inside of") {
   LimitSurface own({});
   own.add(10, 70e3, 100e3);
-  CHECK_FALSE(own.inside(0.7, 10));
+  CHECK_FALSE(own.went_beyond(0.7));
   own.add(200, 13e3, 10e3);
-  CHECK(own.inside(0.7, 10) == true);
+  CHECK(own.went_beyond(0.7));
+  CHECK_FALSE(own.inside(0.7, 10));
+  CHECK_THAT(own.source(false),
+             Catch::Contains("unknown: no friction angle is given, and the 32.3°"));
+}
+
+TEST_CASE("LimitSurface: a path along a ratio does not put a lower onset inside") {
+  LimitSurface own({});
+  for (int i = 0; i <= 100; ++i) own.add(i, 1.35 * 1e3 * (100 + i), 1e3 * (100 + i));
+  CHECK(own.went_beyond(0.7));
+  CHECK_FALSE(own.inside(0.7, 100));
 }
 
 TEST_CASE("a path that had walked along its largest ratio before knew its limit") {
   LimitSurface own({});
   for (int i = 0; i <= 100; ++i) own.add(i, 1.35 * 1e3 * (100 + i), 1e3 * (100 + i));
   CHECK(own.inside(1.34, 100) == false);
+  CHECK(own.source(true) == "largest stress ratio of this test, at which the specimen failed");
   CHECK_FALSE(own.inside(1.34, 15));  // not yet: q had grown by less than a fifth
 }
 

@@ -91,6 +91,35 @@ TEST_CASE("a drained peak is a failure where nobody knows that it lies inside th
   CHECK_FALSE(verdict({.worst = small, .points = 50, .limit = unknown}).onset);
 }
 
+TEST_CASE("verdict: a larger ratio of the same test leaves the limit unknown") {
+  LimitSurface own({});
+  for (int i = 1; i <= 10; ++i) own.add(i, 12e3, 10e3);
+  Descent fall = descent(60e3, 100e3, 40e3, 20e3);
+  for (const bool drained : {false, true}) {
+    fall.drained = drained;
+    const Collapse c = verdict({.worst = fall, .points = 50, .limit = own});
+    CHECK(c.kind == CollapseKind::flow);  // η of 0.6 where 1.2 was carried: no failure on a limit
+    CHECK_FALSE(c.inside_limit_surface);
+    CHECK_FALSE(c.limit_stress_ratio);
+    CHECK_THAT(c.limit_source, Catch::Contains("unknown: no friction angle is given"));
+  }
+  const LimitSurface given = sand();
+  CHECK(verdict({.worst = fall, .points = 50, .limit = given}).limit_source == kGivenLimit);
+}
+
+TEST_CASE("verdict: a failure shows the limit, and takes it along when it is withheld") {
+  LimitSurface walked({});
+  for (int i = 1; i <= 100; ++i) walked.add(i, 1.3e3 * i, 1e3 * i);
+  Descent peak = descent(130e3, 100e3, 20e3, 110e3);
+  peak.onset.reading = 101;
+  Collapse c = verdict({.worst = peak, .points = 50, .limit = walked});
+  CHECK(c.inside_limit_surface == false);
+  CHECK(*c.limit_stress_ratio == Approx(1.3));
+  c.withhold("the load cell is dead");
+  CHECK_FALSE(c.limit_stress_ratio);
+  CHECK(c.limit_source == "unknown");
+}
+
 TEST_CASE("a burst on a limit that only the burst shows is a collapse") {
   LimitSurface own({});
   PathPoint last;

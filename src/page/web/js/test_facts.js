@@ -18,6 +18,7 @@ function table(caption, heads, rows) {
 export function verdictPanel({ collapse, test }) {
   const { word, tone, why } = verdict(collapse);
   const inside = collapse.inside_limit_surface;
+  const limit = collapse.limit_stress_ratio ? el("small", {}, ` M ${fixed(collapse.limit_stress_ratio, 2)}`) : el("small", { title: collapse.limit_source ?? "" }, " no friction angle given");
   const figures = collapse.detected ? [
     figure("onset at η = q/p′", within(collapse.eta, collapse.eta_low, collapse.eta_high)),
     figure("φ_mob", `${fixed(collapse.phi_mob_deg, 1)}°`),
@@ -25,12 +26,12 @@ export function verdictPanel({ collapse, test }) {
     figure("axial strain ε₁", percent(collapse.axial_strain)),
     figure("p′, q", `${fixed(collapse.p_eff_kPa)}, ${fixed(collapse.q_kPa)} `, el("small", {}, "kPa")),
     figure("W₂ normalised", `${fixed(collapse.second_order_work_normalised, 3)}${collapse.second_order_work_error === null ? "" : ` ± ${fixed(collapse.second_order_work_error, 3)}`}`),
-    figure("limit surface M", inside === null ? DASH : inside ? "inside" : "on it", collapse.limit_stress_ratio ? el("small", {}, ` ${fixed(collapse.limit_stress_ratio, 2)}`) : null),
+    figure("limit surface", inside === null ? "unknown" : inside ? "inside" : "on it", limit),
     collapse.truth?.lost_sustainability ? figure("truth (specimen)", `η ${fixed(collapse.truth.eta, 2)}`, el("small", {}, ` ${time(collapse.truth.time_s)}`)) : null,
   ] : [
     figure("judged", collapse.judged?.complete ? "to the end" : collapse.judged?.to_reading !== null && collapse.judged?.to_reading !== undefined ? `to reading ${collapse.judged.to_reading}` : DASH),
     collapse.nearest ? figure("least W₂ normalised", fixed(collapse.nearest.second_order_work_normalised, 3), el("small", {}, ` reading ${collapse.nearest.reading}`)) : null,
-    collapse.limit_stress_ratio ? figure("limit surface", `M ${fixed(collapse.limit_stress_ratio, 2)}`) : null,
+    figure("limit surface", collapse.limit_stress_ratio ? null : "unknown", limit),
   ];
   return el("section", { class: `panel verdict ${tone}`, "aria-label": "Verdict", data: { verdict: String(collapse.kind), test: String(test.id) } },
     el("div", {}, el("div", { class: "word" }, el("span", { "aria-hidden": "true" }, `${SHAPES[tone]} `), word), el("div", { class: "quiet" }, why)),
