@@ -327,8 +327,9 @@ void CollapseMonitor::Impl::tell_of_descent() {
        Event{
            .reading = at.reading,
            .time_s = at.time_s,
-           .kind = on_limit || descent->drained ? EventKind::limit_surface
-                                                : EventKind::loss_of_sustainability,
+           .kind = on_limit           ? EventKind::limit_surface
+                   : descent->drained ? EventKind::failure
+                                      : EventKind::loss_of_sustainability,
            .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
                                  "{:.3f} and stays negative",
                                  *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});

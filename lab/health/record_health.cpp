@@ -288,7 +288,7 @@ std::vector<Warning> RecordHealth::warnings() const {
     std::string text = describe(first);
     if (more > 0) text += fmt::format(", and {} more time{}", more, more == 1 ? "" : "s");
     if (is_vouched(first, header_.vouched))
-      text += "; said to be sound, and believed";
+      text += kBelievedThough;
     else if (header_.origin == Origin::recorded && first.fault == SensorFault::stuck)
       text += fmt::format("; if it is sound: --set sensors.{}=sound", info(first.channel).name);
     all.push_back({0, std::move(text)});

@@ -20,6 +20,7 @@ constexpr auto kEventKinds = std::to_array<std::pair<EventKind, std::string_view
     {{EventKind::stage_started, "stage_started"},
      {EventKind::loss_of_sustainability, "loss_of_sustainability"},
      {EventKind::limit_surface, "limit_surface"},
+     {EventKind::failure, "failure"},
      {EventKind::sensor_fault, "sensor_fault"},
      {EventKind::device_fault, "device_fault"},
      {EventKind::held, "held"},

@@ -23,6 +23,7 @@ std::string said_word(const study::LiveRow& row) {
     case lab::EventKind::loss_of_sustainability:
       return "lost";
     case lab::EventKind::limit_surface:
+    case lab::EventKind::failure:
       return "failure";
     case lab::EventKind::warning_withdrawn:
       return "taken back";

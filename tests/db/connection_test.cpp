@@ -146,7 +146,7 @@ TEST_CASE("migrate: a limit that was the largest ratio of the test becomes unkno
   db::migrate(database, "t.db", 18);
   const std::string own =
       "largest stress ratio mobilised in this test; the limit itself is unknown";
-  for (const std::string row :
+  for (const std::string& row :
        {"1, 'flow', 1, 1.3, '" + own + "'", "2, 'flow', NULL, 1.3, '" + own + "'",
         "3, 'none', 0, 1.3, '" + own + "'",
         std::string("4, 'flow', 1, 1.3, 'friction angle of the specimen'")}) {

@@ -73,7 +73,7 @@ TestResult flow_test() {
   collapse.second_order_work_normalised = -0.02;
   collapse.second_order_work_error = 0.01;
   collapse.limit_stress_ratio = 1.25;
-  collapse.limit_source = "largest stress ratio of the test";
+  collapse.limit_source = lab::kGivenLimit;
   collapse.criteria = {
       {"second_order_work", true, 301, 30.1, 0.6,
        "negative beyond 3 standard errors for 40 readings"},

@@ -3,6 +3,7 @@
 
 #include <xlsxwriter.h>
 
+#include <algorithm>
 #include <array>
 
 #include "src/export/workbook/layout.hpp"
@@ -16,24 +17,54 @@ struct ChartKind {
   const char* title;
   std::size_t x, y;
   const char *x_axis, *y_axis;
-  bool points;  ///< values that not every row has
+  const ChartLines* lines;  ///< null: points, of values that not every row has
   std::optional<std::pair<double, double>>
       ends{};  ///< of the axis of y; empty: chosen by who shows it
 };
 
+/// In Excel a chart has at most 255 series.
+constexpr std::size_t kMaxSeries = 250;
+
+lxw_chart_series* add_series(lxw_chart* chart, const ChartKind& kind, std::size_t first,
+                             std::size_t last) {
+  lxw_chart_series* const series = chart_add_series(chart, nullptr, nullptr);
+  const auto from = static_cast<lxw_row_t>(first), to = static_cast<lxw_row_t>(last);
+  const auto x = static_cast<lxw_col_t>(kind.x), y = static_cast<lxw_col_t>(kind.y);
+  chart_series_set_categories(series, kStatesSheet, from, x, to, x);
+  chart_series_set_values(series, kStatesSheet, from, y, to, y);
+  return series;
+}
+
+/// One line of a look of its own, or several that look alike.
+void add_lines(lxw_chart* chart, const ChartKind& kind) {
+  const auto& ranges = kind.lines->ranges();
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMaxSeries); ++i) {
+    lxw_chart_series* const series = add_series(chart, kind, ranges[i].first, ranges[i].last);
+    if (ranges.size() == 1) return;
+    lxw_chart_line line{};
+    line.color = 0x0072B2;
+    line.width = ranges[i].dotted ? 1.0F : 2.25F;
+    if (ranges[i].dotted) line.dash_type = LXW_CHART_LINE_DASH_ROUND_DOT;
+    chart_series_set_line(series, &line);
+  }
+}
+
+void add_points(lxw_chart* chart, const ChartKind& kind, const ShearRows& rows) {
+  lxw_chart_series* const series = add_series(chart, kind, rows.first, rows.last);
+  chart_series_set_marker_type(series, LXW_CHART_MARKER_CIRCLE);
+  chart_series_set_marker_size(series, 3);
+}
+
 void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKind& kind,
                   const std::string& test, std::size_t row, std::size_t column) {
-  lxw_chart* const chart =
-      workbook_add_chart(book.get(), kind.points ? LXW_CHART_SCATTER : LXW_CHART_SCATTER_STRAIGHT);
-  lxw_chart_series* const series = chart_add_series(chart, nullptr, nullptr);
-  const auto first = static_cast<lxw_row_t>(rows.first), last = static_cast<lxw_row_t>(rows.last);
-  const auto x = static_cast<lxw_col_t>(kind.x), y = static_cast<lxw_col_t>(kind.y);
-  chart_series_set_categories(series, kStatesSheet, first, x, last, x);
-  chart_series_set_values(series, kStatesSheet, first, y, last, y);
-  if (kind.points) {
-    chart_series_set_marker_type(series, LXW_CHART_MARKER_CIRCLE);
-    chart_series_set_marker_size(series, 3);
-  }
+  lxw_chart* const chart = workbook_add_chart(
+      book.get(), kind.lines == nullptr ? LXW_CHART_SCATTER : LXW_CHART_SCATTER_STRAIGHT);
+  if (kind.lines == nullptr)
+    add_points(chart, kind, rows);
+  else if (kind.lines->ranges().empty())
+    add_series(chart, kind, rows.first, rows.first);
+  else
+    add_lines(chart, kind);
   chart_title_set_name(chart, (test + ": " + kind.title).c_str());
   lxw_chart_font small{};
   small.size = 11;
@@ -53,6 +84,17 @@ void insert_chart(Book& book, Sheet& sheet, const ShearRows& rows, const ChartKi
 }
 
 }  // namespace
+
+void ChartLines::add(std::size_t row, study::Join join) {
+  if (ranges_.empty() || join == study::Join::none) {
+    ranges_.push_back({row, row});
+  } else if (join == study::Join::dotted) {
+    ranges_.push_back({ranges_.back().last, row, true});
+    ranges_.push_back({row, row});
+  } else {
+    ranges_.back().last = row;
+  }
+}
 
 double axis_step(double low, double high) {
   constexpr double kSteps = 5;
@@ -75,13 +117,14 @@ void write_charts(Book& book, Sheet& sheet, const ShearRows& rows, bool pore_pre
   std::optional<std::pair<double, double>> pore;
   if (rows.pore_kPa) pore = axis_ends(rows.pore_kPa->first, rows.pore_kPa->second);
   const std::array<ChartKind, 4> kinds = {
-      {{"deviator stress", kStrain, kQ, "axial strain", "q (kPa)", false},
-       {"stress path", kP, kQ, "p′ (kPa)", "q (kPa)", false},
+      {{"deviator stress", kStrain, kQ, "axial strain", "q (kPa)", &rows.q},
+       {"stress path", kP, kQ, "p′ (kPa)", "q (kPa)", &rows.path},
        pore_pressure
-           ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", false, pore}
-           : ChartKind{"volume", kStrain, kVolume, "axial strain", "volumetric strain", false},
+           ? ChartKind{"pore pressure", kStrain, kPore, "axial strain", "u (kPa)", &rows.pore, pore}
+           : ChartKind{"volume", kStrain, kVolume, "axial strain", "volumetric strain",
+                       &rows.volume},
        {"second-order work, normalised", kStrain, StatesSheet::column(StateCell::work_normalised),
-        "axial strain", "W₂ (−1 to 1)", true}}};
+        "axial strain", "W₂ (−1 to 1)", nullptr}}};
   for (std::size_t i = 0; i < kinds.size(); ++i)
     insert_chart(book, sheet, rows, kinds[i], name, kHeadingRow + 1 + 16 * (i / 2), 8 * (i % 2));
   worksheet_set_landscape(sheet.get());  // all four on one page

@@ -5,17 +5,37 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "db/store.hpp"
 #include "src/export/workbook/book.hpp"
+#include "src/study/triaxial/line_breaks.hpp"
 
 namespace triax::src {
 
-/// First and last row of shear on the states' sheet, and the pore pressures between them, in kPa;
-/// empty where none is known.
+/// Rows that one line of a chart goes through; dotted where nothing was read between two of them.
+struct RowRange {
+  std::size_t first = 0, last = 0;
+  bool dotted = false;
+};
+
+/// The lines of one chart, row by row; they end where a sensor could not be believed.
+class ChartLines {
+ public:
+  /// `join`: to the last row that was added.
+  void add(std::size_t row, study::Join join);
+  const std::vector<RowRange>& ranges() const { return ranges_; }
+
+ private:
+  std::vector<RowRange> ranges_;
+};
+
+/// First and last row of shear on the states' sheet, the lines of the charts in their order, and
+/// the pore pressures between them, in kPa; empty where none is known.
 struct ShearRows {
   std::size_t first = 0, last = 0;
   std::optional<std::pair<double, double>> pore_kPa{};
+  ChartLines q, path, pore, volume;
   void add_pore(double kPa) {
     if (!std::isfinite(kPa)) return;
     if (!pore_kPa) pore_kPa = {kPa, kPa};

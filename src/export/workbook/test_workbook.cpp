@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/measured/unread_steps.hpp"
 #include "src/export/workbook/charts_sheet.hpp"
 #include "src/export/workbook/readings_sheet.hpp"
 #include "src/export/workbook/states_sheet.hpp"
@@ -30,7 +32,43 @@ struct Overview {
   std::optional<ShearRows> shear;
 };
 
+/// The states of shear as the charts draw them, row by row.
+class ChartWriter {
+ public:
+  ChartWriter(const db::Store& store, const db::StoredTest& test)
+      : header_(test.header), steps_(test.header.has_time) {
+    breaks_.faults = study::faulty_spans(store, test);
+  }
+
+  void add(std::size_t row, lab::Reading reading, lab::State state, ShearRows& rows) {
+    study::remove_faulty(breaks_.faults, header_, reading, state);
+    if (steps_.add(state)) breaks_.unread_steps.push_back(state.reading);
+    rows.last = row;
+    rows.add_pore(state.pore_pressure * 1e-3);
+    const double strain = state.strain.axial;
+    add_to(rows.q, q_, row, state, strain, state.q);
+    add_to(rows.path, path_, row, state, state.p_eff, state.q);
+    add_to(rows.pore, pore_, row, state, strain, state.pore_pressure);
+    add_to(rows.volume, volume_, row, state, strain, state.volumetric_strain);
+  }
+
+ private:
+  static void add_to(ChartLines& lines, study::Joiner& joiner, std::size_t row,
+                     const lab::State& state, double x, double y) {
+    if (std::isfinite(x) && std::isfinite(y))
+      lines.add(row, joiner.join(state));
+    else
+      joiner.skip(state);
+  }
+
+  const lab::RecordHeader& header_;
+  study::LineBreaks breaks_;
+  lab::UnreadSteps steps_;
+  study::Joiner q_{breaks_}, path_{breaks_}, pore_{breaks_}, volume_{breaks_};
+};
+
 void look_over(const db::Store& store, const db::StoredTest& test, Overview& seen) {
+  ChartWriter charts(store, test);
   std::size_t row = kFirstRow;
   store.for_each_scan(test.id, 1, [&](const lab::Reading& reading, const lab::State& state) {
     seen.windows.add(state, row);
@@ -39,9 +77,8 @@ void look_over(const db::Store& store, const db::StoredTest& test, Overview& see
     stage->second.last = reading.number;
     ++stage->second.readings;
     if (study::is_shear(test.header, reading.stage)) {
-      if (!seen.shear) seen.shear = ShearRows{row, row};
-      seen.shear->last = row;
-      seen.shear->add_pore(state.pore_pressure * 1e-3);
+      if (!seen.shear) seen.shear = ShearRows{.first = row, .last = row};
+      charts.add(row, reading, state, *seen.shear);
     }
     ++row;
   });

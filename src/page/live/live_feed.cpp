@@ -49,7 +49,7 @@ void LiveFeed::add(What what) {
 }
 
 void LiveFeed::scanned(const lab::Reading& reading, const lab::State& state) {
-  add(LiveReading{reading, state, std::chrono::system_clock::now()});
+  add(LiveReading{reading, state, std::chrono::system_clock::now(), steps_.add(state)});
 }
 
 void LiveFeed::happened(const lab::Event& event) { add(event); }

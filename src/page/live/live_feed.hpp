@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "lab/health/sensor_finding.hpp"
+#include "lab/measured/unread_steps.hpp"
 #include "lab/results/outlook.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/record_header.hpp"
@@ -40,6 +41,7 @@ struct LiveReading {
   lab::Reading reading;
   lab::State state;
   std::chrono::system_clock::time_point told;  ///< when it came here
+  bool unread = false;  ///< ends a step in which the specimen ran away (lab::UnreadSteps)
 };
 /// The test is over: "complete", "interrupted", or why it failed.
 struct LiveEnd {
@@ -104,6 +106,7 @@ class LiveFeed {
   std::deque<LiveItem> ring_;
   std::uint64_t first_ = 0;  ///< number of the first item in the ring
   LivePosition last_;
+  lab::UnreadSteps steps_{true};         ///< by who records
   std::optional<LivePosition> dropped_;  ///< the last that is in the ring no more
   double share_ = -1;
   bool over_ = false;

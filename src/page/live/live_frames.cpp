@@ -27,6 +27,7 @@ Told told(const LiveReading& reading) {
   }
   const auto told_us =
       std::chrono::duration_cast<std::chrono::microseconds>(reading.told.time_since_epoch());
+  if (reading.unread) json += ",\"unread\":true";
   return {"reading", fmt::format("{},\"told_ms\":{:.3f}}}", json,
                                  1e-3 * static_cast<double>(told_us.count()))};
 }

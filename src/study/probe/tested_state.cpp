@@ -30,7 +30,9 @@ std::optional<std::int64_t> reading_of(const db::StoredTest& test, const std::st
   if (at == "collapse") {
     if (const auto onset = collapse_onset(test)) return onset->reading;
     if (const auto onset = failure_onset(test)) {
-      warnings.push_back(name + " failed on the limit surface, without collapse: its onset");
+      const bool on_limit = test.summary.collapse.inside_limit_surface == false;
+      warnings.push_back(fmt::format("{} failed {}, without collapse: its onset", name,
+                                     on_limit ? "on the limit surface" : "with the drainage open"));
       return onset->reading;
     }
     throw lab::BadInput(fmt::format(

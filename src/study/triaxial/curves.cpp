@@ -50,6 +50,11 @@ void CurveThinner::add(const lab::State& state) {
   if (++in_bucket_ == span_) close_bucket();
 }
 
+/// The last state of a bucket that is closed was kept with it.
+void CurveThinner::keep(const lab::State& state) {
+  if (in_bucket_ > 0) extremes_.push_back(state);
+}
+
 void CurveThinner::close_bucket() {
   std::sort(extremes_.begin(), extremes_.end(),
             [](const auto& a, const auto& b) { return a.reading < b.reading; });

@@ -7,6 +7,7 @@
 #include "lab/results/outlook.hpp"
 #include "lab/results/second_order_work_point.hpp"
 #include "lab/results/state.hpp"
+#include "src/study/triaxial/line_breaks.hpp"
 
 namespace triax::study {
 
@@ -14,6 +15,7 @@ struct Curves {
   std::vector<lab::State> states;               ///< in order
   std::vector<lab::SecondOrderWorkPoint> work;  ///< in order
   std::vector<lab::Outlook> forecasts;          ///< in order
+  LineBreaks breaks{};  ///< where lines through the states are no solid ones
 };
 
 /// Of each of this many equal spans of a test, the first and last state, the extremes of q, p′, u
@@ -28,6 +30,8 @@ class CurveThinner {
   /// `scans`: how many states will come; if there are few, all are kept.
   CurveThinner(std::int64_t scans, std::int64_t buckets);
   void add(const lab::State& state);
+  /// A state that was added just before and has to be drawn.
+  void keep(const lab::State& state);
   /// The states kept, in the order they came. The thinner is empty afterwards.
   std::vector<lab::State> take();
 

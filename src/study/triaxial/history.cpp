@@ -39,24 +39,32 @@ std::vector<HistoryQuantity> quantities_of(const Curves& curves) {
 HistoryCurve curve_of(const Curves& curves, HistoryQuantity quantity, const HistoryAxis& axis) {
   HistoryCurve curve{quantity, {}, 0, 0};
   bool any = false;
+  Joiner joiner(curves.breaks);
   for (const auto& state : curves.states) {
     const double value = value_of(state, quantity);
-    if (!std::isfinite(value)) continue;
+    if (!std::isfinite(value)) {
+      joiner.skip(state);
+      continue;
+    }
     curve.smallest = any ? std::min(curve.smallest, value) : value;
     curve.largest = any ? std::max(curve.largest, value) : value;
     any = true;
     if (const auto at = axis.position(state.time_s, state.reading))
-      curve.points.push_back({*at, value});
+      curve.points.push_back({*at, value, joiner.join(state)});
   }
   return curve;
 }
 
 std::vector<HistoryWork> work_of(const Curves& curves, const HistoryAxis& axis) {
   std::vector<HistoryWork> work;
+  std::int64_t before = -1;
   for (const auto& point : curves.work) {
     const auto at = axis.position(point.time_s, point.reading);
     if (!at || !std::isfinite(point.work.normalised)) continue;
     const double error = std::isfinite(point.normalised_error) ? point.normalised_error : 0;
+    const bool gap = before >= 0 && curves.breaks.has_fault_between(before, point.reading);
+    if (gap) work.push_back({*at, lab::kMissing, 0});
+    before = point.reading;
     work.push_back({*at, point.work.normalised, error});
   }
   return work;

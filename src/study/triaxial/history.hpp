@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/study/triaxial/history_axis.hpp"
+#include "src/study/triaxial/line_breaks.hpp"
 #include "src/study/triaxial/tests_origin.hpp"
 
 namespace triax::study {
@@ -16,6 +17,7 @@ enum class HistoryQuantity { q, pore_pressure, volumetric_strain, axial_strain }
 struct HistoryPoint {
   double at = 0;     ///< along the axis, in its units
   double value = 0;  ///< SI
+  Join join = Join::solid;
 };
 
 struct HistoryCurve {
@@ -26,7 +28,7 @@ struct HistoryCurve {
 
 struct HistoryWork {
   double at = 0;          ///< along the axis, in its units
-  double normalised = 0;  ///< second-order work, between −1 and 1
+  double normalised = 0;  ///< second-order work, between −1 and 1; NaN: a gap
   double error = 0;       ///< one standard error; 0 where not known
 };
 

@@ -86,6 +86,7 @@ ShearSeries shear_series(const std::vector<TestResult>& tests) {
     auto& added = series.tests.emplace_back();
     added.name = test.stored.header.name;
     added.states = states_of_shear(test);
+    added.breaks = test.curves.breaks;
     added.onset = collapse_onset(test.stored);
     find_state_at_onset(added);
     if (added.onset && added.onset->axial_strain)

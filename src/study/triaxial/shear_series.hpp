@@ -7,6 +7,7 @@
 
 #include "lab/results/state.hpp"
 #include "lab/results/summary.hpp"
+#include "src/study/triaxial/line_breaks.hpp"
 #include "src/study/triaxial/tests_origin.hpp"
 
 namespace triax::study {
@@ -24,6 +25,7 @@ lab::Drainage drainage_of_shear(const lab::RecordHeader& header,
 struct SeriesTest {
   std::string name;
   std::vector<lab::State> states;     ///< of shear, in order
+  LineBreaks breaks{};                ///< of lines through them
   std::optional<lab::Instant> onset;  ///< of collapse
   /// The nearest to the onset among `states`; nothing without an onset or without states.
   std::optional<lab::State> at_onset;

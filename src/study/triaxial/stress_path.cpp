@@ -17,7 +17,8 @@ StressPath stress_path(const TestResult& test) {
   StressPath path;
   path.test = header.name;
   for (const auto& state : test.curves.states)
-    (is_shear(header, state.stage) ? path.shear : path.before).push_back({state.p_eff, state.q});
+    (is_shear(header, state.stage) ? path.shear : path.before).push_back(state);
+  path.breaks = test.curves.breaks;
   path.onset = stress_at(collapse_onset(test.stored));
   path.failure = stress_at(failure_onset(test.stored));
   if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)

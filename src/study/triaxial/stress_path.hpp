@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "lab/results/summary.hpp"
+#include "src/study/triaxial/line_breaks.hpp"
 #include "src/study/triaxial/tests_origin.hpp"
 
 namespace triax::study {
 
 struct StressPoint {
-  double p_pa = 0, q_pa = 0;  ///< p′ and q; NaN where not known
+  double p_pa = 0, q_pa = 0;  ///< p′ and q
 
   double eta() const { return q_pa / p_pa; }
 };
@@ -20,11 +21,12 @@ std::optional<StressPoint> stress_at(const std::optional<lab::Instant>& instant)
 
 /// The effective stress path of one test, each part in order.
 struct StressPath {
-  std::string test;                 ///< its name
-  std::vector<StressPoint> before;  ///< in stages that are said not to be shear
-  std::vector<StressPoint> shear;
+  std::string test;                ///< its name
+  std::vector<lab::State> before;  ///< in stages that are said not to be shear
+  std::vector<lab::State> shear;
+  LineBreaks breaks{};                       ///< of lines through them
   std::optional<StressPoint> onset;          ///< of collapse
-  std::optional<StressPoint> failure;        ///< on the limit surface, which is no collapse
+  std::optional<StressPoint> failure;        ///< which is no collapse
   std::optional<StressPoint> true_onset;     ///< of a simulated specimen itself
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface
   TestsOrigin origin;

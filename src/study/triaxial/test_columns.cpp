@@ -2,15 +2,88 @@
 #include "src/study/triaxial/test_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "lab/measured/unread_steps.hpp"
+#include "src/study/triaxial/line_breaks.hpp"
 
 namespace triax::study {
+namespace {
+
+/// Columns of what is read on the channel or reduced from it.
+std::vector<std::size_t> columns_of(lab::Quantity channel, const lab::RecordHeader& header) {
+  lab::Reading reading;
+  reading.si.fill(1);
+  lab::State state;
+  state.strain = {1, 1};
+  state.time_s = state.volumetric_strain = state.q = state.p_eff = state.pore_pressure = 1;
+  lab::remove_channel(channel, header, reading, state);
+  std::vector<double> row;
+  db::fill_row(reading, state, row);
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (std::isnan(row[i])) columns.push_back(i);
+  return columns;
+}
+
+}  // namespace
 
 void TestColumns::read(const db::Store& store, std::span<const std::size_t> columns, bool grows) {
+  const std::size_t had = readings_.size();
   if (grows && !readings_.empty()) read_new(store);
   std::vector<std::size_t> missing;
   for (const std::size_t column : columns)
     if (!columns_[column] || readings_.empty()) missing.push_back(column);
   if (!missing.empty()) read_whole(store, missing);
+  if (missing.empty() && readings_.size() == had) return;
+  find_faults(store);
+  remove_faulty();
+  find_unread_steps();
+}
+
+void TestColumns::find_faults(const db::Store& store) {
+  const db::StoredTest test = store.load(test_);
+  if (!has_sensor_faults(test)) return;
+  if (!health_) health_.emplace(header_with_vouched(test));
+  store.for_each_scan_from(test_, next_of_health_,
+                           [&](const lab::Reading& reading, const lab::State&) {
+                             health_->add(reading);
+                             next_of_health_ = reading.number + 1;
+                           });
+  faults_.clear();
+  for (const lab::FaultySpan& span : health_->spans())
+    faults_.push_back({span, columns_of(span.channel, test.header)});
+}
+
+void TestColumns::remove_faulty() {
+  for (const auto& [span, columns] : faults_) {
+    const auto from = std::ranges::lower_bound(readings_, span.from) - readings_.begin();
+    const auto end = std::ranges::upper_bound(readings_, span.until) - readings_.begin();
+    for (const std::size_t column : columns)
+      if (columns_[column])
+        std::fill(columns_[column]->begin() + from, columns_[column]->begin() + end, lab::kMissing);
+  }
+}
+
+void TestColumns::find_unread_steps() {
+  const auto value = [&](std::size_t place, std::size_t i) {
+    return columns_[place] ? (*columns_[place])[i] : lab::kMissing;
+  };
+  const auto place = [](const char* name) { return *db::find_read_column(name); };
+  const std::size_t time = place("time_s"), axial = place("axial_strain"),
+                    volume = place("volumetric_strain"), q = place("q_kPa");
+  unread_steps_.clear();
+  if (!columns_[q]) return;
+  lab::UnreadSteps steps(columns_[time].has_value());
+  for (std::size_t i = 0; i < readings_.size(); ++i) {
+    lab::State state;
+    state.reading = readings_[i];
+    state.time_s = value(time, i);
+    state.strain.axial = value(axial, i);
+    state.volumetric_strain = value(volume, i);
+    state.q = value(q, i) * 1e3;
+    if (steps.add(state)) unread_steps_.push_back(state.reading);
+  }
 }
 
 /// A writer may be at work between two columns: all end with the scan that is the last of the

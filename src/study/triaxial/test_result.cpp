@@ -4,20 +4,49 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "lab/measured/unread_steps.hpp"
 #include "src/study/triaxial/read_again.hpp"
 
 namespace triax::study {
+namespace {
+
+/// Fills the curves with states, thinned; the ends of an unread step and the first state of a fault
+/// are kept.
+void read_states(const db::Store& store, TestResult& test) {
+  LineBreaks& breaks = test.curves.breaks;
+  breaks.faults = faulty_spans(store, test.stored);
+  const lab::RecordHeader& header = test.stored.header;
+  const auto last = last_believed_reading(test.stored);
+  CurveThinner thinner(store.scan_count(test.stored.id), kCurveBuckets);
+  lab::UnreadSteps steps(header.has_time);
+  lab::State before;
+  bool was_faulty = false;
+  store.for_each_scan(test.stored.id, 1, [&](const lab::Reading& read, const lab::State& as_read) {
+    if (last && as_read.reading > *last) return;
+    lab::State state = as_read;
+    if (!breaks.faults.empty()) {
+      lab::Reading reading = read;
+      remove_faulty(breaks.faults, header, reading, state);
+    }
+    const bool unread = steps.add(state);
+    if (unread) thinner.keep(before);
+    thinner.add(state);
+    const bool faulty = breaks.is_faulty(state.reading);
+    if (unread || faulty != std::exchange(was_faulty, faulty)) thinner.keep(state);
+    if (unread) breaks.unread_steps.push_back(state.reading);
+    before = state;
+  });
+  test.curves.states = thinner.take();
+}
+
+}  // namespace
 
 TestResult load_test_result(const db::Store& store, std::int64_t id, WithCurves with_curves) {
   TestResult test{store.load(id), {}};
   if (with_curves == WithCurves::no) return test;
-  CurveThinner thinner(store.scan_count(id), kCurveBuckets);
-  const auto last = last_believed_reading(test.stored);
-  store.for_each_scan(id, 1, [&](const lab::Reading&, const lab::State& state) {
-    if (!last || state.reading <= *last) thinner.add(state);
-  });
-  test.curves.states = thinner.take();
+  read_states(store, test);
   test.curves.work = thin(store.second_order_work(id), kCurveBuckets);
   test.curves.forecasts = thin(store.forecasts(id), kCurveBuckets);
   return test;
@@ -48,10 +77,7 @@ lab::Instant true_instant(const lab::Truth& truth) {
 }
 
 std::optional<std::int64_t> last_believed_reading(const db::StoredTest& test) {
-  const bool died = std::ranges::any_of(test.events, [](const lab::Event& event) {
-    return event.kind == lab::EventKind::sensor_fault;
-  });
-  return died ? test.summary.collapse.judged_until : std::nullopt;
+  return has_sensor_faults(test) ? test.summary.collapse.judged_until : std::nullopt;
 }
 
 std::optional<double> void_ratio(const db::StoredTest& test) {

@@ -29,7 +29,7 @@ bool has_verdict(const db::StoredTest& test);
 /// surface only, which is failure and no collapse.
 std::optional<lab::Instant> collapse_onset(const db::StoredTest& test);
 
-/// Where strength was lost without a collapse: the onset that lies on the limit surface.
+/// Where strength was lost without a collapse: on the limit surface, or with the drainage open.
 std::optional<lab::Instant> failure_onset(const db::StoredTest& test);
 
 /// When and at what stress the specimen of a simulation itself lost sustainability, as an instant

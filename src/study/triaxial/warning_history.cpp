@@ -139,12 +139,20 @@ std::optional<WarningHistory> warning_history(const TestResult& test) {
   found.test = test.stored.header.name;
   found.axis = narrowed_to_warning(*shear, test, along, marks);
   if (found.axis.end <= found.axis.begin) return std::nullopt;
+  Joiner of_eta(test.curves.breaks), of_q(test.curves.breaks);
   for (const lab::State& state : test.curves.states) {
     const auto at = found.axis.place(along.at(state));
     if (!at) continue;
+    const auto add = [&](std::vector<HistoryPoint>& points, double value, bool known,
+                         Joiner& joiner) {
+      if (known)
+        points.push_back({*at, value, joiner.join(state)});
+      else
+        joiner.skip(state);
+    };
     // Beyond these the lesser principal stress is tension: p′ is lost in its scatter.
-    if (state.eta() >= -1.5 && state.eta() <= 3) found.eta.push_back({*at, state.eta()});
-    if (std::isfinite(state.q)) found.q.push_back({*at, state.q});
+    add(found.eta, state.eta(), state.eta() >= -1.5 && state.eta() <= 3, of_eta);
+    add(found.q, state.q, std::isfinite(state.q), of_q);
   }
   found.forecasts = runs_of(test.curves, along, found.axis);
   if (found.forecasts.empty()) return std::nullopt;

@@ -35,6 +35,39 @@ void all_between(std::size_t begin, std::size_t end, std::vector<std::size_t>& p
   for (std::size_t i = begin; i < end; ++i) places[i - begin] = i;
 }
 
+/// Both readings of an unread step, and the first of a faulty sensor: a line must end there.
+void add_ends_of_breaks(const TestColumns& test, std::size_t begin, std::size_t end,
+                        std::vector<std::size_t>& rows) {
+  const auto add = [&](std::int64_t reading, std::size_t before) {
+    const auto found = std::ranges::lower_bound(test.readings(), reading);
+    const auto at = static_cast<std::size_t>(found - test.readings().begin());
+    for (std::size_t i = at - std::min(at, before); i <= at; ++i)
+      if (begin <= i && i < end) rows.push_back(i);
+  };
+  for (const std::int64_t reading : test.unread_steps()) add(reading, 1);
+  for (const TestColumns::Fault& fault : test.faults()) add(fault.span.from, 0);
+}
+
+/// What of the window no line may cross as if it was measured.
+void append_breaks(const TestColumns& test, std::string& json) {
+  append_list(
+      ",\"unread_steps\":", test.unread_steps().size(),
+      [&](std::size_t i) { return static_cast<double>(test.unread_steps()[i]); }, json);
+  json += ",\"faults\":[";
+  for (const auto& [span, columns] : test.faults()) {
+    if (json.back() != '[') json += ',';
+    json += "{\"channel\":\"" + lab::heading(span.channel) +
+            "\",\"from\":" + std::to_string(span.from) +
+            ",\"to\":" + (span.lasts ? "null" : std::to_string(span.until)) + ",\"columns\":[";
+    for (const std::size_t column : columns) {
+      if (json.back() != '[') json += ',';
+      json += '"' + db::read_columns()[column].name + '"';
+    }
+    json += "]}";
+  }
+  json += ']';
+}
+
 void choose_rows(const TestColumns& test, const WindowAsked& asked, Window& chosen) {
   const auto [begin, end] = places_of(test.readings(), asked.from, asked.to);
   chosen.count = static_cast<std::int64_t>(end - begin);
@@ -46,6 +79,7 @@ void choose_rows(const TestColumns& test, const WindowAsked& asked, Window& chos
   chosen.rows = {begin, end - 1};
   for (const std::size_t column : drawn)
     keep_extremes(test.column(column), begin, end, asked.pixels, chosen.rows);
+  add_ends_of_breaks(test, begin, end, chosen.rows);
   in_order_once(chosen.rows);
 }
 
@@ -126,6 +160,7 @@ std::string window_json(const TestColumns& test, const WindowAsked& asked) {
         [&](std::size_t i) { return values[chosen.rows[i]]; }, json);
   }
   json += '}';
+  append_breaks(test, json);
   if (asked.work) append_work(test, chosen, json);
   return json + '}';
 }

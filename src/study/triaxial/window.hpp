@@ -28,8 +28,9 @@ struct Window {
 };
 
 /// In each of `pixels` equal runs of readings the first of those with the least and with the
-/// largest value of each column that is drawn (time and stage are not), and the first and last
-/// reading of the span; all where they are no more than that. Pre-condition: the columns were read.
+/// largest value of each column that is drawn (time and stage are not), the first and last reading
+/// of the span, and those where a line breaks (unread steps, faults); all where they are no more
+/// than that. Pre-condition: the columns were read.
 Window window(const TestColumns& test, const WindowAsked& asked);
 
 /// Of values at `places` in order: the first place of the least and of the largest finite value of
@@ -37,8 +38,8 @@ Window window(const TestColumns& test, const WindowAsked& asked);
 void keep_extremes(std::span<const double> values, std::size_t begin, std::size_t end,
                    std::size_t buckets, std::vector<std::size_t>& kept);
 
-/// The window as the page is given it (docs/page.md): columns by name, missing values null. Numbers
-/// have the fewest digits that stand for them.
+/// The window as the page is given it (docs/page.md): columns by name, missing values null, with
+/// the test's unread steps and faults. Numbers have the fewest digits that stand for them.
 std::string window_json(const TestColumns& test, const WindowAsked& asked);
 
 }  // namespace triax::study

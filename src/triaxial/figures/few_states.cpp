@@ -59,6 +59,12 @@ void keep_few_states(study::TestResult& test, double part) {
     if (study::is_shear(test.stored.header, state.stage)) shear.push_back(state);
   std::vector<bool> needed(shear.size(), false);
   for (const auto& [x, y] : kPlanes) mark_needed(shear, x, y, part, needed);
+  const study::LineBreaks& breaks = test.curves.breaks;
+  for (std::size_t i = 0; i + 1 < shear.size(); ++i) {
+    const std::int64_t here = shear[i].reading, next = shear[i + 1].reading;
+    if (breaks.is_unread(here, next) || breaks.is_faulty(here) != breaks.is_faulty(next))
+      needed[i] = needed[i + 1] = true;
+  }
   if (const auto onset = study::collapse_onset(test.stored); onset && !shear.empty()) {
     const auto at = std::ranges::min_element(
         shear, {}, [&](const lab::State& s) { return std::llabs(s.reading - onset->reading); });
@@ -68,7 +74,9 @@ void keep_few_states(study::TestResult& test, double part) {
   for (std::size_t i = 0; i < shear.size(); ++i)
     if (needed[i]) kept.push_back(shear[i]);
   kept.shrink_to_fit();
-  test.curves = {.states = std::move(kept), .work = {}, .forecasts = {}};
+  test.curves.states = std::move(kept);
+  test.curves.work.clear();
+  test.curves.forecasts.clear();
 }
 
 }  // namespace triax::src

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/plot/plot_style.hpp"
-#include "src/plot/polyline.hpp"
 #include "src/plot/shapes.hpp"
+#include "src/triaxial/figures/joined_line.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
 #include "src/triaxial/figures/panels.hpp"
 
@@ -42,11 +43,10 @@ Panel panel_for(study::HistoryQuantity quantity) {
 
 void fill_panel(QCPAxisRect& rect, const Panel& panel, const study::HistoryCurve& curve,
                 const study::HistoryAxis& axis) {
-  auto* graph = add_graph(rect, line(panel.colour, 1.6));
   RangeOf range;
-  Points points;
-  for (const auto& [at, value] : curve.points) {
-    points.emplace_back(at, value * panel.unit);
+  JoinedLine joined;
+  for (const auto& [at, value, join] : curve.points) {
+    joined.add({at, value * panel.unit}, join);
     range.add(value * panel.unit);
   }
   range.widen_to(panel.least);
@@ -55,10 +55,9 @@ void fill_panel(QCPAxisRect& rect, const Panel& panel, const study::HistoryCurve
 
   const QPointF scale(kHistoryWidth * axis.unit / (axis.end - axis.begin),
                       kPanelHeight / rect.axis(QCPAxis::atLeft)->range().size());
-  auto pixels = points;
-  for (auto& point : pixels) point = {point.x() * scale.x(), point.y() * scale.y()};
-  for (const auto i : points_to_draw(pixels, kInvisible))
-    graph->addData(points[i].x(), points[i].y());
+  draw_joined(rect, joined, line(panel.colour, 1.6), [&](const QPointF& point) {
+    return QPointF(point.x() * scale.x(), point.y() * scale.y());
+  });
 }
 
 void fill_work_panel(QCPAxisRect& rect, const std::vector<study::HistoryWork>& work,
@@ -70,6 +69,11 @@ void fill_work_panel(QCPAxisRect& rect, const std::vector<study::HistoryWork>& w
   near.add(0);
   for (const auto& [at, normalised, error] : work) {
     value->addData(at, normalised);
+    if (std::isnan(normalised)) {
+      low->addData(at, normalised);
+      high->addData(at, normalised);
+      continue;
+    }
     low->addData(at, std::max(-1.0, normalised - error));
     high->addData(at, std::min(1.0, normalised + error));
     near.add(normalised - error);
@@ -92,7 +96,7 @@ Mark mark_for(const study::HistoryMark& mark) {
     case onset:
       return {mark.at, "onset of collapse", line(kVermilion, 1.3, Qt::DashLine)};
     case failure:
-      return {mark.at, "failure on the limit surface", line(kGrey, 1.3, Qt::DashLine)};
+      return {mark.at, "failure, not collapse", line(kGrey, 1.3, Qt::DashLine)};
     case true_onset:
       return {mark.at, "true onset (model)", line(kInk, 1.3, Qt::DotLine)};
   }

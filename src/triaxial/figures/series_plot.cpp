@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "src/plot/plot_style.hpp"
-#include "src/plot/polyline.hpp"
 
 namespace triax::src {
 namespace {
@@ -45,14 +44,19 @@ Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue
   return points;
 }
 
-void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number, std::size_t tests) {
+JoinedLine line_of(const study::SeriesTest& test, StateValue x, StateValue y, double x_most) {
+  const auto end = std::ranges::find_if(test.states, [&](const lab::State& state) {
+    return x(state) > x_most && std::isfinite(y(state));
+  });
+  return joined_line({test.states.begin(), end}, test.breaks,
+                     [&](const lab::State& state) { return QPointF(x(state), y(state)); });
+}
+
+void draw_series(QCPAxisRect& rect, const JoinedLine& line, std::size_t number, std::size_t tests) {
   const double across = rect.width() / rect.axis(QCPAxis::atBottom)->range().size();
   const double up = rect.height() / rect.axis(QCPAxis::atLeft)->range().size();
-  auto pixels = points;
-  for (auto& point : pixels) point = {point.x() * across, point.y() * up};
-  Points kept;
-  for (const auto i : points_to_draw(pixels, kInvisible)) kept.push_back(points[i]);
-  draw_curve(rect, kept, series_pen(number, tests));
+  draw_joined(rect, line, series_pen(number, tests),
+              [&](const QPointF& point) { return QPointF(point.x() * across, point.y() * up); });
 }
 
 std::string names_of(const std::vector<study::SeriesTest>& tests) {

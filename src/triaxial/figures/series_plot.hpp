@@ -10,6 +10,7 @@
 #include "src/plot/from_zero.hpp"
 #include "src/plot/shapes.hpp"
 #include "src/study/triaxial/shear_series.hpp"
+#include "src/triaxial/figures/joined_line.hpp"
 
 namespace triax::src {
 
@@ -31,9 +32,13 @@ using StateValue = double (*)(const lab::State&);
 Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue y,
                  double x_most = std::numeric_limits<double>::infinity());
 
+/// The same points as the line of a test.
+JoinedLine line_of(const study::SeriesTest& test, StateValue x, StateValue y,
+                   double x_most = std::numeric_limits<double>::infinity());
+
 /// The curve of the test with this number among `tests`, thinned to what the eye can see. Ranges of
 /// the axes must be final.
-void draw_series(QCPAxisRect& rect, const Points& points, std::size_t number, std::size_t tests);
+void draw_series(QCPAxisRect& rect, const JoinedLine& line, std::size_t number, std::size_t tests);
 
 /// "ICU 6, ICU 42 and ICU 7"; of many "ICU 6, ICU 42, ICU 7 and 147 others".
 std::string names_of(const std::vector<study::SeriesTest>& tests);

@@ -31,7 +31,7 @@ Points onsets_of(const study::ShearSeries& series) {
 
 void fill(QCPAxisRect& rect, const study::ShearSeries& series, double strain_most) {
   for (std::size_t i = 0; i < series.tests.size(); ++i)
-    draw_series(rect, points_of(series.tests[i].states, strain_pct, q_kPa, strain_most), i,
+    draw_series(rect, line_of(series.tests[i], strain_pct, q_kPa, strain_most), i,
                 series.tests.size());
   draw_markers(rect, onsets_of(series), onset_marker());
 }

@@ -23,7 +23,7 @@ double volumetric_pct(const lab::State& state) { return state.volumetric_strain 
 void fill(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests, StateValue value) {
   Points onsets;
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    draw_series(rect, points_of(tests[i].states, p_kPa, value), i, tests.size());
+    draw_series(rect, line_of(tests[i], p_kPa, value), i, tests.size());
     if (const auto& state = tests[i].at_onset; state && std::isfinite(value(*state)))
       onsets.emplace_back(p_kPa(*state), value(*state));
   }

@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "src/plot/plot_style.hpp"
 #include "src/plot/point_labels.hpp"
-#include "src/plot/polyline.hpp"
 #include "src/plot/shapes.hpp"
 #include "src/plot/stress_lines.hpp"
+#include "src/triaxial/figures/joined_line.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
 
 namespace triax::src {
@@ -20,32 +18,20 @@ constexpr int kStressPathHeight = 460 + kNoteHeight;
 
 QPointF place(const study::StressPoint& point) { return {point.p_pa * 1e-3, point.q_pa * 1e-3}; }
 
-/// Those that are known, in kPa.
-Points known(const std::vector<study::StressPoint>& path) {
-  Points points;
-  for (const auto& point : path)
-    if (std::isfinite(point.p_pa) && std::isfinite(point.q_pa)) points.push_back(place(point));
-  return points;
-}
-
-void add(RangeOf& p_range, RangeOf& q_range, const std::vector<study::StressPoint>& path) {
-  for (const auto& point : path) {
-    p_range.add(place(point).x());
-    q_range.add(place(point).y());
-  }
+JoinedLine line_through(const std::vector<lab::State>& states, const study::LineBreaks& breaks) {
+  return joined_line(states, breaks, [](const lab::State& state) {
+    return place(study::StressPoint{state.p_eff, state.q});
+  });
 }
 
 // The axes' ranges must be final.
-void draw_path(QCustomPlot& plot, const Points& path, const std::string& name, const QPen& pen) {
-  if (path.empty()) return;
-  auto pixels = path;
-  for (auto& point : pixels)
-    point = {point.x() * kStressPathWidth / plot.xAxis->range().size(),
-             point.y() * kStressPathHeight / plot.yAxis->range().size()};
-  auto* curve = new QCPCurve(plot.xAxis, plot.yAxis);
-  for (const auto i : points_to_draw(pixels, kInvisible)) curve->addData(path[i].x(), path[i].y());
-  curve->setPen(pen);
-  curve->setName(QString::fromStdString(name));
+void draw_path(QCustomPlot& plot, const JoinedLine& path, const std::string& name,
+               const QPen& pen) {
+  const double across = kStressPathWidth / plot.xAxis->range().size();
+  const double up = kStressPathHeight / plot.yAxis->range().size();
+  draw_joined(
+      *plot.axisRect(), path, pen,
+      [&](const QPointF& point) { return QPointF(point.x() * across, point.y() * up); }, name);
 }
 
 void mark(QCustomPlot& plot, const QPointF& at, QCPScatterStyle::ScatterShape shape,
@@ -60,13 +46,17 @@ void mark(QCustomPlot& plot, const QPointF& at, QCPScatterStyle::ScatterShape sh
 }  // namespace
 
 Drawing stress_path_figure(const study::StressPath& path) {
-  const Points before = known(path.before), shear = known(path.shear);
-  if (before.empty() && shear.empty()) return {};
+  const JoinedLine before = line_through(path.before, path.breaks);
+  const JoinedLine shear = line_through(path.shear, path.breaks);
+  if (before.points.empty() && shear.points.empty()) return {};
   RangeOf p_range, q_range;
   p_range.add(0);
   q_range.add(0);
-  add(p_range, q_range, path.before);
-  add(p_range, q_range, path.shear);
+  for (const auto* line : {&before, &shear})
+    for (const QPointF& point : line->points) {
+      p_range.add(point.x());
+      q_range.add(point.y());
+    }
 
   auto plot = make_plot(kStressPathWidth, kStressPathHeight);
   style_axes(*plot->axisRect(), "mean effective stress p′ (kPa)", "deviator stress q (kPa)");
@@ -76,7 +66,7 @@ Drawing stress_path_figure(const study::StressPath& path) {
   if (path.limit_stress_ratio) draw_mohr_coulomb_line(*plot, *path.limit_stress_ratio);
   if (path.onset) draw_instability_line(*plot, path.onset->eta());
   draw_path(*plot, before, "before shear", line(kGrey, 1.2));
-  draw_path(*plot, shear, before.empty() ? "stress path" : "stress path in shear",
+  draw_path(*plot, shear, before.points.empty() ? "stress path" : "stress path in shear",
             line(kBlue, 1.8));
   std::vector<PointLabel> labels;
   if (path.onset) {
@@ -85,8 +75,7 @@ Drawing stress_path_figure(const study::StressPath& path) {
     labels.push_back({at.x(), at.y(), fmt::format("η = {:.2f}", path.onset->eta()), kVermilion});
   }
   if (path.failure)
-    mark(*plot, place(*path.failure), QCPScatterStyle::ssSquare, kGrey,
-         "failure on the limit surface");
+    mark(*plot, place(*path.failure), QCPScatterStyle::ssSquare, kGrey, "failure, not collapse");
   if (path.true_onset)
     mark(*plot, place(*path.true_onset), QCPScatterStyle::ssCross, kInk, "true onset (model)");
   legend_below(*plot, 2);

@@ -17,14 +17,14 @@ constexpr int kStressPathsWidth = 720, kStressPathsHeight = 480 + kNoteHeight;
 }  // namespace
 
 Drawing stress_paths_figure(const study::ShearSeries& series) {
-  std::vector<Points> paths;
+  std::vector<JoinedLine> paths;
   RangeOf p_range, q_range;
   p_range.add(0);
   q_range.add(0);
   bool any = false;
   for (const auto& test : series.tests) {
-    paths.push_back(points_of(test.states, p_kPa, q_kPa));
-    for (const auto& point : paths.back()) {
+    paths.push_back(line_of(test, p_kPa, q_kPa));
+    for (const auto& point : paths.back().points) {
       p_range.add(point.x());
       q_range.add(point.y());
       any = true;

@@ -8,6 +8,7 @@
 #include "src/plot/note.hpp"
 #include "src/plot/plot_style.hpp"
 #include "src/plot/shapes.hpp"
+#include "src/triaxial/figures/joined_line.hpp"
 #include "src/triaxial/figures/origin_note.hpp"
 #include "src/triaxial/figures/panels.hpp"
 
@@ -15,6 +16,8 @@ namespace triax::src {
 namespace {
 
 constexpr int kEtaHeight = 280;
+
+QPen measured_pen() { return line(kBlue, 1.6); }
 
 Mark mark_of_warning(const study::WarningMark& mark) {
   using enum study::WarningMarkKind;
@@ -30,7 +33,7 @@ Mark mark_of_warning(const study::WarningMark& mark) {
     case onset:
       return {mark.at, "onset of collapse", line(kVermilion, 1.3)};
     case failure:
-      return {mark.at, "failure on the limit surface", line(kGrey, 1.3)};
+      return {mark.at, "failure, not collapse", line(kGrey, 1.3)};
     case true_onset:
       return {mark.at, "true onset (model)", line(kInk, 1.3, Qt::DotLine)};
   }
@@ -55,11 +58,10 @@ void name_curve(QCPLegend& legend, QCPCurve& curve, const char* name) {
 }
 
 /// Along the axial strain points may go back: they stay in the order of readings.
-QCPCurve* draw_points(QCPAxisRect& rect, const std::vector<study::HistoryPoint>& points,
-                      double unit) {
-  Points drawn;
-  for (const auto& point : points) drawn.emplace_back(point.at, point.value * unit);
-  return draw_curve(rect, drawn, line(kBlue, 1.6));
+void draw_points(QCPAxisRect& rect, const std::vector<study::HistoryPoint>& points, double unit) {
+  JoinedLine joined;
+  for (const auto& point : points) joined.add({point.at, point.value * unit}, point.join);
+  draw_joined(rect, joined, measured_pen(), {});
 }
 
 QCPCurve* draw_forecast(QCPAxisRect& rect, const std::vector<study::ForecastPoint>& run,
@@ -90,7 +92,8 @@ void fill_eta_panel(QCPAxisRect& rect, const study::WarningHistory& history) {
   QCPCurve* forecast = nullptr;
   for (const auto& run : history.forecasts) forecast = draw_forecast(rect, run, range);
   name_curve(*legend, *forecast, "forecast for the onset, with 90 %");
-  name_curve(*legend, *draw_points(rect, history.eta, 1), "measured");
+  draw_points(rect, history.eta, 1);
+  name_curve(*legend, *draw_curve(rect, {}, measured_pen()), "measured");
 }
 
 void fill_q_panel(QCPAxisRect& rect, const std::vector<study::HistoryPoint>& points) {

@@ -11,9 +11,11 @@
 namespace triax::src {
 namespace {
 
-/// Value of the curve at x; nothing outside of it.
-std::optional<double> value_at(const Points& points, double x) {
+/// Value of the curve at x; nothing outside of it and where a sensor was faulty.
+std::optional<double> value_at(const JoinedLine& curve, double x) {
+  const Points& points = curve.points;
   for (std::size_t i = 1; i < points.size(); ++i) {
+    if (curve.joins[i] == study::Join::none) continue;
     const auto &a = points[i - 1], &b = points[i];
     if ((a.x() - x) * (b.x() - x) > 0) continue;
     return b.x() == a.x() ? b.y() : a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
@@ -26,15 +28,15 @@ struct Band {
   Points low, middle, high;
 };
 
-Band band_of(const std::vector<Points>& curves) {
+Band band_of(const std::vector<JoinedLine>& curves) {
   constexpr int kSteps = 120;
   RangeOf x_range;
   for (const auto& curve : curves)
-    for (const auto& p : curve) x_range.add(p.x());
+    for (const auto& p : curve.points) x_range.add(p.x());
   const auto range = x_range.with_margin(0, true);
   Band band;
-  const auto known = static_cast<std::size_t>(
-      std::ranges::count_if(curves, [](const Points& curve) { return curve.size() > 1; }));
+  const auto known = static_cast<std::size_t>(std::ranges::count_if(
+      curves, [](const JoinedLine& curve) { return curve.points.size() > 1; }));
   for (int i = 0; i <= kSteps; ++i) {
     // Closer at the beginning, where most of a test happens.
     const double share = static_cast<double>(i) / kSteps;
@@ -55,7 +57,7 @@ Band band_of(const std::vector<Points>& curves) {
   return band;
 }
 
-OwnPlot band_figure(const std::vector<Points>& curves, const SheetAxis& x, const SheetAxis& y) {
+OwnPlot band_figure(const std::vector<JoinedLine>& curves, const SheetAxis& x, const SheetAxis& y) {
   const auto band = band_of(curves);
   if (band.middle.size() < 2) return nullptr;
   SmallFigure figure(x.title, y.title);
@@ -73,7 +75,8 @@ OwnPlot band_figure(const std::vector<Points>& curves, const SheetAxis& x, const
 }
 
 /// Shear of a test as a set draws it; empty where the plane has nothing to say of it.
-Points curve_of_set(const SheetTest& test, const SheetAxis& x, const SheetAxis& y, bool as_band) {
+JoinedLine curve_of_set(const SheetTest& test, const SheetAxis& x, const SheetAxis& y,
+                        bool as_band) {
   const auto states = believed(test, true);
   const bool strains = y.title == volumetric_strain_axis().title;
   // Closed, its volume is the same by decree; of cycles there is no value at a strain.
@@ -81,16 +84,16 @@ Points curve_of_set(const SheetTest& test, const SheetAxis& x, const SheetAxis& 
       study::drainage_of_shear(test.result.stored.header, states) == lab::Drainage::closed)
     return {};
   if (as_band && test.result.stored.summary.cyclic) return {};
-  const auto points = points_in(states, x, y);
-  return y.title == void_ratio_axis().title ? loaded(points) : points;
+  const auto curve = line_in(test, states, x, y);
+  return y.title == void_ratio_axis().title ? loaded(curve) : curve;
 }
 
 /// Each with its own pen; of many about sixty, thin.
-void draw_curves(SmallFigure& figure, const std::vector<Points>& curves, bool dotted_steps) {
+template <class Curve>
+void draw_curves(SmallFigure& figure, const std::vector<Curve>& curves) {
   const bool many = curves.size() > kMostCurves;
   for (const std::size_t i : drawn_of_many(curves.size()))
-    figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5),
-                 dotted_steps && !many);
+    figure.curve(curves[i], many ? line(QColor(0, 0x72, 0xB2, 70), 1) : curve_pen(i, 1.5));
 }
 
 }  // namespace
@@ -109,10 +112,10 @@ OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& 
                    const SheetAxis& y) {
   const bool many = tests.size() > kMostCurves;
   const bool as_band = many && x.title == axial_strain_axis().title;
-  std::vector<Points> curves;
+  std::vector<JoinedLine> curves;
   Points all;
   for (const auto* test : tests) {
-    const auto& points = curves.emplace_back(curve_of_set(*test, x, y, as_band));
+    const auto& points = curves.emplace_back(curve_of_set(*test, x, y, as_band)).points;
     all.insert(all.end(), points.begin(), points.end());
   }
   if (all.size() < 2) return nullptr;
@@ -126,9 +129,9 @@ OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& 
     figure.take_in_zero(true, false);
     figure.fix_ranges();
   }
-  draw_curves(figure, curves, true);
+  draw_curves(figure, curves);
   for (std::size_t i = 0; i < curves.size() && !many; ++i) {
-    if (curves[i].empty()) continue;
+    if (curves[i].points.empty()) continue;
     figure.marker(failure_in(*tests[i], x, y), failure_marker());
     figure.marker(onset_in(*tests[i], x, y), onset_ring());
   }
@@ -146,7 +149,7 @@ OwnPlot set_consolidation_figure(const std::vector<const SheetTest*>& tests) {
   if (figure.empty()) return nullptr;
   figure.take_in_zero(true, true);
   figure.fix_ranges();
-  draw_curves(figure, curves, false);
+  draw_curves(figure, curves);
   figure.plot().yAxis->setRangeReversed(true);  // as a settlement is drawn
   return figure.take();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/triaxial/sheet/sheet_axes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/study/triaxial/shear_series.hpp"
@@ -33,6 +34,17 @@ SheetAxis void_ratio_axis() {
   return {"e", [](const lab::State& s) { return s.void_ratio; }};
 }
 
+namespace {
+
+/// One point, or none.
+Points point_in(const lab::State& state, const SheetAxis& x, const SheetAxis& y) {
+  const QPointF point(x.value(state), y.value(state));
+  if (!std::isfinite(point.x()) || !std::isfinite(point.y())) return {};
+  return {point};
+}
+
+}  // namespace
+
 std::vector<lab::State> believed(const SheetTest& test, bool shear) {
   const auto last = study::last_believed_reading(test.result.stored);
   std::vector<lab::State> states;
@@ -44,22 +56,20 @@ std::vector<lab::State> believed(const SheetTest& test, bool shear) {
 }
 
 Points failure_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y) {
-  return test.values.failure ? points_in({test.values.failure->state}, x, y) : Points{};
+  return test.values.failure ? point_in(test.values.failure->state, x, y) : Points{};
 }
 
 Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y) {
   const auto onset = study::collapse_onset(test.result.stored);
   if (!onset || !test.result.stored.state_at_onset) return {};
-  return points_in({*test.result.stored.state_at_onset}, x, y);
+  return point_in(*test.result.stored.state_at_onset, x, y);
 }
 
-Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, const SheetAxis& y) {
-  Points points;
-  for (const auto& state : states) {
-    const QPointF point(x.value(state), y.value(state));
-    if (std::isfinite(point.x()) && std::isfinite(point.y())) points.push_back(point);
-  }
-  return points;
+JoinedLine line_in(const SheetTest& test, const std::vector<lab::State>& states, const SheetAxis& x,
+                   const SheetAxis& y) {
+  return joined_line(states, test.result.curves.breaks, [&](const lab::State& state) {
+    return QPointF(x.value(state), y.value(state));
+  });
 }
 
 Points consolidation_points(const SheetTest& test) {
@@ -71,10 +81,15 @@ Points consolidation_points(const SheetTest& test) {
   return points;
 }
 
-Points loaded(const Points& points) {
-  Points out;
-  for (const auto& p : points)
-    if (p.x() > 1) out.push_back(p);
+JoinedLine loaded(const JoinedLine& line) {
+  JoinedLine out;
+  auto join = study::Join::solid;  // to the last point that was kept
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    join = std::max(join, line.joins[i]);
+    if (line.points[i].x() <= 1) continue;
+    out.add(line.points[i], join);
+    join = study::Join::solid;
+  }
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/plot/shapes.hpp"
+#include "src/triaxial/figures/joined_line.hpp"
 #include "src/triaxial/sheet/sheet_test.hpp"
 
 namespace triax::src {
@@ -24,8 +25,9 @@ SheetAxis void_ratio_axis();
 
 /// The states of shear, or those before it, up to where a sensor failed.
 std::vector<lab::State> believed(const SheetTest& test, bool shear);
-/// Points of one test; a state that is not known is no gap: its neighbours are joined.
-Points points_in(const std::vector<lab::State>& states, const SheetAxis& x, const SheetAxis& y);
+/// The line through these states; a value that is not known is no gap unless a sensor was faulty.
+JoinedLine line_in(const SheetTest& test, const std::vector<lab::State>& states, const SheetAxis& x,
+                   const SheetAxis& y);
 /// One point, or none.
 Points failure_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
 /// The state nearest to the onset: the onset itself lacks what figures show beside stresses.
@@ -34,6 +36,6 @@ Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
 /// none of fewer than three readings.
 Points consolidation_points(const SheetTest& test);
 /// Those with a logarithm that matters, of p′ in kPa.
-Points loaded(const Points& points);
+JoinedLine loaded(const JoinedLine& line);
 
 }  // namespace triax::src

@@ -16,26 +16,26 @@ namespace {
 
 OwnPlot shear_figure(const SheetTest& test, const SheetAxis& x, const SheetAxis& y,
                      double least_height = 0, bool zero_y = true) {
-  const auto points = points_in(believed(test, true), x, y);
-  if (points.size() < 2) return nullptr;
+  const auto curve = line_in(test, believed(test, true), x, y);
+  if (curve.points.size() < 2) return nullptr;
   SmallFigure figure(x.title, y.title);
-  figure.take_in(points);
+  figure.take_in(curve.points);
   figure.take_in_zero(true, zero_y);
   figure.widen_y(least_height);
   figure.fix_ranges();
-  figure.curve(points, line(kBlue, 1.8));
+  figure.curve(curve, line(kBlue, 1.8));
   figure.marker(failure_in(test, x, y), failure_marker());
   figure.marker(onset_in(test, x, y), onset_ring());
   return figure.take();
 }
 
 OwnPlot path_figure(const SheetTest& test) {
-  const auto before = points_in(believed(test, false), p_axis(), q_axis());
-  const auto shear = points_in(believed(test, true), p_axis(), q_axis());
-  if (shear.size() < 2) return nullptr;
+  const auto before = line_in(test, believed(test, false), p_axis(), q_axis());
+  const auto shear = line_in(test, believed(test, true), p_axis(), q_axis());
+  if (shear.points.size() < 2) return nullptr;
   SmallFigure figure(p_axis().title, q_axis().title);
-  figure.take_in(before);
-  figure.take_in(shear);
+  figure.take_in(before.points);
+  figure.take_in(shear.points);
   figure.take_in_zero(true, true);
   figure.fix_ranges();
   figure.curve(before, line(kGrey, 1.2));
@@ -68,10 +68,10 @@ OwnPlot consolidation_figure(const SheetTest& test) {
 
 OwnPlot void_ratio_figure(const SheetTest& test) {
   const auto x = p_axis(), y = void_ratio_axis();
-  const auto before = loaded(points_in(believed(test, false), x, y));
-  const auto shear = loaded(points_in(believed(test, true), x, y));
-  Points all = before;
-  all.insert(all.end(), shear.begin(), shear.end());
+  const auto before = loaded(line_in(test, believed(test, false), x, y));
+  const auto shear = loaded(line_in(test, believed(test, true), x, y));
+  Points all = before.points;
+  all.insert(all.end(), shear.points.begin(), shear.points.end());
   if (all.size() < 2) return nullptr;
   SmallFigure figure(x.title, y.title);
   figure.take_in(all);

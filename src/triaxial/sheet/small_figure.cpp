@@ -6,33 +6,11 @@
 #include <vector>
 
 #include "src/plot/log_axis.hpp"
-#include "src/plot/polyline.hpp"
 
 namespace triax::src {
 namespace {
 
 constexpr int kWidth = kSheetFigureWidth, kHeight = kSmallFigureHeight;
-// A step that is this part of the figure's diagonal, and so many times as long as the mean of the
-// others, is no curve that was read.
-constexpr double kLongStep = 0.25, kTimesOthers = 8;
-
-/// Numbers of those points, in pixels, to which the specimen ran away from the point before.
-std::vector<std::size_t> ends_of_long_steps(const Points& pixels) {
-  std::vector<double> steps;
-  double all = 0;
-  for (std::size_t i = 1; i < pixels.size(); ++i) {
-    const auto way = pixels[i] - pixels[i - 1];
-    all += steps.emplace_back(std::hypot(way.x(), way.y()));
-  }
-  std::vector<std::size_t> ends;
-  if (steps.size() < 3) return ends;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (steps[i] > kLongStep * std::hypot(kWidth, kHeight) &&
-        steps[i] * static_cast<double>(steps.size() - 1) > kTimesOthers * (all - steps[i]))
-      ends.push_back(i + 1);
-  return ends;
-}
-
 }  // namespace
 
 QCPScatterStyle failure_marker() {
@@ -72,25 +50,13 @@ void SmallFigure::fix_log_ranges(const Points& points) {
   set_log_axis(*plot_->xAxis, low, high);
 }
 
-void SmallFigure::curve(const Points& points, const QPen& pen, bool dotted_steps) {
-  Points pixels;
-  for (const auto& p : points) pixels.push_back(in_pixels(p));
-  std::size_t from = 0;
-  const auto stretch = [&](std::size_t end) {
-    Points kept;
-    const Points part(pixels.begin() + static_cast<std::ptrdiff_t>(from),
-                      pixels.begin() + static_cast<std::ptrdiff_t>(end));
-    for (const auto i : points_to_draw(part, kInvisible)) kept.push_back(points[from + i]);
-    if (kept.size() > 1) draw_curve(*plot_->axisRect(), kept, pen);
-    from = end;
-  };
-  const auto ends = dotted_steps ? ends_of_long_steps(pixels) : std::vector<std::size_t>{};
-  for (const auto end : ends) {
-    stretch(end);
-    draw_curve(*plot_->axisRect(), {points[end - 1], points[end]},
-               line(pen.color(), 1, Qt::DotLine));
-  }
-  stretch(points.size());
+void SmallFigure::curve(const JoinedLine& line, const QPen& pen) {
+  draw_joined(*plot_->axisRect(), line, pen,
+              [this](const QPointF& point) { return in_pixels(point); });
+}
+
+void SmallFigure::curve(const Points& points, const QPen& pen) {
+  curve(JoinedLine{points, std::vector<study::Join>(points.size())}, pen);
 }
 
 void SmallFigure::marker(const Points& points, const QCPScatterStyle& style) {

@@ -9,6 +9,7 @@
 #include "src/plot/plot_style.hpp"
 #include "src/plot/shapes.hpp"
 #include "src/sheet/sheet.hpp"
+#include "src/triaxial/figures/joined_line.hpp"
 
 namespace triax::src {
 
@@ -30,8 +31,9 @@ class SmallFigure {
   void fix_ranges();
   /// x logarithmic, over these points. Pre-condition: their x are positive, and there is one.
   void fix_log_ranges(const Points& points);
-  /// Of a long step nobody read what was between: it is dotted.
-  void curve(const Points& points, const QPen& pen, bool dotted_steps = true);
+  void curve(const JoinedLine& line, const QPen& pen);
+  /// A line that is solid all along.
+  void curve(const Points& points, const QPen& pen);
   void marker(const Points& points, const QCPScatterStyle& style);
   QCustomPlot& plot() { return *plot_; }
   OwnPlot take() { return std::move(plot_); }

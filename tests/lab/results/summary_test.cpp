@@ -20,8 +20,8 @@ TEST_CASE("kinds of collapse read back as what they are called") {
 // The texts stand in databases and documents of others: they may not change.
 TEST_CASE("kinds of events and checks read back as what they are called") {
   for (const char* text :
-       {"stage_started", "loss_of_sustainability", "limit_surface", "sensor_fault", "device_fault",
-        "held", "resumed", "aborted", "safe_state", "run_away"}) {
+       {"stage_started", "loss_of_sustainability", "limit_surface", "failure", "sensor_fault",
+        "device_fault", "held", "resumed", "aborted", "safe_state", "run_away"}) {
     INFO(text);
     REQUIRE(event_kind_from(text));
     CHECK(to_string(*event_kind_from(text)) == text);

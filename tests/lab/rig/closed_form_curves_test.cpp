@@ -26,7 +26,7 @@ void check_flow(const TestSummary& s, double p0_pa) {
   CHECK(*onset.axial_strain == Approx(kC).margin(kStep + 1e-9));
   CHECK(*onset.q_pa == Approx(kM * p0_pa / kA * kC / std::exp(1.0)).epsilon(0.002));
   CHECK(*onset.q_pa / *onset.p_eff_pa == Approx(kM * kC / (kC + kA)).margin(0.0125));
-  CHECK(s.collapse.inside_limit_surface == true);
+  CHECK_FALSE(s.collapse.inside_limit_surface);  // the record gives no friction angle
   CHECK(s.peak->reading == onset.reading);
 }
 

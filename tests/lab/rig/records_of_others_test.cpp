@@ -48,8 +48,7 @@ bool mentions(const std::vector<Warning>& warnings, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Karlsruhe TMU-MT1: flow, onset at the peak of q, inside the limit surface",
-          "[of-others]") {
+TEST_CASE("Karlsruhe TMU-MT1: flow, onset at the peak of q, limit surface unknown", "[of-others]") {
   const auto path = record_of_others("kfs/TMU-MT1.dat");
   if (!path) return;
   const TestSummary s = replay_of_others(*path);
@@ -57,7 +56,7 @@ TEST_CASE("Karlsruhe TMU-MT1: flow, onset at the peak of q, inside the limit sur
   CHECK(std::abs(s.collapse.onset->reading - s.peak->reading) <= 3);
   CHECK(*s.collapse.onset->q_pa / 1e3 == Approx(56.5).margin(0.05));
   CHECK(*s.collapse.onset->axial_strain * 100 == Approx(0.51).margin(0.005));
-  CHECK(s.collapse.inside_limit_surface == true);
+  CHECK_FALSE(s.collapse.inside_limit_surface);  // no friction angle in the file
   CHECK_FALSE(s.collapse.onset->time_s);
   CHECK(mentions(s.warnings, "axial strain"));
 }

@@ -14,6 +14,7 @@ export class Chart {
     Object.assign(this, { x, y, does, height, layers: [], limits: { x: null, y: null } });
     this.plot = el("div", { class: "plot" });
     this.node = el("div", { class: "chart", role: "group", "aria-label": title, tabindex: 0 }, this.plot);
+    this.node.chart = this; // for tests of what is drawn
     this.dot = el("div", { class: "dot" });
     this.nothing = el("p", { class: "nothing quiet", hidden: true }, nothing);
     this.node.append(this.nothing);

@@ -3,12 +3,12 @@
 import { el } from "./dom.js";
 import { fixed } from "./format.js";
 
-/** Some points of a path, evenly by its length on a square picture. */
-export function along(p, q, count = 16) {
-  const known = p.map((v, i) => [v, q[i]]).filter(([a, b]) => a !== null && b !== null);
+/** Some points of a path, evenly by its length on a square picture; none on the way to a place of `open`. */
+export function along(p, q, open, count = 16) {
+  const known = p.map((v, i) => [v, q[i], open.has(i)]).filter(([a, b]) => a !== null && b !== null);
   const [wide, high] = [Math.max(1, ...known.map(([a]) => a)), Math.max(1, ...known.map(([, b]) => b))];
   const walked = [0];
-  for (let i = 1; i < known.length; ++i) walked.push(walked[i - 1] + Math.hypot((known[i][0] - known[i - 1][0]) / wide, (known[i][1] - known[i - 1][1]) / high));
+  for (let i = 1; i < known.length; ++i) walked.push(walked[i - 1] + (known[i][2] ? 0 : 1) * Math.hypot((known[i][0] - known[i - 1][0]) / wide, (known[i][1] - known[i - 1][1]) / high));
   const total = walked.at(-1) ?? 0;
   return Array.from({ length: total > 0 ? count : 0 }, (_, k) => {
     const here = (total * (k + 0.5)) / count;

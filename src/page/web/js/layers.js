@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn in a chart. Colours are names of theme.js. Values of null are gaps.
-//   {kind: "line", x, y, colour, width, dash}      x, y: arrays in the order of readings
+//   {kind: "line", x, y, colour, width, dash, dotted}      x, y: arrays in the order of readings; dotted: places to which nothing
+//                                                  was read from the place before (breaks.js)
 //   {kind: "band", x, low, high, colour}
 //   {kind: "ray", slope, colour, dash, label}      through the origin
 //   {kind: "mark", x, y, shape, colour, label}     shape "ring", "cross" or "dot"
@@ -18,9 +19,10 @@ function stroke(u, layer) {
   ctx.setLineDash((layer.dash ?? []).map((v) => v * px()));
 }
 
-function trace(u, xs, ys, ctx) {
+function trace(u, xs, ys, ctx, dotted) {
   let down = false;
   for (let i = 0; i < xs.length; ++i) {
+    if (dotted?.has(i)) down = false;
     const x = xs[i];
     const y = ys[i];
     if (x === null || y === null) {
@@ -36,6 +38,14 @@ function trace(u, xs, ys, ctx) {
       down = true;
     }
   }
+}
+
+function dots(u, { x, y, dotted, colour: name }) {
+  if (!dotted?.size) return;
+  stroke(u, { colour: name, width: 1.2, dash: [2, 3] });
+  u.ctx.beginPath();
+  for (const i of dotted) trace(u, x.slice(i - 1, i + 1), y.slice(i - 1, i + 1), u.ctx);
+  u.ctx.stroke();
 }
 
 function band(u, { x, low, high, colour: name }) {
@@ -91,6 +101,7 @@ function ray(u, layer) {
 
 function mark(u, layer) {
   const { ctx } = u;
+  if (layer.x === null || layer.y === null) return;
   const left = u.valToPos(layer.x, "x", true);
   const top = u.valToPos(layer.y, "y", true);
   if (!Number.isFinite(left) || !Number.isFinite(top)) return;
@@ -124,8 +135,9 @@ const DRAWN = {
   line: (u, layer) => {
     stroke(u, layer);
     u.ctx.beginPath();
-    trace(u, layer.x, layer.y, u.ctx);
+    trace(u, layer.x, layer.y, u.ctx, layer.dotted);
     u.ctx.stroke();
+    dots(u, layer);
   },
   band, ray, mark,
   rule: (u, layer) => straight(u, layer, "x"),

@@ -2,6 +2,8 @@
 // The readings of a running test that are drawn: at most kept so many, thinned to those that are least and largest in their
 // span. Beside them, what came in all: count, gaps, and a checksum over every reading.
 
+import { dottedPlaces, isFaulty, withoutFaults } from "./breaks.js";
+
 const MOST = 4000;
 const SPANS = 400;
 const EXTREMES = ["q_kPa", "p_eff_kPa", "pore_pressure_kPa"];
@@ -30,7 +32,7 @@ export class LiveRows {
     this.names = [...new Set(["reading", "time_s", ...columns])];
     this.columns = Object.fromEntries(this.names.map((name) => [name, []]));
     this.sum = new Checksum();
-    Object.assign(this, { count: 0, gaps: 0, first: null, last: null, now: null });
+    Object.assign(this, { count: 0, gaps: 0, first: null, last: null, now: null, unread: new Set(), faults: [] });
   }
 
   get length() {
@@ -47,9 +49,31 @@ export class LiveRows {
     this.now = row;
     this.count += 1;
     this.sum.add(row);
+    if (row.unread) this.unread.add(row.reading);
     for (const name of this.names) this.columns[name].push(row[name] ?? null);
     if (this.length > MOST) this.thin();
     return whole;
+  }
+
+  /** What a window of the server says about breaks in the curves of the whole test. */
+  learn({ faults, unread_steps: unread }) {
+    this.faults = faults;
+    unread.forEach((reading) => this.unread.add(reading));
+  }
+
+  /** What is drawn: without values of faulty sensors. */
+  get shown() {
+    return this.faults.length ? withoutFaults(this.columns, this.faults) : this.columns;
+  }
+
+  /** The last reading, likewise. */
+  get shownNow() {
+    const lost = this.faults.filter((fault) => this.now && isFaulty(this.now.reading, fault)).flatMap((fault) => fault.columns);
+    return lost.length ? { ...this.now, ...Object.fromEntries(lost.map((name) => [name, null])) } : this.now;
+  }
+
+  get dotted() {
+    return dottedPlaces(this.columns.reading, [...this.unread].sort((a, b) => a - b));
   }
 
   /** The window of the server stands for all between `first` and its last reading; what came before and after stays. */
@@ -87,6 +111,7 @@ export class LiveRows {
 
   extremes(begin, end) {
     const chosen = new Set([begin]);
+    for (let i = begin; i < end; ++i) if (this.unread.has(this.columns.reading[i])) chosen.add(Math.max(begin, i - 1)).add(i);
     for (const name of EXTREMES) {
       const values = this.columns[name];
       let [low, high] = [begin, begin];

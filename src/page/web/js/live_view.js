@@ -43,8 +43,8 @@ function workLayers({ time_s: time, normalised, error }) {
   return [{ kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" }, { kind: "level", y: 0, colour: "grey" }, { kind: "line", x, y: normalised, colour: "purple" }];
 }
 
-function curve({ columns, now }, x, y) {
-  const line = { kind: "line", x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), colour: COLOURS[y] ?? "blue", range: y === "q" ? { y: [0, 10] } : null };
+function curve({ shown, dotted, now }, x, y) {
+  const line = { kind: "line", x: QUANTITIES[x].of(shown), y: QUANTITIES[y].of(shown), dotted, colour: COLOURS[y] ?? "blue", range: y === "q" ? { y: [0, 10] } : null };
   return now ? [line, { kind: "mark", shape: "dot", colour: "ink", ranged: false, x: line.x.at(-1), y: line.y.at(-1) }] : [line];
 }
 

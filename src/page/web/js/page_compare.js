@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several tests over each other: told apart by colour and by dash.
 import { get, windowPath } from "./api.js";
+import { dottedPlaces, openAcross } from "./breaks.js";
 import { Chart } from "./chart.js";
 import { el, fill, segments } from "./dom.js";
 import { fixed, percent, within } from "./format.js";
@@ -15,10 +16,10 @@ const LINE = { 0: "line" };
 async function load(id) {
   const document = await get(`/api/tests/${encodeURIComponent(id)}`);
   const from = document.collapse.judged?.from_reading ?? 0;
-  const { columns, work } = await get(windowPath(id, COLUMNS, { from, pixels: 500, work: true }));
+  const { columns, work, faults, unread_steps: unread } = await get(windowPath(id, COLUMNS, { from, pixels: 500, work: true }));
   const first = columns.axial_strain.find((v) => v !== null) ?? 0;
   columns.axial_strain = columns.axial_strain.map((v) => (v === null ? null : v - first));
-  return { document, columns, work };
+  return { document, columns, work, faults, dotted: dottedPlaces(columns.reading, unread) };
 }
 
 function summary(tests) {
@@ -48,12 +49,12 @@ export async function show(main, [ids]) {
       const over = (key) => (relative && relates ? `${QUANTITIES[key].symbol} / p′₀ (–)` : axisTitle(key));
       const chart = new Chart({ title: `${(QUANTITIES[y] ?? WORK).title} over ${QUANTITIES[x].title}, ${tests.length} tests`, height, cursor: false,
         x: { title: relative && x === "p_eff" ? "p′ / p′₀ (–)" : axisTitle(x) }, y: { title: y === "work" ? "W₂ normalised (–)" : over(y) } });
-      chart.set(tests.flatMap(({ document, columns, work }, i) => {
+      chart.set(tests.flatMap(({ document, columns, work, faults, dotted }, i) => {
         const [colour, dash] = STYLES[i];
         const p0 = relative ? document.consolidation.p_eff_kPa || 1 : 1;
         const by = (v, does) => (v === null ? null : does ? v / p0 : v);
-        const line = { kind: "line", colour, dash, ...(y === "work" ? { x: at(work.reading, columns, x), y: work.normalised }
-          : { x: QUANTITIES[x].of(columns).map((v) => by(v, x === "p_eff")), y: QUANTITIES[y].of(columns).map((v) => by(v, relates)) }) };
+        const line = { kind: "line", colour, dash, ...(y === "work" ? { x: at(work.reading, columns, x), y: openAcross(work.reading, work.normalised, faults) }
+          : { dotted, x: QUANTITIES[x].of(columns).map((v) => by(v, x === "p_eff")), y: QUANTITIES[y].of(columns).map((v) => by(v, relates)) }) };
         const onset = x === "p_eff" ? marks({ ...document.collapse, truth: null }, "pq", false).map((m) => ({ ...m, x: m.x / p0, y: m.y / p0, colour })) : [];
         return [line, ...onset];
       }), y === "work" ? { y: [-1.08, 1.08] } : {});

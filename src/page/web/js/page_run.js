@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A running test, as it runs. What comes is kept and drawn at the next frame, however fast it comes.
 import { get, windowPath } from "./api.js";
+import { openAcross } from "./breaks.js";
 import { el, fill } from "./dom.js";
 import { controls } from "./live_controls.js";
 import { gauge, gaugeNode } from "./live_gauge.js";
@@ -66,15 +67,15 @@ class RunPage {
     if (at - this.drawn < PAUSE) return this.soon();
     this.drawn = at;
     const { rows, forecast, limit } = this;
-    const row = rows.now;
-    const eta = row && row.p_eff_kPa > 0 ? row.q_kPa / row.p_eff_kPa : null;
+    const row = rows.shownNow;
+    const eta = row && row.p_eff_kPa > 0 && row.q_kPa !== null ? row.q_kPa / row.p_eff_kPa : null;
     const signal = signalOf(this);
     if (this.said !== signal.word + signal.sub) showSignal(this.signal, signal);
     this.said = signal.word + signal.sub;
     fill(this.bigs, numbers(row, eta, this));
     gauge(this.bar, { eta, forecast, limit });
     this.charts.show(this, at);
-    this.channels.show(row, at);
+    this.channels.show(rows.now, at);
     Object.assign(this.node.dataset, { received: rows.count, first: rows.first ?? "", last: rows.last ?? "", gaps: rows.gaps, checksum: rows.sum.hex(), drawn: row?.reading ?? "" });
   }
 
@@ -119,11 +120,13 @@ class RunPage {
   /** The database has what was left out within a second, and the events of that time. */
   async fillGap({ from, to }) {
     for (let left = 30; left > 0; --left) {
-      const { columns, exact, last } = await get(windowPath(this.test.id, COLUMNS, { from, to, pixels: 8000 }));
+      const window = await get(windowPath(this.test.id, COLUMNS, { from, to, pixels: 8000 }));
+      const { columns, exact, last } = window;
       if (last < to && left > 1) {
         await new Promise((done) => setTimeout(done, 200));
         continue;
       }
+      this.rows.learn(window);
       if (exact) columns.reading.forEach((_, i) => this.rows.add(Object.fromEntries(this.rows.names.map((name) => [name, columns[name][i]]))));
       else this.rows.replace(columns, from);
       break;
@@ -134,7 +137,9 @@ class RunPage {
   /** Second-order work comes with the monitor's windows, later than readings: it is asked for now and then. */
   async readWork() {
     if (document.hidden) return;
-    this.work = (await get(windowPath(this.test.id, ["time_s"], { pixels: 300, work: true }))).work;
+    const window = await get(windowPath(this.test.id, ["time_s"], { pixels: 300, work: true }));
+    this.work = { ...window.work, normalised: openAcross(window.work.reading, window.work.normalised, window.faults) };
+    this.rows.learn(window);
     this.soon();
   }
 
@@ -156,7 +161,11 @@ class RunPage {
   }
 
   async listen() {
-    if (this.test.readings > FEW) this.rows.replace((await get(windowPath(this.test.id, COLUMNS, { pixels: 300 }))).columns);
+    if (this.test.readings > FEW) {
+      const window = await get(windowPath(this.test.id, COLUMNS, { pixels: 300 }));
+      this.rows.learn(window);
+      this.rows.replace(window.columns);
+    }
     this.asking = setInterval(() => this.readWork().catch(() => clearInterval(this.asking)), 3000);
     const wrong = (failure) => fill(this.trouble, failed(failure));
     this.stop = listen(this.test.id, this.rows.last, {

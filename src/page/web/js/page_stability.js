@@ -3,6 +3,7 @@
 // the stress path of a test.
 import { get, post, windowPath } from "./api.js";
 import "./cells.js";
+import { dottedPlaces, placesAfter } from "./breaks.js";
 import { Chart } from "./chart.js";
 import { circularDiagram } from "./circular_diagram.js";
 import { along, conesTable } from "./cones_along.js";
@@ -114,8 +115,9 @@ class StabilityPage {
   /** The stress path of the test in shear, and cones at points of it that the material knows. */
   async alongTest(signal) {
     const from = this.testOf(kept.test)?.collapse.judged?.from_reading ?? 0;
-    this.path = kept.test ? (await get(windowPath(kept.test, ["q_kPa", "p_eff_kPa"], { from, pixels: 100 }), signal)).columns : null;
-    const points = this.path ? along(this.path.p_eff_kPa, this.path.q_kPa).filter(([p, q]) => p - q / 3 > 5 && q >= 0 && q / p < 0.97 * this.limit && p <= Number(kept.p)) : [];
+    const window = kept.test ? await get(windowPath(kept.test, ["axial_strain", "q_kPa", "p_eff_kPa"], { from, pixels: 100 }), signal) : null;
+    this.path = window && { ...window.columns, dotted: dottedPlaces(window.columns.reading, window.unread_steps) };
+    const points = this.path ? along(this.path.p_eff_kPa, this.path.q_kPa, new Set([...this.path.dotted, ...placesAfter(window.columns.reading, window.faults)])).filter(([p, q]) => p - q / 3 > 5 && q >= 0 && q / p < 0.97 * this.limit && p <= Number(kept.p)) : [];
     const states = await Promise.all(points.map((point) => probed(point, signal)));
     this.wedges = states.map((s) => ({ p: s.state.p_eff_kPa, q: s.state.q_kPa, cones: s.cones }));
     fill(this.table, states.length ? conesTable(states) : null);
@@ -127,7 +129,7 @@ class StabilityPage {
     const edge = (key) => ({ kind: "line", x: compression.map((b) => b.p_eff_kPa), y: compression.map((b) => b[key]?.q_kPa ?? null) });
     this.chart.set([{ kind: "cells", states, dp: (grid.p_to_kPa - grid.p_from_kPa) / (grid.columns - 1), dq: (grid.q_to_kPa - grid.q_from_kPa) / (grid.rows - 1) },
       { ...edge("limit"), colour: "ink", width: 1.6 }, { ...edge("isotropic_unloading"), colour: "blue", dash: [7, 4] }, { ...edge("first_unstable"), colour: "vermilion", width: 2.2 },
-      ...(this.path ? [{ kind: "line", x: this.path.p_eff_kPa, y: this.path.q_kPa, colour: "ink", width: 1.4 }] : []), { kind: "wedges", wedges: this.wedges }],
+      ...(this.path ? [{ kind: "line", x: this.path.p_eff_kPa, y: this.path.q_kPa, dotted: this.path.dotted, colour: "ink", width: 1.4 }] : []), { kind: "wedges", wedges: this.wedges }],
     { x: [0, grid.p_to_kPa], y: [Math.min(0, grid.q_from_kPa), grid.q_to_kPa] });
     requestAnimationFrame(() => this.chart.mark(...kept.cursor));
   }

@@ -44,5 +44,6 @@ export function rules(collapse, axis) {
 export const LEGEND = {
   path: ["stress path or history", "blue", "line"], limit: ["limit surface, slope M", "ink", "line"],
   instability: ["instability line through the onset", "vermilion", "dash"], onset: ["onset of collapse", "vermilion", "ring"],
+  unread: ["nothing was read between", "blue", "dots"],
   truth: ["truth: the simulated specimen itself", "ink", "cross"], band: ["one standard error of W₂", "purple", "band"],
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The linked charts of one test: stress path, q over strain, pore pressure, volume, second-order work with its band.
 import { get, windowPath } from "./api.js";
+import { dottedPlaces, openAcross } from "./breaks.js";
 import { Chart } from "./chart.js";
 import { el, fill, segments } from "./dom.js";
 import { fixed, time } from "./format.js";
@@ -63,14 +64,13 @@ export class TestCharts {
     const left = el("div", {}, this.panel(stress, height, { box: true, log: this.log ? "xy" : "" }), this.panel(["axial", "q"], height, { log: this.log ? "y" : "" }));
     const right = el("div", {}, ["u", "volume", "work"].map((y) => this.panel([this.axis, y], lower, {})));
     fill(this.grid, left, right);
-    fill(this.legend, legend(this.legendOf()));
     this.linked.at = cursor;
     this.ready = this.linked.whole();
   }
 
-  legendOf() {
+  legendOf(unread) {
     const { collapse } = this.document;
-    const has = { path: true, limit: !this.total && collapse.limit_stress_ratio, instability: !this.total && collapse.eta, onset: collapse.detected,
+    const has = { path: true, unread, limit: !this.total && collapse.limit_stress_ratio, instability: !this.total && collapse.eta, onset: collapse.detected,
       truth: collapse.truth?.lost_sustainability, band: true };
     return Object.keys(LEGEND).filter((key) => has[key]).map((key) => LEGEND[key]);
   }
@@ -81,17 +81,19 @@ export class TestCharts {
       x: { title: axisTitle(x), log: log.includes("x") }, y: { title: y === "work" ? "W₂ normalised (–)" : height < 220 ? `${what.symbol} (${what.unit})` : axisTitle(y), log: log.includes("y") },
       does: { box, all: () => this.linked.whole(), pick: (area) => this.linked.pick(chart, area), move: (a, b, scale) => this.linked.near(chart, a, b, scale) } });
     chart.node.addEventListener("keydown", (event) => this.linked.key(event));
-    this.linked.add(chart, ({ columns, work }) => (y === "work" ? { reading: work.reading, x: at(work.reading, columns, x), y: work.normalised }
-      : { reading: columns.reading, x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns) }));
+    this.linked.add(chart, ({ columns, work, faults, unread_steps: unread }) => (y === "work"
+      ? { reading: work.reading, x: at(work.reading, columns, x), y: openAcross(work.reading, work.normalised, faults) }
+      : { reading: columns.reading, x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), dotted: dottedPlaces(columns.reading, unread) }));
     this.panels.push({ chart, x, y });
     return chart.node;
   }
 
-  draw({ work }) {
+  draw({ work, unread_steps: unread }) {
     const { collapse } = this.document;
+    fill(this.legend, legend(this.legendOf(unread.length > 0)));
     for (const { chart, x, y } of this.panels) {
       const points = this.linked.pointsOf(chart);
-      const line = { kind: "line", x: points.x, y: points.y, colour: { u: "green", volume: "orange", work: "purple" }[y] ?? "blue" };
+      const line = { kind: "line", x: points.x, y: points.y, dotted: points.dotted, colour: { u: "green", volume: "orange", work: "purple" }[y] ?? "blue" };
       if (chart.does.box) chart.set([...lines(collapse, this.view, this.total), line, ...marks(collapse, this.view, this.total).map((m) => ({ ...m, ranged: false }))]);
       else if (y === "work") chart.set([this.band(work, points.x), { kind: "level", y: 0, colour: "grey" }, line, ...rules(collapse, x)], { y: [-1.08, 1.08] });
       else chart.set([line, ...rules(collapse, x)]);

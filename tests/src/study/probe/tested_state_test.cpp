@@ -90,11 +90,12 @@ TEST_CASE("a void ratio given replaces that of the test; without either it is as
   CHECK(unknown.refusal("peak").find("--void-ratio E") != std::string::npos);
 }
 
-TEST_CASE("an onset on the limit surface is taken, and said; without any --at asks for another") {
+TEST_CASE("the onset of a failure is taken, and said; without any --at asks for another") {
   const auto failed = StoredPath(1.05, lab::CollapseKind::none).at("collapse");
   CHECK(failed.state.reading == 601);
   REQUIRE(failed.warnings.size() == 1);
-  CHECK(failed.warnings[0].find("limit surface") != std::string::npos);
+  CHECK(failed.warnings[0].find("failed with the drainage open, without collapse") !=
+        std::string::npos);
   const StoredPath sound(1.05, lab::CollapseKind::none, false);
   CHECK(sound.refusal("collapse").find("has no collapse; use --at peak") != std::string::npos);
 }

@@ -18,8 +18,8 @@ TEST_CASE("a stress path has what came before shear apart from shear") {
   const auto path = stress_path(test);
   CHECK(path.test == "L<oose> 1");
   REQUIRE(path.before.size() == 3);
-  CHECK(path.before.front().p_pa == 140e3);
-  CHECK(path.before.front().q_pa == 0);
+  CHECK(path.before.front().p_eff == 140e3);
+  CHECK(path.before.front().q == 0);
   CHECK(path.shear.size() == test.curves.states.size() - 3);
   CHECK(path.origin.tests == 1);
 }

@@ -66,7 +66,7 @@ TEST_CASE("a series keeps its ends and its corners, and drops what nobody sees")
   Points points;
   for (int i = 0; i <= 50; ++i) points.emplace_back(i, i);
   for (int i = 51; i <= 100; ++i) points.emplace_back(i, 100 - i);
-  draw_series(*plot->axisRect(), points, 0, 1);
+  draw_series(*plot->axisRect(), {points, std::vector<study::Join>(points.size())}, 0, 1);
   const auto curves = src::test::curves_of(*plot);
   REQUIRE(curves.size() == 1);
   CHECK(curves.front()->dataCount() < 8);
