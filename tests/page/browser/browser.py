@@ -33,7 +33,10 @@ class Browser:
             options.add_argument(argument)
         if os.geteuid() == 0:
             options.add_argument("--no-sandbox")
-        options.add_experimental_option("prefs", {"download.default_directory": str(self.folder / "downloads"), "download.prompt_for_download": False})
+        options.add_experimental_option("prefs", {
+            "download.default_directory": str(self.folder / "downloads"), "download.prompt_for_download": False,
+            # Not the page for new tabs, which has requests and a console of its own.
+            "session.restore_on_startup": 4, "session.startup_urls": ["about:blank"]})
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options)
         self.cdp("Emulation.setFocusEmulationEnabled", enabled=True)  # Tab behind the last control gives the window away
@@ -137,8 +140,7 @@ class Browser:
         return sorted((self.folder / "downloads").glob("*")) if (self.folder / "downloads").exists() else []
 
     def requests(self):
-        """Addresses that were asked for and by whom, by the browser's own log; after its end. What the browser wants for itself (its
-        updates, its start page) has no origin as its initiator."""
+        """Addresses that were requested, with their initiators, by the browser's own log; after its end."""
         text = (self.folder / "net.json").read_text(encoding="utf-8", errors="replace")
         try:
             events = json.loads(text)["events"]
@@ -159,7 +161,9 @@ class Browser:
                 same("nothing in the browser's console", self.console, [])
             origin = self.laboratory.origin
             asked = self.requests()
-            outside = [url for url, initiator in asked if initiator != "not an origin" and not url.startswith((origin + "/", f"blob:{origin}/"))]
+            # The browser requests things for itself (updates, pages for new tabs), each version others. The initiator of what the page
+            # requests is the page's origin, or an opaque origin that names it as its source (a frame without an origin of its own).
+            outside = [url for url, initiator in asked if origin in initiator and not url.startswith((origin + "/", f"blob:{origin}/"))]
             same("the page asked for nothing outside of this machine", outside, [])
             check("the browser's log has what the page asked for", (origin + "/api/tests", origin) in asked, sorted(asked)[:5])
         self.room.cleanup()
