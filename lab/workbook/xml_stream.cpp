@@ -17,6 +17,25 @@ constexpr std::string_view kEndOfRow = "</row>";
 /// A row that is longer goes through the parser as it comes.
 constexpr std::size_t kLongestHeldRow = std::size_t{1} << 20;
 
+/// Returns the index of the byte that the parser is at, or -1. Expat 2.9 deprecates the older
+/// functions.
+long long byte_index(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+  return XML_GetCurrentByteIndex64(parser);
+#else
+  return XML_GetCurrentByteIndex(parser);
+#endif
+}
+
+/// Returns the number of bytes of the event that the parser is at, or 0.
+long long byte_count(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+  return XML_GetCurrentByteCount64(parser);
+#else
+  return XML_GetCurrentByteCount(parser);
+#endif
+}
+
 }  // namespace
 
 std::string_view local_name(const char* name) {
@@ -62,8 +81,7 @@ struct XmlStream::Impl {
       --me.depth;
       const auto local = local_name(element);
       if (me.listener.rows && local == "row")
-        me.row_ended_at = static_cast<long long>(XML_GetCurrentByteIndex(me.parser)) +
-                          XML_GetCurrentByteCount(me.parser);
+        me.row_ended_at = byte_index(me.parser) + byte_count(me.parser);
       if (me.listener.end) me.listener.end(local);
     });
   }
@@ -118,7 +136,7 @@ void XmlStream::Impl::feed(std::string_view bytes, bool last) {
     throw BadInput(name, 0,
                    std::string("its XML is broken (") + XML_ErrorString(XML_GetErrorCode(parser)) +
                        "); open it in a spreadsheet and save it again");
-  const auto at = static_cast<long long>(XML_GetCurrentByteIndex(parser));
+  const auto at = byte_index(parser);
   if (at >= 0 && fed - at > kLongestPiece)
     throw BadInput(name, 0, "its XML has a single piece of more than 8 MB: no workbook's cell");
 }
