@@ -9,7 +9,11 @@ from judging import PROGRAMS, SerialPair, check, free_port, needs, run, same, ve
 needs("socat", modules=("pymodbus", "serial_asyncio"))
 from pymodbus.datastore import ModbusSequentialDataBlock, ModbusServerContext, ModbusSlaveContext  # noqa: E402
 from pymodbus.server import StartSerialServer, StartTcpServer  # noqa: E402
-from pymodbus.transaction import ModbusRtuFramer  # noqa: E402
+try:
+    from pymodbus.framer import FramerType  # noqa: E402: version 3.8 of Debian 13
+    RTU_FRAMER = FramerType.RTU
+except ImportError:
+    from pymodbus.transaction import ModbusRtuFramer as RTU_FRAMER  # noqa: E402: version 3.0 of Debian 12
 
 
 def instrument() -> ModbusServerContext:
@@ -17,9 +21,9 @@ def instrument() -> ModbusServerContext:
     words = [0] * 300
     words[0:8] = [*struct.unpack(">6H", struct.pack(">3f", 101.5, -2000, 102)), 1, 0]
     words[200:232] = struct.unpack(">32H", b"triax,pressure controller,py,1.0".ljust(64, b"\0"))
-    block = ModbusSequentialDataBlock(0, words)
-    bits = ModbusSequentialDataBlock(0, [0] * 8)
-    return ModbusServerContext(slaves={3: ModbusSlaveContext(di=bits, co=bits, ir=block, hr=block, zero_mode=True)}, single=False)
+    block = ModbusSequentialDataBlock(1, words)  # pymodbus numbers from 1: address 0 of a request is number 1
+    bits = ModbusSequentialDataBlock(1, [0] * 8)
+    return ModbusServerContext(slaves={3: ModbusSlaveContext(di=bits, co=bits, ir=block, hr=block)}, single=False)
 
 
 def serve_tcp(port: int) -> None:
@@ -27,7 +31,7 @@ def serve_tcp(port: int) -> None:
 
 
 def serve_serial(end: str) -> None:
-    StartSerialServer(context=instrument(), framer=ModbusRtuFramer, port=end, baudrate=9600, timeout=0.005)
+    StartSerialServer(context=instrument(), framer=RTU_FRAMER, port=end, baudrate=9600, timeout=0.005)
 
 
 def judge(how: str, link: str, wrong_unit: str) -> None:
