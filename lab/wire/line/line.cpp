@@ -152,6 +152,11 @@ void Line::read_answer() {
                .answered_s = loop_.now_s(),
                .length = length,
                .trailing = !entry->exchange.request.empty() && !received_.empty()};
+  if (result.answered_s > entry->deadline_s) {
+    // Nobody knows when it came: this process may have stood still meanwhile.
+    rest(State::pauses, times_.pause_s);
+    return entry->done({.kind = Asked::Kind::late, .why = "no answer", .sent_s = entry->sent_s});
+  }
   try {
     if (entry->exchange.values) result.values = entry->exchange.values(answer);
     if (entry->exchange.text) result.text = entry->exchange.text(answer);

@@ -71,7 +71,9 @@ class Line {
   /// Closes what is open and connects anew, until `deadline_s` on the loop's clock. `opened` gets
   /// an empty text, or why not: "Connection refused". A handler that asks at once is heard.
   void open(double deadline_s, std::function<void(const std::string& why)> opened);
-  /// Asks when those before are done. `done` is called once, at the deadline at the latest.
+  /// Asks when those before are done. `done` is called once, by the deadline or as soon after as
+  /// the loop runs; an answer that is read after the deadline is late. It owns what it needs: a
+  /// caller that waits may return before it is called.
   void ask(Exchange exchange, double deadline_s, std::function<void(const Asked&)> done);
   /// Drops all exchanges without a call; an answer under way is awaited as a late one.
   void cancel();

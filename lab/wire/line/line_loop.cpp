@@ -51,6 +51,13 @@ struct LineLoop::Impl {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{
       context.get_executor()};
   LoopClock::time_point start = LoopClock::now();
+  LoopClock::time_point turned = start;  ///< when handlers could last run
+  LoopClock::duration longest_stall{};
+
+  void turn() {
+    const LoopClock::time_point now = LoopClock::now();
+    longest_stall = std::max(longest_stall, now - std::exchange(turned, now));
+  }
 
   /// Runs the next handler that becomes ready within `most`: looks for it again and again for
   /// kSoon before it sleeps, or sleeps at once, whichever brought the next one sooner of late.
@@ -106,12 +113,20 @@ void LineLoop::poll() {
   }
 }
 
-void LineLoop::run_for(double seconds) { impl_->context.run_for(loop_duration(seconds)); }
+void LineLoop::run_for(double seconds) {
+  run_until([] { return false; }, now_s() + seconds);
+}
+
+double LineLoop::take_longest_stall_s() {
+  impl_->turn();
+  return std::chrono::duration<double>(std::exchange(impl_->longest_stall, {})).count();
+}
 
 bool LineLoop::run_until(const std::function<bool()>& reached, double deadline_s) {
   constexpr double kLook_s = 0.05;
   LineTimer wake;  // a wait alone ends up to 1 ms late, a timer does not
   for (;;) {
+    impl_->turn();
     if (reached()) return true;
     const double left_s = deadline_s - now_s();
     if (!(left_s > 0)) {

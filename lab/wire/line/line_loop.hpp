@@ -49,6 +49,9 @@ class LineLoop {
   /// Until `reached` says so or the deadline is over; gives what it said last. It is asked after
   /// every handler and at least 20 times a second, so that it may look at a signal's flag.
   bool run_until(const std::function<bool()>& reached, double deadline_s);
+  /// Longest time since the last call for which no handler could run, s: the process stood still or
+  /// was busy elsewhere. Up to 0.05 s is waiting.
+  double take_longest_stall_s();
 
   /// For lines of this folder.
   boost::asio::io_context& context();

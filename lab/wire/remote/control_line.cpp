@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 
 #include "lab/base/bad_input.hpp"
@@ -28,23 +29,27 @@ Exchange line_of_text(const std::string& question) {
 }  // namespace
 
 ControlLine::ControlLine(LineLoop& loop, const LinkAddress& link) : loop_(loop), line_(loop, link) {
-  std::optional<std::string> opened;
-  line_.open(loop.now_s() + kPatience_s, [&opened](const std::string& why) { opened = why; });
-  loop.run_until([&opened] { return opened.has_value(); }, loop.now_s() + kPatience_s + 1);
-  if (!opened || !opened->empty())
-    throw WorkFailed(fmt::format("the rig's control at {} cannot be reached: {}", to_text(link),
-                                 opened.value_or("no answer")));
+  const auto opened = std::make_shared<std::optional<std::string>>();
+  line_.open(loop.now_s() + kPatience_s, [opened](const std::string& why) { *opened = why; });
+  loop.run_until([&opened] { return opened->has_value(); }, loop.now_s() + kPatience_s + 1);
+  const std::string why = opened->value_or("no answer");
+  if (!why.empty())
+    throw WorkFailed(
+        fmt::format("the rig's control at {} cannot be reached: {}", to_text(link), why));
 }
 
 std::string ControlLine::ask(const std::string& question) {
-  std::optional<Asked> asked;
-  line_.ask(line_of_text(question), loop_.now_s() + kPatience_s,
-            [&asked](const Asked& a) { asked = a; });
-  loop_.run_until([&asked] { return asked.has_value(); }, loop_.now_s() + kPatience_s + 1);
-  if (asked && asked->kind == Asked::Kind::answered) return asked->text;
+  // The line may call the handler after this has thrown.
+  const auto asked = std::make_shared<Asked>(Asked{.why = "too late"});
+  const auto over = std::make_shared<bool>(false);
+  line_.ask(line_of_text(question), loop_.now_s() + kPatience_s, [asked, over](const Asked& a) {
+    *asked = a;
+    *over = true;
+  });
+  loop_.run_until([&over] { return *over; }, loop_.now_s() + kPatience_s + 1);
+  if (asked->kind == Asked::Kind::answered) return asked->text;
   throw WorkFailed(fmt::format("the rig's control at {} does not answer {}: {}",
-                               to_text(line_.link()), question,
-                               asked && !asked->why.empty() ? asked->why : "too late"));
+                               to_text(line_.link()), question, asked->why));
 }
 
 RigTime ControlLine::ask_time() {

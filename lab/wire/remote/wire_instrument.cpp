@@ -123,7 +123,7 @@ void WireInstrument::fail(const std::string& why) {
   line_.close(why);
 }
 
-void WireInstrument::scan(std::function<void(const Scan&)> done, double latest_s) {
+void WireInstrument::scan(std::function<void(const Scan&)> done, double asked_s, double latest_s) {
   const auto round = std::make_shared<Round>();
   round->scan.channels.assign(channels_, {.value = kNothing});
   round->raw.assign(asked_.size(), kNothing);
@@ -137,8 +137,8 @@ void WireInstrument::scan(std::function<void(const Scan&)> done, double latest_s
     return;
   }
   round->open = round_.size();
-  round->deadline_s = std::min(loop_.now_s() + described_.personality.deadline_s, latest_s);
-  round->awaited_s = round->deadline_s - loop_.now_s();
+  round->deadline_s = std::min(asked_s + described_.personality.deadline_s, latest_s);
+  round->awaited_s = round->deadline_s - asked_s;
   for (std::size_t i = 0; i < round_.size(); ++i) ask(round, i);
 }
 

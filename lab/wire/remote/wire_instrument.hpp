@@ -49,9 +49,10 @@ class WireInstrument {
     std::string why;                        ///< what was wrong; empty: all was answered
   };
   /// Asks for everything at once; `done` is called once, from the loop, by the instrument's
-  /// deadline or by `latest_s` on the loop's clock. An instrument that is not ready gives a scan
-  /// without values.
-  void scan(std::function<void(const Scan&)> done, double latest_s);
+  /// deadline counted from `asked_s` (the instant of the scan, now or a little before) or by
+  /// `latest_s`, both on the loop's clock. It may be called after the caller has returned, so it
+  /// owns what it needs. An instrument that is not ready gives a scan without values.
+  void scan(std::function<void(const Scan&)> done, double asked_s, double latest_s);
   /// Sets the points; `done` gets an empty text, or why not.
   void set(const std::vector<PointSetting>& settings, std::function<void(const std::string&)> done);
 

@@ -10,6 +10,35 @@
 #include "lab/wire/device_modes.hpp"
 
 namespace triax::lab {
+namespace {
+
+/// One scan of all instruments. Its handlers share its state: one that is called after the end of
+/// this object finds it and does nothing.
+class ScanOfAll {
+ public:
+  ScanOfAll(WireInstruments::Take take, std::size_t instruments)
+      : state_(std::make_shared<State>(State{std::move(take), instruments})) {}
+  ~ScanOfAll() { state_->take = nullptr; }
+  ScanOfAll(const ScanOfAll&) = delete;
+  ScanOfAll& operator=(const ScanOfAll&) = delete;
+
+  std::function<void(const WireInstrument::Scan&)> handler_of(const WireInstrument& one) const {
+    return [state = state_, &one](const WireInstrument::Scan& scan) {
+      --state->open;
+      if (state->take) state->take(one, scan);
+    };
+  }
+  bool is_over() const { return state_->open == 0; }
+
+ private:
+  struct State {
+    WireInstruments::Take take;
+    std::size_t open;  ///< instruments that have not answered and are not late yet
+  };
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace
 
 WireInstruments::WireInstruments(
     LineLoop& loop, const RigFile& rig,
@@ -35,20 +64,13 @@ std::string WireInstruments::connect(double within_s, const std::function<bool()
 
 double WireInstruments::scan(const Take& take,
                              const std::function<double(const WireInstrument&)>& latest_s) const {
+  constexpr double kNever_s = std::numeric_limits<double>::infinity();
+  const ScanOfAll scan(take, all_.size());
   const double asked_s = loop_.now_s();
-  std::size_t open = all_.size();
-  double longest_s = 0;
-  for (const auto& one : all_) {
-    longest_s = std::max(longest_s, one->described().personality.deadline_s);
-    one->scan(
-        [&take, &open, &one](const WireInstrument::Scan& scan) {
-          take(*one, scan);
-          --open;
-        },
-        latest_s ? latest_s(*one) : std::numeric_limits<double>::infinity());
-  }
-  // Every question ends by its deadline, one way or another.
-  loop_.run_until([&open] { return open == 0; }, asked_s + longest_s + 1);
+  for (const auto& one : all_)
+    one->scan(scan.handler_of(*one), asked_s, latest_s ? latest_s(*one) : kNever_s);
+  // Line::ask ends every question by its deadline.
+  loop_.run_until([&scan] { return scan.is_over(); }, kNever_s);
   return asked_s;
 }
 

@@ -23,7 +23,8 @@ class WireInstruments {
   std::string connect(double within_s, const std::function<bool()>& stop);
   using Take = std::function<void(const WireInstrument&, const WireInstrument::Scan&)>;
   /// Asks all at one instant and waits for all answers, which come or are late: by the deadline of
-  /// each, or by `latest_s` of it, on the loop's clock. Gives that instant.
+  /// each from that instant on, or by `latest_s` of it, on the loop's clock. Gives that instant.
+  /// `take` is called once for each instrument, and not after this has returned or thrown.
   double scan(const Take& take,
               const std::function<double(const WireInstrument&)>& latest_s = {}) const;
 

@@ -5,6 +5,8 @@
 #include <termios.h>
 #include <unistd.h>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "tests/lab/wire/line/echo.hpp"
 
@@ -69,6 +71,32 @@ TEST_CASE("an answer that is late is never taken for the next one") {
     REQUIRE(echo.open() == "");
     CHECK(echo.ask("7").values == std::vector{7.0});
   }
+}
+
+TEST_CASE("Line: an answer that is read after the deadline is late", "[wire][line]") {
+  LineLoop instrument;
+  WireServer server(instrument);
+  const LinkAddress link =
+      server.listen(parse_link("tcp://127.0.0.1:0"), [] { return std::make_unique<Echo>(); });
+  LineLoop loop;
+  Line line(loop, link);
+  line.open(loop.now_s() + 1, {});
+  REQUIRE(loop.run_until([&] { return line.is_open(); }, loop.now_s() + 1));
+  std::optional<Asked> late, next;
+  line.ask(question("1"), loop.now_s() + 0.05, [&](const Asked& asked) { late = asked; });
+  instrument.run_for(0.2);  // it answers at once, and this side stands still
+  loop.run_until([&] { return late.has_value(); }, loop.now_s() + 1);
+  REQUIRE(late);
+  CHECK(late->kind == Kind::late);
+  CHECK(late->values.empty());
+  line.ask(question("2"), loop.now_s() + 1, [&](const Asked& asked) { next = asked; });
+  loop.run_until(
+      [&] {
+        instrument.poll();
+        return next.has_value();
+      },
+      loop.now_s() + 1);
+  CHECK(next.value().values == std::vector{2.0});
 }
 
 TEST_CASE("half an answer, garbage and a reset are told as what they are") {

@@ -233,7 +233,7 @@ TEST_CASE("drives hold by their watchdog when their controller is gone") {
   REQUIRE(loop.run_until([&set] { return set; }, loop.now_s() + 2));
   const auto state = [&] {
     std::vector<double> said;
-    one.scan([&said](const WireInstrument::Scan& scan) { said = scan.also; }, 1e9);
+    one.scan([&said](const WireInstrument::Scan& scan) { said = scan.also; }, loop.now_s(), 1e9);
     loop.run_until([&said] { return !said.empty(); }, loop.now_s() + 2);
     return said;
   };
