@@ -10,6 +10,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/axis_control.hpp"
 #include "lab/rig/logger.hpp"
+#include "lab/rig/missed_readings.hpp"
 #include "lab/rig/ramp_target.hpp"
 #include "lab/rig/rig_guard.hpp"
 #include "lab/rig/stage_progress.hpp"
@@ -105,7 +106,7 @@ struct RigSoftware::Impl {
   std::size_t stage_index = 0;
   Mode mode = Mode::running;
   double late_s = 0;  ///< by how much the last tick was longer than it was meant to be
-  bool readings_missed = false;
+  MissedReadings missed;
   int safe_readings = 0;
   std::size_t next_action = 0;
   std::optional<double> held_until_s;  ///< by the guard
@@ -302,12 +303,7 @@ bool RigSoftware::Impl::advance_to_next_scan() {
     if (time_s > due - kRoundOff_s) break;
   }
   if (std::fabs(time_s - due) < kRoundOff_s) time_s = due;
-  const bool missed = time_s >= due + interval;
-  if (missed && !readings_missed)
-    tell(EventKind::device_fault,
-         fmt::format("readings are missed from {:.6g} s on: instruments or machine are too slow",
-                     due));
-  readings_missed = missed;
+  if (const auto report = missed.add(due, time_s, interval)) tell(EventKind::device_fault, *report);
   return true;
 }
 

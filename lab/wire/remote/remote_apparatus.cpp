@@ -140,9 +140,20 @@ void RemoteApparatus::look(Reading& reading) {
         take(one, scan, reading);
       },
       [this](const WireInstrument& one) { return awaited_until_s(one); });
+  const double stall_s = loop_.take_longest_stall_s();
+  if (start_s_) look_for_stall(stall_s);
   if (!start_s_) start_s_ = asked_s - nominal_s / time_.speed;
   look_for_deaf_drives();
   if (!time_.lock_step) reading.time_s = (asked_s - *start_s_) * time_.speed;
+}
+
+/// A program that stands still neither reads nor controls: it counts as a channel that is silent.
+/// The limit is on the clock of this machine, as those of the watchdogs are: a rig that runs 60
+/// times faster than the clock passes 3 s of its test in every delay of 0.05 s.
+void RemoteApparatus::look_for_stall(double stall_s) {
+  if (time_.lock_step || stall_s < Supervision::kDeaf_s || !devices_.fault.empty()) return;
+  devices_.fault = fmt::format(
+      "this program stood still for {:.1f} s: it read nothing and controlled nothing", stall_s);
 }
 
 /// An instrument whose deadline is long is not waited for beyond the time after which it is deaf:

@@ -5,7 +5,8 @@
 // All instruments are asked at one instant and their answers awaited together. What is late or
 // wrong is a missing cell, and an event tells its cause and when it is over. What the software
 // demands is set where it has changed; a device whose link was lost is told again. A device that
-// drives and gives no good answer for Supervision::kDeaf_s has failed, whatever else reads.
+// drives and gives no good answer for Supervision::kDeaf_s has failed, whatever else reads. This
+// program itself has failed once it stood still for so long.
 //
 // Time is the clock's times `speed`, or, in lock step, turned by the client (served rigs only).
 #include <functional>
@@ -50,6 +51,7 @@ class RemoteApparatus : public Apparatus {
   void take(const WireInstrument& one, const WireInstrument::Scan& scan, Reading& reading);
   void take_states(RigRole role, const std::vector<double>& said);
   double awaited_until_s(const WireInstrument& one) const;
+  void look_for_stall(double stall_s);
   void look_for_deaf_drives();
   void drive(RigRole role, const DriveSettings& settings);
   void await(const std::function<bool()>& done, double within_s);

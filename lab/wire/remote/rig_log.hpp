@@ -18,7 +18,7 @@ struct RigLogOptions {
   double for_s = 0;           ///< how long; 0: until `stop`
   std::int64_t readings = 0;  ///< how many; 0: until then
   std::function<bool()> stop = {};
-  /// A gap with its cause, and its end: a sentence each.
+  /// A gap with its cause, and its end; rows that are missed: a sentence each.
   std::function<void(const std::string&)> say = {};
   std::function<void(std::int64_t readings, double time_s)> progressed = {};
 };
@@ -27,6 +27,10 @@ struct RigLogged {
   std::int64_t readings = 0;
   std::int64_t missing_cells = 0;
   bool simulated = false;
+  bool stopped = false;  ///< by `stop`, before all was read that was asked for
+  /// Instruments that gave no readings at the last row, with the cause: "cell: no answer within 1
+  /// s".
+  std::vector<std::string> silent;
 };
 
 /// Throws BadInput where the file is there already, WorkFailed where it cannot be written or no

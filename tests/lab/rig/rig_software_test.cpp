@@ -112,7 +112,7 @@ TEST_CASE("readings that were missed are told and not made up for") {
   const SoftwareRun late = run_late(2.5);
   CHECK(std::vector(late.times_s.begin() + 4, late.times_s.begin() + 10) ==
         std::vector<double>{4, 5, 7.75, 8, 9, 10});
-  CHECK_THAT(late.told, Contains("readings are missed from 6 s on"));
+  CHECK_THAT(late.told, Contains("readings are missed from 6 s to 7.75 s"));
   const SoftwareRun on_time = run_late(0);
   CHECK(on_time.times_s[8] == 8);
   CHECK(on_time.told.empty());

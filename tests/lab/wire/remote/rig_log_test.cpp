@@ -2,9 +2,11 @@
 #include "lab/wire/remote/rig_log.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/recorded.hpp"
@@ -100,6 +102,49 @@ TEST_CASE("a gap is a row of empty cells, told with its cause and its end") {
   CHECK(logged.missing_cells < 22);
   CHECK_THAT(told, Contains("cell gives no readings: no answer within 0.2 s") &&
                        Contains("cell answers again after"));
+}
+
+TEST_CASE("log_rig: reports the readings that a stall missed", "[wire][stall]") {
+  const Folder here;
+  const ServedBench bench(programme(), rig_text(), {});
+  std::string told;
+  const RigLogged logged =
+      log_rig(bench.client, here / "stall.csv",
+              {.interval_s = 0.1,
+               .readings = 6,
+               .say = [&told](const std::string& sentence) { told += sentence + "\n"; },
+               .progressed =
+                   [](std::int64_t readings, double) {
+                     if (readings == 3) std::this_thread::sleep_for(std::chrono::milliseconds(450));
+                   }});
+  CHECK(logged.readings == 6);
+  CHECK(logged.silent.empty());
+  CHECK_FALSE(logged.stopped);
+  CHECK_THAT(told, Contains("readings are missed from 0.3 s to 0.7"));
+}
+
+TEST_CASE("log_rig: names the instruments that are silent at its end", "[wire]") {
+  const Folder here;
+  const ServedBench bench(programme(), rig_text(), {});
+  RigFile rig = bench.client;
+  for (RigInstrument& one : rig.instruments) one.personality.deadline_s = 0.2;
+  LineLoop loop;
+  ControlLine control(loop, *rig.plant->control);
+  bool stop = false;
+  const RigLogged logged = log_rig(rig, here / "silent.csv",
+                                   {.interval_s = 0.1,
+                                    .readings = 100,
+                                    .stop = [&stop] { return stop; },
+                                    .progressed =
+                                        [&](std::int64_t readings, double) {
+                                          if (readings == 2)
+                                            tell(control, "LINE:FAULT \"cell\",SILENT");
+                                          stop = readings == 4;
+                                        }});
+  CHECK(logged.stopped);
+  REQUIRE(logged.silent.size() == 1);
+  CHECK_THAT(logged.silent[0], Contains("cell: ") && Contains("no answer"));
+  tell(control, "LINE:FAULT \"cell\",NONE");
 }
 
 TEST_CASE("a log writes over nothing, and begins nothing where nobody answers") {
