@@ -17,6 +17,7 @@
 #include "sim/materials/umat_worker.hpp"
 #include "src/cli/application.hpp"
 #include "src/cli/candidates.hpp"
+#include "src/cli/ended_early.hpp"
 #include "src/cli/manual.hpp"
 #include "src/cli/renamed_options.hpp"
 #include "src/cli/usage_error.hpp"
@@ -111,6 +112,9 @@ int main(int argc, char** argv) {
   } catch (const triax::src::ClosedPipe&) {
     announce();
     return kDone;
+  } catch (const triax::src::EndedEarly& end) {
+    announce();
+    return complain(end.what(), end.status());
   } catch (const triax::lab::BadInput& error) {
     announce();
     return complain(error.what(), kBadInput);

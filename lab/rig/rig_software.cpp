@@ -67,6 +67,10 @@ struct RigSoftware::Impl {
     warn(why);
     header.cut_short = why;
   }
+  /// The first cause is the one that counts.
+  void end_as(TestEnding::Kind kind, const std::string& reason) {
+    if (ending.kind == TestEnding::Kind::completed) ending = {kind, reason};
+  }
   void tell(EventKind kind, const std::string& detail) {
     events.push_back({.reading = number, .time_s = time_s, .kind = kind, .detail = detail});
   }
@@ -113,6 +117,7 @@ struct RigSoftware::Impl {
   PlantDemand before;                  ///< of the last tick
   bool sheared = false;                ///< the first shear stage has begun
   bool finished = false;
+  TestEnding ending;
   std::array<bool, kRawQuantityCount> saturation_warned{};
 };
 
@@ -175,7 +180,7 @@ void RigSoftware::Impl::act_as_guard_if_due() {
   if (mode != Mode::running || !guard.is_due(stage_index, stage())) return;
   const Guard& now = guard.act();
   if (now.action == Guard::Action::safe) {
-    go(Mode::safe, EventKind::safe_state, "by the guard");
+    if (go(Mode::safe, EventKind::safe_state, "by the guard")) ending = {};
     return;
   }
   cut(ended_by_guard(stage(), time_s, describe(now)));
@@ -203,6 +208,7 @@ bool RigSoftware::Impl::stage_over() {
   }
   if (seen.stage_time_s() < stage().time_limit_s) return false;
   warn(out_of_time(stage()));
+  end_as(TestEnding::Kind::unfinished, out_of_time(stage()));
   return true;
 }
 
@@ -212,7 +218,11 @@ bool RigSoftware::Impl::go(Mode next, EventKind kind, const std::string& detail)
   const bool resumed = next == Mode::running;
   mode = next;
   tell(kind, detail);
-  if (next == Mode::safe) cut(ended_in_safe_state(stage(), time_s, detail));
+  if (next == Mode::safe) {
+    cut(ended_in_safe_state(stage(), time_s, detail));
+    end_as(kind == EventKind::aborted ? TestEnding::Kind::aborted : TestEnding::Kind::safe_state,
+           header.cut_short);
+  }
   if (resumed) held_until_s.reset();
   if (resumed) axis.resume(seen, apparatus->devices().piston_force_n);
   return true;
@@ -286,6 +296,7 @@ bool RigSoftware::Impl::tick(double dt_s) {
   if (done.end == Ticked::End::none) return true;
   done.end == Ticked::End::stopped ? warn(done.why) : cut(done.why);
   if (done.end == Ticked::End::lies_down) mode = Mode::fallen;
+  if (done.end == Ticked::End::stopped) end_as(TestEnding::Kind::unfinished, done.why);
   return mode == Mode::fallen;
 }
 
@@ -351,6 +362,7 @@ void RigSoftware::heed(WarningLevel level) {
   impl_->guard.hear(level);
   impl_->act_as_guard_if_due();
 }
+const TestEnding& RigSoftware::ending() const { return impl_->ending; }
 std::optional<std::string> RigSoftware::guarded() { return impl_->guard.take_news(); }
 
 bool RigSoftware::next(Reading& reading) {

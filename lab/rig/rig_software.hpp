@@ -27,6 +27,18 @@
 
 namespace triax::lab {
 
+/// How a test ended, as far as the software of the rig knows.
+struct TestEnding {
+  enum class Kind {
+    completed,   ///< by its end conditions, its guard, or a specimen that ran away or cannot follow
+    safe_state,  ///< an instrument, a drive or this program failed
+    aborted,     ///< by the operator
+    unfinished   ///< a stage came to its time limit, or the crosshead to the end of its travel
+  };
+  Kind kind = Kind::completed;
+  std::string reason;  ///< a sentence; empty if completed
+};
+
 class RigSoftware : public BackEnd {
  public:
   static constexpr double kTick_s = 0.25;
@@ -59,6 +71,8 @@ class RigSoftware : public BackEnd {
   /// would begin while its level stands is not left to its load for a tick.
   void heed(WarningLevel level) override;
   std::optional<std::string> guarded() override;
+  /// Pre-condition: next() returned false, or abort() was called.
+  const TestEnding& ending() const;
 
  protected:
   const Apparatus& apparatus() const;

@@ -10,7 +10,12 @@ namespace triax::src {
 namespace {
 
 std::string help_footer(const Command& command) {
-  std::string text = "\nExamples:\n";
+  std::string text;
+  if (!command.statuses.empty())
+    text += "\nExit status (0 done, 1 failed while running, 2 wrong usage or bad input):\n";
+  for (const auto& status : command.statuses)
+    text += "  " + status.line + "  " + status.purpose + "\n";
+  text += "\nExamples:\n";
   for (const auto& example : command.examples)
     text += "  " + example.line + "\n      " + example.purpose + "\n";
   return text;

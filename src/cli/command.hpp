@@ -20,8 +20,11 @@ struct Command {
   std::vector<std::string> description;  ///< paragraphs
   std::vector<Example> diagnostics;      ///< a message (or its beginning) and the remedy
   std::vector<Example> examples;
+  /// Exit statuses beside 0, 1 and 2 (the number, its meaning).
+  std::vector<Example> statuses = {};
   /// Adds the options to the sub-command and gives what is to be run once they are parsed. Touches
-  /// no file. What is run throws lab::BadInput (status 2) or anything else (status 1).
+  /// no file. What is run throws lab::BadInput (status 2), EndedEarly (its own status) or anything
+  /// else (status 1).
   std::function<std::function<void()>(CLI::App&)> set_up;
 };
 

@@ -60,11 +60,16 @@ std::string synopsis(const CLI::App& sub) {
   return text + " [\\fIOPTION\\fR]...\n";
 }
 
-constexpr const char* kExitStatus =
-    ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\nfailed while running\n.TP\n2\nwrong usage or bad "
-    "input: one "
-    "line on standard error names the file, the line or key, what was found and what would be "
-    "right\n";
+std::string exit_status(const std::vector<Example>& more = {}) {
+  std::string text =
+      ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\nfailed while running\n.TP\n2\nwrong usage or bad "
+      "input: one "
+      "line on standard error names the file, the line or key, what was found and what would be "
+      "right\n";
+  for (const auto& status : more)
+    text += ".TP\n" + roff(status.line) + "\n" + roff(status.purpose) + "\n";
+  return text;
+}
 
 }  // namespace
 
@@ -74,7 +79,7 @@ std::string man_page(const CLI::App& app) {
           roff(app.get_description()) + "\n.SH COMMANDS\n";
   for (const auto* sub : app.get_subcommands({}))
     text += ".TP\n\\fB" + roff(sub->get_name()) + "\\fR\n" + roff(sub->get_description()) + "\n";
-  text += options(app) + kExitStatus + ".SH SEE ALSO\n";
+  text += options(app) + exit_status() + ".SH SEE ALSO\n";
   std::string separator;
   for (const auto* sub : app.get_subcommands({})) {
     text += separator + "\\fBtriax\\-" + roff(sub->get_name()) + "\\fR(1)";
@@ -88,7 +93,7 @@ std::string man_page(const CLI::App& sub, const Command& command) {
                      " \\- " + roff(command.purpose) + "\n.SH SYNOPSIS\n" + synopsis(sub) +
                      ".SH DESCRIPTION\n";
   for (const auto& paragraph : command.description) text += ".PP\n" + roff(paragraph) + "\n";
-  text += options(sub) + kExitStatus + ".SH DIAGNOSTICS\n";
+  text += options(sub) + exit_status(command.statuses) + ".SH DIAGNOSTICS\n";
   for (const auto& d : command.diagnostics)
     text += ".TP\n" + roff(d.line) + "\n" + roff(d.purpose) + "\n";
   text += ".SH EXAMPLES\n";

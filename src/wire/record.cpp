@@ -2,11 +2,13 @@
 #include "src/wire/record.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/wire/remote/rig_log.hpp"
+#include "src/cli/ended_early.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/progress_bar.hpp"
@@ -40,6 +42,14 @@ void run_record(const RecordOptions& o) {
            }});
   fmt::print("{}: {} readings, {} cells missing{}\n", o.record, logged.readings,
              logged.missing_cells, logged.simulated ? "; SIMULATED, not measured" : "");
+  if (!logged.silent.empty())
+    throw EndedEarly(EarlyEnd::failed_rig,
+                     fmt::format("{}: no readings at the end from {}", o.record,
+                                 fmt::join(logged.silent, "; from ")));
+  if (logged.stopped && (o.minutes > 0 || o.readings > 0))
+    throw EndedEarly(EarlyEnd::aborted,
+                     fmt::format("{}: ended by the operator before {} was over", o.record,
+                                 o.minutes > 0 ? "--for" : "--readings"));
 }
 
 }  // namespace
@@ -55,13 +65,15 @@ Command record_command() {
            "is set.",
            "A row is in the file as soon as it was read. What does not come is an empty cell, and "
            "its cause is told; a link that was lost is taken up again. Instants that pass while "
-           "an answer is awaited are not made up for.",
+           "an answer is awaited, or while triax stands still, are reported and not made up for.",
            "Without --for and --readings it goes on until Ctrl-C. What the specimen is, the record "
            "does not know: replay asks for it (--set specimen.height_mm=140)."},
       .diagnostics = {{"FILE: is there already: ...", "a log never writes over what is there"},
                       {"FILE: no instrument is there: ...", "none of the rig answered"}},
       .examples = {{"triax record bench.toml --record today.csv --interval 10 --for 480",
                     "eight hours, a row in ten seconds"}},
+      .statuses = {{"3", "the record is kept; an instrument gave no readings when it ended"},
+                   {"4", "the record is kept; the operator ended it before --for or --readings"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<RecordOptions>();
         app.add_option("RIG.toml", o->rig, "the rig's file")->required()->type_name("");

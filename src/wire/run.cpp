@@ -8,6 +8,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/wire/remote/remote_rig.hpp"
+#include "src/cli/ended_early.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
@@ -29,6 +30,23 @@ struct RunOptions {
   std::vector<std::string> earlier;
 };
 
+void throw_if_ended_early(const lab::TestEnding& ending) {
+  using Kind = lab::TestEnding::Kind;
+  const auto stored = [&ending](const char* what) {
+    return fmt::format("{}; it is stored up to there: {}", what, ending.reason);
+  };
+  switch (ending.kind) {
+    case Kind::completed:
+      return;
+    case Kind::safe_state:
+      throw EndedEarly(EarlyEnd::failed_rig, stored("the test ended in the rig's safe state"));
+    case Kind::aborted:
+      throw EndedEarly(EarlyEnd::aborted, stored("the test was aborted by the operator"));
+    case Kind::unfinished:
+      throw EndedEarly(EarlyEnd::unfinished, stored("a stage of the test did not reach its end"));
+  }
+}
+
 void run_programme(const RunOptions& o) {
   const lab::Programme programme = lab::load_programme(o.programme);
   const lab::RigFile rig_file = lab::load_rig_file(o.rig);
@@ -49,8 +67,7 @@ void run_programme(const RunOptions& o) {
   if (unwritten.empty()) file.is_there();
   print_tests(o.db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
-  if (interruption.requested())
-    throw lab::WorkFailed("the test was aborted by the operator; it is stored up to there");
+  throw_if_ended_early(rig.ending());
 }
 
 }  // namespace
@@ -64,7 +81,9 @@ Command run_command() {
            "instruments of RIG.toml, over TCP and serial lines: real ones, or those of `triax "
            "serve`. All are asked at the same instant; what does not come is a missing cell, with "
            "an event that tells its cause. A channel that the test needs and that stays away for "
-           "3 s leads to the safe state: crosshead locked, pressures held.",
+           "3 s leads to the safe state: crosshead locked, pressures held. The same happens after "
+           "triax itself stood still for 3 s (Ctrl-Z, a paused machine); a shorter stall is "
+           "reported as a gap.",
            "Every instrument says who it is before the test begins and when its link is taken up "
            "again; identity and calibration are kept in the record. Where an instrument says that "
            "what it measures is simulated, so does the test.",
@@ -77,6 +96,11 @@ Command run_command() {
                        "each that does not answer or is another one, and why"}},
       .examples = {{"triax run samples/programmes/csu_26.toml --rig samples/rigs/csu_26.toml",
                     "on the rig that `triax serve samples/rigs/csu_26.toml` puts on the wire"}},
+      .statuses = {{"3",
+                    "the test is stored; the rig is in its safe state: an instrument, a drive or "
+                    "triax failed"},
+                   {"4", "the test is stored; the operator ended it (Ctrl-C, SIGTERM)"},
+                   {"5", "the test is stored; a stage did not reach its end (time limit, travel)"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<RunOptions>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");

@@ -65,6 +65,19 @@ TEST_CASE("every option of --help stands in the man page and in all completions"
   }
 }
 
+TEST_CASE("triax run, record: help and man page list their exit statuses", "[cli][wire]") {
+  const Workplace here;
+  REQUIRE(here.triax("--write-manual manual").status == 0);
+  for (const std::string command : {"run", "record"}) {
+    const std::string page = content(here / ("manual/triax-" + command + ".1"));
+    const std::string help = here.triax(command + " --help").out;
+    for (const std::string status : {"3", "4"}) {
+      CHECK(page.find(".TP\n" + status + "\n") != std::string::npos);
+      CHECK(help.find("\n  " + status + "  ") != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("shells and groff accept what is written for them") {
   const Workplace here;
   REQUIRE(here.triax("--write-manual manual").status == 0);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`triax run` on `triax serve`, one of them killed by SIGKILL at instants by strides. The run killed: the frame stops and the pressures
-hold by their watchdogs, asked by a second client; what the database held stays. The server killed: the run ends, with its test stored.
+hold by their watchdogs, asked by a second client; what the database held stays. The server killed: the run ends, with its test stored
+and status 3. The run interrupted (Ctrl-C): status 4.
 A number behind the name: so many trials instead of 6; docs/reliability.md has 20."""
 import os
 import pathlib
@@ -149,16 +150,26 @@ class ServerKilled(Trial):
         self.right("the run ends", wait_until(lambda: self.run.poll() is not None, 60), "")
         said = (self.folder / "log").read_text()
         self.right("by its safe state", "safe state" in said, said[-600:])
+        self.right("its status says so", self.run.poll() == 3, self.run.poll())
         self.right("every reading is kept", before and rows(self.database, SCANS)[:len(before)] == before, len(before))
         done = rows(self.database, "SELECT * FROM tests")
         self.right("the test is stored", len(done) == 1, done)
         self.right("soon", time.monotonic() - killed < 30, time.monotonic() - killed)
 
 
+class RunInterrupted(Trial):
+    def kill(self) -> None:
+        before = rows(self.database, SCANS)
+        self.run.send_signal(signal.SIGINT)
+        self.right("the run ends", wait_until(lambda: self.run.poll() is not None, 60), "")
+        self.right("its status says that the operator ended it", self.run.poll() == 4, self.run.poll())
+        self.right("every reading is kept", before and rows(self.database, SCANS)[:len(before)] == before, len(before))
+
+
 def one_trial(number: int) -> None:
     with tempfile.TemporaryDirectory() as folder:
         try:
-            (RunKilled if number % 2 else ServerKilled)(number, folder).begin()
+            (RunKilled, ServerKilled, RunInterrupted)[number % 3](number, folder).begin()
         except Exception as error:  # what breaks is a failure of its trial, the others go on
             check(f"trial {number}", False, repr(error))
 

@@ -4,7 +4,9 @@
 #include "lab/wire/remote/remote_rig.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/simulated/virtual_rig.hpp"
@@ -177,6 +179,44 @@ TEST_CASE("a drive that does not answer leads to the safe state, though it reads
     CHECK_FALSE(std::isnan(reading[Quantity::axial_displacement]));
   CHECK_THAT(remote.header().cut_short,
              Contains("frame has not answered rightly for 3 s: ") && Contains("no answer"));
+}
+
+namespace {
+
+/// What a rig says of a test during which this program stands still for `stall_s` after 3 readings.
+struct StalledTest {
+  explicit StalledTest(double stall_s) {
+    const Programme programme =
+        read_programme(replaced(programme_text(), "above = 1.0", "above = 0.1"), "p.toml");
+    const ServedBench bench(programme,
+                            replaced(rig_text(), "watchdog_s = 1.0", "watchdog_s = 30.0"), {});
+    LineLoop loop;
+    RemoteRig rig(loop, bench.client, programme);
+    int readings = 0;
+    for (Reading reading; rig.next(reading);) {
+      if (++readings == 3) std::this_thread::sleep_for(std::chrono::duration<double>(stall_s));
+      for (const Event& event : rig.events()) told += event.detail + "\n";
+    }
+    ending = rig.ending();
+  }
+  std::string told;
+  TestEnding ending;
+};
+
+}  // namespace
+
+TEST_CASE("RemoteRig: reports a short stall as a gap and goes on", "[wire][stall]") {
+  const StalledTest test(2.1);
+  CHECK_THAT(test.told, Contains("readings are missed from 3 s to 4."));
+  CHECK(test.ending.kind == TestEnding::Kind::completed);
+  CHECK_FALSE(test.told.find("stood still for") < test.told.size());
+}
+
+TEST_CASE("RemoteRig: a stall above the limit leads to the safe state", "[wire][stall]") {
+  const StalledTest test(3.3);
+  CHECK_THAT(test.told, Contains("this program stood still for 3."));
+  CHECK(test.ending.kind == TestEnding::Kind::safe_state);
+  CHECK_THAT(test.ending.reason, Contains("this program stood still for 3."));
 }
 
 TEST_CASE("a channel may count from what it says when the test begins") {
