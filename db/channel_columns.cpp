@@ -75,12 +75,6 @@ Names given_headings() {
   return names;
 }
 
-Names view_headings() {
-  Names names = raw_headings();
-  std::ranges::copy(given_headings(), std::back_inserter(names));
-  return names;
-}
-
 /// A column of SQLite's whole numbers is called so, all others hold reals.
 void add_columns(SQLite::Database& database, const std::string& table, const Names& names) {
   for (const std::string& name : names)
@@ -98,6 +92,19 @@ std::string select_readings(SQLite::Database& database) {
          " FROM tests t "
          "JOIN scans s ON s.id BETWEEN t.id << 32 AND t.id << 32 | 4294967295 "
          "LEFT JOIN scan_details d ON d.id = s.id";
+}
+
+std::string create_readings(SQLite::Database& database) {
+  return "CREATE VIEW readings AS " + select_readings(database);
+}
+
+/// Word for word: a view of that name that another program made is none of ours.
+bool has_own_view(SQLite::Database& database) {
+  SQLite::Statement select(database,
+                           "SELECT 1 FROM sqlite_schema WHERE type = 'view' AND name = 'readings' "
+                           "AND sql = ?");
+  select.bind(1, create_readings(database));
+  return select.executeStep();
 }
 
 }  // namespace
@@ -131,16 +138,14 @@ std::string selected(SQLite::Database& database, const std::string& table, const
 
 bool has_all_channels(SQLite::Database& database) {
   return missing_in(database, "scans", scan_columns()).empty() &&
-         missing_in(database, "scan_details", detail_columns()).empty() &&
-         missing_in(database, "readings", view_headings()).empty();
+         missing_in(database, "scan_details", detail_columns()).empty() && has_own_view(database);
 }
 
 void add_missing_channels(SQLite::Database& database) {
   add_columns(database, "scans", missing_in(database, "scans", scan_columns()));
   add_columns(database, "scan_details", missing_in(database, "scan_details", detail_columns()));
-  if (missing_in(database, "readings", view_headings()).empty()) return;
-  database.exec("DROP VIEW IF EXISTS readings; CREATE VIEW readings AS " +
-                select_readings(database));
+  if (!has_own_view(database))
+    database.exec("DROP VIEW IF EXISTS readings; " + create_readings(database));
 }
 
 void show_all_channels(SQLite::Database& database) {

@@ -21,9 +21,11 @@ std::string column_list(const std::vector<std::string>& columns, const std::stri
 std::string selected(SQLite::Database& database, const std::string& table, const std::string& alias,
                      const std::vector<std::string>& columns);
 
-/// Whether tables and view have a column for every quantity.
+/// Whether the tables have a column for every quantity, and the view `readings` is the one that
+/// this program makes.
 bool has_all_channels(SQLite::Database& database);
-/// Adds the columns that are missing and makes the view anew. Inside the caller's transaction.
+/// Adds the columns that are missing and makes the view anew where it differs. Inside the caller's
+/// transaction.
 void add_missing_channels(SQLite::Database& database);
 /// For a database that is only read: a view of this connection that has all columns.
 void show_all_channels(SQLite::Database& database);

@@ -4,34 +4,27 @@
 #include <SQLiteCpp/Transaction.h>
 #include <sqlite3.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <QUrl>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 
 #include "db/channel_columns.hpp"
 #include "db/files/folder_claim.hpp"
 #include "db/private_copy.hpp"
+#include "db/schema/schema.hpp"
 #include "lab/base/bad_input.hpp"
-#include "lab/base/embedded.hpp"
-
-namespace triax::lab {
-extern const std::span<const EmbeddedFile> kMigrations, kSchema;
-}
+#include "lab/base/text.hpp"
 
 namespace triax::db {
 namespace {
 
 namespace fs = std::filesystem;
-
-int version_of(const lab::EmbeddedFile& migration) {
-  int version = 0;
-  std::from_chars(migration.name.data(), migration.name.data() + migration.name.size(), version);
-  return version;
-}
 
 int read_int(SQLite::Database& database, const std::string& sql) {
   return database.execAndGet(sql).getInt();
@@ -56,6 +49,14 @@ void check_ours(SQLite::Database& database, const std::string& path) {
                         "schema version " + std::to_string(version) +
                             " is newer than this program's " + std::to_string(newest_schema()) +
                             "; use a newer triax");
+  check_schema(database, path);
+}
+
+/// `target` is a path, or a URI where the flags say so.
+SQLite::Database opened(const std::string& target, int flags, std::chrono::milliseconds patience) {
+  SQLite::Database database(target, flags, static_cast<int>(patience.count()));
+  distrust_schema(database);
+  return database;
 }
 
 /// Two programs may create the file at once, and the switch to WAL does not wait by itself.
@@ -71,9 +72,28 @@ void switch_to_wal(SQLite::Database& database, std::chrono::milliseconds patienc
   }
 }
 
+/// Once a process: what is written later is written by programs that have looked.
+bool is_first_look(const std::string& path) {
+  static std::mutex mutex;
+  static std::set<std::pair<dev_t, ino_t>> seen;
+  struct stat file {};
+  if (stat(path.c_str(), &file) != 0) return false;
+  const std::lock_guard lock(mutex);
+  return seen.emplace(file.st_dev, file.st_ino).second;
+}
+
+void check_pages_of_small(SQLite::Database& database, const std::string& path) {
+  constexpr std::uintmax_t kMaxChecked_bytes = 8U
+                                               << 20U;  // 15 ms; of larger files repair() does it
+  std::error_code none;
+  if (fs::file_size(path, none) <= kMaxChecked_bytes && is_first_look(path))
+    check_pages(database, path);
+}
+
 void prepare_for_writing(SQLite::Database& database, const std::string& path,
                          std::chrono::milliseconds patience) {
   check_ours(database, path);
+  check_pages_of_small(database, path);
   // Large pages: the scans of a test are read and written in long runs.
   if (is_empty(database)) database.exec("PRAGMA page_size = 32768");
   switch_to_wal(database, patience);
@@ -84,20 +104,8 @@ void prepare_for_writing(SQLite::Database& database, const std::string& path,
   migrate(database, path);
 }
 
-void check_path(const std::string& path) {
-  if (fs::is_directory(path))
-    throw lab::BadInput(path, 0,
-                        "is a folder; the database has to be a file, such as " + path +
-                            (path.ends_with('/') ? "" : "/") + "triax.db");
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder))
-    throw lab::BadInput(
-        path, 0,
-        "there is no folder " + folder.string() + " to put the database in; create it first");
-}
-
 void check_exists(const std::string& path) {
-  check_path(path);
+  check_place(path);
   if (!fs::exists(path))
     throw lab::BadInput(path, 0,
                         "no such database; `triax replay`, `simulate` and `grains` create one");
@@ -117,8 +125,7 @@ SQLite::Database of_newest_schema(SQLite::Database database, const std::string& 
 }
 
 SQLite::Database opened_in_place(const std::string& path) {
-  return of_newest_schema(SQLite::Database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX,
-                                           static_cast<int>(kPatience.count())),
+  return of_newest_schema(opened(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, kPatience),
                           path);
 }
 
@@ -127,8 +134,8 @@ SQLite::Database opened_in_place(const std::string& path) {
 SQLite::Database immutable(const std::string& path) {
   const QByteArray escaped = QUrl::toPercentEncoding(
       QString::fromStdString(fs::absolute(path).string()), QByteArrayLiteral("/"));
-  return {"file:" + escaped.toStdString() + "?immutable=1",
-          SQLite::OPEN_READONLY | SQLite::OPEN_URI};
+  return opened("file:" + escaped.toStdString() + "?immutable=1",
+                SQLite::OPEN_READONLY | SQLite::OPEN_URI, {});
 }
 
 /// Whether a file of the database can hardly grow any more by such a limit on the size of files.
@@ -156,7 +163,26 @@ bool is_at_size_limit(const std::string& path, rlim_t limit) {
 
 }  // namespace
 
-int newest_schema() { return version_of(lab::kMigrations.back()); }
+void check_place(const std::string& path) {
+  if (path.empty() || path == ":memory:")  // SQLite has databases of these names, on no disk
+    throw lab::BadInput("the database has to be a file, such as triax.db; " + lab::excerpt(path) +
+                        " names none");
+  std::error_code unknown;
+  const fs::file_type type = fs::status(path, unknown).type();
+  if (type == fs::file_type::directory)
+    throw lab::BadInput(path, 0,
+                        "is a folder; the database has to be a file, such as " + path +
+                            (path.ends_with('/') ? "" : "/") + "triax.db");
+  if (fs::exists(fs::file_status(type)) && type != fs::file_type::regular &&
+      type != fs::file_type::unknown)
+    throw lab::BadInput(path, 0,
+                        "is a device, a pipe or a socket; the database has to be a regular file");
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw lab::BadInput(
+        path, 0,
+        "there is no folder " + folder.string() + " to put the database in; create it first");
+}
 
 void migrate(SQLite::Database& database, const std::string& path, int target) {
   const bool newest = target >= newest_schema();
@@ -166,14 +192,7 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   check_ours(database, path);
   const int present = read_int(database, "PRAGMA user_version");
-  if (newest && is_empty(database)) {
-    database.exec(std::string(lab::kSchema.front().text));  // a tenth of the time of all steps
-  } else {
-    for (const lab::EmbeddedFile& migration : lab::kMigrations) {
-      const int version = version_of(migration);
-      if (version > present && version <= target) database.exec(std::string(migration.text));
-    }
-  }
+  apply_migrations(database, present, target);
   if (present < target) {
     database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
     database.exec("PRAGMA user_version = " + std::to_string(target));
@@ -183,13 +202,12 @@ void migrate(SQLite::Database& database, const std::string& path, int target) {
 }
 
 SQLite::Database open_for_writing(const std::string& path, std::chrono::milliseconds patience) {
-  check_path(path);
+  check_place(path);
   const FolderClaim claim(path, FolderClaim::Kind::shared);
   try {
     // No mutexes: a connection belongs to one thread at a time.
-    SQLite::Database database(path,
-                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX,
-                              static_cast<int>(patience.count()));
+    SQLite::Database database =
+        opened(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, patience);
     try {
       prepare_for_writing(database, path, patience);
     } catch (const SQLite::Exception& error) {
@@ -228,8 +246,8 @@ SQLite::Database open_for_reading(const std::string& path) {
 void check_there(const std::string& path) {
   check_exists(path);
   try {
-    SQLite::Database database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX,
-                              static_cast<int>(kPatience.count()));
+    SQLite::Database database =
+        opened(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, kPatience);
     check_filled(database, path);
   } catch (const SQLite::Exception& error) {
     throw_for(error, path);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 
+#include "db/schema/schema.hpp"
 #include "lab/base/bad_input.hpp"
 
 namespace triax::db {
@@ -16,15 +17,13 @@ inline constexpr int kApplicationId = 0x54524958;
 /// How long a statement waits for the lock of another program.
 inline constexpr std::chrono::milliseconds kPatience{20000};
 
-/// The number of the newest migration (db/migrations/NNNN_name.sql).
-int newest_schema();
-
 /// Applies the numbered migrations above the database's user_version up to `target`, all or none;
 /// with the newest of them the columns of quantities that the database does not know yet.
 /// Throws lab::BadInput if the file belongs to another program or to a newer triax.
 void migrate(SQLite::Database& database, const std::string& path, int target = newest_schema());
 
-/// Read-write, in WAL mode and of the newest schema; creates the file if it does not exist. A lock
+/// Read-write, in WAL mode and of the newest schema; creates the file if it does not exist, and
+/// looks for damage where it is small. A lock
 /// that another program holds is waited for as long as `patience`. Throws lab::BadInput if that
 /// path cannot be a database, lab::WorkFailed if the disk refuses.
 SQLite::Database open_for_writing(const std::string& path,
@@ -42,6 +41,10 @@ class EmptyDatabase : public lab::BadInput {
   using lab::BadInput::BadInput;
 };
 
+/// Throws lab::BadInput where no database can be made or be at `path`: a folder, a device, a pipe,
+/// a socket, no name, no folder to put it in. Touches nothing.
+void check_place(const std::string& path);
+
 /// Throws lab::BadInput where open_for_reading() would because of what the file is; changes
 /// nothing.
 void check_there(const std::string& path);
@@ -53,6 +56,12 @@ void check_filled(SQLite::Database& database, const std::string& path);
 class MayPass : public lab::WorkFailed {
  public:
   using lab::WorkFailed::WorkFailed;
+};
+
+/// A database whose files were renamed, removed or replaced while it was written.
+class FilesMoved : public MayPass {
+ public:
+  using MayPass::MayPass;
 };
 
 /// lab::BadInput, MayPass or lab::WorkFailed for what SQLite says about `path`.

@@ -100,6 +100,7 @@ void copy_files(const std::string& file, const std::string& to, const std::strin
 /// The folder and its file lose their names: they are gone when the connection is.
 SQLite::Database opened_and_migrated(const PrivateFolder& folder, const std::string& path) try {
   SQLite::Database copy(folder.database(), SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX);
+  distrust_schema(copy);
   copy.exec("PRAGMA journal_mode = MEMORY; PRAGMA temp_store = MEMORY; PRAGMA synchronous = OFF");
   check_filled(copy, path);
   migrate(copy, path);

@@ -45,7 +45,7 @@ bool all_same(const Scans& a, const Scans& b) {
 /// As a database was before somebody added these to the table of quantities.
 void forget(SQLite::Database& database) {
   database.exec(
-      "DROP VIEW readings; DROP VIEW states; "
+      "DROP VIEW readings; "
       "ALTER TABLE scans DROP COLUMN back_pressure_kPa; "
       "ALTER TABLE scan_details DROP COLUMN given_current_area_mm2; "
       "CREATE VIEW readings AS SELECT 1 AS test_id");

@@ -2,6 +2,7 @@
 #include "db/connection.hpp"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -190,10 +191,10 @@ TEST_CASE("a migration that fails leaves the database as it was") {
   const std::string path = folder.file("t.db");
   SQLite::Database database(path, kCreate);
   db::migrate(database, path, 1);
-  database.exec("CREATE VIEW states AS SELECT 1");  // in the way of the next migration
+  database.exec("CREATE TABLE states (a)");  // in the way of the next migration
   CHECK_THROWS_AS(db::migrate(database, path), SQLite::Exception);
   CHECK(read_int(database, "PRAGMA user_version") == 1);
-  CHECK(read_int(database, "SELECT count(*) FROM sqlite_schema WHERE type = 'view'") == 1);
+  CHECK(read_int(database, "SELECT count(*) FROM sqlite_schema WHERE type = 'view'") == 0);
 }
 
 TEST_CASE("what is no database of ours is refused and not touched") {
@@ -287,6 +288,22 @@ TEST_CASE("a limit on the size of files is told at once where nothing will lift 
       INFO(kilobytes << " kB, " << (hard ? "hard" : "soft"));
       CHECK(WEXITSTATUS(status) == (hard ? 2 : 1));
     }
+}
+
+TEST_CASE("open_for_writing: a device, pipe or socket is refused at once, nothing beside it") {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.file("pipe"), link = folder.file("link");
+  mkfifo(pipe.c_str(), 0600);
+  std::filesystem::create_symlink("/dev/full", link);
+  for (const std::string& path : {pipe, link, std::string("/dev/null")}) {
+    INFO(path);
+    CHECK_THROWS_WITH(db::open_for_writing(path), Contains("regular file"));
+    CHECK_THROWS_WITH(db::open_for_reading(path), Contains("regular file"));
+    CHECK_THROWS_WITH(db::check_there(path), Contains("regular file"));
+  }
+  for (const char* path : {"", ":memory:"})
+    CHECK_THROWS_WITH(db::open_for_writing(path), Contains("has to be a file"));
+  CHECK(std::ranges::distance(std::filesystem::directory_iterator(folder.file(""))) == 2);
 }
 
 TEST_CASE("paths that cannot be a database say why") {
