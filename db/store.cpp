@@ -10,6 +10,7 @@
 
 #include "db/channel_columns.hpp"
 #include "db/connection.hpp"
+#include "db/missing_readings.hpp"
 #include "db/plain_statement.hpp"
 #include "db/scan_writer.hpp"
 #include "db/scans/read_columns.hpp"
@@ -134,7 +135,9 @@ TestStatus status_of(std::string_view text) {
 }
 
 struct Store::Impl {
-  explicit Impl(const std::string& file) : path(file), database(open_for_reading(file)) {}
+  explicit Impl(const std::string& file)
+      : path(file), own(open_for_reading(file)), database(*own) {}
+  Impl(std::string file, SQLite::Database& open) : path(std::move(file)), database(open) {}
 
   /// Runs `work`; what SQLite says becomes an error that names the file.
   template <class Work>
@@ -155,7 +158,8 @@ struct Store::Impl {
   std::vector<std::string> latest_names() const;
 
   std::string path;
-  SQLite::Database database;
+  std::optional<SQLite::Database> own;
+  SQLite::Database& database;
 };
 
 std::int64_t Store::Impl::find_one(const std::string& name) const {
@@ -202,6 +206,8 @@ std::vector<std::string> Store::Impl::latest_names() const {
 }
 
 Store::Store(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
+Store::Store(const std::string& path, SQLite::Database& database)
+    : impl_(std::make_unique<Impl>(path, database)) {}
 Store::~Store() = default;
 
 std::vector<std::int64_t> Store::find(const std::vector<std::string>& names) const {
@@ -220,6 +226,8 @@ StoredTest Store::load(std::int64_t id) const {
   return impl_->guarded([&] {
     StoredTest test = read_test(impl_->database, id);
     if (test.id == 0) impl_->no_test(id);
+    if (const auto missing = missing_readings(impl_->database, id))
+      test.summary.warnings.push_back({0, in_words(*missing) + "; its result was found with them"});
     if (const auto& onset = test.summary.collapse.onset)
       test.state_at_onset = state_at(id, onset->reading);
     return test;

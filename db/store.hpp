@@ -17,6 +17,10 @@
 #include "lab/results/state.hpp"
 #include "lab/results/summary.hpp"
 
+namespace SQLite {
+class Database;
+}
+
 namespace triax::db {
 
 /// As a reader sees it: what runs has given a sign of life lately (db/recording/lease.hpp), what
@@ -71,6 +75,8 @@ class Store {
   /// Opens an existing database read only, as open_for_reading() does. Throws lab::BadInput if the
   /// file is missing, is no triax database, or has a newer schema than this program.
   explicit Store(const std::string& path);
+  /// Reads through a connection of the newest schema that outlives it; `path` names it in messages.
+  Store(const std::string& path, SQLite::Database& database);
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
@@ -80,6 +86,7 @@ class Store {
   /// underscores for blanks and the words before the last may be left out ("csu_26", "26" for "CSU
   /// 26") as long as one name is meant. Throws lab::BadInput otherwise.
   std::vector<std::int64_t> find(const std::vector<std::string>& names) const;
+  /// A warning of the summary says how many readings are missing (db/missing_readings.hpp).
   StoredTest load(std::int64_t id) const;
   /// One row of it, where load() reads all that was said of the test.
   TestVersion version(std::int64_t id) const;

@@ -35,7 +35,9 @@ struct Recorder::Impl {
   Impl(std::string path, Patience patience, const std::string& writer)
       : patience_(std::move(patience)),
         entry_(writer.empty() ? TestEntry(std::move(path), patience_.quiet)
-                              : TestEntry(std::move(path), patience_.quiet, writer)) {}
+                              : TestEntry(std::move(path), patience_.quiet, writer)) {
+    check_place(entry_.path());
+  }
 
   void start(const lab::RecordHeader& header);
   template <class Row>
@@ -60,7 +62,7 @@ struct Recorder::Impl {
   void keep(Ending ending);
   bool is_discarded();
   void store_batch(Ending ending);
-  bool set_aside();
+  bool set_aside(const MayPass& why);
   void empty_spool();
   void drop_spool();
   void wait_for_turn();
@@ -141,21 +143,25 @@ void Recorder::Impl::write_batches() {
   }
 }
 
-/// Until the batch is in the database, or at least beside it. The end of a test has to be in it.
+/// Until the batch is in the database, or at least beside it. The end of a test has to be in it, in
+/// a new one where it was taken away.
 void Recorder::Impl::keep(Ending ending) {
+  if (ending != Ending::none) entry_.make_anew();
   for (waiting_.count_from_now(); !is_discarded(); waiting_.pause()) try {
+      entry_.check_files();
       empty_spool();
       store_batch(ending);
       drop_spool();
       waiting_.succeeded(entry_.path());
       return entry_.set_patience(patience_.quiet);
     } catch (const MayPass& why) {
+      const bool was_away = entry_.is_away();
       const bool too_long = waiting_.failed(why);
       entry_.set_patience(std::min(patience_.quiet, patience_.again));
-      const bool aside = set_aside();
+      const bool aside = set_aside(why);
       if (aside && ending == Ending::interrupted && patience_.say) patience_.say(advice(why));
       if (aside && ending != Ending::complete) return;
-      if (too_long) throw lab::WorkFailed(advice(why));
+      if (too_long || (was_away && ending == Ending::complete)) throw lab::WorkFailed(advice(why));
     }
 }
 
@@ -165,9 +171,18 @@ bool Recorder::Impl::is_discarded() {
 }
 
 /// False where the disk takes nothing at all.
-bool Recorder::Impl::set_aside() {
+bool Recorder::Impl::set_aside(const MayPass& why) {
+  const bool has_moved = dynamic_cast<const FilesMoved*>(&why) != nullptr;
+  if (has_moved) entry_.find_folder();
   if (!spool_) spool_.emplace(entry_, patience_.most_bytes);
   try {
+    if (has_moved) {
+      spool_->rescue(entry_, test_);
+      entry_.abandon();
+      if (patience_.say)
+        patience_.say(spool_->path() + ": has all readings of the test so far (" + why.what() +
+                      ")");
+    }
     if (storing_.rows() > 0) spool_->store(test_, storing_);
     storing_.clear();
     spool_->sign();

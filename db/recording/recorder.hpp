@@ -25,6 +25,10 @@ namespace triax::db {
 /// them again. Nothing is lost as long as Patience::most; after that, and after a kill, `triax
 /// tests repair` takes in what the file holds.
 ///
+/// Files of the database that are renamed, removed or replaced meanwhile are noticed within a
+/// second: the whole test goes into the file beside it, and at its end into the database that is
+/// there then, a new one where there is none.
+///
 /// All calls come from one thread. What goes wrong while writing (folder
 /// missing, file of another program) is thrown as lab::WorkFailed or lab::BadInput by finish(), or
 /// earlier out of what the session tells next; batches committed before stand until discard().
@@ -32,6 +36,7 @@ class Recorder {
  public:
   /// `writer` names the lease of the test (db/recording/lease.hpp); empty: a random name. Another
   /// process that knows the name can remove what a killed recorder left: discard_left_test().
+  /// Throws lab::BadInput where no database can be at that path, before the test starts.
   explicit Recorder(std::string path, Patience patience = {}, const std::string& writer = {});
   ~Recorder();  ///< a test that was not finished stays behind as interrupted
   Recorder(const Recorder&) = delete;

@@ -41,13 +41,47 @@ void TestEntry::bound() {
   database_->exec("PRAGMA max_page_count = " + std::to_string(most_bytes_ / page));
 }
 
-void TestEntry::open() {
-  if (database_) return;
+void TestEntry::connect() {
   const bool existed = std::filesystem::exists(path_);
+  if (away_ && !existed && !may_make_) throw MayPass(path_ + ": is not there");
   database_.emplace(open_for_writing(path_, patience_));
   if (!existed) created_.emplace(path_, *database_);
   bound();
   if (continues_) id_ = lease_.row(*database_);
+  files_.emplace(*database_, path_);
+}
+
+void TestEntry::open() {
+  if (database_) return;
+  if (!away_) return connect();
+  try {
+    connect();
+    away_ = false;
+  } catch (const std::exception& error) {  // what is in its place now may be anything
+    close();
+    throw MayPass(error.what());
+  }
+}
+
+void TestEntry::check_files() const {
+  if (!files_) return;
+  if (const std::string missing = files_->missing(); !missing.empty())
+    throw FilesMoved(missing +
+                     ": was renamed, removed or replaced while a test is recorded into the "
+                     "database");
+}
+
+void TestEntry::abandon() {
+  scans_.reset();
+  files_->make_whole();
+  close();
+  created_.reset();
+  id_ = 0;
+  continues_ = away_ = true;
+}
+
+void TestEntry::copy_into(TestEntry& other, const TestStart& test) {
+  if (database_ && id_ != 0) other.take_in(test, Store(path_, *database_), id_);
 }
 
 /// Gives `work` the id of the test, 0 where it is not there yet; it comes back with that it has.
@@ -101,12 +135,14 @@ void TestEntry::interrupt(const TestStart& test, const Batch& batch) {
   });
 }
 
-std::int64_t TestEntry::last_reading(const std::string& table) {
-  SQLite::Statement last(*database_, "SELECT coalesce(max(id) & 4294967295, -1) FROM " + table +
-                                         " WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295");
-  last.bind(1, id_);
-  last.executeStep();
-  return last.getColumn(0).getInt64();
+std::pair<std::int64_t, std::int64_t> TestEntry::readings_in(const std::string& table) {
+  SQLite::Statement ends(*database_,
+                         "SELECT coalesce(min(id) & 4294967295, 0), "
+                         "coalesce(max(id) & 4294967295, -1) FROM " +
+                             table + " WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295");
+  ends.bind(1, id_);
+  ends.executeStep();
+  return {ends.getColumn(0).getInt64(), ends.getColumn(1).getInt64()};
 }
 
 std::vector<lab::Event> TestEntry::without_known(std::vector<lab::Event> events) {
@@ -127,20 +163,23 @@ std::vector<lab::Event> TestEntry::without_known(std::vector<lab::Event> events)
 void TestEntry::take_in(const TestStart& test, const Store& from, std::int64_t id) {
   store(test, {});
   constexpr std::size_t kAtATime = 20000;
-  const std::int64_t scanned = last_reading("scans"), worked = last_reading("work_points"),
-                     forecast = last_reading("forecast_points");
+  const auto scanned = readings_in("scans"), worked = readings_in("work_points"),
+             forecast = readings_in("forecast_points");
+  const auto is_in = [](const auto& ends, std::int64_t reading) {
+    return ends.first <= reading && reading <= ends.second;
+  };
   Batch batch;
   from.for_each_scan(id, 1, [&](const lab::Reading& reading, const lab::State& state) {
-    if (reading.number <= scanned) return;
+    if (is_in(scanned, reading.number)) return;
     batch.scans.push_back({reading, state});
     if (batch.rows() < kAtATime) return;
     store(test, batch);
     batch.clear();
   });
   batch.work = from.second_order_work(id);
-  std::erase_if(batch.work, [&](const auto& point) { return point.reading <= worked; });
+  std::erase_if(batch.work, [&](const auto& point) { return is_in(worked, point.reading); });
   batch.forecasts = from.forecasts(id);
-  std::erase_if(batch.forecasts, [&](const auto& one) { return one.reading <= forecast; });
+  std::erase_if(batch.forecasts, [&](const auto& one) { return is_in(forecast, one.reading); });
   batch.events = without_known(from.load(id).events);
   store(test, batch);
 }
@@ -151,6 +190,7 @@ void TestEntry::sign() {
 
 void TestEntry::close() {
   scans_.reset();
+  files_.reset();
   database_.reset();
 }
 
@@ -161,10 +201,10 @@ void TestEntry::discard() {
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     if (id_ != 0) remove_test(*database_, id_);
     transaction.commit();
-    if (created_) created_->remove_if_unused(database_);
-    database_.reset();
+    if (created_ && files_->missing().empty()) created_->remove_if_unused(database_);
+    close();
   } catch (const SQLite::Exception& error) {
-    database_.reset();
+    close();
     throw_for(error, path_);
   }
 }

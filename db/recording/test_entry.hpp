@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "db/files/created_file.hpp"
+#include "db/files/open_files.hpp"
 #include "db/recording/lease.hpp"
 #include "db/scan_writer.hpp"
 #include "db/store.hpp"
@@ -57,8 +59,24 @@ class TestEntry {
   /// The last batch; the test ends without a result.
   void interrupt(const TestStart& test, const Batch& batch);
   /// The readings, second-order work and events of the test `id` of another database that are not
-  /// there yet, in several transactions.
+  /// there yet, in several transactions. What is there has to be without gaps.
   void take_in(const TestStart& test, const Store& from, std::int64_t id);
+  /// All of the test as it is here into `other`.
+  void copy_into(TestEntry& other, const TestStart& test);
+
+  /// Throws FilesMoved where the files of the database are no longer in place. What is committed
+  /// stays readable for this entry, until abandon().
+  void check_files() const;
+  /// Of files that have moved: the path is in their folder today, which may have been renamed.
+  void find_folder() { path_ = files_->path_today(); }
+  /// Lets go of files that have moved. The next transaction looks for the database at its path and
+  /// goes on with the test where it is there.
+  void abandon();
+  /// Whether the database is away: after abandon(), until a transaction succeeds. Transactions
+  /// throw MayPass meanwhile.
+  bool is_away() const { return away_; }
+  /// A database that is away is made anew.
+  void make_anew() { may_make_ = true; }
   /// From the next transaction on.
   void set_patience(std::chrono::milliseconds patience);
   /// A sign of life where one is due.
@@ -71,17 +89,20 @@ class TestEntry {
   template <class Work>
   void in_transaction(const Work& work);
   void open();
+  void connect();
   void bound();
-  std::int64_t last_reading(const std::string& table);
+  /// The first and the last reading that have a row.
+  std::pair<std::int64_t, std::int64_t> readings_in(const std::string& table);
   std::vector<lab::Event> without_known(std::vector<lab::Event> events);
   void write(const TestStart& test, const Batch& batch, std::int64_t& id);
 
-  const std::string path_;
+  std::string path_;
   std::chrono::milliseconds patience_;
   std::int64_t most_bytes_ = 0;
-  bool continues_ = false;
+  bool continues_ = false, away_ = false, may_make_ = false;
   Lease lease_{Leased::test};
   std::optional<SQLite::Database> database_;
+  std::optional<OpenFiles> files_;
   std::optional<ScanWriter> scans_;
   std::int64_t id_ = 0;
   std::optional<CreatedFile> created_;  ///< the database is new, and this entry made it

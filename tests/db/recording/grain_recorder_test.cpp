@@ -194,6 +194,23 @@ TEST_CASE("a run of grains waits for a lock and loses nothing; a stage after it 
   CHECK(said.size() == 2);
 }
 
+TEST_CASE("GrainRecorder: a database that is renamed gets a successor with the whole run") {
+  testing::TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  std::string said;
+  db::GrainRecorder recorder(path, small(), {.say = [&](const std::string& s) { said += s; }});
+  recorder.made(ran().made);
+  recorder.ended(ran().results.front());
+  std::filesystem::rename(path, folder.file("e.db"));
+  for (std::size_t i = 1; i < ran().results.size(); ++i) recorder.ended(ran().results[i]);
+  CHECK(recorder.finish() == 1);
+  const auto run = db::GrainStore(path).load(1);
+  CHECK(run.status == db::TestStatus::complete);
+  CHECK(run.report.stages.size() == ran().results.size());
+  CHECK(said.find("renamed, removed or replaced") != std::string::npos);
+  CHECK(db::GrainStore(folder.file("e.db")).load(1).report.stages.size() == 1);
+}
+
 TEST_CASE("a file that is no database of ours stays as it is") {
   testing::TemporaryFolder folder;
   {
