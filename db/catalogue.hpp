@@ -3,6 +3,7 @@
 // The tests of a database as a list, and what a user may change about them afterwards.
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,9 @@ void tag_test(const std::string& path, std::int64_t id, const std::vector<std::s
 /// Throws also for a tag that the test does not have.
 void untag_test(const std::string& path, std::int64_t id, const std::vector<std::string>& tags);
 /// All that is stored of them; gives what they were, oldest first. Throws also where one of them is
-/// still being recorded. The file does not shrink: the next test fills its room.
-std::vector<ListedTest> remove_tests(const std::string& path, const std::vector<std::int64_t>& ids);
+/// still being recorded: it runs, and its writer is none of the `silent`
+/// (db/recording/silent_writers.hpp). The file does not shrink: the next test fills its room.
+std::vector<ListedTest> remove_tests(const std::string& path, const std::vector<std::int64_t>& ids,
+                                     const std::set<std::string>& silent = {});
 
 }  // namespace triax::db

@@ -46,7 +46,8 @@ std::int64_t Lease::row(SQLite::Database& database) const {
 
 void Lease::renew(SQLite::Database& database) {
   SQLite::Statement sign(
-      database, std::string("UPDATE leases SET last_sign_of_life = ") + kNow + " WHERE writer = ?");
+      database, std::string("UPDATE leases SET heartbeats = heartbeats + 1, last_sign_of_life = ") +
+                    kNow + " WHERE writer = ?");
   sign.bind(1, writer_);
   if (sign.exec() == 0)
     throw lab::WorkFailed(

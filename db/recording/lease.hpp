@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Who writes a test or a run of grains: a lease in the database, which its writer renews for as
-// long as it lives. Readers judge by the time of the last sign (migration 0013, seen_leases);
-// nobody asks for processes, which another PID namespace or host has under other numbers.
+// long as it lives. Readers judge by the time of the last sign (migration 0013, seen_leases), who
+// marks or removes by two looks at its heartbeats (db/recording/silent_writers.hpp); nobody asks
+// for processes, which another PID namespace or host has under other numbers.
 #include <SQLiteCpp/Database.h>
 
 #include <chrono>

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "db/catalogue.hpp"
+#include "db/recording/silent_writers.hpp"
 
 namespace triax::db {
 
@@ -15,8 +16,8 @@ struct Repaired {
 /// Takes in the readings that a writer that is gone left waiting beside the database
 /// (db/recording/spool.hpp), marks what gives no sign of life as interrupted, and brings an older
 /// schema up to date. A writer that was only held up (a sleeping computer, a lock of an hour) goes
-/// on with its test when it comes back: nothing is lost by a repair too early. Opens a database
-/// that is there and makes none; throws as open_for_writing() does.
-Repaired repair(const std::string& path);
+/// on with its test when it comes back: nothing is lost by a repair too early. Makes a database
+/// only where readings wait beside none; throws as open_for_writing() does.
+Repaired repair(const std::string& path, const Looks& looks = {});
 
 }  // namespace triax::db

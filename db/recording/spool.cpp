@@ -32,9 +32,7 @@ void remove_database(const std::string& path) {
 Spool::Spool(const TestEntry& of, std::int64_t most_bytes)
     : entry_(lab::behind_links(of.path()) + kWaiting + of.lease().writer(), kOwnFile, most_bytes) {}
 
-void Spool::empty_into(TestEntry& test, const TestStart& start) {
-  test.take_in(start, Store(path()), entry_.id());
-}
+void Spool::empty_into(TestEntry& test, const TestStart& start) { entry_.copy_into(test, start); }
 
 void Spool::remove() {
   entry_.close();
@@ -55,19 +53,19 @@ std::vector<std::string> spools_beside(const std::string& path) {
   return spools;
 }
 
-namespace {
-
-/// Of the test that waits there; 0 where the first batch is not in it: its writer was killed before
-/// that, even before there were tables, or sets about it.
-std::int64_t test_in(const std::string& spool) {
+std::int64_t waiting_test(const std::string& spool) {
   try {
     SQLite::Database there(spool, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX);
+    distrust_schema(there);
+    check_schema(there, spool);
     if (!there.tableExists("tests")) return 0;
     return there.execAndGet("SELECT coalesce(min(id), 0) FROM tests").getInt64();
   } catch (const SQLite::Exception& error) {
     throw_for(error, spool);
   }
 }
+
+namespace {
 
 void remove_if_unused(const std::string& spool) {
   std::optional<SQLite::Database> there(open_for_writing(spool, kOwnFile));
@@ -84,12 +82,25 @@ bool writer_lives(const std::string& database, const std::string& writer) {
   return alive.executeStep();
 }
 
+/// Whether a running test of the database has a writer that is not silent: `writer`, or any.
+bool has_living_writer(const std::string& database, const std::set<std::string>& silent,
+                       const std::string& writer) {
+  SQLite::Database there = open_for_reading(database);
+  SQLite::Statement leases(there,
+                           "SELECT l.writer FROM leases l JOIN tests t ON t.id = l.test_id "
+                           "WHERE t.status = 'running' AND ?1 IN ('', l.writer)");
+  leases.bind(1, writer);
+  bool lives = false;
+  while (!lives && leases.executeStep()) lives = !silent.contains(leases.getColumn(0).getString());
+  return lives;
+}
+
 }  // namespace
 
 std::vector<LeftWaiting> left_waiting(const std::string& database) {
   std::vector<LeftWaiting> left;
   for (const std::string& spool : spools_beside(database)) try {
-      const std::int64_t id = test_in(spool);
+      const std::int64_t id = waiting_test(spool);
       if (id == 0) continue;
       const Store waiting(spool);
       const StoredTest test = waiting.load(id);
@@ -115,8 +126,9 @@ void discard_left_test(const std::string& database, const std::string& writer, b
   }
 }
 
-std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database) {
-  const std::int64_t id = test_in(spool);
+std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database,
+                                    const std::set<std::string>& silent) {
+  const std::int64_t id = waiting_test(spool);
   if (id == 0) {
     remove_if_unused(spool);
     return std::nullopt;
@@ -124,7 +136,8 @@ std::optional<std::int64_t> take_in(const std::string& spool, const std::string&
   const Store waiting(spool);
   const StoredTest test = waiting.load(id);
   const std::string writer = writer_of(spool);
-  if (test.status == TestStatus::running || writer_lives(database, writer)) return std::nullopt;
+  if (has_living_writer(spool, silent, {}) || has_living_writer(database, silent, writer))
+    return std::nullopt;
   TestEntry entry(database, kPatience, writer);
   const TestStart start{test.header, test.stored_at, test.sweep};
   entry.take_in(start, waiting, id);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ class Spool {
   void store(const TestStart& test, const Batch& batch) { entry_.store(test, batch); }
   /// A sign of life where one is due.
   void sign() { entry_.sign(); }
+  /// All that the test has in a database that has moved, before what waits already.
+  void rescue(TestEntry& test, const TestStart& start) { test.copy_into(entry_, start); }
   /// All that waits into the test itself. After a failure (MayPass) it may be called again: what
   /// went over is not taken twice.
   void empty_into(TestEntry& test, const TestStart& start);
@@ -35,9 +39,14 @@ class Spool {
 
 /// The spools beside a database, whoever's they are; also where `database` is a symbolic link.
 std::vector<std::string> spools_beside(const std::string& database);
+/// The number of the test that waits in a spool; 0 where its writer was killed before the first
+/// batch was in it, even before there were tables, or sets about it.
+std::int64_t waiting_test(const std::string& spool);
 /// What a writer that is gone left waiting goes into its test, or a new one, which is interrupted
-/// then; the file goes. Gives the number of the test; none where the writer lives.
-std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database);
+/// then; the file goes. Gives the number of the test; none where the writer lives: has a lease and
+/// is none of the `silent` (db/recording/silent_writers.hpp).
+std::optional<std::int64_t> take_in(const std::string& spool, const std::string& database,
+                                    const std::set<std::string>& silent);
 
 /// Removes what the killed recorder of `writer` left of a test that it did not complete: its row
 /// with all readings, and its spool. Also removes a database that holds nothing and that nobody

@@ -10,9 +10,11 @@
 
 #include "db/catalogue.hpp"
 #include "db/recording/repair.hpp"
+#include "db/recording/silent_writers.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/output/notice.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
@@ -101,7 +103,8 @@ void run_untag(const TestsOptions& o) {
 void run_remove(const TestsOptions& o) {
   std::vector<std::int64_t> ids;
   for (const auto& word : o.words) ids.push_back(id_of(word));
-  const auto removed = db::remove_tests(o.db, ids);
+  const auto removed =
+      db::remove_tests(o.db, ids, db::silent_writers({o.db}, {.say = notify, .tests = ids}));
   if (o.json) return print(test_list_json(removed));
   std::string sentences;
   for (const auto& test : removed)
@@ -110,7 +113,7 @@ void run_remove(const TestsOptions& o) {
 }
 
 void run_repair(const TestsOptions& o) {
-  const db::Repaired repaired = db::repair(o.db);
+  const db::Repaired repaired = db::repair(o.db, {.say = notify});
   if (o.json) return print(test_list_json(repaired.tests));
   std::string sentences;
   for (const auto& test : repaired.tests)
@@ -153,7 +156,7 @@ void run_tests(const TestsOptions& o) {
   if (!o.tag.empty() && o.action != "list")
     throw lab::BadInput("--tag goes with list; `triax tests tag ID TAG` gives a test a tag");
   action.run(o);
-  tell_of_what_waits(o.db);
+  tell_of_gaps(o.db);
 }
 
 }  // namespace
@@ -173,9 +176,11 @@ Command tests_command() {
            "the database with all of their readings, without a question, all or none of them; a "
            "test that is still being recorded stays.",
            "A test that is being recorded gives a sign of life every two seconds. After 20 s "
-           "without one it is told as interrupted, though nothing is written; repair marks such "
-           "tests and runs of grains as interrupted, and brings the schema of an older database up "
-           "to date. A program that was only held up takes its test up again.",
+           "without one it is told as interrupted, though nothing is written. repair marks tests "
+           "and runs of grains as interrupted whose program gives no sign, takes in the readings "
+           "that it left beside the database, and brings the schema of an older database up to "
+           "date. repair and remove look for up to 6 s whether a sign comes: they need no clock. A "
+           "program that was only held up takes its test up again.",
            "Tests are named by their number here, since several may have one name. A file that is "
            "replayed again is stored as a new test with a warning; statistics (query "
            "collapse_points, instability_line, figures of several tests) count it once, by its "

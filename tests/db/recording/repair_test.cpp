@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/recording/repair.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "db/connection.hpp"
 #include "db/recording/lease.hpp"
@@ -12,6 +15,7 @@
 #include "tests/db/temporary_folder.hpp"
 
 using namespace triax;
+using namespace std::chrono_literals;
 using testing::TemporaryFolder;
 
 TEST_CASE("a repair marks what is silent, with the readings that are there, and nothing else") {
@@ -28,7 +32,14 @@ TEST_CASE("a repair marks what is silent, with the readings that are there, and 
         "UPDATE leases SET last_sign_of_life = '2026-01-01T00:00:00Z' WHERE test_id = 2");
     db::insert_summary(database, 3, {});
   }
-  const db::Repaired first = db::repair(path);
+  std::atomic<bool> stop = false;
+  std::jthread beats([&] {
+    SQLite::Database database = db::open_for_writing(path);
+    for (; !stop; std::this_thread::sleep_for(50ms))
+      database.exec("UPDATE leases SET heartbeats = heartbeats + 1 WHERE test_id = 1");
+  });
+  const db::Looks looks{.between = 1s};
+  const db::Repaired first = db::repair(path, looks);
   REQUIRE(first.tests.size() == 1);
   CHECK(first.tests[0].name == "silent");
   CHECK(first.tests[0].status == db::TestStatus::interrupted);
@@ -36,7 +47,8 @@ TEST_CASE("a repair marks what is silent, with the readings that are there, and 
   REQUIRE(first.tests[0].sign_of_life);
   CHECK(first.tests[0].sign_of_life->at == "2026-01-01T00:00:00Z");
   CHECK(first.tests[0].sign_of_life->silent_s > 1000000);
-  CHECK(db::repair(path).tests.empty());
+  CHECK(db::repair(path, looks).tests.empty());
+  stop = true;
   SQLite::Database database = db::open_for_reading(path);
   CHECK(database.execAndGet("SELECT group_concat(status) FROM tests").getString() ==
         "running,interrupted,complete");
