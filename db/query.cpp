@@ -3,9 +3,11 @@
 
 #include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "db/connection.hpp"
 #include "lab/base/bad_input.hpp"
@@ -110,14 +112,42 @@ Value value_of(const SQLite::Column& column) {
   }
 }
 
+/// Interrupts a statement that has computed for longer than its limit; what its rows are used for
+/// does not count.
+class TimeLimit {
+ public:
+  TimeLimit(SQLite::Database& database, double limit_s) : left_(limit_s) {
+    constexpr int kSteps = 10000;  // of SQLite's machine: about a millisecond
+    sqlite3_progress_handler(database.getHandle(), kSteps, is_over, this);
+  }
+  /// The next row; false behind the last one.
+  bool step(SQLite::Statement& statement) {
+    began_ = Clock::now();
+    const bool more = statement.executeStep();
+    left_ -= Clock::now() - began_;
+    return more;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static int is_over(void* self) {
+    const auto& limit = *static_cast<TimeLimit*>(self);
+    return Clock::now() - limit.began_ > limit.left_ ? 1 : 0;
+  }
+
+  std::chrono::duration<double> left_;
+  Clock::time_point began_ = Clock::now();
+};
+
 }  // namespace
 
 void query(const std::string& path, const std::string& name_or_sql,
            const std::function<void(const std::vector<std::string>&)>& columns,
-           const std::function<void(const std::vector<Value>&)>& row) {
+           const std::function<void(const std::vector<Value>&)>& row, double time_limit_s) {
   const std::string sql = sql_for(name_or_sql);
   SQLite::Database database = open_for_reading(path);
   sqlite3_set_authorizer(database.getHandle(), authorize, nullptr);
+  TimeLimit limit(database, time_limit_s);
   try {
     check_single(database.getHandle(), sql);
     SQLite::Statement statement(database, sql);
@@ -126,12 +156,16 @@ void query(const std::string& path, const std::string& name_or_sql,
       names.emplace_back(statement.getColumnName(i));
     columns(names);
     std::vector<Value> values(names.size());
-    while (statement.executeStep()) {
+    while (limit.step(statement)) {
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = value_of(statement.getColumn(static_cast<int>(i)));
       row(values);
     }
   } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_INTERRUPT)
+      throw lab::WorkFailed(fmt::format(
+          "the query did not finish within {:g} s; simplify it, or allow more (--time-limit S)",
+          time_limit_s));
     if (is_failure_of_work(error)) throw lab::WorkFailed(path + ": " + error.what());
     if ((error.getErrorCode() & 0xff) == SQLITE_AUTH ||
         (error.getErrorCode() & 0xff) == SQLITE_READONLY)

@@ -19,13 +19,18 @@ struct NamedQuery {
 };
 const std::vector<NamedQuery>& named_queries();
 
+/// Ten times what the slowest named query takes on a database of a million readings.
+inline constexpr double kQueryLimit_s = 60;
+
 /// Runs a named query or one statement of SQL against the database, strictly read only: SQLite
 /// itself refuses to write (read-only handle, query_only, and an authorizer that lets only reading
 /// through). `columns` is called once, before the rows. Throws lab::BadInput for a database that
 /// cannot be read and, with SQLite's own words, for SQL that cannot be run; lab::WorkFailed where
-/// the disk fails, the file is damaged or stays locked. Rows given before a failure stand.
+/// the disk fails, the file is damaged or stays locked, or where SQLite computes for longer than
+/// `time_limit_s` (the time spent in `row` does not count). Rows given before a failure stand.
 void query(const std::string& path, const std::string& name_or_sql,
            const std::function<void(const std::vector<std::string>&)>& columns,
-           const std::function<void(const std::vector<Value>&)>& row);
+           const std::function<void(const std::vector<Value>&)>& row,
+           double time_limit_s = kQueryLimit_s);
 
 }  // namespace triax::db

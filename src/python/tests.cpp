@@ -71,7 +71,7 @@ py::object python_value(const db::Value& value) {
   return py::none();
 }
 
-py::list rows_of(const std::string& path, const std::string& name_or_sql) {
+py::list rows_of(const std::string& path, const std::string& name_or_sql, double time_limit_s) {
   std::vector<std::string> names;
   std::vector<std::vector<db::Value>> rows;
   {
@@ -82,7 +82,8 @@ py::list rows_of(const std::string& path, const std::string& name_or_sql) {
         [&](const std::vector<db::Value>& row) {
           signals.look();
           rows.push_back(row);
-        });
+        },
+        time_limit_s);
   }
   constexpr std::size_t kBetweenSignals = 1024;
   py::list all;
@@ -185,10 +186,13 @@ void bind_tests(py::module_& module) {
            [](const std::shared_ptr<Database>& d) { return py::iter(py::cast(all_of(d))); })
       .def("tests", &all_of, "All tests, oldest first; those of a sweep together.")
       .def(
-          "query", [](const Database& d, const std::string& sql) { return rows_of(d.path, sql); },
-          py::arg("name_or_sql"),
+          "query",
+          [](const Database& d, const std::string& sql, double time_limit_s) {
+            return rows_of(d.path, sql, time_limit_s);
+          },
+          py::arg("name_or_sql"), py::arg("time_limit_s") = db::kQueryLimit_s,
           "Rows of a named query (triax query --list) or of one statement of SQL, as dicts; "
-          "nothing can be changed.")
+          "nothing can be changed. WorkFailed where it computes for longer than time_limit_s.")
       .def("__repr__", [](const Database& d) { return "<triax.Database '" + d.path + "'>"; });
 }
 

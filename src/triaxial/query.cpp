@@ -3,6 +3,7 @@
 
 #include "db/query.hpp"
 
+#include <CLI/Validators.hpp>
 #include <memory>
 
 #include "src/cli/shared_options.hpp"
@@ -17,6 +18,7 @@ struct QueryOptions {
   std::string db = "triax.db";
   std::string format = "text";
   bool list = false;
+  double time_limit_s = db::kQueryLimit_s;
 };
 
 void list_queries(ResultWriter& writer) {
@@ -31,9 +33,9 @@ void run_query(const QueryOptions& o) {
   if (o.list || o.text.empty()) return list_queries(*writer);
   db::query(
       o.db, o.text, [&](const std::vector<std::string>& columns) { writer->columns(columns); },
-      [&](const std::vector<db::Value>& row) { writer->row(row); });
+      [&](const std::vector<db::Value>& row) { writer->row(row); }, o.time_limit_s);
   writer->finish();
-  tell_of_what_waits(o.db);
+  tell_of_gaps(o.db);
 }
 
 }  // namespace
@@ -51,7 +53,9 @@ Command query_command() {
                            "there is no database yet, or --db names another file"},
                           {"SQL: no such column: ...", "SQLite's message about the SQL given"},
                           {"... the database is read-only here",
-                           "only SELECT and harmless PRAGMA statements are allowed"}},
+                           "only SELECT and harmless PRAGMA statements are allowed"},
+                          {"the query did not finish within S s; ...",
+                           "it computes for too long; --time-limit allows more"}},
           .examples =
               {{"triax query collapse_points", "the table of collapse points, like Table 2"},
                {"triax query \"SELECT reading, q_kPa FROM states WHERE test_id = 1\" --format csv",
@@ -61,6 +65,10 @@ Command query_command() {
             app.add_option("NAME|SQL", o->text, "name of a query, or SQL")->type_name("");
             add_db(app, o->db);
             add_format(app, o->format, {"text", "csv", "json"});
+            app.add_option("--time-limit", o->time_limit_s, "end a query that computes longer")
+                ->check(CLI::Range(0.001, 1e6).description(""))
+                ->type_name("S")
+                ->capture_default_str();
             app.add_flag("--list", o->list, "list the named queries");
             return [o] { run_query(*o); };
           }};

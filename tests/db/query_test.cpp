@@ -2,7 +2,9 @@
 #include "db/query.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "db/connection.hpp"
 #include "db/recording/recorder.hpp"
@@ -261,4 +263,30 @@ TEST_CASE("a damaged database is failed work, not a bad question") {
   }
   CHECK_THROWS_AS(ask(path, "SELECT * FROM scans"), lab::WorkFailed);
   CHECK_THROWS_AS(ask(path, "SELECT nothing FROM scans"), lab::BadInput);
+}
+
+TEST_CASE("query: ends what computes for longer than its limit") {
+  const TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  const std::string endless =
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n";
+  const auto ask_for = [&](double seconds) {
+    db::query(
+        path, endless, [](const auto&) {}, [](const auto&) {}, seconds);
+  };
+  CHECK_THROWS_AS(ask_for(0.05), lab::WorkFailed);
+  CHECK_THROWS_WITH(ask_for(0.05), Contains("within 0.05 s") && Contains("--time-limit"));
+}
+
+TEST_CASE("query: the time that its rows are used for does not count") {
+  const TemporaryFolder folder;
+  const std::string path = record_collapse(folder, lab::Origin::recorded);
+  std::int64_t rows = 0;
+  db::query(
+      path, "SELECT a.id FROM scans a, scans b", [](const auto&) {},
+      [&](const auto&) {
+        if (++rows % 1000 == 1) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      },
+      0.9);
+  CHECK(rows == 10000);
 }
