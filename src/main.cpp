@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/Error.hpp>
@@ -44,6 +45,19 @@ int complain(const std::string& message, int status) {
 void keep_numbers_of_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1) static_cast<void>(open("/dev/null", O_RDONLY));
+}
+
+/// Whether there is room to work in: without it the program would end by a signal anywhere. By the
+/// plainest means, which need little of it themselves.
+bool has_enough_stack() {
+  constexpr rlim_t kMinStack = rlim_t{1} << 20U;  // commands were seen to need up to 128 kB
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kMinStack) return true;
+  constexpr std::string_view kWords =
+      "triax: the stack is limited to less than 1 MB (ulimit -s), which is not enough; allow more "
+      "with ulimit -s 8192\n";
+  static_cast<void>(!write(STDERR_FILENO, kWords.data(), kWords.size()));
+  return false;
 }
 
 /// What was written is said whether or not the command succeeded, before the error if it did not.
@@ -100,6 +114,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!has_enough_stack()) return kFailed;
   keep_numbers_of_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is for us to see, not a death amid a transaction
   std::signal(SIGXFSZ, SIG_IGN);  // nor is a limit on the size of files: writing fails with EFBIG

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "lab/base/bad_input.hpp"
 #include "lab/base/whole_file.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/truth_toml.hpp"
@@ -31,10 +32,11 @@ std::string origin_remark(const RecordHeader& header) {
 }  // namespace
 
 struct RecordWriter::Impl {
-  explicit Impl(const std::string& path) : file(path) {}
+  explicit Impl(const std::string& to) : path(to), file(to) {}
 
+  const std::string path;
   WholeFile file;
-  bool has_time = true;
+  bool has_time = true, is_empty = true;
   std::vector<std::pair<Quantity, sim::Unit>> columns;
   std::string text;
 
@@ -70,6 +72,7 @@ RecordWriter::RecordWriter(const std::string& path, const RecordHeader& header)
 RecordWriter::~RecordWriter() = default;
 
 void RecordWriter::write(const Reading& reading) {
+  impl_->is_empty = false;
   if (impl_->has_time) {
     impl_->append(reading.time_s);
     impl_->text += ',';
@@ -84,6 +87,10 @@ void RecordWriter::write(const Reading& reading) {
 }
 
 void RecordWriter::finish(const RecordHeader& header, const std::optional<Truth>& truth) {
+  if (impl_->is_empty)
+    throw WorkFailed(impl_->path +
+                     ": not written: the test has no readings, and a record without "
+                     "any cannot be read");
   impl_->text += as_comment(ending_toml(header));
   if (truth) impl_->text += as_comment(truth_toml(*truth));
   impl_->flush();

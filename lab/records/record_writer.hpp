@@ -27,7 +27,8 @@ class RecordWriter {
 
   /// A missing value becomes an empty cell. Throws WorkFailed (disk full).
   void write(const Reading& reading);
-  /// Completes the file and gives it its name, replacing an older one. Throws WorkFailed; then
+  /// Completes the file and gives it its name, replacing an older one. Throws WorkFailed, also
+  /// where no reading was written: a record without any cannot be read. Then
   /// nothing stands under that name that was not there before.
   void finish(const RecordHeader& header, const std::optional<Truth>& truth);
 

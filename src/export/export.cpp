@@ -143,7 +143,7 @@ void run_export(const ExportOptions& o) {
     throw lab::BadInput("--states is of --format csv; json and xlsx have both");
   refuse_overwriting("--output", o.output, database_files(o.db), "the database");
   const db::Store store(o.db);
-  tell_of_what_waits(o.db);
+  tell_of_gaps(o.db);
   std::vector<study::TestResult> tests;
   for (const auto id : store.find(o.tests))
     tests.push_back(study::load_test_result(store, id, study::WithCurves::no));

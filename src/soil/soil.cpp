@@ -48,7 +48,7 @@ std::string text_of(const std::vector<study::Soil>& soils) {
 void run(const SoilCommandOptions& o) {
   if (!o.output.empty()) check_folder("--output", o.output, {});
   const auto soils = study::study_soils(o.choice, study_options(o));
-  tell_of_what_waits(o.choice.db);
+  tell_of_gaps(o.choice.db);
   if (!o.output.empty()) {
     make_folder("--output", o.output);
     write_soil_files(soils, o.output);

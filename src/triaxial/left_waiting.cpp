@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "db/missing_readings.hpp"
 #include "db/recording/spool.hpp"
 #include "lab/base/text.hpp"
 #include "src/output/notice.hpp"
@@ -10,7 +11,7 @@
 
 namespace triax::src {
 
-void tell_of_what_waits(const std::string& db) {
+void tell_of_gaps(const std::string& db) {
   for (const db::LeftWaiting& left : db::left_waiting(db)) {
     const std::string what =
         left.test.empty()
@@ -21,6 +22,9 @@ void tell_of_what_waits(const std::string& db) {
                     "database and of what is told; `triax tests repair` takes it in",
                     left.spool, what)));
   }
+  for (const db::MissingReadings& missing : db::missing_readings(db))
+    notify(on_one_line(fmt::format("{}: test {} {}: {}", db, missing.test,
+                                   lab::excerpt(missing.name), in_words(missing))));
 }
 
 }  // namespace triax::src

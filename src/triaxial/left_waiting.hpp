@@ -4,8 +4,8 @@
 
 namespace triax::src {
 
-/// Tells on standard error of tests that a killed program left waiting beside the database, which
-/// a reader does not see in it.
-void tell_of_what_waits(const std::string& db);
+/// Reports on standard error what a reader does not see in the database: tests that a killed
+/// program left waiting beside it, and readings that are missing from it.
+void tell_of_gaps(const std::string& db);
 
 }  // namespace triax::src

@@ -191,7 +191,7 @@ void run_report(const ReportOptions& o) {
   const std::string output = !o.output.empty() ? o.output : drawn ? "triax_report." + format : "-";
   refuse_overwriting("--output", output, database_files(o.db), "the database");
   const db::Store store(o.db);
-  tell_of_what_waits(o.db);
+  tell_of_gaps(o.db);
   if (o.live) {
     if (drawn) throw lab::BadInput("--live is told as text or JSON, not as " + format);
     return write_file(output, live_document(o.db, store.find(o.tests), format == "json"));
