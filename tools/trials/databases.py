@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A database that is damaged (bytes, pages, its length, a -wal or -shm that is not its own) under every reader and writer: no crash,
-bounded time and memory, one line that says so where a command fails, whole JSON where it does not, and no reader changes a byte."""
+"""A database that is damaged (bytes, pages, its length, a -wal or -shm that is not its own) or has the schema of a stranger, under every
+reader and writer: no crash, bounded time and memory, one line that says so where a command fails, whole JSON where it does not, and no
+reader changes a byte; a foreign schema is refused by all."""
+import contextlib
 import pathlib
 import random
+import sqlite3
 
 from .trial import Trial
 from .works import database_in_use, work
@@ -60,7 +63,13 @@ def grown(data: bytearray, chance: random.Random):
 
 
 DAMAGE = (flip_bytes, flip_bytes, flip_in_header, cut, zero_a_run, pages_mixed, page_header, page_header, grown)
-PARTS = (*(one.__name__.replace("_", " ") for one in DAMAGE), "beside")
+PARTS = (*(one.__name__.replace("_", " ") for one in DAMAGE), "beside", "foreign schema")
+ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS test_id FROM n"
+FOREIGN = ("CREATE TRIGGER a AFTER INSERT ON scans BEGIN DELETE FROM scans; END",
+           "CREATE TRIGGER a AFTER UPDATE ON leases BEGIN DELETE FROM tests; END",
+           f"CREATE VIEW a AS {ENDLESS}", f"DROP VIEW states; CREATE VIEW states AS {ENDLESS}", f"DROP TABLE tags; CREATE VIEW tags AS {ENDLESS}",
+           "CREATE UNIQUE INDEX a ON scans (stage, time_s)", "ALTER TABLE tests ADD COLUMN a REAL DEFAULT 1",
+           "ALTER TABLE scans ADD COLUMN a REAL AS (abs(-9223372036854775807 - stage))")
 
 
 def beside(t: Trial, base: bytes):
@@ -84,6 +93,10 @@ def trial(t: Trial):
     if t.choose(PARTS) == "beside":
         t.database.write_bytes(data)
         beside(t, base)
+    elif t.part == "foreign schema":
+        t.database.write_bytes(data)
+        with contextlib.closing(sqlite3.connect(t.database)) as foreign:
+            foreign.executescript(t.chance.choice(FOREIGN))
     else:
         DAMAGE[PARTS.index(t.part)](data, t.chance)
         t.database.write_bytes(data)
@@ -92,6 +105,7 @@ def trial(t: Trial):
         done = t.triax(*arguments, "--db", t.db)
         t.count({0: "readers answered", 1: "readers told", 2: "readers told"}[done.status])
         one_line(t, done)
+        t.must(t.part != "foreign schema" or done.status == 2, f"triax {' '.join(arguments)} read a foreign schema")
         if done.status == 0 and "json" in " ".join(arguments):
             t.document(done)
         after = {name: bytes_ for name, bytes_ in t.files().items() if not name.endswith("-shm") and name != "r.html"}
@@ -102,6 +116,7 @@ def trial(t: Trial):
         t.must(done.status in (0, 1, 2), f"ended with status {done.status}: {done.err}")
     else:
         done = t.triax(*writer, "--db", t.db)
+    t.must(t.part != "foreign schema" or done.status == 2, f"a foreign schema was written: {done.err}")
     t.count("writers went on" if done.status == 0 else "writers told")
     one_line(t, done)
 
