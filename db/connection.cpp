@@ -83,8 +83,8 @@ bool is_first_look(const std::string& path) {
 }
 
 void check_pages_of_small(SQLite::Database& database, const std::string& path) {
-  constexpr std::uintmax_t kMaxChecked_bytes = 8U
-                                               << 20U;  // 15 ms; of larger files repair() does it
+  // 15 ms; larger files are for repair() to check.
+  constexpr std::uintmax_t kMaxChecked_bytes = 8U << 20U;
   std::error_code none;
   if (fs::file_size(path, none) <= kMaxChecked_bytes && is_first_look(path))
     check_pages(database, path);

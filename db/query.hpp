@@ -19,7 +19,7 @@ struct NamedQuery {
 };
 const std::vector<NamedQuery>& named_queries();
 
-/// Ten times what the slowest named query takes on a database of a million readings.
+/// After which a query is ended where nobody asks for another limit.
 inline constexpr double kQueryLimit_s = 60;
 
 /// Runs a named query or one statement of SQL against the database, strictly read only: SQLite

@@ -155,13 +155,14 @@ void Recorder::Impl::keep(Ending ending) {
       waiting_.succeeded(entry_.path());
       return entry_.set_patience(patience_.quiet);
     } catch (const MayPass& why) {
-      const bool was_away = entry_.is_away();
+      const bool is_away = entry_.is_away();
       const bool too_long = waiting_.failed(why);
       entry_.set_patience(std::min(patience_.quiet, patience_.again));
       const bool aside = set_aside(why);
       if (aside && ending == Ending::interrupted && patience_.say) patience_.say(advice(why));
       if (aside && ending != Ending::complete) return;
-      if (too_long || (was_away && ending == Ending::complete)) throw lab::WorkFailed(advice(why));
+      // What was taken away is not waited for at the end of a test.
+      if (too_long || (is_away && ending == Ending::complete)) throw lab::WorkFailed(advice(why));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -135,14 +136,14 @@ void TestEntry::interrupt(const TestStart& test, const Batch& batch) {
   });
 }
 
-std::pair<std::int64_t, std::int64_t> TestEntry::readings_in(const std::string& table) {
-  SQLite::Statement ends(*database_,
-                         "SELECT coalesce(min(id) & 4294967295, 0), "
-                         "coalesce(max(id) & 4294967295, -1) FROM " +
-                             table + " WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295");
-  ends.bind(1, id_);
-  ends.executeStep();
-  return {ends.getColumn(0).getInt64(), ends.getColumn(1).getInt64()};
+std::vector<std::int64_t> TestEntry::readings_in(const std::string& table) {
+  SQLite::Statement select(*database_,
+                           "SELECT id & 4294967295 FROM " + table +
+                               " WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 ORDER BY id");
+  select.bind(1, id_);
+  std::vector<std::int64_t> readings;
+  while (select.executeStep()) readings.push_back(select.getColumn(0).getInt64());
+  return readings;
 }
 
 std::vector<lab::Event> TestEntry::without_known(std::vector<lab::Event> events) {
@@ -165,8 +166,8 @@ void TestEntry::take_in(const TestStart& test, const Store& from, std::int64_t i
   constexpr std::size_t kAtATime = 20000;
   const auto scanned = readings_in("scans"), worked = readings_in("work_points"),
              forecast = readings_in("forecast_points");
-  const auto is_in = [](const auto& ends, std::int64_t reading) {
-    return ends.first <= reading && reading <= ends.second;
+  const auto is_in = [](const auto& readings, std::int64_t reading) {
+    return std::ranges::binary_search(readings, reading);
   };
   Batch batch;
   from.for_each_scan(id, 1, [&](const lab::Reading& reading, const lab::State& state) {
@@ -201,7 +202,7 @@ void TestEntry::discard() {
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     if (id_ != 0) remove_test(*database_, id_);
     transaction.commit();
-    if (created_ && files_->missing().empty()) created_->remove_if_unused(database_);
+    if (created_ && files_ && files_->missing().empty()) created_->remove_if_unused(database_);
     close();
   } catch (const SQLite::Exception& error) {
     close();

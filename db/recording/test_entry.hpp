@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "db/files/created_file.hpp"
@@ -59,7 +58,7 @@ class TestEntry {
   /// The last batch; the test ends without a result.
   void interrupt(const TestStart& test, const Batch& batch);
   /// The readings, second-order work and events of the test `id` of another database that are not
-  /// there yet, in several transactions. What is there has to be without gaps.
+  /// there yet, in several transactions.
   void take_in(const TestStart& test, const Store& from, std::int64_t id);
   /// All of the test as it is here into `other`.
   void copy_into(TestEntry& other, const TestStart& test);
@@ -91,8 +90,8 @@ class TestEntry {
   void open();
   void connect();
   void bound();
-  /// The first and the last reading that have a row.
-  std::pair<std::int64_t, std::int64_t> readings_in(const std::string& table);
+  /// That have a row already, in order.
+  std::vector<std::int64_t> readings_in(const std::string& table);
   std::vector<lab::Event> without_known(std::vector<lab::Event> events);
   void write(const TestStart& test, const Batch& batch, std::int64_t& id);
 

@@ -102,6 +102,9 @@ class Campaign(unittest.TestCase):
     def test_locks(self):
         self.holds("locks")
 
+    def test_moves(self):
+        self.holds("moves")
+
     def test_disks(self):
         self.holds("disks")
 
