@@ -10,6 +10,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/records/no_value.hpp"
 
 namespace triax::lab {
 namespace {
@@ -72,13 +73,14 @@ TableReader::TableReader(ByteSource& source, const TableLayout& layout, Findings
       consistency_(layout),
       decimal_(layout.dialect.decimal),
       separator_(character(layout.separator)) {
-  values_.fill(kMissing);
+  for (auto& row : rows_) row.fill(kMissing);
   for (const PlannedColumn& column : layout.columns)
     plan_[column.cell] = {
         slot_of(column, kTime, kStageTime, kStage),
         column.scale,
         &column,
         "missing " + column.heading,
+        "code " + column.heading,
         limit_of(column),
         column.role == ColumnRole::quantity && consistency_.needs(column.quantity)};
   std::string_view line;
@@ -100,18 +102,21 @@ bool TableReader::next(Row& row) {
       findings_.note("cut off", lines_.line_number(),
                      "the last line has no line end: if the file was cut there, its last value may "
                      "be short");
-    std::copy_n(values_.begin(), kQuantityCount, row.si.begin());
-    row.time_s = values_[kTime];
-    row.stage_time_s = values_[kStageTime];
-    row.stage = values_[kStage];
+    const Values& values = rows_[now_];
+    std::copy_n(values.begin(), kQuantityCount, row.si.begin());
+    row.time_s = values[kTime];
+    row.stage_time_s = values[kStageTime];
+    row.stage = values[kStage];
     row.line = lines_.line_number();
     if (consistency_.is_needed()) consistency_.add(printed_, row.stage, row.line, findings_);
+    now_ = 1 - now_;
     return true;
   }
   return false;
 }
 
 bool TableReader::parse_fast(std::string_view line) {
+  Values& values = rows_[now_];
   const char* at = line.data();
   const char* end = at + line.size();
   for (std::size_t i = 0; i < plan_.size(); ++i) {
@@ -128,9 +133,11 @@ bool TableReader::parse_fast(std::string_view line) {
     double value = 0;
     const char* const begin = at;
     if (!parse_plain(at, end, value) && !parse_long(at, end, value)) return false;
-    values_[plan.slot] = value * plan.scale;
+    values[plan.slot] = value * plan.scale;
     if (plan.is_compared) keep_printed({begin, static_cast<std::size_t>(at - begin)}, plan);
-    if (std::abs(values_[plan.slot]) > plan.limit) return false;  // said by parse_general
+    // Both are reported by parse_general.
+    if (may_be_no_value(value) && is_no_value_code(value)) return false;
+    if (std::abs(values[plan.slot]) > plan.limit) return false;
   }
   return at == end;
 }
@@ -184,7 +191,7 @@ bool TableReader::parse_general(std::string_view line) {
 void TableReader::keep_printed(std::string_view cell, const Plan& plan) {
   // Of a cell in per cent, whose digits count otherwise, nothing is compared.
   const bool in_percent = cell.ends_with('%');
-  printed_[plan.slot] = {in_percent ? kMissing : values_[plan.slot],
+  printed_[plan.slot] = {in_percent ? kMissing : rows_[now_][plan.slot],
                          half_unit_of(cell) * std::fabs(plan.scale)};
 }
 
@@ -206,7 +213,26 @@ void TableReader::check_cell_count(std::string_view line) {
                              found == 1 ? "" : "s", layout_.heading_line, wanted, excerpt(line)));
 }
 
-void TableReader::parse_number(std::string_view cell, const Plan& plan) {
+/// The last value of the column before this row, as it was printed; NaN if there is none.
+double TableReader::previous(Plan& plan) const {
+  const double value = rows_[1 - now_][plan.slot] / plan.scale;
+  if (!std::isnan(value)) plan.last_before_code = value;
+  return plan.last_before_code;
+}
+
+/// A code of the logger instead of a value: the cell is missing.
+bool TableReader::parse_code(std::string_view cell, Plan& plan, double number) {
+  if (plan.slot >= kQuantityCount || !means_no_value(number, previous(plan))) return false;
+  rows_[now_][plan.slot] = kMissing;
+  findings_.note(plan.code, lines_.line_number(), [&] {
+    return fmt::format("column {} has {}, which loggers write for \"no value\": read as missing",
+                       excerpt(plan.column->heading), excerpt(cell));
+  });
+  return true;
+}
+
+void TableReader::parse_number(std::string_view cell, Plan& plan) {
+  Values& values = rows_[now_];
   const auto before = decimal_;
   double value = kMissing;
   const auto kind = parse_cell(cell, decimal_, value);
@@ -215,7 +241,7 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
                    "the decimal mark is a comma: " + excerpt(cell) + " is read that way");
   if (kind == CellKind::text && plan.slot == kTime) {
     if (const auto seconds = clock_seconds(cell)) {
-      values_[kTime] = clock_.since_start(*seconds);
+      values[kTime] = clock_.since_start(*seconds);
       findings_.note("clock", lines_.line_number(),
                      "the time is a clock's: counted from the first reading");
       return;
@@ -230,7 +256,7 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
                    fmt::format("column {} has {}, which is not a number{}", excerpt(heading),
                                excerpt(cell), remedy));
   if (kind == CellKind::missing) {
-    values_[plan.slot] = kMissing;
+    values[plan.slot] = kMissing;
     findings_.note(plan.missing, lines_.line_number(), [&] {
       return fmt::format("column {} has no value ({})", excerpt(heading), excerpt(cell));
     });
@@ -247,8 +273,9 @@ void TableReader::parse_number(std::string_view cell, const Plan& plan) {
                         ? ""
                         : fmt::format(" (the decimal mark of this table is '{}')",
                                       static_cast<char>(decimal_))));
-  values_[plan.slot] = value * plan.scale;
-  if (kind == CellKind::out_of_range || !std::isfinite(values_[plan.slot]))
+  if (kind == CellKind::number && parse_code(cell, plan, value)) return;
+  values[plan.slot] = value * plan.scale;
+  if (kind == CellKind::out_of_range || !std::isfinite(values[plan.slot]))
     throw BadInput(layout_.file, lines_.line_number(),
                    fmt::format("column {} has {}: no instrument can have measured that{}",
                                excerpt(heading), excerpt(cell), remedy));
@@ -263,14 +290,14 @@ bool TableReader::parse_percent(std::string_view cell, const Plan& plan) {
   double value = kMissing;
   if (parse_cell(trimmed(cell.substr(0, cell.size() - 1)), decimal_, value) != CellKind::number)
     return false;
-  values_[plan.slot] = value * kPercent;
+  rows_[now_][plan.slot] = value * kPercent;
   findings_.note("percent", lines_.line_number(),
                  "cells in per cent are read as such: " + excerpt(cell));
   return true;
 }
 
 void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
-  if (!(std::abs(values_[plan.slot]) > plan.limit)) return;
+  if (!(std::abs(rows_[now_][plan.slot]) > plan.limit)) return;
   const Quantity quantity = plan.column->quantity;
   throw BadInput(layout_.file, lines_.line_number(),
                  fmt::format("column {} has {}, beyond {:g} {}: no apparatus measures that; "

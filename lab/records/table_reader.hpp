@@ -30,9 +30,9 @@ class TableReader {
 
   /// The next row; false at the end. Throws BadInput "FILE:LINE: ..." on text in a number, a wrong
   /// number of cells, an infinite value, a raw channel beyond what any instrument measures, a word
-  /// for a missing value where the dialect has none, a file that ends inside a row. Missing cells,
-  /// lines without values, an unclear last line and columns that contradict each other are noted as
-  /// findings.
+  /// for a missing value where the dialect has none, a file that ends inside a row. A code for "no
+  /// value" (no_value.hpp) is a missing cell, in every dialect. Missing cells, lines without values,
+  /// an unclear last line and columns that contradict each other are noted as findings.
   bool next(Row& row);
 
   std::uint64_t position() const { return lines_.position(); }
@@ -47,15 +47,18 @@ class TableReader {
     std::size_t slot = kUnwanted;
     double scale = 1;
     const PlannedColumn* column = nullptr;
-    std::string missing;                                     // kind of finding
+    std::string missing, code;                               // kinds of finding
     double limit = std::numeric_limits<double>::infinity();  // of the absolute value, in SI
     bool is_compared = false;                                // with other columns
+    double last_before_code = kMissing;                      // as printed
   };
 
   bool parse_fast(std::string_view line);
   bool parse_general(std::string_view line);
   void check_limit(std::string_view cell, const Plan& plan) const;
-  void parse_number(std::string_view cell, const Plan& plan);
+  void parse_number(std::string_view cell, Plan& plan);
+  double previous(Plan& plan) const;
+  bool parse_code(std::string_view cell, Plan& plan, double number);
   /// "5%" of a quantity that is a plain number, whatever its heading's unit: 0.05.
   bool parse_percent(std::string_view cell, const Plan& plan);
   void check_cell_count(std::string_view line);
@@ -68,9 +71,11 @@ class TableReader {
   LineReader lines_;
   std::vector<Plan> plan_;
   std::vector<std::string_view> cells_;
-  std::array<double, kUnwanted + 1> values_{};
   ColumnConsistency consistency_;
   std::array<PrintedValue, kQuantityCount> printed_{};  ///< of the columns that are compared
+  using Values = std::array<double, kUnwanted + 1>;
+  std::array<Values, 2> rows_{};  ///< this row and the one before, in turn
+  std::size_t now_ = 0;           ///< which of the two is this row
   DecimalMark decimal_;
   char separator_;
   Clock clock_;

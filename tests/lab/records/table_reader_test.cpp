@@ -57,6 +57,29 @@ TEST_CASE("missing cells are missing, not zero, and are counted") {
   CHECK_THAT(table.warnings[0].text, Catch::Contains("1 more, the last in line 4"));
 }
 
+TEST_CASE("TableReader: a code for no value is a missing cell, in any unit", "[records]") {
+  for (const char* code : {"-9999", "-999.25", "9999", "1e30", "9.9E+37", "6999.0", "-32768"}) {
+    INFO(code);
+    const auto table = read_whole(kHeadingsOfFour + "0,0.1,0.2,800\n1,0.1," + code + ",800\n2," +
+                                  code + "," + code + ",800\n3,0.1,0.5," + code + "\n");
+    REQUIRE(table.rows.size() == 4);
+    CHECK(std::isnan(table.rows[1].si[index(axial_force)]));
+    CHECK(std::isnan(table.rows[2].si[index(axial_force)]));
+    CHECK(std::isnan(table.rows[2].si[index(axial_displacement)]));
+    CHECK(std::isnan(table.rows[3].si[index(cell_pressure)]));
+    CHECK(table.rows[3].si[index(axial_force)] == 500);
+    REQUIRE(table.warnings.size() == 3);
+    CHECK(table.warnings[0].line == 3);
+    CHECK_THAT(table.warnings[0].text, Catch::Contains("'axial_force_kN'") &&
+                                           Catch::Contains(std::string("'") + code + "'") &&
+                                           Catch::Contains("1 more, the last in line 4"));
+  }
+  const auto pascals = read_whole("time_s,cell_pressure_Pa\n0,9000\n1,-9999\n2,9980\n3,9999\n");
+  REQUIRE(pascals.rows.size() == 4);
+  CHECK(std::isnan(pascals.rows[1].si[index(cell_pressure)]));
+  CHECK(pascals.rows[3].si[index(cell_pressure)] == 9999);
+}
+
 TEST_CASE("our own format has no word for a missing value") {
   for (const std::string word :
        {"NaN", "nan", "-nan", "NA", "-", "null", "#DIV/0!", "inf", "-inf"}) {
