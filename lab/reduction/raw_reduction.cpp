@@ -95,8 +95,8 @@ void RawReduction::start_shear(const Reading& reading) {
   }
   now_ = {.height_m = height,
           .volume_m3 = volume,
-          .displacement = or_zero(last_displacement_),
-          .back_volume = or_zero(last_back_volume_)};
+          .displacement = last_displacement_,
+          .back_volume = last_back_volume_};
   void_ratio_start_ =
       specimen_.consolidated_void_ratio ? specimen_.consolidated_void_ratio : void_ratio_at(volume);
 }
@@ -114,6 +114,9 @@ State RawReduction::reduce(const Reading& reading) {
     last_displacement_ = reading[Quantity::axial_displacement];
   if (reading.has(Quantity::back_volume)) last_back_volume_ = reading[Quantity::back_volume];
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
+  // Without a value at the start of shear strains count from the first that comes.
+  if (std::isnan(now_.displacement)) now_.displacement = last_displacement_;
+  if (std::isnan(now_.back_volume)) now_.back_volume = last_back_volume_;
 
   State s;
   s.reading = reading.number;
@@ -121,10 +124,12 @@ State RawReduction::reduce(const Reading& reading) {
   s.stage = reading.stage;
   s.cycle = reading[Quantity::cycle];
   const Reference& from = sheared_ ? now_ : stage_start_;
-  const double shortening = last_displacement_ - from.displacement;
+  // In shear the axis moves from one reading to the next: an old value is none.
+  const double shortening =
+      (sheared_ ? reading[Quantity::axial_displacement] : last_displacement_) - from.displacement;
   // Water that enters while the specimen is being saturated fills its pores: no change of volume.
   const bool drains = sheared_ || role_ == StageRole::consolidation;
-  const double outflow = drains ? from.back_volume - or_zero(last_back_volume_) : 0.0;
+  const double outflow = drains ? or_zero(from.back_volume) - or_zero(last_back_volume_) : 0.0;
   if (!sheared_ && role_ == StageRole::consolidation) {
     consolidation_shortening_ = as_built_.height_m - from.height_m + or_zero(shortening);
     consolidation_outflow_ = as_built_.volume_m3 - from.volume_m3 + outflow;

@@ -26,6 +26,8 @@ struct Reduction::Impl {
                      "the membrane correction, and no other can be applied; leave --membrane out");
   }
 
+  void note_impossible(const State& state, std::int64_t line);
+
   const RecordHeader header;
   const MembraneCorrection membrane;
   const bool raw;
@@ -33,6 +35,9 @@ struct Reduction::Impl {
   ReducedColumns from_columns;
   BValue b_value;
   Closure closure;
+  std::int64_t impossible = 0, impossible_in_a_row = 0;
+  Warning first_impossible;    ///< of those in a row
+  Warning impossible_warning;  ///< of the first at all
 };
 
 namespace {
@@ -52,6 +57,19 @@ State unknown(const State& at) {
 
 }  // namespace
 
+/// A few are readings of a sensor that dropped out; more are a record in wrong units.
+void Reduction::Impl::note_impossible(const State& state, std::int64_t line) {
+  Warning warning{
+      line, fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: no specimen is compressed "
+                        "or stretched by its whole height or volume",
+                        state.strain.axial, state.volumetric_strain)};
+  if (impossible_in_a_row++ == 0) first_impossible = warning;
+  if (impossible_in_a_row > kMostImpossible)
+    throw BadInput(header.source, first_impossible.line,
+                   first_impossible.text + "; check the units, and the specimen's height");
+  if (++impossible == 1) impossible_warning = std::move(warning);
+}
+
 Reduction::Reduction(const RecordHeader& header, const ReductionOptions& options)
     : impl_(std::make_unique<Impl>(header, options)) {}
 
@@ -62,15 +80,10 @@ State Reduction::reduce(const Reading& reading) {
   State state = r.raw ? r.from_raw.reduce(reading) : r.from_columns.reduce(reading);
   if (is_impossible(state)) {
     // A simulation has no wrong units: there it is a broken sensor.
-    if (r.header.origin != Origin::simulated)
-      throw BadInput(
-          r.header.source, reading.line,
-          fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: no specimen is "
-                      "compressed or stretched by its whole height or volume; check the units, and "
-                      "the specimen's height",
-                      state.strain.axial, state.volumetric_strain));
+    if (r.header.origin != Origin::simulated) r.note_impossible(state, reading.line);
     return unknown(state);
   }
+  r.impossible_in_a_row = 0;
   if (r.raw) {
     const StageInfo* stage = r.header.stage(reading.stage);
     r.b_value.add(reading, stage && stage->role == StageRole::b_check);
@@ -108,7 +121,14 @@ std::vector<Check> Reduction::checks(bool back_volume_joined) const {
 }
 
 std::vector<Warning> Reduction::warnings() const {
-  return impl_->raw ? impl_->from_raw.warnings() : impl_->from_columns.warnings();
+  const Impl& r = *impl_;
+  auto all = r.raw ? r.from_raw.warnings() : r.from_columns.warnings();
+  if (r.impossible == 0) return all;
+  Warning warning = r.impossible_warning;
+  warning.text += "; the state is unknown";
+  if (r.impossible > 1) warning.text += fmt::format(" (and {} more)", r.impossible - 1);
+  all.push_back(std::move(warning));
+  return all;
 }
 
 }  // namespace triax::lab

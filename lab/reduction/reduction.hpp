@@ -37,8 +37,10 @@ class Reduction {
   Reduction(const Reduction&) = delete;
   Reduction& operator=(const Reduction&) = delete;
 
-  /// Throws BadInput on a reading that no specimen can have given (a strain of 1 or more): the
-  /// units must be wrong. In a simulation it is a sensor that broke, and the state is unknown.
+  /// kMostImpossible: readings in a row with a strain of 1 or more that no specimen can have given.
+  /// Their states are unknown, as in a simulation: a sensor dropped out. Throws BadInput at the
+  /// next one, with the line of the first: the units must be wrong.
+  static constexpr std::int64_t kMostImpossible = 5;
   State reduce(const Reading& reading);
 
   /// "none", "astm" or "iso"; empty where whoever reduced the record chose it.

@@ -117,8 +117,42 @@ TEST_CASE("what is missing or impossible is said with the key or the line") {
   CHECK_THROWS_WITH(Reduction(header, {}), Catch::Contains("--set specimen.height_mm"));
   Reduction reduction(raw_header(), {});
   reduction.reduce(reading({3, 0, 0, 400, 300, 0}));
-  CHECK_THROWS_WITH(reduction.reduce(reading({3, 150, 0, 400, 300, 0}, 7)),
+  const auto far = [&](std::int64_t i) {
+    return reduction.reduce(reading({3, 150, 0, 400, 300, 0}, i));
+  };
+  for (std::int64_t i = 7; i < 7 + Reduction::kMostImpossible; ++i)
+    CHECK(std::isnan(far(i).strain.axial));
+  CHECK_THROWS_WITH(far(7 + Reduction::kMostImpossible),
                     Catch::Contains("test.csv:9") && Catch::Contains("check the units"));
+}
+
+TEST_CASE("Reduction: a few impossible strains are unknown states and a warning", "[reduction]") {
+  Reduction reduction(raw_header(), {});
+  const auto strain_at = [&](std::int64_t i, double displacement_mm) {
+    return reduction.reduce(reading({3, displacement_mm, 0, 400, 300, 0}, i)).strain.axial;
+  };
+  strain_at(0, 0);
+  const auto warnings = reduction.warnings().size();
+  CHECK(std::isnan(strain_at(1, 9000)));
+  CHECK(std::isnan(strain_at(2, -150)));
+  CHECK(strain_at(3, 1.4) == Approx(0.01));
+  REQUIRE(reduction.warnings().size() == warnings + 1);
+  CHECK(reduction.warnings().back().line == 3);
+  CHECK_THAT(reduction.warnings().back().text,
+             Catch::Contains("axial strain 64.3") && Catch::EndsWith("(and 1 more)"));
+}
+
+TEST_CASE("Reduction: a missing displacement in shear is no old one", "[reduction]") {
+  Reduction reduction(raw_header(), {});
+  Reading r = reading({3, 5, 0.1, 400, 300, 0}, 0);
+  r[Quantity::axial_displacement] = kMissing;
+  r[Quantity::back_volume] = kMissing;
+  CHECK(std::isnan(reduction.reduce(r).strain.axial));
+  CHECK(reduction.reduce(reading({3, 5, 0.1, 400, 300, 900}, 1)).strain.axial == 0);
+  CHECK(reduction.reduce(reading({3, 6.4, 0.1, 400, 300, 900}, 2)).strain.axial == Approx(0.01));
+  CHECK(reduction.reduce(reading({3, 6.4, 0.1, 400, 300, 900}, 3)).volumetric_strain == 0);
+  r.number = 4;
+  CHECK(std::isnan(reduction.reduce(r).q));
 }
 
 TEST_CASE("the file's own q is compared with ours, and the area named as the cause") {
