@@ -14,6 +14,12 @@ constexpr double kOutlier = 20;
 constexpr double kOutlierSteps = 6;
 /// Moves from which roughness and resolution are known well enough.
 constexpr std::int64_t kKnown = 16;
+/// Before that a leap is one beside the last move and the level, too.
+constexpr double kEarlyMoves = 3, kEarlyShare = 0.02;
+/// Values leave a level by so many times its own motion; by fewer only if no other channel leaps.
+constexpr double kClear = 5, kWeak = 2;
+/// The value with which a record begins, in terms of those after it, where it is none.
+constexpr double kBeyond = 1.15;
 
 }  // namespace
 
@@ -46,6 +52,8 @@ void ChannelHealth::may_rest(bool yes) {
 
 void ChannelHealth::add(std::int64_t number, double value) {
   spike_.reset();
+  leaps_ <<= 1U;
+  latest_ = number;
   if (std::isnan(value)) {
     miss(number);
     return;
@@ -54,11 +62,16 @@ void ChannelHealth::add(std::int64_t number, double value) {
     if (dead_ && dead_->fault == SensorFault::missing) {
       dead_.reset();
       filled_ = 0;  // a spike is not looked for across the gap
+      forget_leap();
     }
     gap_ = 0;
     steady_ = 0;
   }
   ++steady_;
+  if (noise_.values() == 0) {
+    start_ = {number, value};
+    starts_ = true;
+  }
   if (!dead_) follow_jump(number, value);
   std::shift_left(window_.begin(), window_.end(), 1);
   window_.back() = {number, value};
@@ -73,7 +86,7 @@ void ChannelHealth::miss(std::int64_t number) {
   if (dead_ || gap_ <= kGap || steady_ < kSteady) return;
   // What stood still since a jump was dead by then.
   dead_ = Dead{SensorFault::missing, jump_ ? jump_begin_ : last_leap().value_or(gap_from_)};
-  leap_.reset();
+  forget_leap();
 }
 
 /// A leap of which nobody will learn whether it was a spike: the channel died of it.
@@ -82,16 +95,44 @@ std::optional<std::int64_t> ChannelHealth::last_leap() const {
   return last ? leap_ : std::nullopt;
 }
 
+/// Before the reading `number` is taken: one value since the leap, zero or at the end of a range.
+bool ChannelHealth::is_flat_since_leap(std::int64_t number) const {
+  const std::int64_t width = number - *leap_;
+  return noise_.run() >= width - 1 && width <= (last_ == 0 ? kWidestZero : kWidestFlat);
+}
+
+void ChannelHealth::forget_leap() {
+  leap_.reset();
+  back_.reset();
+}
+
 void ChannelHealth::follow_jump(std::int64_t number, double value) {
-  if (leap_ && number - *leap_ > kWidest + 1) leap_.reset();
-  if (filled_ < 2 || noise_.moves() < kKnown) return;
+  if (leap_ && number - *leap_ > kWidest && !back_) {
+    if (is_flat_since_leap(number) && value != last_)
+      back_ = number;
+    else if (number - *leap_ > kWidest + 1 && !is_flat_since_leap(number))
+      leap_.reset();
+  }
+  if (filled_ < 2) return;
+  const bool known = noise_.moves() >= kKnown;
   const double before = window_.back().value;
   const double slope = before - window_[kWindow - 2].value;
-  const double allowed =
-      std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.resolution());
+  double allowed = std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.resolution());
+  if (!known)
+    allowed = std::max({allowed, kEarlyMoves * std::fabs(slope), kEarlyShare * std::fabs(before)});
   const double off = std::fabs(value - before);
   if (off > allowed && std::fabs(value - before - slope) > allowed) {
-    if (!leap_) leap_ = number;
+    leaps_ |= 1U;
+    if (!leap_) {
+      leap_ = number;
+      allowed_ = allowed;
+      certain_ = known;
+      before1_ = before;
+      before2_ = before - slope;
+      lowest_ = noise_.lowest();
+      highest_ = noise_.highest();
+    }
+    if (!known) return;
     jump_ = number;
     jump_begin_ = number - *leap_ <= kWidest ? *leap_ : number;
     jump_height_ = off;
@@ -130,46 +171,96 @@ void ChannelHealth::condemn() {
       Dead{outside ? SensorFault::saturated : SensorFault::stuck, jump_ ? jump_begin_ : run_from_};
   noise_.forget_run();
   jump_.reset();
-  leap_.reset();
+  forget_leap();
   moves_ = 0;
 }
 
-bool ChannelHealth::is_spike(int width) const {
-  const int length = width + 4;
-  if (filled_ < length) return false;
-  const auto* w = &window_[static_cast<std::size_t>(kWindow - length)];
-  const auto at = [&](int i) { return w[i].value; };
-  // The level: a line through the middles of the two values before and the two after.
-  const double low = (at(0) + at(1)) / 2, high = (at(length - 2) + at(length - 1)) / 2;
-  const double slope = (high - low) / (length - 2);
-  const auto off = [&](int i) { return at(i) - (low + slope * (i - 0.5)); };
-  double scatter = 0;
-  for (int i : {0, 1, length - 2, length - 1}) scatter = std::max(scatter, std::fabs(off(i)));
-  // Between the first and the last there may be a sound one: then they are two spikes.
-  const double least = std::min(std::fabs(off(2)), std::fabs(off(1 + width)));
+double ChannelHealth::leaves(const Level& level, int width, double first, double last) const {
+  // A line through the middles of the two values before and the two after.
+  const double low = (level.before2 + level.before1) / 2;
+  const double high = (level.after1 + level.after2) / 2;
+  const double slope = (high - low) / (width + 2);
+  const auto off = [&](double value, int i) {
+    return std::fabs(value - (low + slope * (i - 0.5)));
+  };
   // Neither side may run: what changes by itself that fast needs no fault.
-  scatter = std::max(scatter, std::fabs(high - low) / 2);
-  return least > 5 * scatter && least > kOutlier * noise_.roughness() &&
-         least > kOutlierSteps * noise_.resolution();
+  const double scatter =
+      std::max({off(level.before2, 0), off(level.before1, 1), off(level.after1, width + 2),
+                off(level.after2, width + 3), std::fabs(high - low) / 2});
+  // Between the first and the last there may be a sound one: then they are two spikes.
+  const double least = std::min(off(first, 2), off(last, width + 1));
+  return least > allowed_ ? least / scatter : 0;
 }
 
 void ChannelHealth::look_for_spike() {
-  if (!leap_ || noise_.moves() < kKnown) return;
+  if (starts_) look_for_start();
+  if (!leap_) return;
+  if (back_) {
+    look_for_flat();
+    return;
+  }
   for (int width = 1; width <= kWidest; ++width) {
-    if (!is_spike(width)) continue;
-    const auto first = static_cast<std::size_t>(kWindow - width - 2);
-    spike_ =
-        Spike{window_[first].number, window_[first + static_cast<std::size_t>(width) - 1].number,
-              window_[first].value};
-    leap_.reset();
+    const int length = width + 4;
+    if (filled_ < length) return;
+    const Value* w = &window_[static_cast<std::size_t>(kWindow - length)];
+    const double clear = leaves({w[0].value, w[1].value, w[length - 2].value, w[length - 1].value},
+                                width, w[2].value, w[1 + width].value);
+    // Weakly only where the leap began: any later pair of neighbours is a part of what leaped.
+    if (!(clear > kClear || (clear > kWeak && w[2].number == *leap_))) continue;
+    spike_ = Spike{w[2].number, w[1 + width].number, w[2].value, certain_ && clear > kClear,
+                   w[2].number};
+    forget_leap();
     jump_.reset();
     return;
   }
 }
 
+/// A longer run of one value, which ended at the reading before this one.
+void ChannelHealth::look_for_flat() {
+  if (latest_ == *back_) return;
+  const auto width = static_cast<int>(*back_ - *leap_);
+  const Level level{before2_, before1_, window_[kWindow - 2].value, window_.back().value};
+  const double value = window_[kWindow - 3].value;
+  if (leaves(level, width, value, value) > kWeak)
+    spike_ = Spike{*leap_, *back_ - 1, value, false, *leap_};
+  forget_leap();
+}
+
+/// The record begins with one value, far beyond all to which the channel leaps from it.
+void ChannelHealth::look_for_start() {
+  if (noise_.moves() == 0) {
+    start_until_ = latest_;
+    starts_ = latest_ - start_.number < kWidestFlat;
+    return;
+  }
+  if (noise_.moves() == 1 && noise_.run() == 0) return;
+  starts_ = false;
+  const double after = window_[kWindow - 2].value, next = window_.back().value;
+  const bool beyond =
+      std::fabs(start_.value) > kBeyond * std::max(std::fabs(after), std::fabs(next));
+  const bool leaps = std::fabs(start_.value - after) > kClear * std::fabs(next - after);
+  if (start_until_ > start_.number && beyond && leaps)
+    spike_ = Spike{start_.number, start_until_, start_.value, false, start_until_ + 1};
+}
+
+void ChannelHealth::finish(std::int64_t last) {
+  spike_.reset();
+  if (!leap_ || dead_ || back_ || latest_ != last || !is_flat_since_leap(last + 1)) return;
+  const bool beyond = *leap_ < last && (last_ > highest_ || last_ < lowest_);
+  if (last_ != 0 && !beyond) return;
+  spike_ = Spike{*leap_, last, last_, false, *leap_};
+  forget_leap();
+}
+
+bool ChannelHealth::leaped_at(std::int64_t number) const {
+  const std::int64_t ago = latest_ - number;
+  return ago >= 0 && ago < 64 && ((leaps_ >> static_cast<unsigned>(ago)) & 1U) != 0;
+}
+
 std::int64_t ChannelHealth::first_doubt() const {
   std::int64_t first = kNever;
   if (dead_) return first;
+  if (starts_) first = std::min(first, start_.number);
   if (gap_ > 0 && steady_ >= kSteady) first = std::min(first, gap_from_);
   if (leap_) first = std::min(first, *leap_);
   if (jump_ && noise_.run() < kFlat) first = std::min(first, jump_begin_);

@@ -22,19 +22,25 @@ double finest_of(Quantity quantity);
 /// decided: after at most ChannelNoise::kLongestWait readings.
 class ChannelHealth {
  public:
-  static constexpr int kGap = 5;       ///< readings that may be missing without being a fault
-  static constexpr int kSteady = 20;   ///< readings in a row that make a channel a regular one
-  static constexpr int kFlat = 10;     ///< equal readings after a jump: no noise is left
-  static constexpr int kWidest = 3;    ///< readings of a spike
+  static constexpr int kGap = 5;      ///< readings that may be missing without being a fault
+  static constexpr int kSteady = 20;  ///< readings in a row that make a channel a regular one
+  static constexpr int kFlat = 10;    ///< equal readings after a jump: no noise is left
+  static constexpr int kWidest = 3;   ///< readings of a spike; more if all are one value:
+  static constexpr int kWidestFlat = 12, kWidestZero = 60;
   static constexpr int kRecovery = 8;  ///< moves after which a dead sensor counts as live again
 
   struct Dead {
     SensorFault fault{};
     std::int64_t from = 0;
   };
+  /// Readings that leave the level before and after them, which is the same.
   struct Spike {
     std::int64_t from = 0, until = 0;
     double value = 0;
+    /// By so much that it needs no look at other channels. Otherwise it is a spike only if no other
+    /// channel leaped at the reading `leap`: a specimen that is loaded and unloaded moves several.
+    bool certain = true;
+    std::int64_t leap = 0;
   };
 
   /// For `finest` see ChannelNoise; `patience` stretches the wait for a stuck channel: a controlled
@@ -55,11 +61,16 @@ class ChannelHealth {
   bool absent() const { return gap_ > 0 && steady_ >= kSteady; }
   /// The spike that this reading brought to light.
   const std::optional<Spike>& spike() const { return spike_; }
+  /// The record ends with this reading: a channel that leaped to exactly zero, or to one value
+  /// beyond all before, and is still there dropped out, as far as it tells. Result as spike().
+  void finish(std::int64_t last);
+  /// Whether the channel leaped at this reading, one of the last 64.
+  bool leaped_at(std::int64_t number) const;
   /// First reading that may still turn out to be wrong; none is before it. kNever where none may
   /// (no optional: its copy would wait for its own stores, a twentieth of a replay).
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   std::int64_t doubtful_from() const {
-    const bool quiet = gap_ == 0 && noise_.run() == 0 && !leap_ && !jump_;
+    const bool quiet = gap_ == 0 && noise_.run() == 0 && !leap_ && !jump_ && !starts_;
     return quiet ? kNever : first_doubt();
   }
 
@@ -82,8 +93,11 @@ class ChannelHealth {
   std::optional<std::int64_t> last_leap() const;
   void follow_run(std::int64_t number, double value);
   void follow_jump(std::int64_t number, double value);
+  void forget_leap();
+  bool is_flat_since_leap(std::int64_t number) const;
   void look_for_spike();
-  bool is_spike(int width) const;
+  void look_for_flat();
+  void look_for_start();
   bool revived(bool moved);
 
   static constexpr int kWindow = 2 + kWidest + 2;
@@ -91,6 +105,12 @@ class ChannelHealth {
     std::int64_t number = 0;
     double value = 0;
   };
+  /// The level beside a possible spike: two values before it and two after it.
+  struct Level {
+    double before2, before1, after1, after2;
+  };
+  /// By how many times what the level itself moves the values leave it; 0: not by allowed_.
+  double leaves(const Level& level, int width, double first, double last) const;
 
   double patience_;
   bool may_rest_ = false;
@@ -101,6 +121,16 @@ class ChannelHealth {
   std::optional<std::int64_t> jump_;  ///< reading of a jump from which the value has not moved
   std::int64_t jump_begin_ = 0;       ///< or of a leap just before, from which it did not come back
   std::optional<std::int64_t> leap_;  ///< reading that may begin a spike
+  double allowed_ = 0;                ///< what is no leap, as it was known before leap_
+  bool certain_ = true;               ///< allowed_ rests on enough moves
+  double before1_ = 0, before2_ = 0;  ///< the last two values before leap_
+  double lowest_ = 0, highest_ = 0;   ///< before leap_
+  Value start_;                       ///< the first value
+  bool starts_ = false;               ///< whether start_ is still in doubt
+  std::int64_t start_until_ = 0;      ///< its last repetition
+  std::optional<std::int64_t> back_;  ///< reading at which one value since leap_ ended
+  std::uint64_t leaps_ = 0;           ///< of the last 64 readings, the latest in bit 0
+  std::int64_t latest_ = 0;           ///< number of the latest reading
   double jump_height_ = 0;
   double last_ = 0;
   std::int64_t gap_ = 0, gap_from_ = 0, steady_ = 0;

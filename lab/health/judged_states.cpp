@@ -87,6 +87,12 @@ void JudgedStates::add(const Reading& reading, const State& state) {
   for (const auto& wrong : health_.wrong()) mark(wrong);
 }
 
+void JudgedStates::finish() {
+  finished_ = true;
+  health_.finish();
+  for (const auto& wrong : health_.wrong()) mark(wrong);
+}
+
 bool JudgedStates::spoils(const SensorFinding& finding, int stage) const {
   if (!serves_the_state(finding.channel, header_)) return false;
   return !(finding.channel == Quantity::back_volume && finding.fault == SensorFault::missing &&
@@ -106,7 +112,9 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
     entry.no_origin = entry.no_origin || counts_from_shear(wrong.finding.channel);
   }
   // A few readings that went in before they were known for a spike are no dead sensor.
-  if (wrong.finding.fault == SensorFault::spike) return;
+  if (wrong.finding.fault == SensorFault::spike &&
+      wrong.until - wrong.from < ChannelHealth::kWidest)
+    return;
   if (wrong.from > judged_last_ || !last_live_ || !spoils(wrong.finding, last_live_->stage)) return;
   axis_was_dead_ = axis_was_dead_ || (channel_bit(wrong.finding.channel) & kLoad) != 0;
   if (withheld_.empty())
@@ -162,12 +170,13 @@ void JudgedStates::end_undrained(const std::optional<ClosedDrainage::Doubt>& dou
   ends_at_mark_ = doubt->last < judged_last_;
 }
 
-/// False where the verdict has to end before this state.
-bool JudgedStates::is_plausible(Judged& entry) {
-  if (plausibility_.add(entry.state)) return true;
-  end_ = End{last_live_ ? last_live_->reading : -1, plausibility_.impossible()};
+/// An impossible state says that a sensor behind it gave no reading: it is left out as one on a
+/// dead sensor is.
+void JudgedStates::check_state(Judged& entry) {
+  if (!entry.live || !complete(entry.state) || plausibility_.add(entry.state)) return;
+  entry.reason = plausibility_.impossible(entry.state);
   entry.live = false;
-  return false;
+  entry.dead = entry.impossible = true;
 }
 
 void JudgedStates::judge(Judged& entry) {
@@ -178,17 +187,21 @@ void JudgedStates::judge(Judged& entry) {
   const bool first = !std::exchange(sheared_, true);
   if (first) wrong_at_shear_ = entry.wrong;
   if (first && entry.no_origin) end_ = End{-1, entry.reason + " where strains begin to count"};
+  if (first)
+    if (auto reason = plausibility_.impossible_specimen(); !reason.empty())
+      end_ = End{-1, std::move(reason)};
   if (end_) {
     entry.live = false;
     return;
   }
   entry.live = entry.live && undrained;
+  check_state(entry);
   if (!entry.live) {
     if (left_out_++ == 0) gap_reason_ = entry.reason;
     died_ = entry.dead;
     return;
   }
-  if (!complete(entry.state) || !is_plausible(entry)) return;
+  if (!complete(entry.state)) return;
   if (left_out_ > kShortGap) {
     if (!may_go_on(entry.state)) {
       end_ = End{last_live_ ? last_live_->reading : -1, gap_reason_};
@@ -204,12 +217,12 @@ void JudgedStates::judge(Judged& entry) {
 }
 
 bool JudgedStates::shows_axis(const Judged& entry) const {
-  return !entry.live && !(entry.wrong & kLoad) && is_watched(header_.stage(entry.reading.stage)) &&
-         std::isfinite(entry.state.strain.axial);
+  return !entry.live && !entry.impossible && !(entry.wrong & kLoad) &&
+         is_watched(header_.stage(entry.reading.stage)) && std::isfinite(entry.state.strain.axial);
 }
 
 bool JudgedStates::trusts_axis() const {
-  return !axis_was_dead_ && !plausibility_.slip() && plausibility_.impossible().empty() &&
+  return !axis_was_dead_ && !plausibility_.slip() && plausibility_.impossible_count() == 0 &&
          plausibility_.idle().empty() && plausibility_.backwards().empty();
 }
 
@@ -232,9 +245,21 @@ void JudgedStates::bound(Collapse& collapse) const {
     collapse.withhold(reason);
     return;
   }
+  if (const auto& onset = collapse.onset; onset && onset->p_eff_pa && !(*onset->p_eff_pa > 0)) {
+    collapse.withhold(
+        fmt::format("p' is {:.1f} kPa at reading {}, zero within the error of the sensors: no "
+                    "onset can be placed there",
+                    *onset->p_eff_pa / 1e3, onset->reading));
+    return;
+  }
   if (const auto& slip = plausibility_.slip()) collapse.end_at(slip->last, slip->reason);
   if (const auto end = this->end())
     collapse.end_at(end->last >= 0 ? std::optional(end->last) : std::nullopt, end->reason);
+}
+
+bool JudgedStates::is_possible(const State& state) const {
+  return !complete(state) || !is_watched(header_.stage(state.stage)) ||
+         plausibility_.impossible(state).empty();
 }
 
 std::vector<Warning> JudgedStates::warnings() const {

@@ -30,11 +30,12 @@ class JudgedStates {
   struct Judged {
     Reading reading;
     State state;
-    ChannelSet wrong = 0;    ///< channels that cannot be believed at this reading
-    bool live = true;        ///< the state can be judged
-    bool dead = false;       ///< not live because a sensor is stuck or saturated
-    bool after_gap = false;  ///< first of its kind after a longer stretch that could not
-    bool no_origin = false;  ///< a sensor whose readings count from the start of shear is wrong
+    ChannelSet wrong = 0;     ///< channels that cannot be believed at this reading
+    bool live = true;         ///< the state can be judged
+    bool dead = false;        ///< not live because a sensor is stuck or saturated, or impossible
+    bool impossible = false;  ///< no specimen of any soil can be in this state (Plausibility)
+    bool after_gap = false;   ///< first of its kind after a longer stretch that could not
+    bool no_origin = false;   ///< a sensor whose readings count from the start of shear is wrong
     /// Not live, but in shear, and displacement, load and cell pressure can be believed: what the
     /// axis did is known (axis_of).
     bool axis_live = false;
@@ -49,8 +50,12 @@ class JudgedStates {
   /// The next one about which all is known; null until more readings came. Valid until the next
   /// call of next().
   const Judged* next();
-  /// No more readings will come: next() gives the rest.
-  void finish() { finished_ = true; }
+  /// No more readings will come: next() gives the rest. Findings as after add().
+  void finish();
+
+  /// False if no specimen can be in this state of shear, as far as is known by now: nothing may be
+  /// concluded from it, at once or later.
+  bool is_possible(const State& state) const;
 
   const RecordHealth& health() const { return health_; }
   /// Channels that could not be believed at the first reading of shear, and at any of a B check.
@@ -75,7 +80,7 @@ class JudgedStates {
   bool spoils(const SensorFinding& finding, int stage) const;
   void mark(const RecordHealth::Wrong& wrong);
   void note_volume_gauge(const Reading& reading);
-  bool is_plausible(Judged& entry);
+  void check_state(Judged& entry);
   bool watch_drainage(Judged& entry, const StageInfo* stage);
   void end_undrained(const std::optional<ClosedDrainage::Doubt>& doubt);
   void judge(Judged& entry);

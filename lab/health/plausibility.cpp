@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/mechanics/axisymmetric.hpp"
@@ -17,35 +18,39 @@ double least_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 
 
 }  // namespace
 
-std::string Plausibility::impossible_in(const State& s) const {
-  if (specimen_.height_m && specimen_.diameter_m) {
-    const double slimness = *specimen_.height_m / *specimen_.diameter_m;
-    if (slimness < kFlattest || slimness > kSlimmest)
-      return fmt::format(
-          "the specimen is {:g} mm high and {:g} mm wide, as none in a triaxial cell is: one of "
-          "the "
-          "two is wrong, or in another unit",
-          *specimen_.height_m * 1e3, *specimen_.diameter_m * 1e3);
-  }
-  const double p0 = first_->p_eff;
-  if (!(p0 >= kLeastStress && p0 <= kMostStress))
+double Plausibility::zero_error(double p_eff_start) {
+  constexpr double kLeast_pa = 5e3, kMostShare = 0.1, kShare = 0.02;
+  return std::max(std::min(kLeast_pa, kMostShare * p_eff_start), kShare * p_eff_start);
+}
+
+std::string Plausibility::impossible_specimen() const {
+  if (!specimen_.height_m || !specimen_.diameter_m) return {};
+  const double slimness = *specimen_.height_m / *specimen_.diameter_m;
+  if (slimness >= kFlattest && slimness <= kSlimmest) return {};
+  return fmt::format(
+      "the specimen is {:g} mm high and {:g} mm wide, as none in a triaxial cell is: one of the "
+      "two is wrong, or in another unit",
+      *specimen_.height_m * 1e3, *specimen_.diameter_m * 1e3);
+}
+
+std::string Plausibility::impossible(const State& s) const {
+  if (!first_ && !(s.p_eff >= kLeastStress && s.p_eff <= kMostStress))
     return fmt::format(
-        "p' is {:.4g} kPa where shear begins, which no triaxial test is made at: a pressure is in "
-        "another unit than its column says, or u was taken off twice",
-        p0 / 1e3);
+        "p' is {:.4g} kPa at reading {} where shear begins, which no triaxial test is made at: a "
+        "pressure is no reading or in another unit than its column says, or u was taken off twice",
+        s.p_eff / 1e3, s.reading);
   if (std::max(std::fabs(s.q), s.p_eff) > 2 * kMostStress)
     return fmt::format(
-        "q is {:.4g} kPa at reading {}, beyond any triaxial cell: the force is in another unit "
-        "than "
-        "its column says",
-        s.q / 1e3, s.reading);
-  const double eta = s.q / s.p_eff;
-  if (s.p_eff > kWorth * p0 && (eta > kSteepest || eta < -1.5))
-    return fmt::format(
-        "q/p' is {:.2f} at reading {}, beyond any friction angle: force, area or a pressure is in "
-        "another unit, or a sensor was not set to zero",
-        eta, s.reading);
-  return {};
+        "q is {:.4g} kPa and p' {:.4g} kPa at reading {}, beyond any triaxial cell: force or a "
+        "pressure is no reading or in another unit than its column says",
+        s.q / 1e3, s.p_eff / 1e3, s.reading);
+  const double reach = s.p_eff + zero_error(first_ ? first_->p_eff : s.p_eff);
+  if (s.q <= kSteepest * reach && -s.q <= kSteepestExtension * reach) return {};
+  return fmt::format(
+      "q is {:.1f} kPa and p' {:.1f} kPa at reading {} (smaller effective stress {:.1f} kPa), "
+      "beyond any friction angle: force, area or a pressure is no reading or in another unit, or a "
+      "sensor was not set to zero",
+      s.q / 1e3, s.p_eff / 1e3, s.reading, least_stress(s) / 1e3);
 }
 
 void Plausibility::watch_fall(const State& s) {
@@ -72,11 +77,12 @@ void Plausibility::watch_fall(const State& s) {
 }
 
 bool Plausibility::add(const State& s) {
-  if (!first_) first_ = s;
-  if (auto reason = impossible_in(s); !reason.empty()) {
-    if (impossible_.empty()) impossible_ = std::move(reason);
+  if (auto reason = impossible(s); !reason.empty()) {
+    if (impossible_count_++ == 0) impossible_ = std::move(reason);
+    last_impossible_ = s.reading;
     return false;
   }
+  if (!first_) first_ = s;
   watch_fall(s);
   const double strain = s.strain.axial - first_->strain.axial;
   if (std::fabs(s.q) > largest_q_) strain_at_largest_ = strain;
@@ -118,6 +124,10 @@ std::string Plausibility::backwards() const {
 
 std::vector<Warning> Plausibility::warnings() const {
   std::vector<Warning> all;
+  if (impossible_count_ == 1) all.push_back({0, "impossible state, left out: " + impossible_});
+  if (impossible_count_ > 1)
+    all.push_back({0, fmt::format("{} impossible states, left out, the last at reading {}: {}",
+                                  impossible_count_, last_impossible_, impossible_)});
   if (!first_) return all;
   const double p0 = first_->p_eff;
   if (first_->q < -std::max(5e3, 0.02 * p0))

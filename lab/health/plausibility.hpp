@@ -12,12 +12,15 @@
 
 namespace triax::lab {
 
-/// Looks at the specimen and at the states of shear, in constant memory.
-///   impossible   q/p' above kSteepest or below −1.5, where σ₃' or σ₁' would be next to zero or
-///                below, while p' is worth looking at (kWorth of that at the start); p'₀ outside
-///                0.5 kPa to 60 MPa, or later stresses beyond twice that, of which tests are made:
-///                pressures in another unit also a specimen flatter than kFlattest or slimmer than
-///                kSlimmest
+/// Decides whether a state is possible, and looks at the specimen and at the states of shear as a
+/// whole, in constant memory.
+///   specimen     flatter than kFlattest or slimmer than kSlimmest: nothing can be judged
+///   impossible   a state beyond the limit surface of any soil and the error of the sensors,
+///                q > kSteepest (p' + e) or −q > kSteepestExtension (p' + e), so that p' and σ₃'
+///                below −e are always impossible; e = zero_error(p'₀). Also stresses beyond twice
+///                60 MPa; and, before the first possible state, a p' outside 0.5 kPa to 60 MPa, of
+///                which tests are made: a logger's code, a sensor that dropped out, or a pressure
+///                in another unit
 ///   idle         |q| within 1 % of p'₀ all through, over 1 % of axial strain and more: the force
 ///                is in another unit, or was not recorded
 ///   backwards    |q| grew, always on one side, while the axial strain went the other way: the
@@ -29,17 +32,28 @@ namespace triax::lab {
 ///                set to zero); σ₃' below zero; a mobilised friction angle above 60°
 class Plausibility {
  public:
-  static constexpr double kSteepest = 2.6;                 ///< q/p' of 65 degrees
+  /// q/p' of 65 degrees in compression and in extension.
+  static constexpr double kSteepest = 2.6, kSteepestExtension = 1.39;
   static constexpr double kFlattest = 0.5, kSlimmest = 4;  ///< height over diameter
   static constexpr double kWorth = 0.1;
   static constexpr double kLeastStress = 500, kMostStress = 60e6;  ///< Pa
 
   explicit Plausibility(SpecimenInfo specimen) : specimen_(std::move(specimen)) {}
 
-  /// The next state of shear; false where no specimen can have been in it.
+  /// Pa: what zeros of load cell and pressure transducers may be off by, together: 2 % of p'₀ and
+  /// at least 5 kPa, but no more than 10 % of p'₀.
+  static double zero_error(double p_eff_start);
+
+  /// Why no specimen of any soil can be in this state; empty if it can. Knows p'₀ from the first
+  /// possible state that was added; without one it takes that of `state`.
+  std::string impossible(const State& state) const;
+  /// Why no specimen of these dimensions can be tested; empty if it can.
+  std::string impossible_specimen() const;
+
+  /// The next state of shear; false if it is impossible. Such a state counts for nothing else.
   bool add(const State& state);
-  /// Why not; of the first one.
-  const std::string& impossible() const { return impossible_; }
+  /// How many impossible states were added.
+  std::int64_t impossible_count() const { return impossible_count_; }
   /// Why nothing of what was seen can be judged; empty: it can.
   std::string idle() const;
   std::string backwards() const;
@@ -52,7 +66,6 @@ class Plausibility {
   std::vector<Warning> warnings() const;
 
  private:
-  std::string impossible_in(const State& state) const;
   void watch_fall(const State& state);
 
   SpecimenInfo specimen_;
@@ -64,7 +77,8 @@ class Plausibility {
   std::optional<State> furthest_;                  ///< at the largest q or the largest strain
   double least_since_ = 0;                         ///< |q|, since then
   std::optional<Slip> slip_;
-  std::string impossible_;
+  std::string impossible_;  ///< why the first impossible state is
+  std::int64_t impossible_count_ = 0, last_impossible_ = -1;
   std::optional<State> tension_, steep_;  ///< the first with σ₃' below zero, and above 60°
 };
 

@@ -65,6 +65,7 @@ void RecordHealth::watch(const Reading& reading) {
   wrong_.clear();
   news_.clear();
   std::copy_n(reading.si.begin(), now_.size(), now_.begin());
+  latest_ = reading.number;
   times_[static_cast<std::size_t>(reading.number) % kTimes] = reading.time_s;
   if (!stage_ || *stage_ != reading.stage) start_stage(reading);
   note_fall(reading);
@@ -235,9 +236,9 @@ double RecordHealth::p_noise() const {
          noise_of(Quantity::pore_pressure);
 }
 
-std::optional<double> RecordHealth::time_of(std::int64_t number, const Reading& now) const {
+std::optional<double> RecordHealth::time_of(std::int64_t number) const {
   const double time = times_[static_cast<std::size_t>(number) % kTimes];
-  const bool kept = now.number - number < static_cast<std::int64_t>(kTimes);
+  const bool kept = latest_ - number < static_cast<std::int64_t>(kTimes);
   if (!header_.has_time || !kept || std::isnan(time)) return std::nullopt;
   return time;
 }
@@ -264,7 +265,7 @@ void RecordHealth::report(Channel& channel, const Reading& reading) {
   }
   if (health.dead() && !channel.open) {
     const auto& [fault, from] = *health.dead();
-    channel.open = SensorFinding{q, fault, from, time_of(from, reading), {}, health.value()};
+    channel.open = SensorFinding{q, fault, from, time_of(from), {}, health.value()};
     tally(*channel.open);
     wrong_.push_back({*channel.open, from, reading.number});
   } else if (channel.open) {
@@ -273,12 +274,28 @@ void RecordHealth::report(Channel& channel, const Reading& reading) {
     wrong_.push_back(
         {{q, SensorFault::missing, reading.number, {}, {}, 0}, reading.number, reading.number});
   }
-  if (const auto& spike = health.spike()) {
-    const SensorFinding finding{
-        q,           SensorFault::spike, spike->from, time_of(spike->from, reading), spike->until,
-        spike->value};
-    tally(finding);
-    wrong_.push_back({finding, spike->from, spike->until});
+  report_spike(channel);
+}
+
+void RecordHealth::report_spike(const Channel& channel) {
+  const auto& spike = channel.health.spike();
+  if (!spike) return;
+  const auto leaped_too = [&](const Channel& other) {
+    return &other != &channel && other.health.leaped_at(spike->leap);
+  };
+  if (!spike->certain && std::ranges::any_of(channels_, leaped_too)) return;
+  const SensorFinding finding{channel.quantity,     SensorFault::spike, spike->from,
+                              time_of(spike->from), spike->until,       spike->value};
+  tally(finding);
+  wrong_.push_back({finding, spike->from, spike->until});
+}
+
+void RecordHealth::finish() {
+  wrong_.clear();
+  news_.clear();
+  for (Channel& channel : channels_) {
+    channel.health.finish(latest_);
+    report_spike(channel);
   }
 }
 

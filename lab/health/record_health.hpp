@@ -65,6 +65,8 @@ class RecordHealth {
   explicit RecordHealth(const RecordHeader& header);
 
   void watch(const Reading& reading);
+  /// No more readings will come: what only shows by that. Results as of watch().
+  void finish();
   /// What the last reading brought to light about itself and readings before it.
   const std::vector<Wrong>& wrong() const { return wrong_; }
   /// First reading about which something may still come to light: no earlier one can be found
@@ -110,15 +112,16 @@ class RecordHealth {
   bool water_is_shut_in(const Channel& channel) const;
   void note_fall(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
+  void report_spike(const Channel& channel);
   SensorFinding& tally(const SensorFinding& finding);
-  std::optional<double> time_of(std::int64_t number, const Reading& now) const;
+  std::optional<double> time_of(std::int64_t number) const;
 
   RecordHeader header_;
   const bool raw_;                      ///< header_.is_raw()
   double area_m2_ = 0, volume_m3_ = 0;  ///< as built; 0: unknown
   std::vector<Channel> channels_;
   std::optional<int> stage_;
-  std::int64_t stage_from_ = 0;
+  std::int64_t stage_from_ = 0, latest_ = -1;  ///< readings
   bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, held_ = false;
   std::optional<double> path_flow_;  ///< |dε_v/dε₁| that the stage prescribes
   bool fell_ = false;                ///< in this stage, by kFall from one reading to the next

@@ -14,7 +14,8 @@ namespace triax::lab {
 /// missing    no reading, where there had been one at every scan
 /// saturated  a jump out of all that was read before, to one constant value: open circuit, overload
 /// stuck      one constant value for longer than the sensor's own noise allows
-/// spike      up to three readings that leave the level before and after them, which is the same
+/// spike      up to three readings, or a longer run of one value, that leave the level before and
+///            after them, which is the same: a spike or a dropout
 enum class SensorFault { missing, saturated, stuck, spike };
 std::string_view to_string(SensorFault fault);
 

@@ -137,6 +137,7 @@ class SessionRun {
     tell_of_the_rig();
     ended_ = true;
     states_.finish();
+    tell_of_sensors();
     pass_on();
     summarise();
     tell(listeners_, &SessionListener::progressed, 1.0);
@@ -155,6 +156,7 @@ class SessionRun {
     for (const Event& event : back_end_.events()) tell_of(event);
   }
   void pass_on();
+  void tell_of_sensors();
   void watch_fall(const State& state);
   void heed(const State& state);
   void ask_guard(const State& state);
@@ -219,6 +221,18 @@ void SessionRun::take(const Reading& reading) {
   const State state = reduction_.reduce(reading);
   tell(listeners_, &SessionListener::scanned, reading, state);
   states_.add(reading, state);
+  tell_of_sensors();
+  if (states_.is_possible(state)) {
+    alarm_.watch(state);
+    watch_fall(state);
+  }
+  heed(state);
+  pass_on();
+  if (++summary_.readings % 1024 == 0 || options_.speed > 0) tell_progress();
+}
+
+/// What came to light about sensors with the last reading, or with the end of the record.
+void SessionRun::tell_of_sensors() {
   for (const SensorFinding& finding : states_.health().news()) {
     tell_of(sensor_event(finding));
     tell(listeners_, &SessionListener::doubted, finding);
@@ -226,11 +240,6 @@ void SessionRun::take(const Reading& reading) {
     if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
       fall_watch_.interrupt();
   }
-  alarm_.watch(state);
-  watch_fall(state);
-  heed(state);
-  pass_on();
-  if (++summary_.readings % 1024 == 0 || options_.speed > 0) tell_progress();
 }
 
 void SessionRun::watch_fall(const State& state) {

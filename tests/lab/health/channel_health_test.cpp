@@ -211,3 +211,65 @@ TEST_CASE("what stands still since a jump, and then says nothing, was dead from 
   CHECK(w.health.dead()->from == 100);
   CHECK(w.spikes.empty());
 }
+
+namespace {
+
+/// A record of few readings without noise, `broken` where `value` is left.
+WatchedChannel feed_curve(std::int64_t n, const std::function<double(std::int64_t)>& value) {
+  WatchedChannel w;
+  w.feed(n, value);
+  return w;
+}
+
+double hardening(std::int64_t i) { return 100.0 * double(i) / (double(i) + 8); }
+
+}  // namespace
+
+TEST_CASE("ChannelHealth: a spike in a short record without noise", "[health]") {
+  for (const std::int64_t from : {3, 8, 19, 25}) {
+    for (const std::int64_t width : {1, 2, 3}) {
+      for (const double value : {0.0, 250.0}) {
+        INFO("from " << from << ", " << width << " readings of " << value);
+        const auto w = feed_curve(40, [&](std::int64_t i) {
+          return i >= from && i < from + width ? value : hardening(i);
+        });
+        REQUIRE(w.spikes.size() == 1);
+        CHECK(w.spikes[0].from == from);
+        CHECK(w.spikes[0].until == from + width - 1);
+        CHECK(w.spikes[0].certain == (from > 16));
+      }
+    }
+  }
+}
+
+TEST_CASE("ChannelHealth: a run of one value between two of one level", "[health]") {
+  for (const double value : {0.0, 250.0}) {
+    const auto w =
+        feed_curve(40, [&](std::int64_t i) { return i >= 20 && i < 30 ? value : hardening(i); });
+    REQUIRE(w.spikes.size() == 1);
+    CHECK(w.spikes[0].from == 20);
+    CHECK(w.spikes[0].until == 29);
+    CHECK_FALSE(w.spikes[0].certain);
+    CHECK(w.health.leaped_at(20));
+    CHECK_FALSE(w.health.leaped_at(19));
+  }
+}
+
+TEST_CASE("ChannelHealth: a fall that lasts is no spike", "[health]") {
+  for (const double after : {0.0, 5.0}) {
+    auto w = feed_curve(
+        40, [&](std::int64_t i) { return i < 20 ? hardening(i) : after + 0.01 * double(i % 3); });
+    CHECK(w.spikes.empty());
+    w.health.finish(39);
+    CHECK_FALSE(w.health.spike());
+  }
+}
+
+TEST_CASE("ChannelHealth: exactly zero until the record ends is a dropout", "[health]") {
+  auto w = feed_curve(40, [&](std::int64_t i) { return i < 37 ? hardening(i) : 0.0; });
+  CHECK(w.spikes.empty());
+  w.health.finish(39);
+  REQUIRE(w.health.spike());
+  CHECK(w.health.spike()->from == 37);
+  CHECK(w.health.spike()->until == 39);
+}
