@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Read by ctest: an entry for each of the test `files` of `program`, named after the file. Catch2 gives every
 # case the tag #FILE (option -#). What is tagged [slow] in a file is an entry of its own, labelled slow, and `only`
-# a tag leaves out all other cases. Hidden cases, [.], run by hand only. An entry without a single case fails (-w NoTests).
+# a tag leaves out all other cases. Hidden cases, [.], run by hand only. An entry without a single case fails.
 cmake_policy(VERSION 3.25)  # ctest starts with none
 set(surroundings
   "LSAN_OPTIONS=suppressions=${root}/tests/leaks_of_others.txt:print_suppressions=0"
@@ -9,7 +9,7 @@ set(surroundings
   "TSAN_OPTIONS=suppressions=${root}/tests/races_of_others.txt:halt_on_error=1:external_symbolizer_path=/usr/bin/llvm-symbolizer-14")
 
 macro(triax_entry entry filter seconds)
-  add_test("${entry}" "${program}" -\# -w NoTests "${filter}")
+  add_test("${entry}" "${program}" -\# ${options} "${filter}")
   # Cases of one file may write to the same place: its two entries never run at once.
   set_tests_properties("${entry}" PROPERTIES WORKING_DIRECTORY "${root}" TIMEOUT ${seconds}
     RESOURCE_LOCK "${name}/${stem}" ENVIRONMENT "${surroundings}" ${ARGN})
