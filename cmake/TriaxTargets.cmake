@@ -16,6 +16,7 @@ target_compile_options(triax_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 target_include_directories(triax_flags INTERFACE ${PROJECT_SOURCE_DIR})
+triax_harden(triax_flags)
 if(TRIAX_SANITIZE)
   # -Wno-maybe-uninitialized: g++ 12 sees ghosts inside <regex> once it is instrumented.
   target_compile_options(triax_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
