@@ -30,5 +30,5 @@ install(FILES ${CMAKE_BINARY_DIR}/triaxConfig.cmake ${CMAKE_BINARY_DIR}/triaxCon
 
 # What the README's and the demo's commands read, and what the licences ask for.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples DESTINATION ${CMAKE_INSTALL_DATADIR}/triax USE_SOURCE_PERMISSIONS)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/copyright ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  ${PROJECT_SOURCE_DIR}/CITATION.cff ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/CITATION.cff ${PROJECT_SOURCE_DIR}/LICENSE ${triax_documents}/copyright
+  ${triax_documents}/changelog.gz ${triax_documents}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})

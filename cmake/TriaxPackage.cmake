@@ -3,14 +3,14 @@
 # it is built. tools/package makes and tries them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME triax)
-set(CPACK_PACKAGE_VENDOR "The authors of triax")
+set(CPACK_PACKAGE_VENDOR "${TRIAX_MAINTAINER_NAME}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program)
 set(CPACK_COMPONENTS_GROUPING IGNORE)  # a package each
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The authors of triax <triax@localhost>")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${TRIAX_MAINTAINER}")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Of each package: the first line is its summary.
@@ -28,8 +28,8 @@ if(TARGET triax_python)
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "triaxial tests and the onset of collapse, from Python (import triax)
 The studies of triax as a Python module: tests of a database as numpy arrays, replay, simulation,
 material points, probes, bifurcation domains, constitutive laws on arrays.")
-  # The interpreter whose extension modules have this name.
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  get_target_property(interpreters triax_python TRIAX_INTERPRETERS)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${interpreters}, python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS triax)
 endif()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
