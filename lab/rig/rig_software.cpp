@@ -180,7 +180,8 @@ void RigSoftware::Impl::act_as_guard_if_due() {
   if (mode != Mode::running || !guard.is_due(stage_index, stage())) return;
   const Guard& now = guard.act();
   if (now.action == Guard::Action::safe) {
-    if (go(Mode::safe, EventKind::safe_state, "by the guard")) ending = {};
+    const TestEnding before_guard = ending;
+    if (go(Mode::safe, EventKind::safe_state, "by the guard")) ending = before_guard;
     return;
   }
   cut(ended_by_guard(stage(), time_s, describe(now)));
@@ -194,6 +195,11 @@ void RigSoftware::Impl::act_as_guard_if_due() {
 bool RigSoftware::Impl::stage_over() {
   if (mode == Mode::safe || mode == Mode::fallen) return safe_readings >= kSafeReadings;
   if (mode == Mode::held) return held_until_s && time_s >= *held_until_s;
+  // Time may have passed the end of the stage while nothing was controlled.
+  if (const std::string& fault = apparatus->devices().fault; !fault.empty()) {
+    go(Mode::safe, EventKind::safe_state, fault);
+    return false;
+  }
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
     check_targets();
     if (guard.unloads()) {

@@ -201,6 +201,7 @@ TEST_CASE("safe is the safe state") {
   REQUIRE(all.acted > 0);
   CHECK(all.readings.size() == all.acted + VirtualRig::kSafeReadings);
   CHECK_THAT(rig.header().cut_short, Contains("safe state") && Contains("by the guard"));
+  CHECK(rig.ending().kind == TestEnding::Kind::completed);
 }
 
 TEST_CASE("a guard acts at its level, once, and in the stages that it guards") {

@@ -58,6 +58,27 @@ class Misread : public Apparatus {
   double from_s_, until_s_;
 };
 
+/// A device that fails at the reading of 6 s.
+class Failing : public Apparatus {
+ public:
+  explicit Failing(const Programme& programme) : inner_(programme, 1) {}
+  void look(Reading& reading) override {
+    inner_.look(reading);
+    said_ = inner_.devices();
+    if (reading.time_s == 6) said_.fault = "it stood still";
+  }
+  const DeviceStates& devices() const override { return said_; }
+  Ticked tick(const PlantDemand& demand, const Tick& tick) override {
+    const Ticked done = inner_.tick(demand, tick);
+    said_ = inner_.devices();
+    return done;
+  }
+
+ private:
+  VirtualApparatus inner_;
+  DeviceStates said_;
+};
+
 /// A ramp of the cell pressure from 400 kPa to 410 kPa in 10 s.
 const char* const kRamp = R"(
 [[stages]]
@@ -120,6 +141,18 @@ TEST_CASE("readings that were missed are told and not made up for") {
 
 TEST_CASE("a test that is broken off brings its apparatus to rest") {
   CHECK(run_late(0).rests == 1);
+}
+
+TEST_CASE("RigSoftware: a fault has priority over the end of a stage", "[rig]") {
+  const GuardedProgramme all = with_guard_stages(
+      read_programme(replaced(programme_text(), R"("axial_strain_pct", above = 1.0)",
+                              R"("time_min", above = 0.1)"),
+                     "p.toml"));
+  RigSoftware rig(all, rig_header(all.programme, 1), std::make_unique<Failing>(all.programme));
+  for (Reading reading; rig.next(reading);) {
+  }
+  CHECK(rig.ending().kind == TestEnding::Kind::safe_state);
+  CHECK_THAT(rig.ending().reason, Contains("it stood still"));
 }
 
 TEST_CASE("RigSoftware: one wrong set point of a controller ends no stage") {
