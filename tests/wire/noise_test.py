@@ -21,7 +21,7 @@ from judging import PROGRAMS, check, free_port, verdict, wait_until
 TRIAX = str(pathlib.Path(os.environ.get("TRIAX", PROGRAMS.parent.parent / "triax")).resolve())
 SAMPLES = pathlib.Path(__file__).resolve().parents[2] / "samples"
 FRACTION = float(os.environ.get("NOISE", "0.002"))
-# The largest of a channel's readings times this is more than the specimen changes within two readings.
+# Fraction of a channel's largest reading by which no reading is beyond its neighbours.
 INVENTED = 0.02
 
 
@@ -124,12 +124,13 @@ def run(noise: Noise, kind: str | None, folder: pathlib.Path) -> tuple[list[str]
 
 
 def invented(head: list[str], rows: list[list[str]], largest: list[float]) -> list[str]:
-    """Cells that differ by more than INVENTED of the channel's largest from the median of their neighbours."""
+    """Cells beyond the range of their neighbours by more than INVENTED of the channel's largest."""
     found = []
     for i, row in enumerate(rows):
         for c in range(2, len(head)):
             near = sorted(float(rows[j][c]) for j in (i - 2, i - 1, i + 1, i + 2) if 0 <= j < len(rows) and rows[j][c])
-            if row[c] and len(near) > 2 and abs(float(row[c]) - near[len(near) // 2]) > INVENTED * largest[c]:
+            allowed = INVENTED * largest[c]
+            if row[c] and len(near) > 2 and not near[0] - allowed <= float(row[c]) <= near[-1] + allowed:
                 found.append(f"{head[c]} {row[c]} at {row[0]} s beside {near}")
     return found
 

@@ -43,7 +43,7 @@ struct Reply {
 
 class ReplyCheck {
  public:
-  static constexpr int kMaxReplies = 3, kFirstReplies = 5, kMaxFirstReplies = 7;
+  static constexpr int kMaxReplies = 3, kFirstReplies = 5, kMaxFirstReplies = 12;
   static constexpr int kSteady = 16;
 
   ReplyCheck(std::vector<ReplyPlace> places, bool can_ask_again);

@@ -167,7 +167,7 @@ TEST_CASE("RigSoftware: a stage that ends short of its target fails its check") 
   REQUIRE(run.checks.size() == 1);
   CHECK(run.checks[0].kind == CheckKind::stage_target);
   CHECK_FALSE(run.checks[0].ok);
-  CHECK(run.checks[0].measured.value() == Approx(9).margin(0.5));
+  CHECK(run.checks[0].measured.value() == Approx(9).margin(0.1));
   CHECK(run.checks[0].limit == 8.2);
   CHECK_THAT(run.checks[0].note, Contains("stage \"ramp\" ended at a cell pressure of 401.0 kPa "
                                           "instead of its target of 410.0 kPa"));
