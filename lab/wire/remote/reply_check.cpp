@@ -93,8 +93,10 @@ void ReplyCheck::evaluate(const Reply& reply) {
         is_within(channel.place.calibrated, value) ||
         (channel.trend.value() && !is_within(channel.place.calibrated, *channel.trend.value()));
     const bool has_before = i < before_.values.size() && !std::isnan(before_.values[i]);
-    if (std::isnan(value) || (calibrated && channel.trend.expects(value)) ||
-        (has_before && channel.trend.confirms(value, before_.values[i]))) {
+    const bool expected = std::isnan(value) || (calibrated && channel.trend.expects(value));
+    const bool confirms = has_before && channel.trend.confirms(value, before_.values[i]);
+    channel.confirmed = !expected && confirms ? channel.confirmed + 1 : 0;
+    if (expected || channel.confirmed >= (can_ask_again_ ? kConfirmations : 1)) {
       channel.accepted = value;
       continue;
     }

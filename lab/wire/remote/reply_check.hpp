@@ -5,16 +5,18 @@
 //
 // A value of a reply is accepted if the trend of its channel expects it (value_trend.hpp) and it is
 // within the range of its calibration. Any other value is asked for again, up to kMaxReplies
-// replies a scan, and accepted if two replies in a row agree: so a genuine jump is a reading of the
-// same scan. A reply is asked for again, too, if it could not be understood, if bytes follow it, or
-// if its length differs from that of the kSteady replies before: an instrument that prints numbers
-// of a fixed form gives itself away so when a byte is lost or doubled. A value outside of what the
-// instrument or an apparatus can give is never accepted.
+// replies a scan, and accepted if kConfirmations more replies in a row agree with it: so a genuine
+// jump is a reading of the same scan. One would not do: any two digits that are doubled in a number
+// give much the same wrong value. A reply is asked for again, too, if it could not be understood,
+// if bytes follow it, or if its length differs from that of the kSteady replies before: an
+// instrument that prints numbers of a fixed form gives itself away so when a byte is lost or
+// doubled. A value outside of what the instrument or an apparatus can give is never accepted.
 //
 // The first reading is the median of kFirstReplies replies, which also give the noise of each
 // channel; if they do not come by the deadline, later scans complete them.
 //
-// An instrument that speaks unasked cannot be asked again: its next reply confirms, a scan later.
+// An instrument that speaks unasked cannot be asked again: its next reply alone confirms, a scan
+// later.
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -43,7 +45,8 @@ struct Reply {
 
 class ReplyCheck {
  public:
-  static constexpr int kMaxReplies = 3, kFirstReplies = 5, kMaxFirstReplies = 12;
+  static constexpr int kMaxReplies = 5, kConfirmations = 2, kFirstReplies = 5,
+                       kMaxFirstReplies = 12;
   static constexpr int kSteady = 16;
 
   ReplyCheck(std::vector<ReplyPlace> places, bool can_ask_again);
@@ -65,6 +68,7 @@ class ReplyCheck {
     ReplyPlace place;
     ValueTrend trend;
     std::optional<double> accepted{};  ///< in this scan
+    int confirmed = 0;                 ///< replies in a row that agreed with an unusual one
   };
   bool has_odd_form(const Reply& reply) const;
   bool is_possible(const Channel& channel, double value);
