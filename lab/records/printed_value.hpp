@@ -20,10 +20,10 @@ struct PrintedValue {
   double error = 0;
 
   /// True where both are known and no true value agrees with both. Programs that compute in single
-  /// precision print digits that they do not have: 2^-22 of `scale` is allowed besides, the largest
+  /// precision print digits that they do not have: 2^-21 of `scale` is allowed besides, the largest
   /// of the values that these were computed from.
   bool contradicts(const PrintedValue& other, double scale) const {
-    return std::fabs(value - other.value) > error + other.error + 0x1p-22 * scale;
+    return std::fabs(value - other.value) > error + other.error + 0x1p-21 * scale;
   }
 };
 

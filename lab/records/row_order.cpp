@@ -48,7 +48,7 @@ void RowOrder::Course::add(double value) {
   }
   if (value > last) ++forward;
   if (value < last) ++back;
-  largest_later = std::fmax(largest_later, std::fabs(value));
+  largest_later = std::max(largest_later, std::fabs(value));
   last = value;
 }
 

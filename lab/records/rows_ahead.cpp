@@ -17,7 +17,8 @@ RowsAhead::RowsAhead(ByteSource& source, const TableLayout& layout, const Findin
       places_(warnings.size()),
       found_(warnings),
       findings_(findings, found_),
-      reader_(source, layout, findings_) {
+      reader_(source, layout, findings_),
+      sequence_(layout) {
   for (std::size_t i = 0; i < places_.size(); ++i) places_[i] = i;
   thread_ = std::thread([this] { read_blocks(); });
 }
@@ -39,6 +40,10 @@ RowsAhead::Block RowsAhead::read_block() {
     while (block.rows.size() < kRowsOfBlock && !block.is_last) {
       const std::size_t known = found_.size();
       block.is_last = !reader_.next(row);
+      if (block.is_last)
+        sequence_.finish(findings_);
+      else
+        sequence_.add(row, findings_);
       for (std::size_t i = known; i < found_.size(); ++i)
         block.found.emplace_back(block.rows.size(), found_[i]);
       if (!block.is_last) block.rows.push_back(row);

@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "lab/records/findings.hpp"
+#include "lab/records/row_sequence.hpp"
 #include "lab/records/table_reader.hpp"
 
 namespace triax::lab {
 
-/// The rows of a TableReader, read by a thread of its own some blocks ahead: parsing a text, or
-/// unpacking a workbook, takes as long as a quarter of what is done with its readings. Rows,
-/// findings and failures come in the order, and at the row, in which the reader alone gives them.
+/// The rows of a TableReader, checked by a RowSequence, read by a thread of its own some blocks
+/// ahead: parsing a text, or unpacking a workbook, takes as long as a quarter of what is done with
+/// its readings. Rows, findings and failures come in the order, and at the row, in which the reader
+/// alone gives them.
 class RowsAhead {
  public:
   /// All four must outlive this object; `source` and `layout` are the thread's until then.
@@ -57,6 +59,7 @@ class RowsAhead {
   std::vector<Warning> found_;
   Findings findings_;
   TableReader reader_;
+  RowSequence sequence_;
 
   std::mutex mutex_;
   std::condition_variable filled_, room_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/test_restart.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -16,8 +17,9 @@ using enum Quantity;
 /// The value of the first column of these that has one; `column` keeps which it was.
 double first_of(std::initializer_list<Quantity> columns, std::optional<Quantity>& column,
                 const Row& row) {
-  for (const Quantity quantity : columns)
-    if (!column && !std::isnan(row.si[index(quantity)])) column = quantity;
+  if (!column)
+    for (const Quantity quantity : columns)
+      if (!column && !std::isnan(row.si[index(quantity)])) column = quantity;
   return column ? row.si[index(*column)] : kMissing;
 }
 
@@ -46,8 +48,8 @@ bool TestRestart::Track::jumps(double now) const {
 void TestRestart::Track::add(double now, bool begins_new_stage) {
   if (std::isnan(now)) return;
   if (std::isnan(first)) first = last = now;
-  if (!begins_new_stage) largest_step = std::fmax(largest_step, std::fabs(now - last));
-  largest = std::fmax(largest, std::fabs(now - first));
+  if (!begins_new_stage) largest_step = std::max(largest_step, std::fabs(now - last));
+  largest = std::max(largest, std::fabs(now - first));
   last = now;
 }
 

@@ -17,14 +17,11 @@
 #include "lab/records/counter_join.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/record_head.hpp"
-#include "lab/records/row_order.hpp"
-#include "lab/records/row_spacing.hpp"
 #include "lab/records/rows_ahead.hpp"
 #include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
 #include "lab/records/table_reader.hpp"
-#include "lab/records/test_restart.hpp"
 #include "lab/records/time_line.hpp"
 #include "lab/rig/sheet_record.hpp"
 #include "sim/mechanics/units.hpp"
@@ -69,11 +66,6 @@ struct RecordedRig::Impl {
         findings(header.warnings),
         layout(recognise_table(*source, named_dialect(options), findings)),
         stage_numbers(layout.file),
-        test_restart(layout.file),
-        row_order(layout.file),
-        row_spacing(layout.has(ColumnRole::time) || layout.has(ColumnRole::stage_time)
-                        ? "the time (s)"
-                        : "the axial strain"),
         time_line(layout.has(ColumnRole::time), layout.has(ColumnRole::stage_time)) {
     describe_record(header, layout, findings);
     take_cells(header, *source, layout, findings);
@@ -100,7 +92,6 @@ struct RecordedRig::Impl {
   std::set<int> stages_in_rows() const;
   void look_for_typed_height(const std::vector<StageSummary>& summaries);
   bool draw(Reading& reading);
-  void check_order(bool begins_stage);
   int stage_of(const Row& drawn);
   void finish();
 
@@ -109,10 +100,6 @@ struct RecordedRig::Impl {
   Findings findings;
   TableLayout layout;
   StageNumbers stage_numbers;
-  std::set<int> seen_stages;
-  TestRestart test_restart;
-  RowOrder row_order;
-  RowSpacing row_spacing;
   TimeLine time_line;
   CounterJoin counters;
   std::optional<Truth> truth;
@@ -311,7 +298,6 @@ bool RecordedRig::Impl::draw(Reading& reading) {
   if (begins && !header.stage(stage))
     findings.note("unnamed stage", row.line,
                   fmt::format("stage {} is not described; its role is unknown", stage));
-  check_order(begins);
   reading.time_s = time_line.next(row.time_s, row.stage_time_s, stage, begins, row.line, findings);
   if (header.origin == Origin::recorded) {
     counters.apply(row.si, stage, begins, row.line, findings);
@@ -328,21 +314,8 @@ bool RecordedRig::Impl::draw(Reading& reading) {
   return true;
 }
 
-/// Of the row as the file has it: before its time and its counters are repaired.
-void RecordedRig::Impl::check_order(bool begins_stage) {
-  const bool is_new = begins_stage && seen_stages.insert(stage).second;
-  test_restart.add(row, count, is_new && count > 0);
-  row_order.add(row, begins_stage, findings);
-  const auto first_known = [](double a, double b) { return std::isnan(a) ? b : a; };
-  row_spacing.add(header.has_time ? first_known(row.time_s, row.stage_time_s)
-                                  : first_known(row.si[index(Quantity::axial_strain)],
-                                                row.si[index(Quantity::axial_displacement)]),
-                  row.line, begins_stage, findings);
-}
-
 void RecordedRig::Impl::finish() {
   if (over) return;
-  row_order.finish();
   if (time_line.stands_still())
     throw BadInput(layout.file, row.line,
                    fmt::format("the time is the same in all {} rows; without a time that runs, "
@@ -361,7 +334,6 @@ void RecordedRig::Impl::finish() {
     if (header.cut_short.empty()) header.cut_short = end.cut_short;
   }
   over = true;
-  test_restart.finish(findings);
   findings.finish();
   rows->finish();
 }

@@ -28,6 +28,6 @@ TEST_CASE("PrintedValue: contradicts only beyond both errors") {
   CHECK(PrintedValue{1.0, 0.05}.contradicts({1.2, 0.05}, 1));
   CHECK_FALSE(PrintedValue{1.0, 0.05}.contradicts({1.1, 0.05}, 1));
   CHECK_FALSE(PrintedValue{100.0001, 0}.contradicts({100, 0}, 500));  // single precision
-  CHECK(PrintedValue{100.0002, 0}.contradicts({100, 0}, 500));
+  CHECK(PrintedValue{100.0003, 0}.contradicts({100, 0}, 500));
   CHECK_FALSE(PrintedValue{}.contradicts({1, 0}, 1));
 }
