@@ -81,10 +81,11 @@ bool RowOrder::changed_places() const {
   std::swap(exchanged[2], exchanged[3]);
   for (std::size_t i = 1; i < exchanged.size(); ++i)
     if (!(exchanged[i].strain > exchanged[i - 1].strain)) return false;
-  const auto smooths = [&](double Point::*value) {
-    return roughness(exchanged, value) <= kSmooth_fraction * roughness(window_, value);
+  const auto ratio = [&](double Point::*value) {
+    return roughness(exchanged, value) / roughness(window_, value);
   };
-  return smooths(&Point::strain) && (std::isnan(window_[5].q) || smooths(&Point::q));
+  const double of_q = ratio(&Point::q);
+  return ratio(&Point::strain) * (std::isfinite(of_q) ? of_q : 1) <= kSmooth_fraction;
 }
 
 /// The last row but one, now that the row after it is known.

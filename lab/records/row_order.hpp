@@ -17,14 +17,15 @@ namespace triax::lab {
 /// - All rows reversed: the time runs back from the first row to the last.
 /// - The same without time: the strain begins at its largest value and runs back, but for noise, to
 ///   kLast_fraction of it or less. (A specimen that is unloaded keeps more.)
-/// - Two rows that changed places: exchanged, they make the strain of six rows run forward, and
-///   reduce the second differences of strain and q, summed over the six, to kSmooth_fraction.
+/// - Two rows that changed places: exchanged, they make the strain of six rows run forward. Of the
+///   second differences, summed over the six, the exchange leaves a fraction, and the product of
+///   those of strain and q is at most kSmooth_fraction. (Noise of one of them is no order.)
 /// - A row out of place: after kRows_before rows that ran forward the strain runs back for one row
 ///   by kBack_steps of their mean step, and q turns with it. A row of unloading, with which q falls
 ///   and returns, is in its place.
 class RowOrder {
  public:
-  static constexpr double kLast_fraction = 0.05, kSmooth_fraction = 0.3, kBack_steps = 3;
+  static constexpr double kLast_fraction = 0.05, kSmooth_fraction = 0.1, kBack_steps = 3;
   static constexpr int kRows_before = 5, kMin_rows = 5;
 
   /// `file` is named in messages.
