@@ -6,16 +6,6 @@
 #include <utility>
 
 namespace triax::lab {
-namespace {
-
-/// Force on a cross-section of one at the start of shear; of the strain alone where the volume is
-/// not known.
-double load_of(const State& s) {
-  const double volumetric = std::isfinite(s.volumetric_strain) ? s.volumetric_strain : 0;
-  return std::fabs(s.q) * (1 - volumetric) / (1 - s.strain.axial);
-}
-
-}  // namespace
 
 void UnreadSteps::Rate::add(double rate) {
   if (std::isfinite(rate)) mean += (rate - mean) / static_cast<double>(std::min(++steps, kMemory));
@@ -30,8 +20,8 @@ bool UnreadSteps::add(const State& state) {
   const double leap = std::fabs(state.strain.axial - before->strain.axial);
   const double loss = std::fabs(before->q) - std::fabs(state.q);
   const double strain_rate = leap / lapse, q_rate = std::fabs(state.q - before->q) / lapse;
-  const bool leaps = leap >= kLeap && strain_.outruns(strain_rate) &&
-                     load_of(state) / load_of(*before) - 1 < leap / 2;
+  const bool leaps =
+      leap >= kLeap && strain_.outruns(strain_rate) && -loss < leap / 2 * std::fabs(before->q);
   const bool falls = loss > kFall * std::fabs(before->q) && q_.outruns(q_rate);
   strain_.add(strain_rate);
   q_.add(q_rate);

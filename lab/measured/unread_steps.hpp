@@ -10,8 +10,8 @@ namespace triax::lab {
 
 /// Whether a line from one reading to the next would show what nobody measured. The step is one in
 /// which, at more than kTimes its mean rate so far (per second; per reading without time),
-///   the axial strain leaps by kLeap or more while the load did not grow by half as much (as a
-///   runaway of LossOfControl), or
+///   the axial strain leaps by kLeap or more while |q| did not grow by half as much of itself (as
+///   in a step of the load), or
 ///   |q| falls by kFall of what it was.
 /// Values that are not known (NaN) are passed over.
 class UnreadSteps {

@@ -26,13 +26,30 @@ std::vector<std::size_t> columns_of(lab::Quantity channel, const lab::RecordHead
   return columns;
 }
 
+/// Places of the columns by which unread steps are found.
+struct StepColumns {
+  std::size_t time = *db::find_read_column("time_s");
+  std::size_t axial = *db::find_read_column("axial_strain");
+  std::size_t q = *db::find_read_column("q_kPa");
+};
+
+/// Adds to columns with q the others by which unread steps are found.
+std::vector<std::size_t> with_step_columns(std::span<const std::size_t> columns) {
+  std::vector<std::size_t> all(columns.begin(), columns.end());
+  const StepColumns steps;
+  if (std::ranges::find(all, steps.q) == all.end()) return all;
+  for (const std::size_t column : {steps.time, steps.axial})
+    if (std::ranges::find(all, column) == all.end()) all.push_back(column);
+  return all;
+}
+
 }  // namespace
 
 void TestColumns::read(const db::Store& store, std::span<const std::size_t> columns, bool grows) {
   const std::size_t had = readings_.size();
   if (grows && !readings_.empty()) read_new(store);
   std::vector<std::size_t> missing;
-  for (const std::size_t column : columns)
+  for (const std::size_t column : with_step_columns(columns))
     if (!columns_[column] || readings_.empty()) missing.push_back(column);
   if (!missing.empty()) read_whole(store, missing);
   if (missing.empty() && readings_.size() == had) return;
@@ -66,22 +83,16 @@ void TestColumns::remove_faulty() {
 }
 
 void TestColumns::find_unread_steps() {
-  const auto value = [&](std::size_t place, std::size_t i) {
-    return columns_[place] ? (*columns_[place])[i] : lab::kMissing;
-  };
-  const auto place = [](const char* name) { return *db::find_read_column(name); };
-  const std::size_t time = place("time_s"), axial = place("axial_strain"),
-                    volume = place("volumetric_strain"), q = place("q_kPa");
   unread_steps_.clear();
-  if (!columns_[q]) return;
-  lab::UnreadSteps steps(columns_[time].has_value());
+  const StepColumns columns;
+  if (!columns_[columns.q]) return;
+  lab::UnreadSteps steps(true);
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     lab::State state;
     state.reading = readings_[i];
-    state.time_s = value(time, i);
-    state.strain.axial = value(axial, i);
-    state.volumetric_strain = value(volume, i);
-    state.q = value(q, i) * 1e3;
+    state.time_s = (*columns_[columns.time])[i];
+    state.strain.axial = (*columns_[columns.axial])[i];
+    state.q = (*columns_[columns.q])[i] * 1e3;
     if (steps.add(state)) unread_steps_.push_back(state.reading);
   }
 }
@@ -129,8 +140,9 @@ void TestColumns::read_work(const db::Store& store, bool grows) {
 std::size_t TestColumns::bytes_with(std::span<const std::size_t> columns, bool work,
                                     std::size_t scans) const {
   std::size_t held = 1;  // numbers of readings
+  const auto read = with_step_columns(columns);
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (columns_[i] || std::ranges::find(columns, i) != columns.end()) ++held;
+    if (columns_[i] || std::ranges::find(read, i) != read.end()) ++held;
   const std::size_t points = work || has_work_ ? scans : 0;  // of a scan there is one at most
   return held * scans * sizeof(double) + points * sizeof(lab::SecondOrderWorkPoint);
 }

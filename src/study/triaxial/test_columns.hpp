@@ -29,8 +29,8 @@ class TestColumns {
   /// Pre-condition: it was read.
   const std::vector<double>& column(std::size_t place) const { return *columns_[place]; }
   const std::vector<lab::SecondOrderWorkPoint>& work() const { return work_; }
-  /// Readings whose step from the reading before has nothing between (lab::UnreadSteps), rising, of
-  /// the columns that were read.
+  /// Readings whose step from the reading before has nothing between (lab::UnreadSteps), rising;
+  /// none before q was read.
   const std::vector<std::int64_t>& unread_steps() const { return unread_steps_; }
   /// Sensors that cannot be believed; what was read on them or follows from it is missing in the
   /// columns.

@@ -13,7 +13,6 @@ State loaded_state(std::int64_t reading, double strain_pct, double q_kPa) {
   s.reading = reading;
   s.time_s = static_cast<double>(reading);
   s.strain = {strain_pct / 100, -strain_pct / 200};
-  s.volumetric_strain = 0;
   s.q = q_kPa * 1e3;
   return s;
 }

@@ -127,6 +127,27 @@ TEST_CASE("what is missing is kept out of the extremes and null in the document"
   CHECK(kept.empty());
 }
 
+TEST_CASE("TestColumns: a leap of the strain is found if only q is asked for") {
+  const triax::testing::TemporaryFolder folder;
+  const std::string path = folder.file("leap.db");
+  db::Recorder recorder(path);
+  const auto listener = recorder.listener();
+  listener.started({});
+  for (std::int64_t i = 0; i < 100; ++i) {
+    lab::Reading reading;
+    lab::State state;
+    reading.number = state.reading = i;
+    reading.time_s = state.time_s = static_cast<double>(i);
+    state.strain.axial = 1e-4 * static_cast<double>(i) + (i < 60 ? 0 : 0.05);
+    state.q = 50e3;
+    listener.scanned(reading, state);
+  }
+  TestColumns test(recorder.finish({}));
+  const db::Store store(path);
+  test.read(store, std::vector{place("q_kPa"), place("p_eff_kPa")}, false);
+  CHECK(test.unread_steps() == std::vector<std::int64_t>{60});
+}
+
 TEST_CASE("a test that runs grows by what is new, and columns asked for later have its length") {
   const triax::testing::TemporaryFolder folder;
   const std::string path = folder.file("grows.db");
