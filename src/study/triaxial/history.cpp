@@ -62,7 +62,8 @@ std::vector<HistoryWork> work_of(const Curves& curves, const HistoryAxis& axis) 
     const auto at = axis.position(point.time_s, point.reading);
     if (!at || !std::isfinite(point.work.normalised)) continue;
     const double error = std::isfinite(point.normalised_error) ? point.normalised_error : 0;
-    const bool gap = before >= 0 && curves.breaks.has_fault_between(before, point.reading);
+    const bool gap = before >= 0 && (curves.breaks.has_fault_between(before, point.reading) ||
+                                     curves.breaks.is_unread(before, point.reading));
     if (gap) work.push_back({*at, lab::kMissing, 0});
     before = point.reading;
     work.push_back({*at, point.work.normalised, error});

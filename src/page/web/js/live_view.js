@@ -37,10 +37,10 @@ function makeChart([x, y, height]) {
   return { x, y, chart: new Chart({ title: `${title} over ${QUANTITIES[x].title}, live`, height, cursor: false, nothing: "none yet", x: { title: axisTitle(x) }, y: { title: height < 200 ? short : axisTitle(y) } }) };
 }
 
-function workLayers({ time_s: time, normalised, error }) {
+function workLayers({ time_s: time, normalised, error, dotted }) {
   const x = time.map((t) => t / 60);
-  const edge = (sign) => normalised.map((w, i) => (error[i] === null ? null : w + sign * error[i]));
-  return [{ kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" }, { kind: "level", y: 0, colour: "grey" }, { kind: "line", x, y: normalised, colour: "purple" }];
+  const edge = (sign) => normalised.map((w, i) => (w === null || error[i] === null || dotted.has(i) ? null : w + sign * error[i]));
+  return [{ kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" }, { kind: "level", y: 0, colour: "grey" }, { kind: "line", x, y: normalised, dotted, colour: "purple" }];
 }
 
 function curve({ shown, dotted, now }, x, y) {

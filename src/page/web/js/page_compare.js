@@ -19,7 +19,7 @@ async function load(id) {
   const { columns, work, faults, unread_steps: unread } = await get(windowPath(id, COLUMNS, { from, pixels: 500, work: true }));
   const first = columns.axial_strain.find((v) => v !== null) ?? 0;
   columns.axial_strain = columns.axial_strain.map((v) => (v === null ? null : v - first));
-  return { document, columns, work, faults, dotted: dottedPlaces(columns.reading, unread) };
+  return { document, columns, work, faults, dotted: dottedPlaces(columns.reading, unread), dottedWork: dottedPlaces(work.reading, unread) };
 }
 
 function summary(tests) {
@@ -49,11 +49,11 @@ export async function show(main, [ids]) {
       const over = (key) => (relative && relates ? `${QUANTITIES[key].symbol} / p′₀ (–)` : axisTitle(key));
       const chart = new Chart({ title: `${(QUANTITIES[y] ?? WORK).title} over ${QUANTITIES[x].title}, ${tests.length} tests`, height, cursor: false,
         x: { title: relative && x === "p_eff" ? "p′ / p′₀ (–)" : axisTitle(x) }, y: { title: y === "work" ? "W₂ normalised (–)" : over(y) } });
-      chart.set(tests.flatMap(({ document, columns, work, faults, dotted }, i) => {
+      chart.set(tests.flatMap(({ document, columns, work, faults, dotted, dottedWork }, i) => {
         const [colour, dash] = STYLES[i];
         const p0 = relative ? document.consolidation.p_eff_kPa || 1 : 1;
         const by = (v, does) => (v === null ? null : does ? v / p0 : v);
-        const line = { kind: "line", colour, dash, ...(y === "work" ? { x: at(work.reading, columns, x), y: openAcross(work.reading, work.normalised, faults) }
+        const line = { kind: "line", colour, dash, ...(y === "work" ? { x: at(work.reading, columns, x), y: openAcross(work.reading, work.normalised, faults), dotted: dottedWork }
           : { dotted, x: QUANTITIES[x].of(columns).map((v) => by(v, x === "p_eff")), y: QUANTITIES[y].of(columns).map((v) => by(v, relates)) }) };
         const onset = x === "p_eff" ? marks({ ...document.collapse, truth: null }, "pq", false).map((m) => ({ ...m, x: m.x / p0, y: m.y / p0, colour })) : [];
         return [line, ...onset];

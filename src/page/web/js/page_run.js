@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A running test, as it runs. What comes is kept and drawn at the next frame, however fast it comes.
 import { get, windowPath } from "./api.js";
-import { openAcross } from "./breaks.js";
+import { dottedPlaces, openAcross } from "./breaks.js";
 import { el, fill } from "./dom.js";
 import { controls } from "./live_controls.js";
 import { gauge, gaugeNode } from "./live_gauge.js";
@@ -137,8 +137,9 @@ class RunPage {
   /** Second-order work comes with the monitor's windows, later than readings: it is asked for now and then. */
   async readWork() {
     if (document.hidden) return;
-    const window = await get(windowPath(this.test.id, ["time_s"], { pixels: 300, work: true }));
-    this.work = { ...window.work, normalised: openAcross(window.work.reading, window.work.normalised, window.faults) };
+    const window = await get(windowPath(this.test.id, ["time_s", "q_kPa"], { pixels: 300, work: true }));
+    const { work, faults, unread_steps: unread } = window;
+    this.work = { ...work, normalised: openAcross(work.reading, work.normalised, faults), dotted: dottedPlaces(work.reading, unread) };
     this.rows.learn(window);
     this.soon();
   }

@@ -82,7 +82,7 @@ export class TestCharts {
       does: { box, all: () => this.linked.whole(), pick: (area) => this.linked.pick(chart, area), move: (a, b, scale) => this.linked.near(chart, a, b, scale) } });
     chart.node.addEventListener("keydown", (event) => this.linked.key(event));
     this.linked.add(chart, ({ columns, work, faults, unread_steps: unread }) => (y === "work"
-      ? { reading: work.reading, x: at(work.reading, columns, x), y: openAcross(work.reading, work.normalised, faults) }
+      ? { reading: work.reading, x: at(work.reading, columns, x), y: openAcross(work.reading, work.normalised, faults), dotted: dottedPlaces(work.reading, unread) }
       : { reading: columns.reading, x: QUANTITIES[x].of(columns), y: QUANTITIES[y].of(columns), dotted: dottedPlaces(columns.reading, unread) }));
     this.panels.push({ chart, x, y });
     return chart.node;
@@ -95,13 +95,13 @@ export class TestCharts {
       const points = this.linked.pointsOf(chart);
       const line = { kind: "line", x: points.x, y: points.y, dotted: points.dotted, colour: { u: "green", volume: "orange", work: "purple" }[y] ?? "blue" };
       if (chart.does.box) chart.set([...lines(collapse, this.view, this.total), line, ...marks(collapse, this.view, this.total).map((m) => ({ ...m, ranged: false }))]);
-      else if (y === "work") chart.set([this.band(work, points.x), { kind: "level", y: 0, colour: "grey" }, line, ...rules(collapse, x)], { y: [-1.08, 1.08] });
+      else if (y === "work") chart.set([this.band(work, points), { kind: "level", y: 0, colour: "grey" }, line, ...rules(collapse, x)], { y: [-1.08, 1.08] });
       else chart.set([line, ...rules(collapse, x)]);
     }
   }
 
-  band({ normalised, error }, x) {
-    const edge = (sign) => normalised.map((w, i) => (w === null || error[i] === null ? null : w + sign * error[i]));
+  band({ error }, { x, y, dotted }) {
+    const edge = (sign) => y.map((w, i) => (w === null || error[i] === null || dotted.has(i) ? null : w + sign * error[i]));
     return { kind: "band", x, low: edge(-1), high: edge(1), colour: "purple" };
   }
 

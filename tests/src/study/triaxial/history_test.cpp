@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "src/study/triaxial/test_result.hpp"
 #include "tests/src/sample_tests.hpp"
@@ -46,6 +47,18 @@ TEST_CASE("curves hold the span, their extremes the whole test") {
                      [](const auto& point) { return point.at == Approx(29.5); }));
   CHECK(q.smallest == 0);
   CHECK(q.largest == Approx(60e3));
+}
+
+TEST_CASE("history: second-order work has a gap at an unread step") {
+  auto test = sample::flow_test();
+  REQUIRE(test.curves.work.size() > 1);
+  const auto count = [&] {
+    const auto work = *history(test, Span::shear)->work;
+    return std::ranges::count_if(work, [](const auto& w) { return std::isnan(w.normalised); });
+  };
+  CHECK(count() == 0);
+  test.curves.breaks.unread_steps = {test.curves.work[1].reading};
+  CHECK(count() == 1);
 }
 
 TEST_CASE("second-order work is placed by time, without time by its reading") {
