@@ -25,7 +25,7 @@ with Laboratory("icu_6", "csd_58", "icu_dense") as laboratory, Browser(laborator
     browser.one("input[type=search]").send_keys(Keys.BACKSPACE * 3)
 
     browser.button("stress paths").click()
-    browser.until(lambda: len(browser.all(".card polyline")) == 3, "three small stress paths")
+    browser.until(lambda: len(browser.all(".card svg[role=img]")) == 3, "three small stress paths")
     check("their axes have units", all("kPa" in text for text in browser.script("return [...document.querySelectorAll('.card svg')].map((s) => s.textContent)")))
     browser.button("table").click()
 
