@@ -107,8 +107,8 @@ void prepare_for_writing(SQLite::Database& database, const std::string& path,
 void check_exists(const std::string& path) {
   check_place(path);
   if (!fs::exists(path))
-    throw lab::BadInput(path, 0,
-                        "no such database; `triax replay`, `simulate` and `grains` create one");
+    throw NoDatabase(path, 0,
+                     "no such database; `triax replay`, `simulate` and `grains` create one");
 }
 
 SQLite::Database read_only(SQLite::Database database) {
@@ -222,8 +222,7 @@ SQLite::Database open_for_writing(const std::string& path, std::chrono::millisec
 void check_filled(SQLite::Database& database, const std::string& path) {
   check_ours(database, path);
   if (is_empty(database))
-    throw EmptyDatabase(path, 0,
-                        "is empty; `triax replay`, `simulate` and `grains` fill a database");
+    throw NoDatabase(path, 0, "is empty; `triax replay`, `simulate` and `grains` fill a database");
 }
 
 SQLite::Database open_for_reading(const std::string& path) {

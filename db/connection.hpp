@@ -35,8 +35,8 @@ SQLite::Database open_for_writing(const std::string& path,
 /// missing, empty, no triax database or of a newer schema, or cannot be read whole.
 SQLite::Database open_for_reading(const std::string& path);
 
-/// A database without tables, as it is while another process begins to fill it.
-class EmptyDatabase : public lab::BadInput {
+/// No file, or a database without tables, as it is while another process makes it or takes it away.
+class NoDatabase : public lab::BadInput {
  public:
   using lab::BadInput::BadInput;
 };

@@ -2,7 +2,6 @@
 #include "src/page/api/tests_api.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "db/catalogue.hpp"
 #include "db/connection.hpp"
@@ -131,18 +130,18 @@ PageAnswer cut(PageLaboratory& laboratory, const db::Store& store, std::int64_t 
 
 PageAnswer list_of_tests(PageLaboratory& laboratory) {
   std::string json = "{\"tests\":[", running;
-  if (std::filesystem::exists(laboratory.db)) try {
-      const auto listed = db::list_tests(laboratory.db);
-      const db::Store store(laboratory.db);
-      for (const db::ListedTest& test : listed) {
-        if (json.back() != '[') json += ',';
-        json += summary_of(laboratory, store, test);
-        if (test.status != db::TestStatus::running) continue;
-        running += (running.empty() ? "" : ",") + std::to_string(test.id);
-      }
-    } catch (const db::EmptyDatabase&) {  // NOLINT(bugprone-empty-catch)
-      // Its first test is about to be stored.
+  try {
+    const auto listed = db::list_tests(laboratory.db);
+    const db::Store store(laboratory.db);
+    for (const db::ListedTest& test : listed) {
+      if (json.back() != '[') json += ',';
+      json += summary_of(laboratory, store, test);
+      if (test.status != db::TestStatus::running) continue;
+      running += (running.empty() ? "" : ",") + std::to_string(test.id);
     }
+  } catch (const db::NoDatabase&) {  // NOLINT(bugprone-empty-catch)
+    // No test was stored yet.
+  }
   return json_answer(json + "],\"running\":[" + running +
                      "],\"rig\":" + (laboratory.rig.empty() ? "false" : "true") +
                      ",\"record_bytes\":" + std::to_string(laboratory.record_bytes) + '}');
