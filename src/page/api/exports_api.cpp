@@ -49,6 +49,15 @@ class PassingFolder {
   std::string path_;
 };
 
+/// Room for a download. Throws Refused if there is none.
+MemoryBudget::Share share_of(PageLaboratory& laboratory, std::size_t bytes) {
+  if (bytes > laboratory.budget.most())
+    throw Refused(413, "this test is too long to be downloaded here; `triax export` has no limit");
+  auto share = laboratory.budget.take(bytes);
+  if (!share) throw Refused(503, "too much is downloaded at once; ask again in a while");
+  return share;
+}
+
 std::string content_of(const std::string& path) {
   std::string bytes(static_cast<std::size_t>(fs::file_size(path)), '\0');
   const auto file = lab::open_file(path);
@@ -73,6 +82,7 @@ std::string csv_of(PageLaboratory& laboratory, std::int64_t id, const PageReques
         writer.write(reading);
       });
   writer.finish(test.header, test.summary.truth);
+  static_cast<void>(share_of(laboratory, fs::file_size(path)));
   return content_of(path);
 }
 
@@ -141,6 +151,7 @@ PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const PageRequ
   PageAnswer answer;
   answer.type = format->type;
   answer.body = format->bytes(laboratory, id, request);
+  answer.held = std::make_shared<MemoryBudget::Share>(share_of(laboratory, answer.body.size()));
   answer.fields = {{"Content-Disposition",
                     "attachment; filename=\"" + file_name(test.header.name, '.' + asked) + '"'},
                    {"Content-Security-Policy", kSheetPolicy}};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "lab/base/bad_input.hpp"
@@ -20,6 +21,9 @@ namespace triax::src {
 namespace {
 
 using study::Json;
+
+/// Of all states of a request: the response is about 16 MB.
+constexpr int kMaxDirections = 36'000;
 
 /// Only shipped sets: no file of this machine, no plug-in.
 MaterialOptions material_of(const Json& body) {
@@ -66,6 +70,13 @@ PageAnswer probe(const PageRequest& request, const std::atomic<bool>& ending) {
   o.q_kPa = numbers_in(asked, "q_kPa");
   o.step_deg = number_in(asked, "step_deg");
   if (o.step_deg && *o.step_deg < 0.1) throw Refused(400, "step_deg: expected 0.1 or more");
+  const double directions =
+      360 / o.step_deg.value_or(1) * static_cast<double>(std::max(o.eta.size(), o.q_kPa.size()));
+  if (directions > kMaxDirections)
+    throw Refused(400,
+                  fmt::format("{:.0f} directions in all; expected at most {}: fewer states, or "
+                              "a larger step_deg",
+                              directions, kMaxDirections));
   return json_answer(
       probe_json(study::run_probe(probe_request(o), until_stopped(request, ending))));
 }

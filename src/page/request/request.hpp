@@ -53,6 +53,7 @@ struct PageAnswer {
   std::string body;
   std::vector<std::pair<std::string, std::string>> fields{};
   std::optional<LiveStart> live{};
+  std::shared_ptr<void> held{};  ///< kept until the answer is sent, as a share of a memory budget
 };
 
 /// Told to the browser as {"error": what} with this status.
