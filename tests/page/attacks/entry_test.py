@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Who is let in: one browser a token, by our names only, and changes only from our own page."""
+import re
+
 from opened import Opened, same
 
 with Opened() as page:
@@ -29,6 +31,16 @@ with Opened() as page:
     same("with the cookie", page.ask("GET", "/api/tests")[0], 200)
     same("among other cookies", page.ask("GET", "/api/tests", cookie=f"a=b; {page.cookie}; c=d")[0], 200)
     same("as part of another name", page.ask("GET", "/api/tests", cookie=f"x{page.cookie}")[0], 401)
+
+    # Whoever lost access gets a new address at the terminal: Enter prints it.
+    page.program.stdin.write("\n")
+    page.program.stdin.flush()
+    token = page.program.stdout.readline().strip().rpartition("=")[2]
+    same("another token", (len(token), token != page.token), (32, True))
+    same("it lets a browser in", page.ask("GET", f"/?token={token}", cookie=None)[0], 303)
+    told = page.ask("GET", "/api/tests", cookie=None)[1].decode()
+    same("how to get access", ("12 hours" in told, "7 days" in told, "Enter" in told), (True, True, True))
+    same("the end of access", int(re.search("Max-Age=(\\d+)", cookie).group(1)), 7 * 24 * 3600)
 
     # A name of elsewhere that was led to this machine (DNS rebinding), with all that a browser would send along.
     for host in ("evil.example", f"evil.example:{page.port}", "127.0.0.1", f"127.0.0.1:{page.port + 1}", f"127.0.0.1:{page.port}.evil.example",

@@ -19,7 +19,7 @@ class Opened:
         self.folder = tempfile.mkdtemp()
         self.database = os.path.join(self.folder, "tests.db")
         self.program = subprocess.Popen([os.path.abspath(TRIAX), "open", "--db", self.database, *arguments],
-                                        stdout=subprocess.PIPE, text=True)
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         self.address = self.program.stdout.readline().strip()
         parts = urllib.parse.urlparse(self.address)
         self.host, self.port = parts.netloc, parts.port
