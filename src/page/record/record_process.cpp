@@ -36,7 +36,7 @@ enum : int { kUploadDescriptor = STDERR_FILENO + 1, kLifelineDescriptor, kResult
 /// Address space: batches of readings, a head of 4 MB, shared texts of a workbook and stacks of
 /// threads take a quarter of it.
 constexpr std::size_t kRecordMemory_bytes = std::size_t{1} << 30;
-/// A database takes at most about four bytes for each byte of a record; of a packed workbook more.
+/// A database takes about six bytes for each byte of a record, packed or not.
 constexpr std::uint64_t kDatabaseBytesPerRecordByte = 32;
 constexpr std::uint64_t kMinDatabaseGrowth_bytes = std::uint64_t{1} << 30;
 constexpr std::size_t kMaxResult_bytes = std::size_t{16} << 20;
