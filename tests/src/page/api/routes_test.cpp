@@ -112,6 +112,29 @@ TEST_CASE("a record that lacks the specimen is asked for exactly that, and then 
   CHECK(page.json("/api/tests/1/export?format=json")["test"]["id"] == 1);
 }
 
+TEST_CASE("export_of: a download without room in memory is refused") {
+  Asked page;
+  page.send("/api/records?name=one.csv&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70",
+            raw_record());
+  const std::string csv = "/api/tests/1/export?format=csv";
+  {
+    const auto others = page.laboratory.budget.take(page.laboratory.budget.most());
+    CHECK(page.refusal(csv) == 503);
+  }
+  const auto sent = page.get(csv);
+  CHECK(page.laboratory.budget.taken() >= sent.body.size());
+}
+
+TEST_CASE("probe: the directions of all states are limited") {
+  Asked page;
+  Json probe = {{"material", "inl2/S28-general"}, {"void_ratio", 1.086}, {"p_kPa", 70}};
+  probe["eta"] = std::vector<double>(11, 0.5);
+  probe["step_deg"] = 0.1;
+  CHECK_THROWS_AS(page.post("/api/probe", probe), Refused);
+  probe["step_deg"] = 1;
+  CHECK(page.post("/api/probe", probe).status == 200);
+}
+
 TEST_CASE("what was kept of a test does not outlive it") {
   Asked page;
   const std::string set = "&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70";
