@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import sys
 import tempfile
 import time
@@ -13,6 +14,7 @@ from judging import check, needs, same, verdict  # noqa: E402, F401: for the tes
 
 needs("chromium", "chromedriver", modules=("selenium",))
 from selenium import webdriver  # noqa: E402
+from selenium.webdriver.chrome.service import Service  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402, F401: for the tests
@@ -38,7 +40,9 @@ class Browser:
             # Not the page for new tabs, which has requests and a console of its own.
             "session.restore_on_startup": 4, "session.startup_urls": ["about:blank"]})
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(options=options)
+        # Named, since newer versions of selenium look for them with a program that Debian does not have.
+        options.binary_location = shutil.which("chromium")
+        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
         self.cdp("Emulation.setFocusEmulationEnabled", enabled=True)  # Tab behind the last control gives the window away
         self.size(width, height, phone)
         features = [("prefers-color-scheme", "dark" if dark else "light"), ("prefers-reduced-motion", "reduce" if still else "no-preference")]
