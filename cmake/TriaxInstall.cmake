@@ -29,6 +29,8 @@ install(FILES ${CMAKE_BINARY_DIR}/triaxConfig.cmake ${CMAKE_BINARY_DIR}/triaxCon
   ${PROJECT_SOURCE_DIR}/sim/materials/umat_host.exports DESTINATION ${triax_config} COMPONENT development)
 
 # What the README's and the demo's commands read, and what the licences ask for.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples DESTINATION ${CMAKE_INSTALL_DATADIR}/triax USE_SOURCE_PERMISSIONS)
+# Those of Python come with the module (src/python).
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples DESTINATION ${CMAKE_INSTALL_DATADIR}/triax USE_SOURCE_PERMISSIONS
+  PATTERN samples/python EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/CITATION.cff ${PROJECT_SOURCE_DIR}/LICENSE ${triax_documents}/copyright
   ${triax_documents}/changelog.gz ${triax_documents}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -15,9 +15,10 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Of each package: the first line is its summary.
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "laboratory for triaxial tests and the onset of collapse
-triax replays records of triaxial tests on soil, simulates tests on a virtual apparatus,
-keeps every reading in SQLite and reports when, why and at what stress ratio a specimen
-became unstable, by the sign of its second-order work.")
+triax replays records of triaxial tests on soil, simulates tests on a
+virtual apparatus, keeps every reading in SQLite and reports when, why and
+at what stress ratio a specimen became unstable, by the sign of its
+second-order work.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME triax)
 # Figures need a font; everything else that the program needs is found by dpkg-shlibdeps.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
@@ -26,8 +27,9 @@ if(TARGET triax_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-triax)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "triaxial tests and the onset of collapse, from Python (import triax)
-The studies of triax as a Python module: tests of a database as numpy arrays, replay, simulation,
-material points, probes, bifurcation domains, constitutive laws on arrays.")
+The studies of triax as a Python module: tests of a database as numpy
+arrays, replay, simulation, material points, probes, bifurcation domains,
+constitutive laws on arrays.")
   get_target_property(interpreters triax_python TRIAX_INTERPRETERS)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${interpreters}, python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS triax)
