@@ -5,17 +5,20 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <poll.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "db/recording/spool.hpp"
 #include "lab/base/bad_input.hpp"
@@ -90,6 +93,7 @@ int above_given(int descriptor) {
 /// process group, with default signals.
 pid_t start_process(std::vector<std::string> arguments, int upload, int lifeline, int result) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const Descriptor from_upload(above_given(upload)), from_lifeline(above_given(lifeline)),
@@ -135,7 +139,7 @@ class RecordProcess {
   RecordProcess& operator=(const RecordProcess&) = delete;
 
   /// Its result, so far as it came until it ended or `stop` returned true.
-  std::string result(const std::function<bool()>& stop) {
+  std::string result(const std::function<bool()>& stop) const {
     constexpr int kPoll_ms = 100;
     std::string text;
     std::vector<char> part(std::size_t{64} << 10);

@@ -96,8 +96,8 @@ std::int64_t replay(const RecordToRead& asked, const UploadedRecord& record) {
 
 }  // namespace
 
-std::string read_record(const RecordToRead& asked, const Upload& upload) {
-  const UploadedRecord record(asked, upload);
+std::string read_record(const RecordToRead& record, const Upload& upload) {
+  const UploadedRecord opened(record, upload);
   Json answer = {{"recognised", nullptr},
                  {"guessed", Json::array()},
                  {"missing", Json::array()},
@@ -105,15 +105,15 @@ std::string read_record(const RecordToRead& asked, const Upload& upload) {
                  {"error", nullptr}};
   try {
     {
-      const auto rig = record.open();
+      const auto rig = opened.open();
       answer["recognised"] = recognised(rig->header());
       answer["guessed"] = guesses_of(rig->header().guesses);
       answer["missing"] = missing_keys(rig->header());
     }
     if (answer["missing"].empty()) {
-      const std::int64_t id = replay(asked, record);
+      const std::int64_t id = replay(record, opened);
       answer["test"] = id;
-      answer["guessed"] = guesses_of(db::Store(asked.db).load(id).header.guesses);
+      answer["guessed"] = guesses_of(db::Store(record.db).load(id).header.guesses);
     }
   } catch (const lab::BadInput& error) {
     answer["error"] = error.what();
