@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -84,9 +85,9 @@ struct SlowServer {
   }
   static std::string rest(int client) {
     std::string text;
-    char part[4096];
-    for (ssize_t count = 0; (count = ::recv(client, part, sizeof part, 0)) > 0;)
-      text.append(part, static_cast<std::size_t>(count));
+    std::array<char, 4096> part{};
+    for (ssize_t count = 0; (count = ::recv(client, part.data(), part.size(), 0)) > 0;)
+      text.append(part.data(), static_cast<std::size_t>(count));
     ::close(client);
     return text;
   }
