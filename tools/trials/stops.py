@@ -252,7 +252,8 @@ class RunRig(Rig):
 class PageRig(RunRig):
     def request(self, method: str, path: str, body: str | None = None) -> http.client.HTTPResponse:
         connection = http.client.HTTPConnection(self.address.netloc, timeout=60)
-        connection.request(method, path, body, {"X-Triax": "1", "Cookie": self.cookie})
+        connection.request(method, path, body, {"Origin": f"http://{self.address.netloc}", "X-Triax": "1", "Content-Type": "application/json",
+                                                "Cookie": self.cookie})
         return connection.getresponse()
 
     def ask_rig(self) -> Running:
