@@ -17,9 +17,14 @@ constexpr std::int64_t kKnown = 16;
 /// Before that a leap is one beside the last move and the level, too.
 constexpr double kEarlyMoves = 3, kEarlyShare = 0.02;
 /// Values leave a level by so many times its own motion; by fewer only if no other channel leaps.
-constexpr double kClear = 5, kWeak = 2;
+/// No channel that is away from zero comes to rest at exactly zero by chance.
+constexpr double kClear = 5, kWeak = 2, kWeakOfZero = 1;
 /// The value with which a record begins, in terms of those after it, where it is none.
-constexpr double kBeyond = 1.15;
+constexpr double kBeyond = 1.15, kOffCurve = 4;
+
+double weak_of(double value, std::int64_t width) {
+  return value == 0 && width > 1 ? kWeakOfZero : kWeak;
+}
 
 }  // namespace
 
@@ -42,6 +47,12 @@ double finest_of(Quantity quantity) {
     default:
       return 1e-10;
   }
+}
+
+double worth_of(Quantity quantity) {
+  if (const double drift = info(quantity).raw.drift_si; drift > 0) return drift;
+  const auto unit = sim::find_unit(info(quantity).unit);
+  return unit && unit->dimension == sim::Dimension::pressure ? 1e3 : 2e-4;
 }
 
 void ChannelHealth::may_rest(bool yes) {
@@ -70,7 +81,7 @@ void ChannelHealth::add(std::int64_t number, double value) {
   ++steady_;
   if (noise_.values() == 0) {
     start_ = {number, value};
-    starts_ = true;
+    starts_ = value != 0;
   }
   if (!dead_) follow_jump(number, value);
   std::shift_left(window_.begin(), window_.end(), 1);
@@ -113,25 +124,22 @@ void ChannelHealth::follow_jump(std::int64_t number, double value) {
     else if (number - *leap_ > kWidest + 1 && !is_flat_since_leap(number))
       leap_.reset();
   }
-  if (filled_ < 2) return;
+  if (filled_ == 0) return;
   const bool known = noise_.moves() >= kKnown;
   const double before = window_.back().value;
-  const double slope = before - window_[kWindow - 2].value;
+  const double slope = filled_ > 1 ? before - window_[kWindow - 2].value : 0;
   double allowed = std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.resolution());
   if (!known)
-    allowed = std::max({allowed, kEarlyMoves * std::fabs(slope), kEarlyShare * std::fabs(before)});
+    allowed = std::max(
+        {allowed, kEarlyMoves * std::fabs(slope), kEarlyShare * std::fabs(before), worth_});
   const double off = std::fabs(value - before);
+  // The first move of a channel is a leap if the next one is far smaller.
+  if (filled_ == 2 && std::fabs(slope) > kOffCurve * off) leaps_ |= 2U;
   if (off > allowed && std::fabs(value - before - slope) > allowed) {
-    leaps_ |= 1U;
-    if (!leap_) {
-      leap_ = number;
-      allowed_ = allowed;
-      certain_ = known;
-      before1_ = before;
-      before2_ = before - slope;
-      lowest_ = noise_.lowest();
-      highest_ = noise_.highest();
-    }
+    if (filled_ > 1) leaps_ |= 1U;
+    // The first move of a channel at rest may be one; a far larger one takes its place.
+    const bool was_first = leap_ && !certain_ && before1_ == before2_;
+    if (!leap_ || (was_first && off > 2 * leap_height_)) begin_leap(number, off, allowed, known);
     if (!known) return;
     jump_ = number;
     jump_begin_ = number - *leap_ <= kWidest ? *leap_ : number;
@@ -139,6 +147,19 @@ void ChannelHealth::follow_jump(std::int64_t number, double value) {
   } else if (value != before) {
     jump_.reset();
   }
+}
+
+/// Before the value of the reading `number` is taken.
+void ChannelHealth::begin_leap(std::int64_t number, double height, double allowed, bool known) {
+  back_.reset();
+  leap_ = number;
+  leap_height_ = height;
+  allowed_ = allowed;
+  certain_ = known;
+  before1_ = window_.back().value;
+  before2_ = filled_ > 1 ? window_[kWindow - 2].value : before1_;
+  lowest_ = noise_.lowest();
+  highest_ = noise_.highest();
 }
 
 void ChannelHealth::follow_run(std::int64_t number, double value) {
@@ -200,15 +221,19 @@ void ChannelHealth::look_for_spike() {
     return;
   }
   for (int width = 1; width <= kWidest; ++width) {
-    const int length = width + 4;
-    if (filled_ < length) return;
-    const Value* w = &window_[static_cast<std::size_t>(kWindow - length)];
-    const double clear = leaves({w[0].value, w[1].value, w[length - 2].value, w[length - 1].value},
-                                width, w[2].value, w[1 + width].value);
+    const int begin = kWindow - width - 2;
+    const Value& first = window_[static_cast<std::size_t>(begin)];
     // Weakly only where the leap began: any later pair of neighbours is a part of what leaped.
-    if (!(clear > kClear || (clear > kWeak && w[2].number == *leap_))) continue;
-    spike_ = Spike{w[2].number, w[1 + width].number, w[2].value, certain_ && clear > kClear,
-                   w[2].number};
+    const bool began = first.number == *leap_;
+    if (filled_ < width + (began ? 3 : 4)) return;
+    const auto at = [&](int i) { return window_[static_cast<std::size_t>(i)].value; };
+    const Level level{began ? before2_ : at(begin - 2), began ? before1_ : at(begin - 1),
+                      at(kWindow - 2), at(kWindow - 1)};
+    const double clear = leaves(level, width, first.value, at(kWindow - 3));
+    const bool weakly = began && (!certain_ || first.value == 0) && level.after1 != first.value;
+    if (!(clear > (weakly ? weak_of(first.value, width) : kClear))) continue;
+    spike_ = Spike{first.number, window_[kWindow - 3].number, first.value,
+                   certain_ && clear > kClear, first.number};
     forget_leap();
     jump_.reset();
     return;
@@ -221,7 +246,7 @@ void ChannelHealth::look_for_flat() {
   const auto width = static_cast<int>(*back_ - *leap_);
   const Level level{before2_, before1_, window_[kWindow - 2].value, window_.back().value};
   const double value = window_[kWindow - 3].value;
-  if (leaves(level, width, value, value) > kWeak)
+  if (leaves(level, width, value, value) > weak_of(value, width))
     spike_ = Spike{*leap_, *back_ - 1, value, false, *leap_};
   forget_leap();
 }
@@ -233,22 +258,39 @@ void ChannelHealth::look_for_start() {
     starts_ = latest_ - start_.number < kWidestFlat;
     return;
   }
-  if (noise_.moves() == 1 && noise_.run() == 0) return;
+  const double value = window_.back().value;
+  if (after_start_ < 3) next_[static_cast<std::size_t>(after_start_)] = value;
+  low_after_ = after_start_ == 0 ? value : std::min(low_after_, value);
+  high_after_ = after_start_ == 0 ? value : std::max(high_after_, value);
+  if (++after_start_ < kAfterStart) return;
   starts_ = false;
-  const double after = window_[kWindow - 2].value, next = window_.back().value;
-  const bool beyond =
-      std::fabs(start_.value) > kBeyond * std::max(std::fabs(after), std::fabs(next));
-  const bool leaps = std::fabs(start_.value - after) > kClear * std::fabs(next - after);
-  if (start_until_ > start_.number && beyond && leaps)
+  const double largest = std::max(std::fabs(low_after_), std::fabs(high_after_));
+  const double off = std::max(start_.value - high_after_, low_after_ - start_.value);
+  if (!(std::fabs(start_.value) > kBeyond * largest &&
+        off > worth_ + kWeak * (high_after_ - low_after_)))
+    return;
+  // A curve that is steep where it begins comes near its first value when it is followed back.
+  const auto& [first, second, third] = next_;
+  const double curve = 3 * first - 3 * second + third;
+  const double move = std::max(std::fabs(second - first), std::fabs(third - second));
+  if (std::fabs(start_.value - curve) > kOffCurve * move)
     spike_ = Spike{start_.number, start_until_, start_.value, false, start_until_ + 1};
 }
 
 void ChannelHealth::finish(std::int64_t last) {
   spike_.reset();
-  if (!leap_ || dead_ || back_ || latest_ != last || !is_flat_since_leap(last + 1)) return;
-  const bool beyond = *leap_ < last && (last_ > highest_ || last_ < lowest_);
-  if (last_ != 0 && !beyond) return;
-  spike_ = Spike{*leap_, last, last_, false, *leap_};
+  if (!leap_ || dead_ || latest_ != last) return;
+  const Spike to_the_end{*leap_, last, last_, false, *leap_};
+  if (!back_ && is_flat_since_leap(last + 1)) {
+    const bool beyond = *leap_ < last && (last_ > highest_ || last_ < lowest_);
+    if (last_ == 0 || beyond) spike_ = to_the_end;
+  } else if (const auto width = static_cast<int>(last - *leap_);
+             back_ == last || (!back_ && width <= kWidest)) {
+    // One value came back, and the record ends.
+    const double value = window_[kWindow - 2].value;
+    if (leaves({before2_, before1_, last_, last_}, width, value, value) > weak_of(value, width))
+      spike_ = Spike{*leap_, last - 1, value, false, *leap_};
+  }
   forget_leap();
 }
 

@@ -17,6 +17,10 @@ double patience_of(Quantity quantity);
 /// Differences below this are round-off of somebody's arithmetic: no instrument resolves them. SI
 double finest_of(Quantity quantity);
 
+/// A change below this is worth no word while little is known of the channel's noise. SI: the drift
+/// of a raw channel, 1 kPa of another pressure, 0.02 % of a strain.
+double worth_of(Quantity quantity);
+
 /// Looks at one channel, one reading at a time, in constant memory, and says from which reading to
 /// which it cannot be believed (SensorFault). What takes hindsight is held in doubt until it is
 /// decided: after at most ChannelNoise::kLongestWait readings.
@@ -27,7 +31,8 @@ class ChannelHealth {
   static constexpr int kFlat = 10;    ///< equal readings after a jump: no noise is left
   static constexpr int kWidest = 3;   ///< readings of a spike; more if all are one value:
   static constexpr int kWidestFlat = 12, kWidestZero = 60;
-  static constexpr int kRecovery = 8;  ///< moves after which a dead sensor counts as live again
+  static constexpr int kAfterStart = 4;  ///< values that show whether the first one was none
+  static constexpr int kRecovery = 8;    ///< moves after which a dead sensor counts as live again
 
   struct Dead {
     SensorFault fault{};
@@ -44,9 +49,10 @@ class ChannelHealth {
   };
 
   /// For `finest` see ChannelNoise; `patience` stretches the wait for a stuck channel: a controlled
-  /// quantity may rightly rest.
-  explicit ChannelHealth(double finest, double patience = 1)
-      : patience_(patience), noise_(finest) {}
+  /// quantity may rightly rest. For
+  /// `worth` see worth_of.
+  explicit ChannelHealth(double finest, double patience = 1, double worth = 0)
+      : patience_(patience), worth_(worth), noise_(finest) {}
 
   /// Whether the channel may rightly stand still from now on, however noisy it was: then the noise
   /// is no ground to call it stuck.
@@ -94,6 +100,7 @@ class ChannelHealth {
   void follow_run(std::int64_t number, double value);
   void follow_jump(std::int64_t number, double value);
   void forget_leap();
+  void begin_leap(std::int64_t number, double height, double allowed, bool known);
   bool is_flat_since_leap(std::int64_t number) const;
   void look_for_spike();
   void look_for_flat();
@@ -112,7 +119,7 @@ class ChannelHealth {
   /// By how many times what the level itself moves the values leave it; 0: not by allowed_.
   double leaves(const Level& level, int width, double first, double last) const;
 
-  double patience_;
+  double patience_, worth_;
   bool may_rest_ = false;
   ChannelNoise noise_;
   std::array<Value, kWindow> window_{};  ///< the last values, oldest first
@@ -125,9 +132,13 @@ class ChannelHealth {
   bool certain_ = true;               ///< allowed_ rests on enough moves
   double before1_ = 0, before2_ = 0;  ///< the last two values before leap_
   double lowest_ = 0, highest_ = 0;   ///< before leap_
-  Value start_;                       ///< the first value
-  bool starts_ = false;               ///< whether start_ is still in doubt
-  std::int64_t start_until_ = 0;      ///< its last repetition
+  double leap_height_ = 0;
+  Value start_;                   ///< the first value
+  bool starts_ = false;           ///< whether start_ is still in doubt
+  std::int64_t start_until_ = 0;  ///< its last repetition
+  int after_start_ = 0;           ///< values since then, the first three, and their range
+  std::array<double, 3> next_{};
+  double low_after_ = 0, high_after_ = 0;
   std::optional<std::int64_t> back_;  ///< reading at which one value since leap_ ended
   std::uint64_t leaps_ = 0;           ///< of the last 64 readings, the latest in bit 0
   std::int64_t latest_ = 0;           ///< number of the latest reading

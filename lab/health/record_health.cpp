@@ -27,8 +27,9 @@ RecordHealth::RecordHealth(const RecordHeader& header) : header_(header), raw_(h
   volume_m3_ = area_m2_ * specimen.height_m.value_or(0);
   for (Quantity q : header.columns)
     if (!header.is_raw() || is_raw(q))
-      channels_.push_back(
-          {.quantity = q, .health = ChannelHealth(finest_of(q), patience_of(q)), .open = {}});
+      channels_.push_back({.quantity = q,
+                           .health = ChannelHealth(finest_of(q), patience_of(q), worth_of(q)),
+                           .open = {}});
 }
 
 void RecordHealth::start_stage(const Reading& reading) {

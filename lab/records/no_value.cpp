@@ -15,8 +15,7 @@ bool is_all_nines(double magnitude) {
   const double power = std::pow(10, std::ceil(std::log10(magnitude)));
   const double unit = power - magnitude;
   constexpr std::array kUnits{1.0, 0.1, 0.01, 0.001};
-  return std::ranges::any_of(
-      kUnits, [&](double u) { return std::fabs(unit - u) < 1e-9 * power && u < power; });
+  return std::ranges::any_of(kUnits, [&](double u) { return std::fabs(unit - u) < 1e-3 * u; });
 }
 
 }  // namespace

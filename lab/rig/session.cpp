@@ -156,6 +156,7 @@ class SessionRun {
     for (const Event& event : back_end_.events()) tell_of(event);
   }
   void pass_on();
+  void tell_of_impossible(const JudgedStates::Judged& judged);
   void tell_of_sensors();
   void watch_fall(const State& state);
   void heed(const State& state);
@@ -187,7 +188,8 @@ class SessionRun {
   Pace pace_;
   std::optional<int> stage_;
   std::optional<Moment> last_reading_;
-  bool ended_ = false;  ///< what is found from now on was not known while the test ran
+  bool impossible_ = false;  ///< the state that was judged last
+  bool ended_ = false;       ///< what is found from now on was not known while the test ran
   std::vector<Warning> aborted_;
   Clock::time_point next_progress_ = Clock::now();
 };
@@ -294,11 +296,23 @@ void SessionRun::know_the_fall(Collapse& collapse) const {
       earlier(one.noticed);
 }
 
+/// Tells of the first of impossible states in a row.
+void SessionRun::tell_of_impossible(const JudgedStates::Judged& judged) {
+  if (std::exchange(impossible_, judged.impossible) || !judged.impossible) return;
+  Event event{.reading = judged.reading.number,
+              .time_s = {},
+              .kind = EventKind::sensor_fault,
+              .detail = "impossible state: " + judged.reason};
+  if (back_end_.header().has_time) event.time_s = judged.reading.time_s;
+  tell_of(event);
+}
+
 /// To the monitor goes what has been judged by now.
 void SessionRun::pass_on() {
   while (const auto* judged = states_.next()) {
     cross_checks_.add(believed(*judged), judged->state);
     if (judged->mark) until_mark_ = monitor_.so_far();
+    tell_of_impossible(*judged);
     if (judged->axis_live) monitor_.watch_axis(axis_of(*judged));
     if (!judged->live) continue;
     if (judged->after_gap) {

@@ -23,7 +23,7 @@ double live(std::int64_t i) {
 /// Feeds `n` readings of `value`, and checks at each that nothing said before is taken back: what
 /// is found wrong was in doubt until then.
 struct WatchedChannel {
-  ChannelHealth health{1e-9};
+  ChannelHealth health{1e-9, 1, 20};  // five times the noise of live() is worth a word
   std::int64_t number = 0;
   std::int64_t settled = 0;  ///< readings before this one were beyond doubt
   std::vector<ChannelHealth::Spike> spikes;
@@ -226,7 +226,7 @@ double hardening(std::int64_t i) { return 100.0 * double(i) / (double(i) + 8); }
 }  // namespace
 
 TEST_CASE("ChannelHealth: a spike in a short record without noise", "[health]") {
-  for (const std::int64_t from : {3, 8, 19, 25}) {
+  for (const std::int64_t from : {4, 8, 19, 25}) {
     for (const std::int64_t width : {1, 2, 3}) {
       for (const double value : {0.0, 250.0}) {
         INFO("from " << from << ", " << width << " readings of " << value);
@@ -253,6 +253,22 @@ TEST_CASE("ChannelHealth: a run of one value between two of one level", "[health
     CHECK(w.health.leaped_at(20));
     CHECK_FALSE(w.health.leaped_at(19));
   }
+}
+
+TEST_CASE("ChannelHealth: a first value that nothing leads to", "[health]") {
+  const auto first = [](double value, std::int64_t readings, auto curve) {
+    const auto w =
+        feed_curve(30, [&](std::int64_t i) { return i < readings ? value : curve(double(i)); });
+    CHECK(w.spikes.size() <= 1);
+    return w.spikes.empty() ? -1 : w.spikes[0].until;
+  };
+  const auto harden = [](double i) { return 100 * i / (i + 8); };
+  const auto decay = [](double i) { return 60 + 40 * std::exp(-i / 0.7); };
+  CHECK(first(250, 1, harden) == 0);
+  CHECK(first(130, 10, harden) == 9);
+  CHECK(first(0, 0, harden) == -1);
+  CHECK(first(0, 0, decay) == -1);
+  CHECK(first(100, 20, harden) == -1);  // at rest for longer
 }
 
 TEST_CASE("ChannelHealth: a fall that lasts is no spike", "[health]") {

@@ -138,7 +138,7 @@ std::size_t spoil(Sheet& sheet, std::size_t column, const Spoiler& spoiler) {
   double largest = 0;
   for (const auto& row : sheet.rows)
     largest = std::max(largest, std::fabs(std::stod(row.at(column))));
-  if (largest == 0) largest = 100;
+  if (largest == 0) largest = 5;
   const std::string text = spoiler.code.starts_with('x')
                                ? fmt::format("{:.4f}", largest * std::stod(spoiler.code.substr(1)))
                                : spoiler.code;
