@@ -87,10 +87,14 @@ Refused record_too_long(const PageLimits& limits) {
                    " MB that are taken in here; `triax replay` reads files of any length"};
 }
 
+/// Returns true if the parser of HTTP reports the error, not the connection.
+bool is_http_error(const boost::system::error_code& error) {
+  return error.category() == http::make_error_code(http::error::bad_target).category();
+}
+
 /// Of a body that cannot be read to its end.
 [[noreturn]] void throw_for_body(const boost::system::error_code& error) {
-  const auto& ours = http::make_error_code(http::error::bad_target).category();
-  if (error.category() == ours && error != http::error::partial_message)
+  if (is_http_error(error) && error != http::error::partial_message)
     throw Refused(400, "the body of the request is not valid HTTP/1.1: " + error.message());
   throw boost::system::system_error(error);
 }
@@ -161,8 +165,7 @@ asio::awaitable<bool> PageConnection::serve_one() {
     body_left_ = true;
     co_return co_await send(error_answer(431, "the head of the request is too long"), false);
   }
-  const auto& ours = http::make_error_code(http::error::bad_target).category();
-  if (error && (error == http::error::end_of_stream || error.category() != ours)) co_return false;
+  if (error && (error == http::error::end_of_stream || !is_http_error(error))) co_return false;
   if (error == http::error::bad_version)
     co_return co_await send(error_answer(505, "only HTTP/1.0 and HTTP/1.1 are supported"), false);
   if (error) co_return co_await send(error_answer(400, "this is no request of HTTP/1.1"), false);
