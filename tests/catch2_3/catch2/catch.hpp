@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Catch2 3 (Debian 13) under the names that the tests use, which are those of Catch2 2 (Debian 12). On the include path only if
-// CMake finds version 3.
+// Catch2 3 (Debian 13) under the names that the tests use, which are those of Catch2 2 (Debian 12).
+// On the include path only if CMake finds version 3.
 #pragma once
 
 #include <catch2/catch_approx.hpp>
@@ -13,7 +13,8 @@
 
 namespace Catch {
 namespace Matchers {
-inline StringContainsMatcher Contains(const std::string& text, CaseSensitive sensitivity = CaseSensitive::Yes) {
+inline StringContainsMatcher Contains(const std::string& text,
+                                      CaseSensitive sensitivity = CaseSensitive::Yes) {
   return ContainsSubstring(text, sensitivity);
 }
 namespace StdString {
