@@ -18,7 +18,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C date --utc --rfc-email 
   OUTPUT_VARIABLE TRIAX_RELEASE_TIME OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 
 set(triax_documents ${CMAKE_BINARY_DIR}/documents)
-configure_file(cmake/copyright.in ${triax_documents}/copyright @ONLY)
-configure_file(cmake/changelog.Debian.in ${triax_documents}/changelog.Debian @ONLY)
+configure_file(cmake/copyright ${triax_documents}/copyright @ONLY)
+configure_file(cmake/changelog.Debian ${triax_documents}/changelog.Debian @ONLY)
 configure_file(CHANGELOG.md ${triax_documents}/changelog COPYONLY)
 execute_process(COMMAND gzip -9nkf ${triax_documents}/changelog.Debian ${triax_documents}/changelog COMMAND_ERROR_IS_FATAL ANY)
