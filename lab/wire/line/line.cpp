@@ -11,6 +11,7 @@
 namespace triax::lab {
 namespace {
 constexpr std::size_t kLongestAnswer = std::size_t{8} << 20;
+constexpr double kLatency_s = 0.02;  ///< of a serial adapter that gathers bytes; 16 ms are usual
 constexpr std::size_t kMostUnasked = std::size_t{64} << 10;
 }  // namespace
 
@@ -168,7 +169,7 @@ void Line::read_answer() {
   // The rest of an answer that went wrong may still come; it is no part of the next one.
   const bool wrong = result.kind == Asked::Kind::malformed || result.trailing;
   if (wrong && link_.is_serial() && !entry->exchange.request.empty())
-    rest(State::resyncs, times_.quiet_s);
+    rest(State::resyncs, std::min(times_.quiet_s, kLatency_s));
   else
     rest(State::pauses, times_.pause_s);
   entry->done(result);
