@@ -2,16 +2,19 @@
 #include "db/connection.hpp"
 
 #include <SQLiteCpp/Transaction.h>
+#include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <QUrl>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <mutex>
 #include <set>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "db/channel_columns.hpp"
@@ -72,14 +75,19 @@ void switch_to_wal(SQLite::Database& database, std::chrono::milliseconds patienc
   }
 }
 
-/// Once a process: what is written later is written by programs that have looked.
+/// Once a process: what is written later is written by programs that have looked. The time of birth
+/// tells a file from a removed one that had its inode.
 bool is_first_look(const std::string& path) {
+  using Identity = std::tuple<unsigned, unsigned, std::uint64_t, std::int64_t, std::uint32_t>;
   static std::mutex mutex;
-  static std::set<std::pair<dev_t, ino_t>> seen;
-  struct stat file {};
-  if (stat(path.c_str(), &file) != 0) return false;
+  static std::set<Identity> seen;
+  struct statx file {};
+  if (statx(AT_FDCWD, path.c_str(), 0, STATX_INO | STATX_BTIME, &file) != 0) return false;
   const std::lock_guard lock(mutex);
-  return seen.emplace(file.st_dev, file.st_ino).second;
+  return seen
+      .emplace(file.stx_dev_major, file.stx_dev_minor, file.stx_ino, file.stx_btime.tv_sec,
+               file.stx_btime.tv_nsec)
+      .second;
 }
 
 void check_pages_of_small(SQLite::Database& database, const std::string& path) {

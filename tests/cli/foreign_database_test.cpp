@@ -16,11 +16,11 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string kRecord = "samples/records/icu_6.csv";
+const std::string kRecordPath = "samples/records/icu_6.csv";
 
 /// Calls that open a database, without their --db.
 std::vector<std::string> calls_on_a_database() {
-  return {"replay " + source(kRecord),
+  return {"replay " + source(kRecordPath),
           "simulate " + source("samples/programmes/csu_26.toml"),
           "tests",
           "tests repair",
@@ -57,7 +57,7 @@ TEST_CASE("--db: a device or a pipe is refused at once, and nothing left beside 
 
 TEST_CASE("--db: a database with a trigger of another program is refused by every command") {
   const Workplace here;
-  REQUIRE(here.triax("replay " + source(kRecord) + " --db t.db").status == 0);
+  REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   change(here, "CREATE TRIGGER a AFTER INSERT ON scans BEGIN DELETE FROM tests; END");
   for (const std::string& call : calls_on_a_database()) {
     INFO(call);
@@ -71,7 +71,7 @@ TEST_CASE("--db: a database with a trigger of another program is refused by ever
 
 TEST_CASE("readings that are missing from a database are reported by every reader") {
   const Workplace here;
-  REQUIRE(here.triax("replay " + source(kRecord) + " --db t.db").status == 0);
+  REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   change(here, "DELETE FROM scans WHERE rowid % 3 = 0");
   for (const char* call : {"tests", "query tests", "report", "soil",
                            "export --format csv --output t.csv", "export --format json"})
@@ -83,7 +83,7 @@ TEST_CASE("readings that are missing from a database are reported by every reade
 
 TEST_CASE("export: a test without readings is not written as a record") {
   const Workplace here;
-  REQUIRE(here.triax("replay " + source(kRecord) + " --db t.db").status == 0);
+  REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   change(here, "DELETE FROM scans");
   const Outcome outcome = here.triax("export --db t.db --format csv --output n.csv");
   CHECK(outcome.status == 1);
@@ -93,7 +93,7 @@ TEST_CASE("export: a test without readings is not written as a record") {
 
 TEST_CASE("query: --time-limit ends what computes without end") {
   const Workplace here;
-  REQUIRE(here.triax("replay " + source(kRecord) + " --db t.db").status == 0);
+  REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   const Outcome outcome = here.triax(
       "query --db t.db --time-limit 0.2 \"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL "
       "SELECT i + 1 FROM n) SELECT count(*) FROM n\"");

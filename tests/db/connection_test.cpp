@@ -152,9 +152,8 @@ TEST_CASE("migrate: a limit that was the largest ratio of the test becomes unkno
         "3, 'none', 0, 1.3, '" + own + "'",
         std::string("4, 'flow', 1, 1.3, 'friction angle of the specimen'")}) {
     database.exec(
-        "INSERT INTO tests (id, name, origin, status, recorded_at, has_time, columns, "
-        "writer_pid, writer_started, writer_host) VALUES (" +
-        row.substr(0, 1) + ", 'a', 'recorded', 'complete', '', 1, '', 1, 1, 'h')");
+        "INSERT INTO tests (id, name, origin, status, stored_at, has_time, columns) VALUES (" +
+        row.substr(0, 1) + ", 'a', 'recorded', 'complete', '', 1, '')");
     database.exec(
         "INSERT INTO verdicts (test_id, kind, inside_limit_surface, limit_stress_ratio, "
         "limit_source) VALUES (" +

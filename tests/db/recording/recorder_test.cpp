@@ -261,20 +261,23 @@ TEST_CASE("two processes record into a new database at the same time") {
   CHECK(integrity(path) == "ok");
 }
 
-TEST_CASE("a path that cannot be written fails at the end, and while scans come", "[threads]") {
+TEST_CASE("Recorder: a path where no database can be fails before the test", "[threads]") {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("d"));
-  std::ofstream(folder.file("text")) << std::string(5000, 'x');
-  for (const std::string& path :
-       {folder.file("none/t.db"), folder.file("d"), folder.file("text")}) {
-    INFO(path);
-    Recording at_end(path, "a");
-    testing::send_scans(at_end.listener, 0, 10);
-    CHECK_THROWS_AS(at_end.recorder.finish({}), lab::BadInput);
-    CHECK_NOTHROW(at_end.recorder.discard());
-    Recording meanwhile(path, "a");
-    CHECK_THROWS_WITH(testing::send_scans(meanwhile.listener, 0, 200000), Contains(path));
-  }
+  for (const std::string& path : {folder.file("none/t.db"), folder.file("d")})
+    CHECK_THROWS_WITH(Recording(path, "a"), Contains(path));
+}
+
+TEST_CASE("Recorder: a file of another program fails at the end, and meanwhile", "[threads]") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("text");
+  std::ofstream(path) << std::string(5000, 'x');
+  Recording at_end(path, "a");
+  testing::send_scans(at_end.listener, 0, 10);
+  CHECK_THROWS_AS(at_end.recorder.finish({}), lab::BadInput);
+  CHECK_NOTHROW(at_end.recorder.discard());
+  Recording meanwhile(path, "a");
+  CHECK_THROWS_WITH(testing::send_scans(meanwhile.listener, 0, 200000), Contains(path));
 }
 
 TEST_CASE("a disk that stays full is reported and leaves a sound database without that test") {
