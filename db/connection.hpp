@@ -64,6 +64,12 @@ class FilesMoved : public MayPass {
   using MayPass::MayPass;
 };
 
+/// At the path of a database that was renamed, removed or replaced is none that can be written.
+class NotInPlace : public MayPass {
+ public:
+  using MayPass::MayPass;
+};
+
 /// lab::BadInput, MayPass or lab::WorkFailed for what SQLite says about `path`.
 [[noreturn]] void throw_for(const SQLite::Exception& error, const std::string& path);
 

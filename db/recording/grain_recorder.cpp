@@ -22,7 +22,7 @@ struct GrainRecorder::Impl {
   Impl(std::string file, const lab::GrainProgramme& run, Patience how_long)
       : path(std::move(file)), programme(run), patience(std::move(how_long)) {}
 
-  const std::string path;
+  std::string path;
   const lab::GrainProgramme& programme;
   const Patience patience;
   std::optional<SQLite::Database> database;
@@ -64,6 +64,7 @@ struct GrainRecorder::Impl {
   void connect() {
     if (database) {
       files->make_whole();
+      path = files->path_today();
       has_moved = true;
     }
     try {
@@ -84,6 +85,7 @@ struct GrainRecorder::Impl {
     transaction.commit();
     id = run;
     has_moved = false;
+    if (pulse) pulse.emplace(path, lease);
     if (patience.say)
       patience.say(path + ": was renamed, removed or replaced during the run; all of the run is " +
                    "stored there again, nothing is lost");
@@ -159,5 +161,7 @@ std::int64_t GrainRecorder::finish() {
 }
 
 std::int64_t GrainRecorder::id() const { return impl_->id; }
+
+const std::string& GrainRecorder::path() const { return impl_->path; }
 
 }  // namespace triax::db

@@ -35,6 +35,8 @@ class GrainRecorder {
   std::int64_t finish();
   /// Of the run; 0 before made().
   std::int64_t id() const;
+  /// Of the database that has the run: in the new place of its folder where that was renamed.
+  const std::string& path() const;
 
  private:
   struct Impl;

@@ -55,6 +55,7 @@ struct Recorder::Impl {
     is_awaited_ = true;
   }
   std::int64_t test_id() const { return entry_.id(); }
+  const std::string& path() const { return entry_.path(); }
 
  private:
   void write_batches();
@@ -155,14 +156,15 @@ void Recorder::Impl::keep(Ending ending) {
       waiting_.succeeded(entry_.path());
       return entry_.set_patience(patience_.quiet);
     } catch (const MayPass& why) {
-      const bool is_away = entry_.is_away();
       const bool too_long = waiting_.failed(why);
       entry_.set_patience(std::min(patience_.quiet, patience_.again));
       const bool aside = set_aside(why);
       if (aside && ending == Ending::interrupted && patience_.say) patience_.say(advice(why));
       if (aside && ending != Ending::complete) return;
-      // What was taken away is not waited for at the end of a test.
-      if (too_long || (is_away && ending == Ending::complete)) throw lab::WorkFailed(advice(why));
+      // Nobody is going to put the database back after the end of a test.
+      const bool is_hopeless = dynamic_cast<const NotInPlace*>(&why) != nullptr;
+      if (too_long || (is_hopeless && ending == Ending::complete))
+        throw lab::WorkFailed(advice(why));
     }
 }
 
@@ -292,5 +294,7 @@ std::int64_t Recorder::finish(const lab::TestSummary& summary) {
 }
 
 void Recorder::discard() { impl_->discard(); }
+
+const std::string& Recorder::path() const { return impl_->path(); }
 
 }  // namespace triax::db

@@ -55,6 +55,9 @@ class Recorder {
   /// The test is over: stores the summary, marks it complete; gives its id. Throws lab::WorkFailed
   /// if no test was started.
   std::int64_t finish(const lab::TestSummary& summary);
+  /// Of the database that has the test, after finish(): in the new place of its folder where that
+  /// was renamed.
+  const std::string& path() const;
   /// The input was bad: takes out whatever of this test had been written, and the file if this
   /// recorder made it and nobody else uses it. Does nothing after finish().
   void discard();

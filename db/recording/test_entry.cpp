@@ -58,9 +58,12 @@ void TestEntry::open() {
   try {
     connect();
     away_ = false;
+  } catch (const MayPass&) {
+    close();
+    throw;
   } catch (const std::exception& error) {  // what is in its place now may be anything
     close();
-    throw MayPass(error.what());
+    throw NotInPlace(error.what());
   }
 }
 

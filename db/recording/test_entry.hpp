@@ -71,10 +71,8 @@ class TestEntry {
   /// Lets go of files that have moved. The next transaction looks for the database at its path and
   /// goes on with the test where it is there.
   void abandon();
-  /// Whether the database is away: after abandon(), until a transaction succeeds. Transactions
-  /// throw MayPass meanwhile.
-  bool is_away() const { return away_; }
-  /// A database that is away is made anew.
+  /// A database that is not at its path after abandon() is made anew. Without this call
+  /// transactions throw MayPass until it is there; NotInPlace where something else is.
   void make_anew() { may_make_ = true; }
   /// From the next transaction on.
   void set_patience(std::chrono::milliseconds patience);
@@ -98,7 +96,8 @@ class TestEntry {
   std::string path_;
   std::chrono::milliseconds patience_;
   std::int64_t most_bytes_ = 0;
-  bool continues_ = false, away_ = false, may_make_ = false;
+  bool continues_ = false, may_make_ = false;
+  bool away_ = false;  ///< after abandon(), until the path has a database
   Lease lease_{Leased::test};
   std::optional<SQLite::Database> database_;
   std::optional<OpenFiles> files_;

@@ -108,6 +108,7 @@ void run_replay(const ReplayOptions& o) {
   ReferenceFiles references;
   std::vector<Looked> records = look_at_all(o, record, reduction, references, bad);
   references.store(o.db);
+  std::string db = o.db;
   const Interruption interruption;
   // Thrown through the session: what was read stays, marked as interrupted.
   const auto stop = [&interruption]() -> bool {
@@ -132,9 +133,9 @@ void run_replay(const ReplayOptions& o) {
                                      .stop = stop,
                                      .otherwise = otherwise,
                                      .earlier = earlier},
-                                    o.db, {shown_on(bar)}, {.say = notify, .stop = [&interruption] {
-                                                              return interruption.requested();
-                                                            }}));
+                                    db, {shown_on(bar)}, {.say = notify, .stop = [&interruption] {
+                                                            return interruption.requested();
+                                                          }}));
     } catch (const lab::BadInput& error) {
       bad.add(error);
     } catch (const Stopped&) {
@@ -142,7 +143,7 @@ void run_replay(const ReplayOptions& o) {
       break;
     }
   }
-  print_replayed(o.db, ids, references, o.json, o.live);
+  print_replayed(db, ids, references, o.json, o.live);
   if (stopped) throw Stopped();
   bad.finish();
 }

@@ -64,16 +64,17 @@ void run_test_of(const SimulateOptions& o) {
   const Interruption interruption;
   ProgressBar bar(rig.header().name);
   const auto stop = [&interruption] { return interruption.requested(); };
+  std::string db = o.db;
   const auto id = study::run_test(rig,
                                   {.reduction = {},
                                    .speed = o.speed,
                                    .stop = stop,
                                    .without_guard = lab::without_guard(programme, o.seed, stop),
                                    .earlier = earlier},
-                                  o.db, {shown_on(bar)}, {.say = notify, .stop = stop});
-  const std::string unwritten = record.write(rig, o.db, id);
+                                  db, {shown_on(bar)}, {.say = notify, .stop = stop});
+  const std::string unwritten = record.write(rig, db, id);
   if (unwritten.empty()) file.is_there();
-  print_tests(o.db, {id}, o.json);
+  print_tests(db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   if (interruption.requested())
     throw lab::WorkFailed("the test was aborted by the operator; it is stored up to there");

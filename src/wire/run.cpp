@@ -61,11 +61,12 @@ void run_programme(const RunOptions& o) {
   const WrittenFile file(o.record);
   study::StoredRecord record(o.record, rig.header());
   ProgressBar bar(rig.header().name);
-  const auto id = study::run_test(rig, {.reduction = {}, .stop = stop, .earlier = earlier}, o.db,
+  std::string db = o.db;
+  const auto id = study::run_test(rig, {.reduction = {}, .stop = stop, .earlier = earlier}, db,
                                   {shown_on(bar)}, {.say = notify, .stop = stop});
-  const std::string unwritten = record.write(rig, o.db, id);
+  const std::string unwritten = record.write(rig, db, id);
   if (unwritten.empty()) file.is_there();
-  print_tests(o.db, {id}, o.json);
+  print_tests(db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   throw_if_ended_early(rig.ending());
 }

@@ -33,7 +33,12 @@ def folder_removed(t: Trial):
     shutil.rmtree(t.database.parent)
 
 
-HOW = (renamed, removed, replaced, wal_removed, folder_removed)
+def folder_renamed(t: Trial):
+    os.rename(t.database.parent, t.folder / "e")
+    t.db = "e/t.db"
+
+
+HOW = (renamed, removed, replaced, wal_removed, folder_removed, folder_renamed)
 PARTS = tuple(how.__name__.replace("_", " ") for how in HOW)
 SAYS, SAYS_END = "renamed, removed or replaced", "nothing is lost"
 

@@ -111,7 +111,8 @@ std::int64_t LiveRun::run_on(lab::RigSoftware& rig) {
   if (asked_.rig.empty())
     options.without_guard =
         lab::without_guard(asked_.programme, asked_.seed, [this] { return ending_.load(); });
-  return study::run_test(rig, options, db_, {listener()},
+  std::string db = db_;
+  return study::run_test(rig, options, db, {listener()},
                          {.say = {}, .stop = [this] { return ending_.load(); }},
                          [this](std::int64_t id) {
                            const std::lock_guard lock(mutex_);

@@ -90,7 +90,8 @@ std::int64_t replay(const RecordToRead& asked, const UploadedRecord& record) {
       return record.open(other);
     });
   };
-  return study::run_test(*rig, {.reduction = {}, .otherwise = otherwise}, asked.db, {}, {}, {},
+  std::string db = asked.db;
+  return study::run_test(*rig, {.reduction = {}, .otherwise = otherwise}, db, {}, {}, {},
                          asked.writer);
 }
 

@@ -13,9 +13,10 @@ std::optional<db::StoredGrainRun> run_grains(const lab::GrainProgramme& programm
   std::optional<db::GrainRecorder> recorder(std::in_place, db, programme, std::move(patience));
   if (lab::run_grains(programme, options, {recorder->listener(), also})) recorder->finish();
   const std::int64_t id = recorder->id();
+  const std::string path = recorder->path();
   recorder.reset();  // marks a run that did not finish
   if (id == 0) return std::nullopt;
-  return db::GrainStore(db).load(id);
+  return db::GrainStore(path).load(id);
 }
 
 db::StoredGrainRun merge_grains(const lab::GrainProgramme& programme, int threads,
@@ -26,7 +27,8 @@ db::StoredGrainRun merge_grains(const lab::GrainProgramme& programme, int thread
   db::GrainRecorder recorder(db, programme, std::move(patience));
   recorder.made(made);
   recorder.ended(result);
-  return db::GrainStore(db).load(recorder.finish());
+  const std::int64_t id = recorder.finish();
+  return db::GrainStore(recorder.path()).load(id);
 }
 
 }  // namespace triax::study

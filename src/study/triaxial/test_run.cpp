@@ -8,14 +8,16 @@
 
 namespace triax::study {
 
-std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, lab::SessionListeners also, db::Patience patience,
+std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options, std::string& db,
+                      lab::SessionListeners also, db::Patience patience,
                       std::function<void(std::int64_t)> entered, const std::string& writer) {
   db::Recorder recorder(db, std::move(patience), writer);
   if (entered) recorder.when_entered(std::move(entered));
   also.insert(also.begin(), recorder.listener());
   try {
-    return recorder.finish(lab::run_session(back_end, options, also));
+    const std::int64_t id = recorder.finish(lab::run_session(back_end, options, also));
+    db = recorder.path();
+    return id;
   } catch (const lab::BadInput&) {
     recorder.discard();
     throw;

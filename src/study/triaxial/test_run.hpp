@@ -13,10 +13,11 @@ namespace triax::study {
 /// gives the test's id. Bad input takes out again what was stored of this test; any other failure
 /// leaves it there, marked as interrupted. `also` listen beside the database, which
 /// is waited for with `patience`. `entered` is told its id as soon as the test is there, by another
-/// thread. `writer` as in db::Recorder.
-std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options,
-                      const std::string& db, lab::SessionListeners also = {},
-                      db::Patience patience = {}, std::function<void(std::int64_t)> entered = {},
+/// thread. `writer` as in db::Recorder. `db` is the path of the database that has the test
+/// afterwards, another one where its folder was renamed meanwhile.
+std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options, std::string& db,
+                      lab::SessionListeners also = {}, db::Patience patience = {},
+                      std::function<void(std::int64_t)> entered = {},
                       const std::string& writer = {});
 
 }  // namespace triax::study

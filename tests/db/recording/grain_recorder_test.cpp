@@ -211,6 +211,18 @@ TEST_CASE("GrainRecorder: a database that is renamed gets a successor with the w
   CHECK(db::GrainStore(folder.file("e.db")).load(1).report.stages.size() == 1);
 }
 
+TEST_CASE("GrainRecorder: follows a folder that is renamed") {
+  const testing::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("d"));
+  db::GrainRecorder recorder(folder.file("d/t.db"), small());
+  recorder.made(ran().made);
+  std::filesystem::rename(folder.file("d"), folder.file("e"));
+  for (const auto& result : ran().results) recorder.ended(result);
+  const std::int64_t id = recorder.finish();
+  CHECK(recorder.path() == folder.file("e/t.db"));
+  CHECK(db::GrainStore(recorder.path()).load(id).status == db::TestStatus::complete);
+}
+
 TEST_CASE("a file that is no database of ours stays as it is") {
   testing::TemporaryFolder folder;
   {

@@ -169,6 +169,26 @@ TEST_CASE("Recorder: readings stay beside what is no database, and a repair find
   CHECK(has_all(test.path, 2));
 }
 
+TEST_CASE("Recorder: waits at the end for a database that is back but locked", "[threads]") {
+  TestUnderWay test;
+  fs::rename(test.path, test.folder.file("e.db"));
+  REQUIRE(test.noticed());
+  test.send();
+  REQUIRE(within_3_s([&] { return test.said.has("has all readings of the test so far"); }));
+  const std::string back = test.folder.file("back.db");
+  store_small_test(back, "before");
+  SQLite::Database other(back, SQLite::OPEN_READWRITE);
+  other.exec("PRAGMA journal_mode = DELETE; BEGIN EXCLUSIVE");  // a lock of the file itself
+  fs::rename(back, test.path);
+  std::thread later([&] {
+    std::this_thread::sleep_for(1s);
+    other.exec("COMMIT");
+  });
+  CHECK_NOTHROW(test.finish());
+  later.join();
+  CHECK(has_all(test.path, 2));
+}
+
 TEST_CASE("Recorder: a -wal or -shm that is removed is noticed, nothing is lost", "[threads]") {
   for (const char* ending : {"-wal", "-shm"}) {
     INFO(ending);
@@ -189,7 +209,8 @@ TEST_CASE("Recorder: follows a folder that is renamed", "[threads]") {
   test.send();
   CHECK(test.finish() == 2);
   CHECK_FALSE(fs::exists(test.folder.file("d")));
-  CHECK(has_all(test.folder.file("e/t.db"), 2));
+  CHECK(test.recorder.path() == test.folder.file("e/t.db"));
+  CHECK(has_all(test.recorder.path(), 2));
 }
 
 TEST_CASE("Recorder: makes a folder again that is removed", "[threads]") {
