@@ -18,11 +18,13 @@
 #include "src/study/calibrate/calibration_json.hpp"
 #include "src/study/calibrate/calibration_piece.hpp"
 #include "src/study/calibrate/requested_calibration.hpp"
+#include "src/triaxial/left_waiting.hpp"
 
 namespace triax::src {
 namespace {
 
 study::CalibrationRequest requested(const CalibrateOptions& o) {
+  tell_of_gaps(o.db);
   auto request = study::requested_calibration(start_wish(o), o.db, o.tests);
   request.searches = o.searches;
   request.seed = o.seed;

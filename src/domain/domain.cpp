@@ -19,6 +19,7 @@
 #include "src/study/domain/domain_inputs.hpp"
 #include "src/study/domain/domain_piece.hpp"
 #include "src/study/domain/domain_run.hpp"
+#include "src/triaxial/left_waiting.hpp"
 
 namespace triax::src {
 namespace {
@@ -65,6 +66,7 @@ void write_files(const study::ReportedDomain& domain, const std::vector<study::T
 /// The measured increments that the figures of cones are to show.
 std::vector<study::TestedState> tests_on_top(const DomainOptions& o) {
   if (o.tests.empty()) return {};
+  tell_of_gaps(o.db);
   // An arrow needs stresses only; a void ratio that a test does not know must not be in its way.
   return study::tested_states(o.db, o.tests, "collapse", o.material.void_ratio.value_or(1));
 }

@@ -14,6 +14,7 @@
 #include "src/python/database.hpp"
 #include "src/python/documents.hpp"
 #include "src/python/signals.hpp"
+#include "src/python/warnings.hpp"
 #include "src/study/triaxial/earlier_tests.hpp"
 #include "src/study/triaxial/stored_record.hpp"
 #include "src/study/triaxial/test_run.hpp"
@@ -34,11 +35,6 @@ lab::MembraneCorrection membrane_of(const std::string& word) {
   throw lab::BadInput("membrane '" + word + "': not known; expected none, astm or iso");
 }
 
-void warn(const std::string& sentence) {
-  const py::gil_scoped_acquire gil;
-  if (PyErr_WarnEx(PyExc_RuntimeWarning, sentence.c_str(), 1) != 0) PyErr_Clear();
-}
-
 StoredTest replay(const Path& record, const Path& db, const std::string& dialect,
                   const py::dict& sets, const std::string& membrane, const Names& earlier) {
   const lab::RecordOptions options{.dialect = dialect, .sets = key_values(sets)};
@@ -55,13 +51,14 @@ StoredTest replay(const Path& record, const Path& db, const std::string& dialect
       return lab::open_record(record.string(), other);
     });
   };
+  std::string database = db.string();
   const auto id = study::run_test(*rig,
                                   {.reduction = reduction,
                                    .stop = [&] { return signals.look(); },
                                    .otherwise = otherwise,
                                    .earlier = told},
-                                  db.string(), {}, {.say = warn});
-  return test_of(db.string(), id);
+                                  database, {}, {.say = warn});
+  return test_of(database, id);
 }
 
 StoredTest simulate(const Path& programme_file, const Path& db, std::optional<std::uint64_t> seed,
@@ -78,13 +75,14 @@ StoredTest simulate(const Path& programme_file, const Path& db, std::optional<st
   study::StoredRecord record(record_file ? record_file->string() : "", rig.header());
   Signals signals;
   const auto stop = [&] { return signals.look(); };
+  std::string database = db.string();
   const auto id = study::run_test(
       rig,
       {.stop = stop, .without_guard = lab::without_guard(programme, seed, stop), .earlier = told},
-      db.string(), {}, {.say = warn});
-  if (const std::string unwritten = record.write(rig, db.string(), id); !unwritten.empty())
+      database, {}, {.say = warn});
+  if (const std::string unwritten = record.write(rig, database, id); !unwritten.empty())
     throw lab::WorkFailed(unwritten);
-  return test_of(db.string(), id);
+  return test_of(database, id);
 }
 
 }  // namespace

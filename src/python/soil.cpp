@@ -10,6 +10,7 @@
 #include "src/python/ranges.hpp"
 #include "src/python/signals.hpp"
 #include "src/python/soil_tables.hpp"
+#include "src/python/warnings.hpp"
 #include "src/study/soil/soil_choice.hpp"
 #include "src/study/soil/soil_json.hpp"
 
@@ -52,6 +53,7 @@ study::SoilOptions options_of(const std::string& criterion, double failure_strai
 std::vector<std::shared_ptr<Soil>> studied(const study::SoilChoice& choice,
                                            const study::SoilOptions& options) {
   const py::gil_scoped_release free;
+  warn_of_missing_readings(choice.db);
   Signals signals;
   std::vector<std::shared_ptr<Soil>> soils;
   for (auto& soil : study::study_soils(choice, options, [&] { signals.look(); }))

@@ -9,6 +9,7 @@
 #include "src/python/documents.hpp"
 #include "src/python/signals.hpp"
 #include "src/python/test_tables.hpp"
+#include "src/python/warnings.hpp"
 #include "src/triaxial/json_report.hpp"
 
 namespace triax::python {
@@ -171,7 +172,9 @@ void bind_tests(py::module_& module) {
       "number.")
       .def(py::init([](const Path& path) {
              const py::gil_scoped_release free;
-             return std::make_shared<Database>(path.string());
+             auto database = std::make_shared<Database>(path.string());
+             warn_of_missing_readings(database->path);
+             return database;
            }),
            py::arg("path") = "triax.db")
       .def_property_readonly(

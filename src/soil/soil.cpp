@@ -47,8 +47,8 @@ std::string text_of(const std::vector<study::Soil>& soils) {
 
 void run(const SoilCommandOptions& o) {
   if (!o.output.empty()) check_folder("--output", o.output, {});
-  const auto soils = study::study_soils(o.choice, study_options(o));
   tell_of_gaps(o.choice.db);
+  const auto soils = study::study_soils(o.choice, study_options(o));
   if (!o.output.empty()) {
     make_folder("--output", o.output);
     write_soil_files(soils, o.output);

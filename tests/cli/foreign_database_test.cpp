@@ -31,7 +31,7 @@ std::vector<std::string> calls_on_a_database() {
           "query tests",
           "export --format csv --output o.csv",
           "soil",
-          "probe --test 1"};
+          "probe --test 1 --material inl2/S28-general"};
 }
 
 void change(const Workplace& here, const std::string& sql) {
@@ -66,15 +66,17 @@ TEST_CASE("--db: a database with a trigger of another program is refused by ever
     CHECK_THAT(outcome.err, Contains("the trigger 'a'"));
   }
   change(here, "DROP TRIGGER a");
-  CHECK_THAT(here.triax("tests --db t.db").out, Contains("icu_6"));
+  CHECK_THAT(here.triax("tests --db t.db").out, Contains("ICU 6"));
 }
 
 TEST_CASE("readings that are missing from a database are reported by every reader") {
   const Workplace here;
   REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   change(here, "DELETE FROM scans WHERE rowid % 3 = 0");
-  for (const char* call : {"tests", "query tests", "report", "soil",
-                           "export --format csv --output t.csv", "export --format json"})
+  for (const char* call :
+       {"tests", "query tests", "report", "soil", "calibrate --start inl2/S28-general",
+        "probe --test 1 --material inl2/S28-general", "export --format csv --output t.csv",
+        "export --format json"})
     CHECK_THAT(here.triax(std::string(call) + " --db t.db").err,
                Contains("readings are missing from the database"));
   for (const char* call : {"report --db t.db", "report --db t.db --json"})

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of a database as arrays: their values, and that they show memory which is not copied."""
+import contextlib
 import gc
 import math
+import sqlite3
 import unittest
 
 import numpy as np
@@ -72,6 +74,13 @@ class Tables(InAFolder):
         table = self.test.states
         self.assertEqual(set(dict(table)), set(table))
         self.assertIn("eta", dir(table))
+
+    def test_missing_readings_are_a_warning(self):
+        with contextlib.closing(sqlite3.connect(self.db)) as database, database:
+            database.execute("DELETE FROM scans WHERE id % 3 = 0")
+        for call in (lambda: triax.Database(self.db), lambda: triax.soil(self.db)):
+            with self.assertWarnsRegex(RuntimeWarning, "of its 3280 readings are missing"), contextlib.suppress(triax.BadInput):
+                call()
 
     def test_finding_tests(self):
         triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db)
