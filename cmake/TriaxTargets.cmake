@@ -15,6 +15,10 @@ target_compile_options(triax_flags INTERFACE
 target_compile_options(triax_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+# g++ 13 and later take a reference that a function returns for one to its arguments' temporaries.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  target_compile_options(triax_flags INTERFACE -Wno-dangling-reference)
+endif()
 target_include_directories(triax_flags INTERFACE ${PROJECT_SOURCE_DIR})
 triax_harden(triax_flags)
 if(TRIAX_SANITIZE)
