@@ -73,10 +73,9 @@ TEST_CASE("readings that are missing from a database are reported by every reade
   const Workplace here;
   REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   change(here, "DELETE FROM scans WHERE rowid % 3 = 0");
-  for (const char* call :
-       {"tests", "query tests", "report", "soil", "calibrate --start inl2/S28-general",
-        "probe --test 1 --material inl2/S28-general", "export --format csv --output t.csv",
-        "export --format json"})
+  for (const char* call : {"tests", "query tests", "report", "soil", "calibrate inl2",
+                           "probe --test 1 --material inl2/S28-general",
+                           "export --format csv --output t.csv", "export --format json"})
     CHECK_THAT(here.triax(std::string(call) + " --db t.db").err,
                Contains("readings are missing from the database"));
   for (const char* call : {"report --db t.db", "report --db t.db --json"})
