@@ -40,7 +40,7 @@ void change(const Workplace& here, const std::string& sql) {
 
 }  // namespace
 
-TEST_CASE("--db: a device or a pipe is refused at once, and nothing left beside it") {
+TEST_CASE("option --db: a device or a pipe is refused at once, and nothing left beside it") {
   const Workplace here;
   REQUIRE(std::system(("mkfifo '" + (here / "pipe").string() + "'").c_str()) == 0);
   for (const std::string& call : calls_on_a_database()) {
@@ -55,7 +55,7 @@ TEST_CASE("--db: a device or a pipe is refused at once, and nothing left beside 
     CHECK(std::set<std::string>{"pipe", ".out", ".err"}.contains(entry.path().filename()));
 }
 
-TEST_CASE("--db: a database with a trigger of another program is refused by every command") {
+TEST_CASE("option --db: a database with a trigger of another program is refused by every command") {
   const Workplace here;
   REQUIRE(here.triax("replay " + source(kRecordPath) + " --db t.db").status == 0);
   change(here, "CREATE TRIGGER a AFTER INSERT ON scans BEGIN DELETE FROM tests; END");
