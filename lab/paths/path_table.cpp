@@ -6,7 +6,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/line_reader.hpp"
 #include "lab/base/text.hpp"
-#include "lab/records/cells.hpp"
+#include "lab/records/cells/cells.hpp"
 
 namespace triax::lab {
 namespace {

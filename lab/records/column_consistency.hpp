@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "lab/records/cells/printed_value.hpp"
 #include "lab/records/findings.hpp"
-#include "lab/records/printed_value.hpp"
 #include "lab/records/table_layout.hpp"
 
 namespace triax::lab {

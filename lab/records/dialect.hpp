@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/records/cells.hpp"
+#include "lab/records/cells/cells.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {

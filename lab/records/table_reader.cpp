@@ -10,7 +10,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
-#include "lab/records/no_value.hpp"
+#include "lab/records/cells/no_value.hpp"
 
 namespace triax::lab {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lab/base/line_reader.hpp"
-#include "lab/records/clock_time.hpp"
+#include "lab/records/cells/clock_time.hpp"
 #include "lab/records/column_consistency.hpp"
 #include "lab/records/table_layout.hpp"
 #include "lab/results/reading.hpp"
@@ -31,8 +31,8 @@ class TableReader {
   /// The next row; false at the end. Throws BadInput "FILE:LINE: ..." on text in a number, a wrong
   /// number of cells, an infinite value, a raw channel beyond what any instrument measures, a word
   /// for a missing value where the dialect has none, a file that ends inside a row. A code for "no
-  /// value" (no_value.hpp) is a missing cell, in every dialect. Missing cells, lines without values,
-  /// an unclear last line and columns that contradict each other are noted as findings.
+  /// value" (no_value.hpp) is a missing cell, in every dialect. Missing cells, lines without
+  /// values, an unclear last line and columns that contradict each other are noted as findings.
   bool next(Row& row);
 
   std::uint64_t position() const { return lines_.position(); }

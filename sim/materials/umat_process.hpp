@@ -5,9 +5,9 @@
 namespace triax::sim {
 
 /// Life of the process that runs a plug-in, from fork() to its end: loads the library, answers
-/// calls until `finish`, confined as process_confinement.hpp says. What the plug-in prints goes to the
-/// file descriptor `output`. `lifeline` is the end for reading of a pipe to which only the other
-/// process can write: it is closed with that process, and this one does not outlive it.
+/// calls until `finish`, confined as process_confinement.hpp says. What the plug-in prints goes to
+/// the file descriptor `output`. `lifeline` is the end for reading of a pipe to which only the
+/// other process can write: it is closed with that process, and this one does not outlive it.
 [[noreturn]] void run_umat(const UmatPlugin& plugin, UmatExchange& exchange, int output,
                            int lifeline);
 

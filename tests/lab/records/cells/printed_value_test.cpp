@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/records/printed_value.hpp"
+#include "lab/records/cells/printed_value.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/records/no_value.hpp"
+#include "lab/records/cells/no_value.hpp"
 
 #include <algorithm>
 #include <array>

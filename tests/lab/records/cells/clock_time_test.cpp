@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/records/clock_time.hpp"
+#include "lab/records/cells/clock_time.hpp"
 
 #include <catch2/catch.hpp>
 

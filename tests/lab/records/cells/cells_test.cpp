@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/records/cells.hpp"
+#include "lab/records/cells/cells.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
