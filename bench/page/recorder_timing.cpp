@@ -82,7 +82,7 @@ double share_of(std::vector<double> values, double share) {
   return *place;
 }
 
-void run(const std::string& db, double seconds, int browsers, Timing& timing) {
+void run(std::string db, double seconds, int browsers, Timing& timing) {
   const auto feed = std::make_shared<src::LiveFeed>();
   src::PageServer server({.answer = [&](const src::PageRequest&) {
     return src::PageAnswer{.live = src::LiveStart{feed, {}}};

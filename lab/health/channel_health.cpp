@@ -88,7 +88,7 @@ void ChannelHealth::add(std::int64_t number, double value) {
   window_.back() = {number, value};
   filled_ = std::min(filled_ + 1, kWindow);
   follow_run(number, value);
-  if (!dead_) look_for_spike();
+  if (!dead_ && (starts_ || leap_)) look_for_spike();
   last_ = value;
 }
 

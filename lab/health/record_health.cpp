@@ -275,12 +275,11 @@ void RecordHealth::report(Channel& channel, const Reading& reading) {
     wrong_.push_back(
         {{q, SensorFault::missing, reading.number, {}, {}, 0}, reading.number, reading.number});
   }
-  report_spike(channel);
+  if (channel.health.spike()) report_spike(channel);
 }
 
 void RecordHealth::report_spike(const Channel& channel) {
   const auto& spike = channel.health.spike();
-  if (!spike) return;
   const auto leaped_too = [&](const Channel& other) {
     return &other != &channel && other.health.leaped_at(spike->leap);
   };
@@ -296,7 +295,7 @@ void RecordHealth::finish() {
   news_.clear();
   for (Channel& channel : channels_) {
     channel.health.finish(latest_);
-    report_spike(channel);
+    if (channel.health.spike()) report_spike(channel);
   }
 }
 

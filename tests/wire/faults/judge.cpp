@@ -119,8 +119,14 @@ class Judging {
     };
     const bool told = std::ranges::any_of(told_, ours);
     if (wrong.causes.empty()) {
-      if (told && plan_.wrongs.size() == 1 && log_.stall_s < 0.05)
-        complain("a gap although answers came in time: " + told_.front().second);
+      // No time is left to ask again for an unusual value: it is missing until later replies
+      // confirm it.
+      const auto is_gap = [&](const auto& event) {
+        return ours(event) && event.second.find("reply rejected") == std::string::npos;
+      };
+      const auto gap = std::ranges::find_if(told_, is_gap);
+      if (gap != told_.end() && plan_.wrongs.size() == 1 && log_.stall_s < 0.05)
+        complain("a gap although answers came in time: " + gap->second);
       return;
     }
     const bool long_enough = wrong.for_s > 1;
