@@ -29,8 +29,9 @@ int main(int count, char** arguments) {
 
   // A record: reduced, watched and stored as the program does it, then read back.
   if (count < 2) return 0;
-  const auto id = study::run_test(*lab::open_record(arguments[1], {}), {}, "undrained.db");
-  const auto test = study::load_test_result(db::Store("undrained.db"), id, study::WithCurves::no);
+  std::string database = "undrained.db";
+  const auto id = study::run_test(*lab::open_record(arguments[1], {}), {}, database);
+  const auto test = study::load_test_result(db::Store(database), id, study::WithCurves::no);
   if (const auto onset = study::collapse_onset(test.stored))
     std::printf("%s: unstable at eta = %.3f\n", test.stored.header.name.c_str(), *onset->eta());
 }
