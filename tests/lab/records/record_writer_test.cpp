@@ -64,7 +64,9 @@ TEST_CASE("a simulation says in its first line that it is one and how it is repe
   auto header = header_with_all_columns();
   header.source = "some/folder/csu_26.toml";
   const auto first_line = [&] {
-    RecordWriter(path, header).finish(header, {});
+    RecordWriter writer(path, header);
+    writer.write(random_readings(1).front());
+    writer.finish(header, {});
     const auto text = read_text_file(path);
     return text.substr(0, text.find('\n'));
   };
