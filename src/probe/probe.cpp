@@ -18,6 +18,7 @@
 #include "src/probe/strain_paths_figures.hpp"
 #include "src/probe/strain_paths_json.hpp"
 #include "src/probe/strain_paths_text.hpp"
+#include "src/triaxial/left_waiting.hpp"
 
 namespace triax::src {
 namespace {
@@ -67,6 +68,7 @@ void run_sphere(const ProbeOptions& o) {
 }
 
 void run_probe(const ProbeOptions& o) {
+  if (!o.tests.empty()) tell_of_gaps(o.db);
   const auto result = study::run_probe(probe_request(o), progress_bars());
   if (!o.output.empty()) write_files(o, result);
   print(o.json ? probe_json(result)

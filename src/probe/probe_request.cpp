@@ -7,7 +7,6 @@
 #include "lab/paths/path_reader.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
-#include "src/triaxial/left_waiting.hpp"
 
 namespace triax::src {
 namespace {
@@ -41,7 +40,6 @@ study::GivenStates given_states(const ProbeOptions& o, const lab::MaterialSet& m
 
 study::MeasuredStates measured_states(const ProbeOptions& o, const lab::MaterialSet& material) {
   if (o.material.void_ratio) chosen_void_ratio(o.material, material);
-  if (!o.tests.empty()) tell_of_gaps(o.db);
   return {.db = o.db,
           .tests = o.tests,
           .at = o.at.empty() ? "collapse" : o.at,

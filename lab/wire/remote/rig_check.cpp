@@ -27,7 +27,6 @@ struct Said {
   std::vector<std::vector<CalibratedValue>> channels;  ///< a look each
   std::vector<double> answers_s;
   double state = kMissing;  ///< of a drive
-  std::string why;          ///< values were missing at the last look
 };
 
 ChannelCheck check_channel(const RigChannel& channel, std::size_t place, const Said& said) {
@@ -46,12 +45,13 @@ ChannelCheck check_channel(const RigChannel& channel, std::size_t place, const S
   check.noise = standard_deviation(values);
   if (!in_range)
     check.trouble = "outside the range of its calibration, or at the end of the instrument's";
-  else if (values.empty() && said.why.starts_with("reply rejected: " + channel.name + " ") &&
-           said.why.find("is outside of") != std::string::npos)
-    check.trouble = "no triaxial apparatus measures that: unit, gain or offset is wrong";
   else if (values.size() < said.channels.size())
     check.trouble = fmt::format("{} of {} answers without a value",
                                 said.channels.size() - values.size(), said.channels.size());
+  else if (channel.quantity && info(*channel.quantity).raw.absurd <
+                                   std::fabs(check.value * channel.scale /
+                                             sim::find_unit(info(*channel.quantity).unit)->scale))
+    check.trouble = "no triaxial apparatus measures that: unit, gain or offset is wrong";
   if (check.trouble.empty() && channel.calibration.date.empty() && channel.quantity)
     check.trouble = "no date of calibration in the file";
   return check;
@@ -113,7 +113,6 @@ std::vector<InstrumentCheck> check_rig(const RigFile& rig, double within_s,
     instruments.scan([&all](const WireInstrument& one, const WireInstrument::Scan& scan) {
       Said& said = all[&one];
       said.channels.push_back(scan.channels);
-      said.why = scan.why;
       if (scan.answered_s > 0) said.answers_s.push_back(scan.answered_s - scan.sent_s);
       if (!scan.also.empty() && !std::isnan(scan.also[0])) said.state = scan.also[0];
     });
