@@ -20,6 +20,13 @@ std::string rows(int count) {
   return text;
 }
 
+/// Rows after rows(40) whose displacement is larger than the specimen.
+std::string impossible_strains(int count) {
+  std::string text;
+  for (int i = 40; i < 40 + count; ++i) text += std::to_string(i) + ",150,0.02,800,500,500,0\n";
+  return text;
+}
+
 std::string replaced(const std::string& text, const std::string& what, const std::string& by) {
   return std::regex_replace(text, std::regex(what), by);
 }
@@ -44,7 +51,7 @@ TEST_CASE("each kind of bad record is one clear line, status 2, and leaves nothi
        ":42: column 'axial_displacement_mm'"},
       {"NaN", good + "40,0.4,NaN,800,500,500,0\n", ":42"},
       {"infinite", good + "40,0.4,inf,800,500,500,0\n", ":42"},
-      {"strain beyond 1", good + "40,150,0.02,800,500,500,0\n", ":42: axial strain"},
+      {"strains beyond 1", good + impossible_strains(6), ": axial strain"},
       {"time all equal",
        kHeadings + replaced(rows(1), "0,0.0", "5,0.0") +
            "5,0.1,0.02,800,500,500,0\n"
