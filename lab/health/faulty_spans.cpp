@@ -2,12 +2,9 @@
 #include "lab/health/faulty_spans.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 namespace triax::lab {
 namespace {
-
-using enum Quantity;
 
 void remove_strains(State& s) { s.strain = {kMissing, kMissing}; }
 void remove_volume(State& s) {
@@ -24,6 +21,7 @@ void remove_stresses(State& s) {
 
 /// A raw channel, as RawReduction uses it.
 void remove_raw(Quantity channel, const RecordHeader& header, State& s) {
+  using enum Quantity;
   switch (channel) {
     case axial_displacement:
       remove_strains(s);
@@ -49,6 +47,7 @@ void remove_raw(Quantity channel, const RecordHeader& header, State& s) {
 
 /// A column that was reduced before: of the others nobody says from which it was reduced.
 void remove_reduced(Quantity channel, const RecordHeader& header, State& s) {
+  using enum Quantity;
   switch (channel) {
     case axial_strain:
     case shear_strain:
@@ -89,7 +88,7 @@ void remove_reduced(Quantity channel, const RecordHeader& header, State& s) {
 
 bool FaultySpans::counts(const RecordHealth::Wrong& wrong, int stage) const {
   if (is_vouched(wrong.finding, header_.vouched)) return false;
-  if (wrong.finding.channel != back_volume || wrong.finding.fault != SensorFault::missing)
+  if (wrong.finding.channel != Quantity::back_volume || wrong.finding.fault != SensorFault::missing)
     return true;
   const StageInfo* info = header_.stage(stage);
   return info == nullptr || info->drainage != Drainage::closed;
@@ -101,8 +100,8 @@ void FaultySpans::add(const Reading& reading) {
   for (const RecordHealth::Wrong& wrong : health_.wrong()) {
     if (!counts(wrong, reading.stage)) continue;
     const auto channel = wrong.finding.channel;
-    const auto latest = std::ranges::find_if(
-        found_ | std::views::reverse, [&](const Found& f) { return f.span.channel == channel; });
+    const auto latest = std::find_if(found_.rbegin(), found_.rend(),
+                                     [&](const Found& f) { return f.span.channel == channel; });
     if (latest != found_.rend() && wrong.from <= latest->span.until + 1) {
       latest->span.from = std::min(latest->span.from, wrong.from);
       latest->span.until = std::max(latest->span.until, wrong.until);
