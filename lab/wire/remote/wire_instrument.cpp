@@ -161,7 +161,11 @@ void WireInstrument::take(const std::shared_ptr<Round>& round, std::size_t quest
                                   .length = asked.length,
                                   .trailing = asked.trailing,
                                   .trouble = trouble});
-    if (again && line_.is_open() && loop_.now_s() < round->deadline_s) return ask(round, question);
+    // A second reply takes as long as this one did. A question that would end in its deadline would
+    // cost the next scan, too.
+    const double needed_s = asked.answered_s - asked.sent_s;
+    if (again && line_.is_open() && loop_.now_s() + needed_s < round->deadline_s)
+      return ask(round, question);
   }
   check.fail(trouble);
   const ReplyCheck::Outcome outcome = check.end();
