@@ -38,6 +38,11 @@ RecordHeader header_with_all_columns() {
   return header;
 }
 
+bool is_strain(Quantity quantity) {
+  return quantity == Quantity::axial_strain || quantity == Quantity::shear_strain ||
+         quantity == Quantity::axial_displacement;
+}
+
 // What an instrument of finite resolution, or a parsed file, gives: field values through to_si.
 std::vector<Reading> random_readings(std::size_t count) {
   std::mt19937_64 random(11);
@@ -50,7 +55,10 @@ std::vector<Reading> random_readings(std::size_t count) {
     readings[i].stage = i < count / 2 ? 1 : 2;
     for (const QuantityInfo& row : quantities()) {
       if (random() % 10 == 0 && i > 0) continue;
-      const double value = std::ldexp(uniform(random), static_cast<int>(random() % 43) - 30);
+      const double mantissa = uniform(random);
+      double value = std::ldexp(mantissa, static_cast<int>(random() % 43) - 30);
+      // A strain that went back to its first value would begin a second test.
+      if (is_strain(row.quantity)) value = 1e-4 * (static_cast<double>(i) + mantissa / 2);
       readings[i][row.quantity] = triax::sim::to_si(value, *triax::sim::find_unit(row.unit));
     }
   }
