@@ -117,6 +117,20 @@ std::string folded(std::string_view text) {
   return out;
 }
 
+namespace {
+
+/// Control characters above ASCII, blanks that do not break, soft hyphens, characters without width
+/// and marks of reading order, as one character of UTF-8.
+bool is_invisible(std::string_view character) {
+  if (character.size() == 2 && character[0] == '\xC2')
+    return character[1] <= '\xA0' || character[1] == '\xAD';
+  if (character.starts_with("\xE2\x80"))
+    return character[2] <= '\x8F' || (character[2] >= '\xA8' && character[2] <= '\xAF');
+  return character == "\xEF\xBB\xBF";
+}
+
+}  // namespace
+
 std::string excerpt(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   const std::string utf8 =
@@ -126,8 +140,7 @@ std::string excerpt(std::string_view text) {
     if (i >= kLongest) return out + "...'";
     const auto length = std::max<std::size_t>(sequence_length(utf8, i), 1);
     const auto first = byte_at(utf8, i);
-    const bool control = first < 0x20 || first == 0x7F;
-    if (control)
+    if (first < 0x20 || first == 0x7F || is_invisible(utf8.substr(i, length)))
       out += '?';
     else
       out.append(utf8, i, length);

@@ -34,6 +34,10 @@ TEST_CASE("an excerpt is short, printable UTF-8") {
   CHECK(excerpt("abc") == "'abc'");
   CHECK(excerpt("a\x01\nb") == "'a??b'");
   CHECK(excerpt("mm\xB3") == "'mm³'");
+  CHECK(excerpt("a\xC2\xAD"
+                "b\xC2\xA0"
+                "c\xE2\x80\x8B"
+                "d") == "'a?b?c?d'");
   const auto cut = excerpt(std::string(500, 'x'));
   CHECK(cut == "'" + std::string(40, 'x') + "...'");
   std::string greek;
