@@ -24,7 +24,7 @@ std::string selected(SQLite::Database& database, const std::string& table, const
 /// Whether the tables have a column for every quantity, and the view `readings` is the one that
 /// this program makes.
 bool has_all_channels(SQLite::Database& database);
-/// Adds the columns that are missing and makes the view anew where it differs. Inside the caller's
+/// Adds the columns that are missing and re-creates the view if it differs. Inside the caller's
 /// transaction.
 void add_missing_channels(SQLite::Database& database);
 /// For a database that is only read: a view of this connection that has all columns.

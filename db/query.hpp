@@ -19,7 +19,7 @@ struct NamedQuery {
 };
 const std::vector<NamedQuery>& named_queries();
 
-/// After which a query is ended where nobody asks for another limit.
+/// Default time limit of a query.
 inline constexpr double kQueryLimit_s = 60;
 
 /// Runs a named query or one statement of SQL against the database, strictly read only: SQLite

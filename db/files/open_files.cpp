@@ -51,7 +51,7 @@ std::string OpenFiles::missing() const {
 void OpenFiles::make_whole() const {
   const Identity wal = identity_of(paths_[kWal]);
   if (wal != Identity{} && wal != identities_[kWal]) return;  // SQLite would remove that
-  // Only the last connection leaves WAL: nobody else uses the file, under any name.
+  // Only the last connection can leave WAL mode: no other process uses the file, under any name.
   database_.tryExec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
 }
 

@@ -9,7 +9,7 @@
 namespace triax::db {
 
 /// The files of an open database: whether they are still where they were when it was opened. A file
-/// that was renamed or removed keeps what is written to it, but nobody finds that any more; without
+/// that was renamed or removed keeps what is written to it, but is lost to readers; without
 /// its -wal or -shm a database is not whole for others.
 class OpenFiles {
  public:

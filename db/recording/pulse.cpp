@@ -25,7 +25,7 @@ Pulse::~Pulse() {
 void Pulse::beat() {
   std::unique_lock lock(mutex_);
   while (!end_.wait_for(lock, Lease::kBeat, [this] { return ended_; })) try {
-      if (!std::filesystem::exists(path_)) continue;  // the writer makes it anew, with its run
+      if (!std::filesystem::exists(path_)) continue;  // the writer re-creates it, with its run
       SQLite::Database database = open_for_writing(path_, Lease::kBeat);
       SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
       lease_.renew(database);

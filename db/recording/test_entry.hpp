@@ -71,7 +71,7 @@ class TestEntry {
   /// Lets go of files that have moved. The next transaction looks for the database at its path and
   /// goes on with the test where it is there.
   void abandon();
-  /// A database that is not at its path after abandon() is made anew. Without this call
+  /// A database that is not at its path after abandon() is created again. Without this call
   /// transactions throw MayPass until it is there; NotInPlace where something else is.
   void make_anew() { may_make_ = true; }
   /// From the next transaction on.

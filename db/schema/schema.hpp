@@ -24,7 +24,7 @@ void distrust_schema(SQLite::Database& database);
 /// differs. Column definitions of a name and a type may differ (db/channel_columns.hpp adds such).
 /// Accepted are tables of the user with their indexes, and indexes of the user on columns of
 /// triax's tables, but UNIQUE, partial and computed ones. The view `readings` is not compared: it
-/// is made anew where it differs. `path` names the database in messages.
+/// is re-created if it differs. `path` names the database in messages.
 void check_schema(SQLite::Database& database, const std::string& path);
 
 /// Throws lab::WorkFailed where the pages of the file are damaged (PRAGMA quick_check): 0.18 s for

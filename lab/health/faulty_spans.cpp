@@ -45,7 +45,7 @@ void remove_raw(Quantity channel, const RecordHeader& header, State& s) {
   }
 }
 
-/// A column that was reduced before: of the others nobody says from which it was reduced.
+/// A column that was reduced before. It is unknown which other columns it was reduced from.
 void remove_reduced(Quantity channel, const RecordHeader& header, State& s) {
   using enum Quantity;
   switch (channel) {

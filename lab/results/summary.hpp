@@ -24,7 +24,7 @@ enum class EventKind {
   stage_started,
   loss_of_sustainability,  ///< second-order work vanished for good, inside the limit surface
   limit_surface,           ///< likewise, on it: a failure, no diffuse collapse
-  failure,                 ///< likewise, drained, where the limit is unknown
+  failure,                 ///< a drained failure; the limit is unknown
   sensor_fault,            ///< a sensor cannot be believed
   device_fault,            ///< a device of the rig does not do what it was asked
   held,                    ///< paused, by the operator or from outside

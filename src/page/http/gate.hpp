@@ -27,7 +27,7 @@ struct RequestHead {
 
 /// How long tokens and cookies are valid.
 struct AccessTimes {
-  std::chrono::seconds token{std::chrono::hours(1)};       ///< of an address that nobody opened
+  std::chrono::seconds token{std::chrono::hours(1)};       ///< of an address that was not opened
   std::chrono::seconds idle{std::chrono::hours(12)};       ///< of a browser, since its last request
   std::chrono::seconds absolute{std::chrono::hours(168)};  ///< of a browser, since its entry
 };

@@ -3,6 +3,9 @@
 // on the virtual rig.
 #include "lab/rig/rig_software.hpp"
 
+#include <functional>
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include "lab/programmes/programme_reader.hpp"
@@ -35,48 +38,28 @@ class Stumbling : public Apparatus {
   double late_s_;
 };
 
-/// A controller of the cell pressure that says something else at one look or from it on.
-class Misread : public Apparatus {
+/// An apparatus whose devices report what `change` makes of each look.
+class Disturbed : public Apparatus {
  public:
-  Misread(const Programme& programme, double from_s, double until_s)
-      : inner_(programme, 1), from_s_(from_s), until_s_(until_s) {}
+  using Change = std::function<void(const Reading&, DeviceStates&)>;
+  Disturbed(const Programme& programme, Change change)
+      : inner_(programme, 1), change_(std::move(change)) {}
   void look(Reading& reading) override {
     inner_.look(reading);
-    said_ = inner_.devices();
-    if (reading.time_s >= from_s_ && reading.time_s < until_s_) said_.cell.asked_pa = 4000e3;
+    states_ = inner_.devices();
+    change_(reading, states_);
   }
-  const DeviceStates& devices() const override { return said_; }
+  const DeviceStates& devices() const override { return states_; }
   Ticked tick(const PlantDemand& demand, const Tick& tick) override {
     const Ticked done = inner_.tick(demand, tick);
-    said_ = inner_.devices();
+    states_ = inner_.devices();
     return done;
   }
 
  private:
   VirtualApparatus inner_;
-  DeviceStates said_;
-  double from_s_, until_s_;
-};
-
-/// A device that fails at the reading of 6 s.
-class Failing : public Apparatus {
- public:
-  explicit Failing(const Programme& programme) : inner_(programme, 1) {}
-  void look(Reading& reading) override {
-    inner_.look(reading);
-    said_ = inner_.devices();
-    if (reading.time_s == 6) said_.fault = "it stood still";
-  }
-  const DeviceStates& devices() const override { return said_; }
-  Ticked tick(const PlantDemand& demand, const Tick& tick) override {
-    const Ticked done = inner_.tick(demand, tick);
-    said_ = inner_.devices();
-    return done;
-  }
-
- private:
-  VirtualApparatus inner_;
-  DeviceStates said_;
+  Change change_;
+  DeviceStates states_;
 };
 
 /// A ramp of the cell pressure from 400 kPa to 410 kPa in 10 s.
@@ -96,10 +79,14 @@ struct RampRun {
   std::vector<Check> checks;
 };
 
+/// Run with a cell controller that reports 4000 kPa from one instant until another.
 RampRun run_ramp(double misread_from_s, double until_s) {
+  const auto misread = [=](const Reading& reading, DeviceStates& states) {
+    if (reading.time_s >= misread_from_s && reading.time_s < until_s) states.cell.asked_pa = 4000e3;
+  };
   const GuardedProgramme all = with_guard_stages(read_programme(programme_text(kRamp), "p.toml"));
   RigSoftware rig(all, rig_header(all.programme, 1),
-                  std::make_unique<Misread>(all.programme, misread_from_s, until_s));
+                  std::make_unique<Disturbed>(all.programme, misread));
   RampRun run;
   for (Reading reading; rig.next(reading);) run.end_s = reading.time_s;
   run.checks = rig.checks();
@@ -148,7 +135,11 @@ TEST_CASE("RigSoftware: a fault has priority over the end of a stage", "[rig]") 
       read_programme(replaced(programme_text(), R"("axial_strain_pct", above = 1.0)",
                               R"("time_min", above = 0.1)"),
                      "p.toml"));
-  RigSoftware rig(all, rig_header(all.programme, 1), std::make_unique<Failing>(all.programme));
+  const auto fails_at_6_s = [](const Reading& reading, DeviceStates& states) {
+    if (reading.time_s == 6) states.fault = "it stood still";
+  };
+  RigSoftware rig(all, rig_header(all.programme, 1),
+                  std::make_unique<Disturbed>(all.programme, fails_at_6_s));
   for (Reading reading; rig.next(reading);) {
   }
   CHECK(rig.ending().kind == TestEnding::Kind::safe_state);

@@ -66,7 +66,7 @@ export class LiveRows {
     return this.faults.length ? withoutFaults(this.columns, this.faults) : this.columns;
   }
 
-  /** The last reading, likewise. */
+  /** The last reading, without values of faulty sensors. */
   get shownNow() {
     const lost = this.faults.filter((fault) => this.now && isFaulty(this.now.reading, fault)).flatMap((fault) => fault.columns);
     return lost.length ? { ...this.now, ...Object.fromEntries(lost.map((name) => [name, null])) } : this.now;
