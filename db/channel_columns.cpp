@@ -2,6 +2,7 @@
 #include "db/channel_columns.hpp"
 
 #include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -78,8 +79,8 @@ Names given_headings() {
 /// A column of SQLite's whole numbers is called so, all others hold reals.
 void add_columns(SQLite::Database& database, const std::string& table, const Names& names) {
   for (const std::string& name : names)
-    database.exec("ALTER TABLE " + table + " ADD COLUMN " + name +
-                  (name.ends_with("last_bits") ? " INTEGER" : " REAL"));
+    database.exec(fmt::format("ALTER TABLE {} ADD COLUMN {} {}", table, name,
+                              name.ends_with("last_bits") ? "INTEGER" : "REAL"));
 }
 
 /// What instruments and files gave, in units of the field. Filters on test_id become ranges of
@@ -121,7 +122,8 @@ const Names& detail_columns() {
 
 std::string column_list(const Names& columns, const std::string& prefix) {
   std::string text;
-  for (const std::string& name : columns) text += (text.empty() ? "" : ", ") + prefix + name;
+  for (const std::string& name : columns)
+    text.append(text.empty() ? "" : ", ").append(prefix).append(name);
   return text;
 }
 
@@ -131,7 +133,8 @@ std::string selected(SQLite::Database& database, const std::string& table, const
   std::string text;
   for (const std::string& name : columns) {
     const bool there = std::ranges::find(missing, name) == missing.end();
-    text += (text.empty() ? "" : ", ") + (there ? alias + "." + name : "NULL AS " + name);
+    text.append(text.empty() ? "" : ", ");
+    text.append(there ? alias : "NULL AS ").append(there ? "." : "").append(name);
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "db/connection.hpp"
@@ -22,13 +23,24 @@ struct Pragma {
 };
 
 bool only_tells(const char* name, bool has_argument) {
-  static constexpr Pragma kHarmless[] = {
-      {"application_id", false},   {"compile_options", false}, {"database_list", false},
-      {"foreign_key_check", true}, {"foreign_key_list", true}, {"function_list", false},
-      {"index_info", true},        {"index_list", true},       {"index_xinfo", true},
-      {"integrity_check", true},   {"page_count", false},      {"page_size", false},
-      {"quick_check", true},       {"schema_version", false},  {"table_info", true},
-      {"table_list", true},        {"table_xinfo", true},      {"user_version", false}};
+  static constexpr auto kHarmless = std::to_array<Pragma>({{"application_id", false},
+                                                           {"compile_options", false},
+                                                           {"database_list", false},
+                                                           {"foreign_key_check", true},
+                                                           {"foreign_key_list", true},
+                                                           {"function_list", false},
+                                                           {"index_info", true},
+                                                           {"index_list", true},
+                                                           {"index_xinfo", true},
+                                                           {"integrity_check", true},
+                                                           {"page_count", false},
+                                                           {"page_size", false},
+                                                           {"quick_check", true},
+                                                           {"schema_version", false},
+                                                           {"table_info", true},
+                                                           {"table_list", true},
+                                                           {"table_xinfo", true},
+                                                           {"user_version", false}});
   return std::ranges::any_of(kHarmless, [&](const Pragma& pragma) {
     return sqlite3_stricmp(pragma.name, name) == 0 && (pragma.takes_argument || !has_argument);
   });
@@ -152,6 +164,7 @@ void query(const std::string& path, const std::string& name_or_sql,
     check_single(database.getHandle(), sql);
     SQLite::Statement statement(database, sql);
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(statement.getColumnCount()));
     for (int i = 0; i < statement.getColumnCount(); ++i)
       names.emplace_back(statement.getColumnName(i));
     columns(names);

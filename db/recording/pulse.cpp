@@ -10,8 +10,8 @@
 
 namespace triax::db {
 
-Pulse::Pulse(std::string path, const Lease& lease)
-    : path_(std::move(path)), lease_(lease), thread_([this] { beat(); }) {}
+Pulse::Pulse(std::string path, Lease lease)
+    : path_(std::move(path)), lease_(std::move(lease)), thread_([this] { beat(); }) {}
 
 Pulse::~Pulse() {
   {

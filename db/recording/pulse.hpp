@@ -15,7 +15,7 @@ namespace triax::db {
 class Pulse {
  public:
   /// The lease has been taken.
-  Pulse(std::string path, const Lease& lease);
+  Pulse(std::string path, Lease lease);
   ~Pulse();
   Pulse(const Pulse&) = delete;
   Pulse& operator=(const Pulse&) = delete;

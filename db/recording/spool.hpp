@@ -37,8 +37,8 @@ class Spool {
   TestEntry entry_;
 };
 
-/// The spools beside a database, whoever's they are; also where `database` is a symbolic link.
-std::vector<std::string> spools_beside(const std::string& database);
+/// The spools beside the database `path`, of any writer; `path` may be a symbolic link.
+std::vector<std::string> spools_beside(const std::string& path);
 /// The number of the test that waits in a spool; 0 where its writer was killed before the first
 /// batch was in it, even before there were tables, or sets about it.
 std::int64_t waiting_test(const std::string& spool);

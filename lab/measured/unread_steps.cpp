@@ -15,7 +15,7 @@ bool UnreadSteps::add(const State& state) {
   if (!std::isfinite(state.q)) return false;
   const auto before = std::exchange(before_, state);
   if (!before) return false;
-  double lapse = static_cast<double>(state.reading - before->reading);
+  auto lapse = static_cast<double>(state.reading - before->reading);
   if (has_time_ && state.time_s > before->time_s) lapse = state.time_s - before->time_s;
   const double leap = std::fabs(state.strain.axial - before->strain.axial);
   const double loss = std::fabs(before->q) - std::fabs(state.q);

@@ -2,7 +2,6 @@
 #include "sim/materials/umat_worker.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <ctime>
 #include <new>
 #include <stdexcept>
@@ -97,7 +97,7 @@ std::string UmatWorker::start() {
   std::array<int, 2> pipe{-1, -1};
   const pid_t made = pipe2(pipe.data(), O_CLOEXEC) == 0 ? fork() : -1;
   if (made == 0) run_umat(plugin_, *exchange_, output_, pipe[0]);
-  const std::string failure = made < 0 ? system_error("pipe or fork") : "";
+  std::string failure = made < 0 ? system_error("pipe or fork") : "";
   if (pipe[0] >= 0) close(pipe[0]);
   lifeline_ = pipe[1];
   if (made < 0) {
