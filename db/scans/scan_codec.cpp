@@ -25,9 +25,12 @@ constexpr BitField derived_bits(std::size_t item) { return {27 + static_cast<int
 
 using DerivedValues = std::array<double, kDerivedCount>;
 
-const std::array<double, lab::kQuantityCount>& scales() {
-  static const auto table = [] {
-    std::array<double, lab::kQuantityCount> result{};
+using Scales = std::array<double, lab::kQuantityCount>;
+
+/// Of the unit of each quantity. Called once a reading: the static variable has a guard.
+const Scales& unit_scales() {
+  static const Scales table = [] {
+    Scales result{};
     for (const lab::QuantityInfo& row : lab::quantities())
       result[lab::index(row.quantity)] = sim::find_unit(row.unit)->scale;
     return result;
@@ -169,7 +172,7 @@ bool encode_derived(const lab::Reading& reading, const lab::State& state,
   return needed;
 }
 
-bool encode_given(const lab::Reading& reading, ScanDetail& detail) {
+bool encode_given(const lab::Reading& reading, const Scales& scales, ScanDetail& detail) {
   bool any = false;
   for (std::size_t i = lab::kRawQuantityCount; i < lab::kQuantityCount; ++i)
     any = any || std::isfinite(reading.si[i]);
@@ -177,8 +180,7 @@ bool encode_given(const lab::Reading& reading, ScanDetail& detail) {
   detail.given_last_bits = 0;
   for (std::size_t i = 0; i < kGivenCount; ++i) {
     const std::size_t q = lab::kRawQuantityCount + i;
-    detail.given_last_bits |=
-        encode_field(reading.si[q], scales()[q], raw_bits(i), detail.given[i]);
+    detail.given_last_bits |= encode_field(reading.si[q], scales[q], raw_bits(i), detail.given[i]);
   }
   return true;
 }
@@ -193,21 +195,22 @@ StageReference reference_of(const lab::State& state) {
 
 bool encode(const lab::Reading& reading, const lab::State& state, const StageReference& reference,
             ScanRow& row, ScanDetail& detail) {
+  const Scales& scales = unit_scales();
   row.number = reading.number;
   row.stage = reading.stage;
   row.last_bits = row.added_last_bits = 0;
   for (std::size_t i = 0; i < kFirstChannelCount; ++i)
-    row.last_bits |= encode_field(reading.si[i], scales()[i], raw_bits(i), row.raw[i]);
+    row.last_bits |= encode_field(reading.si[i], scales[i], raw_bits(i), row.raw[i]);
   for (std::size_t i = 0; i < kAddedChannelCount; ++i) {
     const std::size_t q = kFirstChannelCount + i;
-    row.added_last_bits |= encode_field(reading.si[q], scales()[q], raw_bits(i), row.raw[q]);
+    row.added_last_bits |= encode_field(reading.si[q], scales[q], raw_bits(i), row.raw[q]);
   }
   row.last_bits |= encode_si(reading.time_s, 0, row.time_s);
   row.last_bits |= encode_si(state.strain.axial, 1, row.axial_strain);
   row.last_bits |= encode_si(state.volumetric_strain, 2, row.volumetric_strain);
   row.last_bits |= encode_si(state.q, 3, row.q_pa);
   row.last_bits |= encode_si(state.p_eff, 4, row.p_eff_pa);
-  const bool given = encode_given(reading, detail);
+  const bool given = encode_given(reading, scales, detail);
   const bool underived = encode_derived(reading, state, reference, row, detail);
   if (given && !underived) {
     detail.state_si.fill(kMissing);
@@ -221,21 +224,22 @@ bool encode(const lab::Reading& reading, const lab::State& state, const StageRef
 
 void decode(const ScanRow& row, const ScanDetail* detail, const StageReference& reference,
             lab::Reading& reading, lab::State& state) {
+  const Scales& scales = unit_scales();
   const std::int64_t bits = row.last_bits;
   reading.number = state.reading = row.number;
   reading.stage = state.stage = row.stage;
   reading.time_s = state.time_s = decode_si(row.time_s, 0, bits);
   reading.line = 0;
   for (std::size_t i = 0; i < kFirstChannelCount; ++i)
-    reading.si[i] = decode_field(row.raw[i], scales()[i], raw_bits(i).get(bits));
+    reading.si[i] = decode_field(row.raw[i], scales[i], raw_bits(i).get(bits));
   for (std::size_t i = 0; i < kAddedChannelCount; ++i) {
     const std::size_t q = kFirstChannelCount + i;
-    reading.si[q] = decode_field(row.raw[q], scales()[q], raw_bits(i).get(row.added_last_bits));
+    reading.si[q] = decode_field(row.raw[q], scales[q], raw_bits(i).get(row.added_last_bits));
   }
   for (std::size_t i = 0; i < kGivenCount; ++i) {
     const std::size_t q = lab::kRawQuantityCount + i;
     reading.si[q] = detail == nullptr ? kMissing
-                                      : decode_field(detail->given[i], scales()[q],
+                                      : decode_field(detail->given[i], scales[q],
                                                      raw_bits(i).get(detail->given_last_bits));
   }
   state.strain.axial = decode_si(row.axial_strain, 1, bits);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -56,8 +57,8 @@ JudgedStates::JudgedStates(const RecordHeader& header)
 
 Reading believed(const JudgedStates::Judged& judged) {
   Reading reading = judged.reading;
-  for (std::size_t i = 0; i < kQuantityCount; ++i)
-    if (judged.wrong & channel_bit(static_cast<Quantity>(i))) reading.si[i] = kMissing;
+  for (ChannelSet wrong = judged.wrong; wrong != 0; wrong &= wrong - 1)
+    reading.si[static_cast<std::size_t>(std::countr_zero(wrong))] = kMissing;
   return reading;
 }
 
@@ -82,6 +83,7 @@ void JudgedStates::note_volume_gauge(const Reading& reading) {
 
 void JudgedStates::add(const Reading& reading, const State& state) {
   note_volume_gauge(reading);
+  if (held_.full()) held_.set_capacity(2 * held_.capacity());
   held_.push_back({.reading = reading, .state = state});
   health_.watch(reading);
   for (const auto& wrong : health_.wrong()) mark(wrong);
@@ -259,7 +261,7 @@ void JudgedStates::bound(Collapse& collapse) const {
 
 bool JudgedStates::is_possible(const State& state) const {
   return !complete(state) || !is_watched(header_.stage(state.stage)) ||
-         plausibility_.impossible(state).empty();
+         plausibility_.is_possible(state);
 }
 
 std::vector<Warning> JudgedStates::warnings() const {

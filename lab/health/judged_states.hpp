@@ -2,10 +2,11 @@
 #pragma once
 // Between reduction and monitor: states on live sensors pass, the others do not.
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <boost/circular_buffer.hpp>
 
 #include "lab/health/closed_drainage.hpp"
 #include "lab/health/plausibility.hpp"
@@ -48,7 +49,7 @@ class JudgedStates {
 
   void add(const Reading& reading, const State& state);
   /// The next one about which all is known; null until more readings came. Valid until the next
-  /// call of next().
+  /// call of add() or next().
   const Judged* next();
   /// No more readings will come: next() gives the rest. Findings as after add().
   void finish();
@@ -91,8 +92,8 @@ class JudgedStates {
 
   RecordHeader header_;
   RecordHealth health_;
-  std::deque<Judged> held_;
-  bool taken_ = false;  ///< the front of held_ was given on
+  boost::circular_buffer<Judged> held_{16};  ///< grows
+  bool taken_ = false;                       ///< the front of held_ was given on
   bool finished_ = false;
   std::optional<State> last_live_;  ///< the last that was judged, in shear
   std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged

@@ -6,13 +6,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
 namespace {
 
 constexpr double kSteep = 60;  // degrees
+const double kSteepSine = std::sin(sim::radians(kSteep));
+
+/// Of the mobilised friction angle, at q/p' = eta.
+double sine_of_friction(double eta) { return (eta >= 0 ? 3 : -3) * eta / (6 + eta); }
+
+bool is_test_pressure(double p_eff) {
+  return p_eff >= Plausibility::kLeastStress && p_eff <= Plausibility::kMostStress;
+}
+
+bool exceeds_any_cell(const State& s) {
+  return std::max(std::fabs(s.q), s.p_eff) > 2 * Plausibility::kMostStress;
+}
 
 double least_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 * s.q / 3); }
 
@@ -33,19 +44,25 @@ std::string Plausibility::impossible_specimen() const {
       *specimen_.height_m * 1e3, *specimen_.diameter_m * 1e3);
 }
 
+bool Plausibility::is_possible(const State& s) const {
+  if (!first_ && !is_test_pressure(s.p_eff)) return false;
+  if (exceeds_any_cell(s)) return false;
+  const double reach = s.p_eff + (first_ ? zero_error_ : zero_error(s.p_eff));
+  return s.q <= kSteepest * reach && -s.q <= kSteepestExtension * reach;
+}
+
 std::string Plausibility::impossible(const State& s) const {
-  if (!first_ && !(s.p_eff >= kLeastStress && s.p_eff <= kMostStress))
+  if (is_possible(s)) return {};
+  if (!first_ && !is_test_pressure(s.p_eff))
     return fmt::format(
         "p' is {:.4g} kPa at reading {} where shear begins, which no triaxial test is made at: a "
         "pressure is no reading or in another unit than its column says, or u was taken off twice",
         s.p_eff / 1e3, s.reading);
-  if (std::max(std::fabs(s.q), s.p_eff) > 2 * kMostStress)
+  if (exceeds_any_cell(s))
     return fmt::format(
         "q is {:.4g} kPa and p' {:.4g} kPa at reading {}, beyond any triaxial cell: force or a "
         "pressure is no reading or in another unit than its column says",
         s.q / 1e3, s.p_eff / 1e3, s.reading);
-  const double reach = s.p_eff + zero_error(first_ ? first_->p_eff : s.p_eff);
-  if (s.q <= kSteepest * reach && -s.q <= kSteepestExtension * reach) return {};
   return fmt::format(
       "q is {:.1f} kPa and p' {:.1f} kPa at reading {} (smaller effective stress {:.1f} kPa), "
       "beyond any friction angle: force, area or a pressure is no reading or in another unit, or a "
@@ -77,12 +94,15 @@ void Plausibility::watch_fall(const State& s) {
 }
 
 bool Plausibility::add(const State& s) {
-  if (auto reason = impossible(s); !reason.empty()) {
-    if (impossible_count_++ == 0) impossible_ = std::move(reason);
+  if (!is_possible(s)) {
+    if (impossible_count_++ == 0) impossible_ = impossible(s);
     last_impossible_ = s.reading;
     return false;
   }
-  if (!first_) first_ = s;
+  if (!first_) {
+    first_ = s;
+    zero_error_ = zero_error(s.p_eff);
+  }
   watch_fall(s);
   const double strain = s.strain.axial - first_->strain.axial;
   if (std::fabs(s.q) > largest_q_) strain_at_largest_ = strain;
@@ -94,7 +114,7 @@ bool Plausibility::add(const State& s) {
   highest_strain_ = std::max(highest_strain_, strain);
   if (!(s.p_eff > kWorth * first_->p_eff)) return true;
   if (!tension_ && least_stress(s) < 0) tension_ = s;
-  if (!steep_ && sim::mobilised_friction_angle(s.q / s.p_eff) > sim::radians(kSteep)) steep_ = s;
+  if (!steep_ && sine_of_friction(s.q / s.p_eff) > kSteepSine) steep_ = s;
   return true;
 }
 

@@ -44,8 +44,10 @@ class Plausibility {
   /// at least 5 kPa, but no more than 10 % of p'₀.
   static double zero_error(double p_eff_start);
 
-  /// Why no specimen of any soil can be in this state; empty if it can. Knows p'₀ from the first
-  /// possible state that was added; without one it takes that of `state`.
+  /// Whether a specimen of any soil can be in this state. p'₀ is that of the first possible state
+  /// that was added; before there is one, that of `state`.
+  bool is_possible(const State& state) const;
+  /// Why is_possible() is false; empty if it is true.
   std::string impossible(const State& state) const;
   /// Why no specimen of these dimensions can be tested; empty if it can.
   std::string impossible_specimen() const;
@@ -70,6 +72,7 @@ class Plausibility {
 
   SpecimenInfo specimen_;
   std::optional<State> first_;
+  double zero_error_ = 0;  ///< Pa, once there is a first state
   double largest_q_ = 0, largest_strain_ = 0;
   double least_q_ = 0, most_q_ = 0;                ///< with their signs
   double lowest_strain_ = 0, highest_strain_ = 0;  ///< from the first

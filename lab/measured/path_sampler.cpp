@@ -5,11 +5,6 @@
 
 namespace triax::lab {
 
-bool complete(const State& s) {
-  return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial) &&
-         std::isfinite(s.volumetric_strain);
-}
-
 bool is_watched(const StageInfo* stage) {
   return stage == nullptr || stage->role == StageRole::shear || stage->role == StageRole::unknown;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From the states of a test to samples of its path.
+#include <cmath>
 #include <optional>
 
 #include "lab/measured/block_pyramid.hpp"
@@ -10,7 +11,10 @@
 namespace triax::lab {
 
 /// Whether a state holds all that second-order work needs.
-bool complete(const State& state);
+inline bool complete(const State& s) {
+  return std::isfinite(s.q) && std::isfinite(s.p_eff) && std::isfinite(s.strain.axial) &&
+         std::isfinite(s.volumetric_strain);
+}
 
 /// Whether second-order work is looked at in this stage: in shear, and where nobody says what a
 /// stage is for. `stage` may be null.

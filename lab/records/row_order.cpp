@@ -57,9 +57,10 @@ void RowOrder::add(const Row& row, bool begins_stage, Findings& findings) {
   last_line_ = row.line;
   const double time = std::isnan(row.time_s) ? row.stage_time_s : row.time_s;
   time_.add(time);
+  if (!std::isnan(time_.first)) return;
   const double strain = strain_in(row);
   strain_.add(strain);
-  if (!std::isnan(time_.first) || std::isnan(strain)) return;
+  if (std::isnan(strain)) return;
   if (begins_stage) {
     window_ = {};
     forward_rows_ = 0;

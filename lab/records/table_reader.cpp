@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -119,9 +120,9 @@ bool TableReader::parse_fast(std::string_view line) {
   Values& values = rows_[now_];
   const char* at = line.data();
   const char* end = at + line.size();
-  for (std::size_t i = 0; i < plan_.size(); ++i) {
-    const Plan& plan = plan_[i];
-    if (i > 0) {
+  bool is_first = true;
+  for (const Plan& plan : plan_) {
+    if (!std::exchange(is_first, false)) {
       if (at == end || *at != separator_) return false;
       ++at;
     }
@@ -133,11 +134,13 @@ bool TableReader::parse_fast(std::string_view line) {
     double value = 0;
     const char* const begin = at;
     if (!parse_plain(at, end, value) && !parse_long(at, end, value)) return false;
-    values[plan.slot] = value * plan.scale;
+    const double si = value * plan.scale;
+    values[plan.slot] = si;
     if (plan.is_compared) keep_printed({begin, static_cast<std::size_t>(at - begin)}, plan);
     // Both are reported by parse_general.
-    if (may_be_no_value(value) && is_no_value_code(value)) return false;
-    if (std::abs(values[plan.slot]) > plan.limit) return false;
+    if (std::abs(si) > plan.limit) return false;
+    if (may_be_no_value(value) && plan.slot < kQuantityCount && is_no_value_code(value))
+      return false;
   }
   return at == end;
 }

@@ -26,12 +26,11 @@ double first_of(std::initializer_list<Quantity> columns, std::optional<Quantity>
 /// What shears the specimen: q by the first columns that give it, else the axial force.
 double load_of(const Row& row) {
   const auto at = [&](Quantity quantity) { return row.si[index(quantity)]; };
-  for (const double load :
-       {at(deviator_stress), at(effective_axial_stress) - at(effective_radial_stress),
-        at(axial_stress) - at(radial_stress), at(stress_ratio) * at(mean_effective_stress),
-        at(axial_force)})
-    if (!std::isnan(load)) return load;
-  return kMissing;
+  double load = at(deviator_stress);
+  if (std::isnan(load)) load = at(effective_axial_stress) - at(effective_radial_stress);
+  if (std::isnan(load)) load = at(axial_stress) - at(radial_stress);
+  if (std::isnan(load)) load = at(stress_ratio) * at(mean_effective_stress);
+  return std::isnan(load) ? at(axial_force) : load;
 }
 
 }  // namespace

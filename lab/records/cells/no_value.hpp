@@ -18,6 +18,6 @@ bool is_no_value_code(double number);
 bool means_no_value(double number, double previous);
 
 /// The quick answer for most cells: false where the number can be no code.
-inline bool may_be_no_value(double number) { return std::abs(number) >= 999; }
+inline bool may_be_no_value(double number) { return number <= -999 || number >= 6999; }
 
 }  // namespace triax::lab
