@@ -144,7 +144,7 @@ constexpr std::array<Format, 4> kFormats = {{{"csv", "text/csv; charset=utf-8", 
 
 PageAnswer export_of(PageLaboratory& laboratory, std::int64_t id, const PageRequest& request) {
   const std::string asked = request.target.value("format").value_or("");
-  const auto format = std::ranges::find(kFormats, asked, &Format::name);
+  const auto* const format = std::ranges::find(kFormats, asked, &Format::name);
   if (format == kFormats.end())
     throw Refused(400, "format=" + lab::excerpt(asked) + ": expected csv, json, html or pdf");
   const auto test = result_of(laboratory, id, study::WithCurves::no).stored;

@@ -107,7 +107,7 @@ std::optional<PageAnswer> fault_of(const http::request_parser<http::empty_body>&
   if (head.version() == 11 && head.count(http::field::host) != 1)
     return error_answer(400, "a request of HTTP/1.1 has one Host");
   const auto length = head[http::field::content_length];
-  if (head.count(http::field::content_length) > 1 || length.find(',') != length.npos)
+  if (head.count(http::field::content_length) > 1 || length.find(',') != std::string_view::npos)
     return error_answer(400, "a request has at most one Content-Length");
   if (head.count(http::field::transfer_encoding) > 0) {
     if (head.version() < 11 || head.count(http::field::content_length) > 0)

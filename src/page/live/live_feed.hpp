@@ -31,6 +31,7 @@ namespace triax::src {
 struct LivePosition {
   std::int64_t reading = -1;
   int part = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of version 14
   auto operator<=>(const LivePosition&) const = default;
 };
 /// "17" or "17.2"; nothing for anything else.
