@@ -7,6 +7,7 @@
 #include <chrono>
 #include <iterator>
 #include <thread>
+#include <utility>
 
 #include "lab/base/listeners.hpp"
 #include "lab/collapse/fall_watch.hpp"

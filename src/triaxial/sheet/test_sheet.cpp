@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "src/study/version.hpp"
 #include "src/triaxial/sheet/corrections_box.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The simplest instrument, and questions to it: a line that comes is answered by "= " and itself.
+#include <utility>
+
 #include "lab/base/text.hpp"
 #include "lab/wire/conversation.hpp"
 #include "lab/wire/exchange.hpp"
