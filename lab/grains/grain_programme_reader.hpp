@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Reads a programme of grains from TOML; the keys are in docs/grains.md.
+// Reads a programme of grains from TOML; the keys are in docs/how-to/grains.md.
 #include <string>
 #include <string_view>
 #include <vector>

@@ -8,7 +8,7 @@
 
 namespace triax::src {
 
-/// The JSON contract (docs/architecture.md): one object for one test, an array for several or none.
+/// The JSON contract (docs/contributing/architecture.md): one object for one test, an array for several or none.
 /// Units are in the names (kPa, mm, degrees); what is unknown is null, never absent, never 0. A
 /// test without a verdict (running, interrupted) has null for "detected" and "kind".
 std::string json_report(const std::vector<study::TestResult>& tests);

@@ -60,7 +60,7 @@ Command serve_command() {
            "Only this machine can reach it unless --listen names another address; what is open is "
            "printed. Instruments have no passwords: keep them on a network of their own.",
            "With [plant] control = \"tcp://...\" the rig has one more port, on which its clock can "
-           "be read and its faults be switched on while it runs (docs/wire.md).",
+           "be read and its faults be switched on while it runs (docs/how-to/instruments.md).",
            "Ctrl-C ends it."},
       .diagnostics = {{"FILE:LINE: ...", "the rig's file is not valid at this line"},
                       {"ADDRESS: Address already in use", "another program listens there"}},

@@ -72,12 +72,12 @@ Lines codes(const std::string& line) {
 TEST_CASE("the dialect that the pages print is the sample, and reads its record") {
   const auto sample = content("samples/dialects/my_lab.toml");
   CHECK(sample.size() == 8);
-  for (const std::string page : {"docs/tutorial-dialect.md", "docs/formats.md"})
+  for (const std::string page : {"docs/tutorials/own-record.md", "docs/reference/record-files.md"})
     CHECK(printed(page, "name = \"my_lab\"") == sample);
   const std::string record = "samples/dialects/my_lab_record.txt";
   auto rows = lines_of(record);
   rows.resize(6);
-  CHECK(printed("docs/tutorial-dialect.md", "Probe;") == rows);
+  CHECK(printed("docs/tutorials/own-record.md", "Probe;") == rows);
   CHECK_THROWS_WITH(open_record(record, {}),
                     Contains(":3: no dialect fits this file; headings found: 'Zeit', 'Deform', "
                              "'Sigma_d (kPa)', 'Sigma_3' (kPa)', 'Bemerkung'"));
@@ -85,7 +85,7 @@ TEST_CASE("the dialect that the pages print is the sample, and reads its record"
 
 TEST_CASE("what the tutorial says of stranger files is dialect") {
   int found = 0;
-  for (const auto& line : lines_of("docs/tutorial-dialect.md")) {
+  for (const auto& line : lines_of("docs/tutorials/own-record.md")) {
     if (!line.starts_with("| ") || codes(line).empty()) continue;
     auto code = codes(line);
     if (line.starts_with("| means")) code = {"[table]", code.back()};
@@ -100,8 +100,8 @@ TEST_CASE("what the tutorial says of stranger files is dialect") {
 }
 
 TEST_CASE("the programme that is printed is a programme") {
-  const auto toml = joined(printed("docs/programmes.md", "[test]"), "\n");
-  const Programme programme = read_programme(toml, "docs/programmes.md");
+  const auto toml = joined(printed("docs/reference/programmes.md", "[test]"), "\n");
+  const Programme programme = read_programme(toml, "docs/reference/programmes.md");
   CHECK(programme.stages.size() == 2);
   CHECK(programme.seed == 1);
   CHECK(programme.frame.travel_m == Approx(0.05));
@@ -110,19 +110,19 @@ TEST_CASE("the programme that is printed is a programme") {
 }
 
 TEST_CASE("the fault and the operator that are printed are of a programme") {
-  Lines lines = printed("docs/programmes.md", "[test]");
+  Lines lines = printed("docs/reference/programmes.md", "[test]");
   for (const std::string first : {"[[faults]]", "[[operator]]"})
-    for (const auto& line : printed("docs/programmes.md", first)) lines.push_back(line);
-  const Programme programme = read_programme(joined(lines, "\n"), "docs/programmes.md");
+    for (const auto& line : printed("docs/reference/programmes.md", first)) lines.push_back(line);
+  const Programme programme = read_programme(joined(lines, "\n"), "docs/reference/programmes.md");
   REQUIRE(programme.faults.size() == 1);
   CHECK(programme.faults[0].until_s == 5400);
   CHECK(programme.operator_actions.size() == 2);
 }
 
 TEST_CASE("the guard that is printed is that of the sample") {
-  const auto guard = joined(printed("docs/programmes.md", "[guard]"), "\n");
+  const auto guard = joined(printed("docs/reference/programmes.md", "[guard]"), "\n");
   const auto by_load = read_text_file("samples/programmes/icu_load.toml");
-  const Programme printed_one = read_programme(by_load + "\n" + guard, "docs/programmes.md");
+  const Programme printed_one = read_programme(by_load + "\n" + guard, "docs/reference/programmes.md");
   const Programme sample = load_programme("samples/programmes/icu_load_guarded.toml");
   REQUIRE(printed_one.guard);
   REQUIRE(sample.guard);
@@ -133,7 +133,7 @@ TEST_CASE("the guard that is printed is that of the sample") {
 }
 
 TEST_CASE("the record that is printed is a record") {
-  const auto text = joined(printed("docs/formats.md", "# [test]", "|"), "\n") + "\n";
+  const auto text = joined(printed("docs/reference/record-files.md", "# [test]", "|"), "\n") + "\n";
   const auto record = open_record(open_memory("docs.csv", text), {});
   CHECK(record->header().name == "U-26");
   CHECK(record->header().specimen.height_m == Approx(0.14));
@@ -143,7 +143,7 @@ TEST_CASE("the record that is printed is a record") {
 }
 
 TEST_CASE("every key of a programme that uses all of them is on its page") {
-  const auto page = read_text_file("docs/programmes.md");
+  const auto page = read_text_file("docs/reference/programmes.md");
   for (const auto& line : content("tests/fuzz/seeds/programme_fuzz/instruments.toml")) {
     if (line.starts_with('[')) continue;
     const std::string key = line.substr(0, line.find(' '));
@@ -157,12 +157,12 @@ TEST_CASE("every key of a programme that uses all of them is on its page") {
 }
 
 TEST_CASE("the path that is printed is a path") {
-  const auto toml = joined(printed("docs/paths.md", "[path]"), "\n");
-  const PathDescription description = read_path(toml, "docs/paths.md");
+  const auto toml = joined(printed("docs/how-to/paths.md", "[path]"), "\n");
+  const PathDescription description = read_path(toml, "docs/how-to/paths.md");
   CHECK_NOTHROW(check_start(description));
   CHECK(std::get<TriaxialPath>(description.path).segments.size() == 2);
   int conditions = 0;
-  for (const auto& line : printed("docs/paths.md", "\"axial_strain = ")) {
+  for (const auto& line : printed("docs/how-to/paths.md", "\"axial_strain = ")) {
     std::istringstream pieces(line);
     std::string piece;
     for (bool quoted = false; std::getline(pieces, piece, '"'); quoted = !quoted)
@@ -175,12 +175,12 @@ TEST_CASE("the path that is printed is a path") {
 }
 
 TEST_CASE("every key is on its page") {
-  const auto paths = read_text_file("docs/paths.md");
+  const auto paths = read_text_file("docs/how-to/paths.md");
   for (const PathQuantityKey& row : path_quantity_keys())
     CHECK_THAT(paths, Contains(fmt::format("`{}`", row.key)));
   for (const auto& name : increment_names<triax::sim::Tensor>())
     if (!name.ends_with("_pct")) CHECK_THAT(paths, Contains(fmt::format("`{}`", name)));
-  const auto programmes = read_text_file("docs/programmes.md");
+  const auto programmes = read_text_file("docs/reference/programmes.md");
   for (const EndQuantityKey& row : end_quantity_keys())
     CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.key)));
   // A channel that not every rig has is described where its instruments are.
@@ -194,7 +194,7 @@ TEST_CASE("every key is on its page") {
   }
   for (const EmbeddedFile& set : kShippedInstruments)
     CHECK_THAT(programmes, Contains(fmt::format("| `{}` |", set.name)));
-  const auto formats = read_text_file("docs/formats.md");
+  const auto formats = read_text_file("docs/reference/record-files.md");
   for (const QuantityInfo& row : quantities())
     if (row.raw.standard || !is_raw(row.quantity))
       CHECK_THAT(formats, Contains(fmt::format("`{}", row.name)));
@@ -206,10 +206,10 @@ TEST_CASE("every key is on its page") {
 
 TEST_CASE("the page of grains prints a programme, and names every action") {
   std::string text;
-  for (const auto& line : printed("docs/grains.md", "[run]")) text += line + "\n";
-  CHECK(read_grain_programme(text, "docs/grains.md").stages.size() == 1);
+  for (const auto& line : printed("docs/how-to/grains.md", "[run]")) text += line + "\n";
+  CHECK(read_grain_programme(text, "docs/how-to/grains.md").stages.size() == 1);
   std::set<std::string> named;
-  for (const auto& line : lines_of("docs/grains.md"))
+  for (const auto& line : lines_of("docs/how-to/grains.md"))
     for (const auto& code : codes(line)) named.insert(code);
   for (const auto& action : grain_actions()) {
     INFO(action);
@@ -218,7 +218,7 @@ TEST_CASE("the page of grains prints a programme, and names every action") {
 }
 
 TEST_CASE("the page of personalities prints two, and has every key and every shipped one") {
-  const std::string page = "docs/wire-personalities.md";
+  const std::string page = "docs/how-to/instrument-profiles.md";
   const auto old =
       parse_personality(joined(printed(page, "title = \"old controller\""), "\n"), page);
   CHECK(old.points.size() == 4);
@@ -242,13 +242,13 @@ TEST_CASE("the page of personalities prints two, and has every key and every shi
 
 TEST_CASE("the rig's file that the page of the wire prints is read, and so are the samples") {
   std::string text;
-  for (const auto& line : printed("docs/wire.md", "[rig]", "socat")) text += line + "\n";
-  const RigFile rig = parse_rig_file(text, "docs/wire.md");
+  for (const auto& line : printed("docs/how-to/instruments.md", "[rig]", "socat")) text += line + "\n";
+  const RigFile rig = parse_rig_file(text, "docs/how-to/instruments.md");
   CHECK(rig.instruments.size() == 2);
   CHECK(rig.channel(Quantity::pore_pressure)->calibration.range->second == 1000);
   std::string plant;
-  for (const auto& line : printed("docs/wire.md", "[plant]")) plant += line + "\n";
-  CHECK(parse_rig_file(text + plant, "docs/wire.md").plant->watchdog_s == 5);
+  for (const auto& line : printed("docs/how-to/instruments.md", "[plant]")) plant += line + "\n";
+  CHECK(parse_rig_file(text + plant, "docs/how-to/instruments.md").plant->watchdog_s == 5);
   for (const char* name : {"icu_6", "csu_26", "serial_pad"})
     CHECK(load_rig_file(fmt::format("samples/rigs/{}.toml", name)).with(RigRole::frame) != nullptr);
 }
@@ -259,7 +259,7 @@ TEST_CASE("the page of the wire tells every command of a served rig's control") 
   rig.plant->control->port = 0;
   LineLoop loop;
   const ServedRig served(loop, rig, load_programme(rig.plant->programme), {.lock_step = true});
-  const std::string page = read_text_file("docs/wire.md");
+  const std::string page = read_text_file("docs/how-to/instruments.md");
   int told = 0;
   for (const ScpiRow& row : served.control().rows())
     for (const char* tree : {"CLOCk", "PLANt", "FAULt", "LINE"})

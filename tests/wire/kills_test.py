@@ -2,7 +2,7 @@
 """`triax run` on `triax serve`, one of them killed by SIGKILL at instants by strides. The run killed: the frame stops and the pressures
 hold by their watchdogs, asked by a second client; what the database held stays. The server killed: the run ends, with its test stored
 and status 3. The run interrupted (Ctrl-C): status 4.
-A number behind the name: so many trials instead of 6; docs/reliability.md has 20."""
+A number behind the name: so many trials instead of 6; docs/explanation/reliability.md has 20."""
 import os
 import pathlib
 import signal

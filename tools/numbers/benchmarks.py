@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figures of docs/benchmarks.md (tools/pages): what the benchmarks print. Minutes each, on a machine that does nothing else."""
+"""The figures of docs/reference/benchmarks.md (tools/pages): what the benchmarks print. Minutes each, on a machine that does nothing else."""
 from remade.benchmark import sampled, timed
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/calibrate.md (tools/pages)."""
+"""The numbers of docs/how-to/calibrate.md (tools/pages)."""
 
 import pathlib
 

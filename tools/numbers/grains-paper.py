@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/grains-paper.md (tools/pages): of 10,000 grains from docs/data/grains.json, which tools/grains-figures makes; of 500
+"""The numbers of docs/explanation/grains-paper.md (tools/pages): of 10,000 grains from docs/data/grains.json, which tools/grains-figures makes; of 500
 grains from the program itself, in seconds."""
 import json
 import pathlib

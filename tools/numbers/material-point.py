@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/material-point.md (tools/pages)."""
+"""The numbers of docs/how-to/material-point.md (tools/pages)."""
 from math import sqrt
 
 # Table 2 of the paper: type, p'0 (kPa), e0, η at collapse.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/practitioners.md (tools/pages): four simulated tests."""
+"""The numbers of docs/explanation/practitioners.md (tools/pages): four simulated tests."""
 from math import radians, sin, tan
 
 PROGRAMMES = ("icu_6", "csu_26", "csd_58", "icu_dense")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of docs/python.md with what they print, and the benchmark. The module must be built: triax_python."""
+"""The examples of docs/how-to/python.md with what they print, and the benchmark. The module must be built: triax_python."""
 import os
 import subprocess
 import sys

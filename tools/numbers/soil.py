@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figures of docs/soil.md (tools/pages): what the benchmark prints, and what the program says of the Karlsruhe tests."""
+"""The figures of docs/how-to/soil.md (tools/pages): what the benchmark prints, and what the program says of the Karlsruhe tests."""
 import os
 import pathlib
 import subprocess

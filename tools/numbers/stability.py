@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/stability.md (tools/pages)."""
+"""The numbers of docs/explanation/stability.md (tools/pages)."""
 
 LOOSE = ("--void-ratio", "1.086", "--p-kPa", "70", "--step", "1")
 DENSE = ("--void-ratio", "0.75", "--p-kPa", "100", "--step", "1")

@@ -10,7 +10,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def page_file(page: str) -> pathlib.Path:
-    return ROOT / "README.md" if page == "README" else ROOT / "docs" / f"{page}.md"
+    """README, or the page of that name in any folder of docs/: names are unique."""
+    if page == "README":
+        return ROOT / "README.md"
+    found = sorted((ROOT / "docs").rglob(f"{page}.md"))
+    if len(found) != 1:
+        sys.exit(f"{page}: docs/ has {len(found)} pages of that name")
+    return found[0]
 
 
 def indented(text: str) -> str:

@@ -25,7 +25,7 @@ class ControlLine {
   RigTime ask_time();
   /// Lets dt pass in lock step; the frame's state after it.
   FrameState step(double dt_s);
-  /// Any other question of the control tree (docs/wire.md).
+  /// Any other question of the control tree (docs/how-to/instruments.md).
   std::string ask(const std::string& question);
 
  private:

@@ -55,7 +55,7 @@ bool kills(const Fault& f, bool drained) {
          f.device == "cell_pressure" || f.device == "pore_pressure";
 }
 
-/// What docs/faults.md says that nobody can notice, or that does nothing in this test.
+/// What docs/reference/sensor-faults.md says that nobody can notice, or that does nothing in this test.
 bool unnoticeable(const Subject& s, const Fault& f) {
   if (f.kind == FaultKind::drift || f.kind == FaultKind::latency) return true;
   // What stands out of the looks of a reading is not in their mean.

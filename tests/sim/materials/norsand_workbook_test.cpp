@@ -166,8 +166,8 @@ TEST_CASE("the converged undrained path is where the workbook goes with finer st
   CHECK((coarse - q) / (fine - q) == Approx(20).epsilon(0.1));
 }
 
-TEST_CASE("docs/material-point.md prints these peaks") {
-  std::ifstream file("docs/material-point.md");
+TEST_CASE("docs/how-to/material-point.md prints these peaks") {
+  std::ifstream file("docs/how-to/material-point.md");
   const std::string page(std::istreambuf_iterator<char>(file), {});
   const NorSand law(test::nerlerk());
   const auto holds = [&](double q_kPa, double eta) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the alarm said of recorded tests, on docs/live.md (tools/pages).
+"""What the alarm said of recorded tests, on docs/explanation/forecast.md (tools/pages).
 
 The records are not ours to copy: TRIAX_RECORDS_OF_OTHERS names their folder. Without it nobody can make the blocks anew, and a check asks
 only that no hand changed them since.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/theory.md (tools/pages)."""
+"""The numbers of docs/explanation/detection.md (tools/pages)."""
 from math import sqrt
 
 
