@@ -2,7 +2,7 @@
 """What MkDocs is told of pages that are also read on their own (mkdocs.yml, "hooks").
 
 Pages may link to files of the tree outside docs/ (tools/check-links holds that they exist); the site does not hold those files, so
-there such a link becomes the file's name. The page of the libraries leads on to what Doxygen made of their headers.
+there such a link becomes the file's name. The page of Python and C++ links to what Doxygen made of the headers.
 """
 import posixpath
 import re
@@ -22,6 +22,6 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_page_content(html, page, config, files):
-    if page.file.src_path != "api.md":
+    if page.file.src_path != "how-to/python.md":
         return html
-    return html + '\n<p><a href="api/index.html">All headers, classes and functions</a></p>\n'
+    return html + '\n<p><a href="../api/index.html">All headers, classes and functions</a></p>\n'

@@ -72,8 +72,7 @@ Lines codes(const std::string& line) {
 TEST_CASE("the dialect that the pages print is the sample, and reads its record") {
   const auto sample = content("samples/dialects/my_lab.toml");
   CHECK(sample.size() == 8);
-  for (const std::string page : {"docs/tutorials/own-record.md", "docs/reference/record-files.md"})
-    CHECK(printed(page, "name = \"my_lab\"") == sample);
+  CHECK(printed("docs/tutorials/own-record.md", "name = \"my_lab\"") == sample);
   const std::string record = "samples/dialects/my_lab_record.txt";
   auto rows = lines_of(record);
   rows.resize(6);
@@ -111,8 +110,10 @@ TEST_CASE("the programme that is printed is a programme") {
 
 TEST_CASE("the fault and the operator that are printed are of a programme") {
   Lines lines = printed("docs/reference/programmes.md", "[test]");
-  for (const std::string first : {"[[faults]]", "[[operator]]"})
-    for (const auto& line : printed("docs/reference/programmes.md", first)) lines.push_back(line);
+  for (const auto& line : printed("docs/reference/programme-devices.md", "[[faults]]"))
+    lines.push_back(line);
+  for (const auto& line : printed("docs/reference/programmes.md", "[[operator]]"))
+    lines.push_back(line);
   const Programme programme = read_programme(joined(lines, "\n"), "docs/reference/programmes.md");
   REQUIRE(programme.faults.size() == 1);
   CHECK(programme.faults[0].until_s == 5400);
@@ -122,7 +123,8 @@ TEST_CASE("the fault and the operator that are printed are of a programme") {
 TEST_CASE("the guard that is printed is that of the sample") {
   const auto guard = joined(printed("docs/reference/programmes.md", "[guard]"), "\n");
   const auto by_load = read_text_file("samples/programmes/icu_load.toml");
-  const Programme printed_one = read_programme(by_load + "\n" + guard, "docs/reference/programmes.md");
+  const Programme printed_one =
+      read_programme(by_load + "\n" + guard, "docs/reference/programmes.md");
   const Programme sample = load_programme("samples/programmes/icu_load_guarded.toml");
   REQUIRE(printed_one.guard);
   REQUIRE(sample.guard);
@@ -143,7 +145,8 @@ TEST_CASE("the record that is printed is a record") {
 }
 
 TEST_CASE("every key of a programme that uses all of them is on its page") {
-  const auto page = read_text_file("docs/reference/programmes.md");
+  const auto page = read_text_file("docs/reference/programmes.md") +
+                    read_text_file("docs/reference/programme-devices.md");
   for (const auto& line : content("tests/fuzz/seeds/programme_fuzz/instruments.toml")) {
     if (line.starts_with('[')) continue;
     const std::string key = line.substr(0, line.find(' '));
@@ -157,12 +160,12 @@ TEST_CASE("every key of a programme that uses all of them is on its page") {
 }
 
 TEST_CASE("the path that is printed is a path") {
-  const auto toml = joined(printed("docs/how-to/paths.md", "[path]"), "\n");
-  const PathDescription description = read_path(toml, "docs/how-to/paths.md");
+  const auto toml = joined(printed("docs/reference/paths.md", "[path]"), "\n");
+  const PathDescription description = read_path(toml, "docs/reference/paths.md");
   CHECK_NOTHROW(check_start(description));
   CHECK(std::get<TriaxialPath>(description.path).segments.size() == 2);
   int conditions = 0;
-  for (const auto& line : printed("docs/how-to/paths.md", "\"axial_strain = ")) {
+  for (const auto& line : printed("docs/reference/paths.md", "\"axial_strain = ")) {
     std::istringstream pieces(line);
     std::string piece;
     for (bool quoted = false; std::getline(pieces, piece, '"'); quoted = !quoted)
@@ -175,12 +178,13 @@ TEST_CASE("the path that is printed is a path") {
 }
 
 TEST_CASE("every key is on its page") {
-  const auto paths = read_text_file("docs/how-to/paths.md");
+  const auto paths = read_text_file("docs/reference/paths.md");
   for (const PathQuantityKey& row : path_quantity_keys())
     CHECK_THAT(paths, Contains(fmt::format("`{}`", row.key)));
   for (const auto& name : increment_names<triax::sim::Tensor>())
     if (!name.ends_with("_pct")) CHECK_THAT(paths, Contains(fmt::format("`{}`", name)));
-  const auto programmes = read_text_file("docs/reference/programmes.md");
+  const auto programmes = read_text_file("docs/reference/programmes.md") +
+                          read_text_file("docs/reference/programme-devices.md");
   for (const EndQuantityKey& row : end_quantity_keys())
     CHECK_THAT(programmes, Contains(fmt::format("`{}`", row.key)));
   // A channel that not every rig has is described where its instruments are.
@@ -235,14 +239,16 @@ TEST_CASE("the page of personalities prints two, and has every key and every shi
     }
   };
   for (const EmbeddedFile& file : kShippedPersonalities) {
-    CHECK_THAT(text, Contains(fmt::format("[`{0}`](personalities/{0}.md)", file.name)));
+    CHECK_THAT(
+        text, Contains(fmt::format("[`{0}`](../reference/instrument-profiles/{0}.md)", file.name)));
     keys_of(TomlTable::parse(file.text, std::string(file.name)));
   }
 }
 
 TEST_CASE("the rig's file that the page of the wire prints is read, and so are the samples") {
   std::string text;
-  for (const auto& line : printed("docs/how-to/instruments.md", "[rig]", "socat")) text += line + "\n";
+  for (const auto& line : printed("docs/how-to/instruments.md", "[rig]", "socat"))
+    text += line + "\n";
   const RigFile rig = parse_rig_file(text, "docs/how-to/instruments.md");
   CHECK(rig.instruments.size() == 2);
   CHECK(rig.channel(Quantity::pore_pressure)->calibration.range->second == 1000);

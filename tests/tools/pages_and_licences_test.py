@@ -16,7 +16,7 @@ CLEAN = {
     "docs/page.md": "# Page\n\n## Two words\n\n[up](../README.md) [here](#page)\n",
     "docs/a.svg": "<svg/>\n",
     "docs/decisions/0001-one.md": RECORD,
-    "docs/decisions/README.md": "# All\n\n| 1 | [One](0001-one.md) | 2026-01-02 | accepted |\n",
+    "docs/decisions/README.md": "# All\n\n1. [One](0001-one.md), 2026-01-02,\n   accepted\n",
 }
 VERSIONS = {
     "CMakeLists.txt": "project(triax VERSION 1.2.3 LANGUAGES CXX)\n",
@@ -65,7 +65,7 @@ class Links(Tree):
                    "not in the form")
 
     def test_a_record_that_the_list_tells_otherwise(self):
-        self.finds("check-links", {**CLEAN, "docs/decisions/0001-one.md": RECORD.replace("2026-01-02", "2026-01-03")}, "its row")
+        self.finds("check-links", {**CLEAN, "docs/decisions/0001-one.md": RECORD.replace("2026-01-02", "2026-01-03")}, "its entry")
 
     def test_a_built_site(self):
         page = '<h1 id="top">A</h1><a href="#top">up</a><a href="b.html#x">b</a>'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figures of docs/reference/benchmarks.md (tools/pages): what the benchmarks print. Minutes each, on a machine that does nothing else."""
-from remade.benchmark import sampled, timed
+"""Blocks of docs/reference/benchmarks.md (tools/pages): output of the benchmarks of speed. Minutes each, on an idle machine."""
+from remade.benchmark import timed
 
 
 def replay(triax) -> str:
@@ -9,22 +9,6 @@ def replay(triax) -> str:
 
 def xlsx(triax) -> str:
     return timed(triax, "bench/xlsx/run.sh")
-
-
-def verdicts(triax) -> str:
-    return sampled(triax, "bench/verdicts/run.sh --seeds 6", "bench/verdicts/run.sh --seeds 1 --every 12")
-
-
-def verdicts_unseen(triax) -> str:
-    return sampled(triax, "bench/verdicts/run.sh --from 11 --seeds 2", "bench/verdicts/run.sh --from 11 --seeds 1 --every 20")
-
-
-def detection(triax) -> str:
-    return sampled(triax, "bench/detection/run.sh", "bench/detection/run.sh --seeds 1 --only ICU")
-
-
-def warning(triax) -> str:
-    return sampled(triax, "bench/warning/run.sh", "bench/warning/run.sh --seeds 1 --only ICU")
 
 
 def point(triax) -> str:
@@ -47,8 +31,3 @@ def wire(triax) -> str:
 def page(triax) -> str:
     """On an otherwise quiet machine, with chromium: it measures milliseconds. An hour and a quarter."""
     return timed(triax, "bench/page/run.sh")
-
-
-def grains(triax) -> str:
-    """On a packing that it makes itself; beside busy processes of its own, too."""
-    return triax.output_of("bench/grains/run.sh")

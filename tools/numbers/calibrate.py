@@ -35,24 +35,12 @@ def domain(triax) -> str:
     return f"Two undrained and two drained tests of SANISAND itself with the noise of instruments, `--free {FREE}`:\n\n{indented(chr(10).join(lines[first:]))}"
 
 
-def recovery(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh recovery --sets 34")
-
-
 def coverage(triax) -> str:
     return timed(triax, "bench/calibrate/run.sh coverage --sets 40")
 
 
 def left_out(triax) -> str:
     return timed(triax, "bench/calibrate/run.sh left-out --sets 10")
-
-
-def seeds(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh seeds")
-
-
-def speed(triax) -> str:
-    return timed(triax, "bench/calibrate/run.sh speed")
 
 
 def costs(triax, folder: pathlib.Path) -> str:

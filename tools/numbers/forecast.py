@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the alarm said of recorded tests, on docs/explanation/forecast.md (tools/pages).
+"""The warnings for recorded tests, on docs/explanation/forecast.md (tools/pages).
 
 The records are not ours to copy: TRIAX_RECORDS_OF_OTHERS names their folder. Without it nobody can make the blocks anew, and a check asks
 only that no hand changed them since.
@@ -11,7 +11,6 @@ import subprocess
 import sys
 
 from remade.others import of_others
-from remade.program import indented
 
 RECORDS = (
     ("kfs", ("TMU-MT1", "TMU-MT4", "TMU-AP1", "TMU-AP2", "TMU-MT2", "TMU-MT3", "TMU-MT6", "TMU1", "TMD1", "TMD3", "TMD8", "TMD24"), ".dat"),
@@ -27,22 +26,6 @@ def replayed(triax, record: pathlib.Path, *options: str) -> str:
     if done.returncode != 0:
         sys.exit(f"{record.name}: status {done.returncode}\n{done.stderr}")
     return done.stdout
-
-
-def one(triax, name: str) -> str:
-    def made(triax, folder: pathlib.Path) -> str:
-        record = next(folder.glob(f"*/{name}"))
-        (triax.folder / "others.db").unlink(missing_ok=True)
-        return indented(f"$ triax replay {name} --live\n{replayed(triax, record)}")
-    return of_others(triax, "live", made)
-
-
-def sand(triax) -> str:
-    return one(triax, "TMU-MT4.dat")
-
-
-def cyclic(triax) -> str:
-    return one(triax, "SJT-20.csv")
 
 
 def before(lead) -> str:

@@ -4,6 +4,7 @@ grains from the program itself, in seconds."""
 import json
 import pathlib
 import runpy
+import textwrap
 
 results = runpy.run_path(str(pathlib.Path(__file__).resolve().parent.parent / "grains-results"))
 kept_results = results["kept_results"]
@@ -21,6 +22,16 @@ def at(rose: dict, degrees: float) -> dict:
 def table(heading: str, rows: list[str]) -> str:
     columns = heading.count("|") - 1
     return "\n".join([heading, "|" + "---|" * columns, *rows])
+
+
+def wrapped(text: str) -> str:
+    hang = "  " if text.startswith("- ") else ""
+    return textwrap.fill(text, 100, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
+
+
+def comparison(*items: tuple[str, str, str]) -> str:
+    """Items of a list: statement of the paper, result of triax, agreement."""
+    return "\n".join(wrapped(f"- *{paper}.* {here} **{agreement}.**") for paper, here, agreement in items)
 
 
 def degrees(ranges: list[dict]) -> str:
@@ -52,11 +63,11 @@ def specimens(triax) -> str:
         made, state = run["specimen"], run["specimen"]["state"]
         how = f"friction {made['compaction_friction_deg']:.3g}°"
         if made["porosity_wanted"]:
-            how = f"porosity {made['porosity_wanted']:g} asked for, {how} found in {made['compactions']} trials"
+            how = f"porosity {made['porosity_wanted']:g}: {how} in {made['compactions']} trials"
         rows.append(f"| `{name}` | {how} | {state['porosity']:.4f} | {state['coordination']:.2f} | {state['floating_grains']} |")
     outside = sum(s["grains_outside"] for run in kept_results(triax).values() for s in run["stages"])
-    return (table("| sample | made with | n at 100 kPa | Z (floating grains count) | floating |", rows) +
-            f"\n\nGrains outside the box after any stage: {outside}.")
+    return (table("| sample | made with | n at 100 kPa | Z, floating grains included | floating |", rows) +
+            f"\n\nNumber of grains outside the box after any stage: {outside}.")
 
 
 # ---- probes of the dense specimen
@@ -66,9 +77,10 @@ def probed_state(triax) -> str:
     pressed, sheared, rose = stage(run, "isotropic 200"), stage(run, "to eta 0.77"), stage(run, "probes")
     last = sheared["last"]
     null = rose["null_probe_over_smallest"]
-    return (f"Isotropic to 200 kPa (n = {pressed['porosity']:.3f}), drained to η = 0.77 (reached at ε₁ = {100 * last['strain']['axial']:.3f} %, "
-            f"ε_v = {100 * last['volumetric_strain']:.3f} %), at rest; then\n{len(rose['probes'])} increments of {rose['norm_kPa']:g} kPa and a null probe, "
-            f"which strains by {100 * null:.2f} % of the smallest probe's strain.")
+    return wrapped(
+        f"The state: isotropic to 200 kPa (n = {pressed['porosity']:.3f}), drained to η = 0.77 (ε₁ = {100 * last['strain']['axial']:.3f} %, "
+        f"ε_v = {100 * last['volumetric_strain']:.3f} %), then equilibrium. {len(rose['probes'])} increments of {rose['norm_kPa']:g} kPa follow, and a "
+        f"null probe, whose strain is {100 * null:.2f} % of the smallest probe's strain.")
 
 
 def probes(triax) -> str:
@@ -89,38 +101,39 @@ def probes(triax) -> str:
     shares = ", ".join(f"{100 * parts[k] / parts['eulerian']:.1f} %" for k in ("stress_part", "volume_part", "transport_part"))
     boundary = [abs(p["boundary_part_J_per_m3"]) for p in all_probes]
     steady = [abs(p["boundary_part_J_per_m3"]) for p in by_strain["probes"]]
-    rows = [
-        f"| irreversible strain range 50° < α < 260°: many contacts that reached Coulomb's criterion (at any step) or were not permanent | "
-        f"sliding and non-permanent contacts above the null probe's by {100 * rose['irreversible']['contacts_above_null_probe']:g} % for "
-        f"{degrees(rose['irreversible']['ranges'])}, up to {max(slides):.1f} % of the contacts; at most {max(quiet):.1f} % beyond 60° to 250°. Ours are looked "
-        f"for every 50 steps, and one that rests at its limit does not count | same range |",
-        f"| non-permanent contacts are many in that range | at most {100 * max(p['non_permanent_share'] for p in all_probes):.1f} % of the "
-        f"contacts | fewer |",
-        f"| kinetic energy not negligible for 70° < α < 230° | largest at {moving['alpha_deg']:.0f}°, {moving['kinetic_energy_most_J']:.1g} J; from 80° to "
-        f"220° {min(kinetic) / rest:.1f} to {max(kinetic) / rest:.0f} times the median elsewhere | same range; small |",
-        f"| macro and micro W₂ are equal for α ≤ 70° and α ≥ 230°, not between | within {100 * max(abs(apart(p)) for p in outside):.1f} % for α ≤ 70° and "
-        f"α ≥ 230°; {span([100 * apart(p) for p in inside], '.0f')} % apart from 80° to 220° | same range; the gap is smaller |",
-        f"| equal also in some irreversible directions (60°, 70°, 230°, 240°, 250°) | {same} % apart | same |",
-        f"| semi-Lagrangian (7) and Eulerian (10) are equivalent | within {euler:.0e} of each other in all directions | same |",
-        f"| of Eq. (10), dσ : LΔt contributes most, div(du) σ : LΔt is nearly nil, σLᵗ : LΔt small but not negligible where strains are "
-        f"irreversible | at α = {largest['alpha_deg']:.0f}°: {shares} | same |",
-        f"| W₂ is largest in the middle of the diagram | {parts['lagrangian']:.4f} J/m³ at {largest['alpha_deg']:.0f}°; "
-        f"{at(rose, 40)['w2']['lagrangian']:.4f} at 40°, {at(rose, 220)['w2']['lagrangian']:.4f} at 220° | same |",
-        f"| the boundary term of Eq. (22) is left out, as negligible: strain probes make it vanish and leave the gap | up to {max(boundary):.1f} J/m³ in "
-        f"stress probes, {max(boundary) / parts['lagrangian']:.0f} times the largest W₂; at most {max(steady):.0e} J/m³ in strain probes, where "
-        f"the gap is of the same kind | the term is not small, but no part of the gap: see below |",
-    ]
     negative = degrees(rose["negative_w2"])
-    return (table("| the paper | ours | |", rows) +
-            f"\n\nW₂ is negative in {negative} of this dense specimen; normalised it is least at {rose['least_alpha_deg']:.0f}° "
-            f"({rose['least_w2_normalised']:.2f}).")
+    return comparison(
+        ("Irreversible strain for 50° < α < 260°: many contacts reached Coulomb's criterion (at any step) or were not permanent",
+         f"Sliding and non-permanent contacts exceed those of the null probe by {100 * rose['irreversible']['contacts_above_null_probe']:g} % for "
+         f"{degrees(rose['irreversible']['ranges'])}: up to {max(slides):.1f} % of the contacts, at most {max(quiet):.1f} % outside 60° to 250°. triax "
+         f"checks every 50 steps, and a contact with constant force at its limit does not count.", "Same range"),
+        ("Many non-permanent contacts in that range",
+         f"At most {100 * max(p['non_permanent_share'] for p in all_probes):.1f} % of the contacts.", "Fewer"),
+        ("Kinetic energy not negligible for 70° < α < 230°",
+         f"Largest at {moving['alpha_deg']:.0f}°, {moving['kinetic_energy_most_J']:.1g} J. From 80° to 220° it is {min(kinetic) / rest:.1f} to "
+         f"{max(kinetic) / rest:.0f} times the median elsewhere.", "Same range, small"),
+        ("Macro and micro W₂ are equal for α ≤ 70° and α ≥ 230°, not between",
+         f"Difference at most {100 * max(abs(apart(p)) for p in outside):.1f} % for α ≤ 70° and α ≥ 230°, "
+         f"{span([100 * apart(p) for p in inside], '.0f')} % from 80° to 220°.", "Same range, smaller difference"),
+        ("Equal also in some irreversible directions (60°, 70°, 230°, 240°, 250°)", f"Differences {same} %.", "Same"),
+        ("Semi-Lagrangian (7) and Eulerian (10) work are equivalent", f"Relative difference at most {euler:.0e} in all directions.", "Same"),
+        ("In Eq. (10) dσ : LΔt is the largest part, div(du) σ : LΔt nearly nil, σLᵗ : LΔt small but not negligible for irreversible strains",
+         f"At α = {largest['alpha_deg']:.0f}°: {shares}.", "Same"),
+        ("W₂ is largest in the middle of the diagram",
+         f"{parts['lagrangian']:.4f} J/m³ at {largest['alpha_deg']:.0f}°, {at(rose, 40)['w2']['lagrangian']:.4f} at 40°, "
+         f"{at(rose, 220)['w2']['lagrangian']:.4f} at 220°.", "Same"),
+        ("The boundary term of Eq. (22) is negligible: strain probes make it vanish and leave the difference",
+         f"Up to {max(boundary):.1f} J/m³ in stress probes, {max(boundary) / parts['lagrangian']:.0f} times the largest W₂. At most "
+         f"{max(steady):.0e} J/m³ in strain probes, with the same kind of difference.", "Not small, but no part of the difference"),
+    ) + "\n\n" + wrapped(f"W₂ is negative in {negative} of this dense specimen. Its smallest normalised value is {rose['least_w2_normalised']:.2f} at "
+                         f"{rose['least_alpha_deg']:.0f}°.")
 
 
 # ---- what micro and macro differ by
 
 def roses_of(name: str, stages: list[dict]) -> list[tuple[str, dict]]:
     found = []
-    for one, words in (("probes", "{norm_kPa:g} kPa"), ("probes by strain", "strain {norm_strain:g}")):
+    for one, words in (("probes", "{norm_kPa:g} kPa"), ("probes by strain", "ε {norm_strain:g}")):
         rose = stage({"stages": stages}, one)
         found.append((f"{name}, {words.format(**rose)}", rose))
     return found
@@ -133,7 +146,7 @@ def small_roses(triax) -> list[tuple[str, dict]]:
         document = json.loads(triax.run("grains", triax.sample("grains/quick.toml"), "--set", f"specimen.compaction_friction_deg={friction}",
                                         "--set", f"stages.3.unbalanced={unbalanced}", "--json"))
         stages = [s | results["rose_of"](s) for s in document["stages"] if "probes" in s]
-        found += roses_of(f"500 grains, n = {stages[0]['before']['porosity']:.3f}, at rest to {unbalanced}", stages)
+        found += roses_of(f"n = {stages[0]['before']['porosity']:.3f}, {unbalanced}", stages)
     return found
 
 
@@ -154,28 +167,28 @@ def gaps(triax) -> str:
         total = sum(abs(p["gap"]["micro_less_macro"]) for p in rested)
         share = {k: 100 * sum(p["gap"][k] for p in rested) / total for k in ("grains_turning", "contacts_turning", "out_of_balance")}
         left = 100 * sum(abs(p["gap"]["left"]) for p in rested) / total
-        rows.append(f"| {words} | {len(rested)} of {len(rose['probes'])} | {span([1 + apart(p) for p in rested], '.3f')} | {share['grains_turning']:.1f} % | "
+        rows.append(f"| {words} | {len(rested)}/{len(rose['probes'])} | {span([1 + apart(p) for p in rested], '.3f')} | {share['grains_turning']:.1f} % | "
                     f"{share['contacts_turning']:.1f} % | {share['out_of_balance']:.1f} % | {left:.2g} % | "
                     f"{max(abs(p['boundary_part_J_per_m3']) for p in rested):.1g} |")
-    return (table("| probes | at rest | micro over macro | grains turning | contacts turning | out of balance | left | largest boundary term, J/m³ |", rows) +
-            "\n\nSome directions, J/m³:\n\n" + by_direction(large + small[-2:]))
+    return (table("| probes | at rest | micro/macro | grains | contacts | balance | left | boundary |", rows) +
+            "\n\nSome directions, J/m³:\n\n" + by_direction([one for one in large if "kPa" in one[0]]))
 
 
 def by_direction(some: list[tuple[str, dict]]) -> str:
     rows = []
     for words, rose in some:
-        for alpha in (0, 90, 120, 180, 210, 270):
+        for alpha in (0, 90, 120, 180, 210):
             p = at(rose, alpha)
             g = p["gap"]
             if not p["at_rest"]:
-                rows.append(f"| {words} | {alpha}° | did not come to rest | | | | | | |")
+                rows.append(f"| {words} | {alpha}° | not at rest | | | | | | |")
                 continue
             rows.append(f"| {words} | {alpha}° | {p['w2']['lagrangian']:.5f} | {p['w2']['microscopic']:.5f} | {g['grains_turning']:.2e} | "
                         f"{g['contacts_turning']:.1e} | {g['out_of_balance']:.1e} | {g['left']:.0e} | {p['boundary_part_J_per_m3']:.1g} |")
-    pictures = [f"![Probes, {what}](images/grains/{name}_work.svg)" for name, what in
+    pictures = [f"![Probes, {what}](../images/grains/{name}_work.svg)" for name, what in
                 (("dense_probes_by_strain", "dense, by strain"), ("loose_probes", "loose"), ("loose_probes_by_strain", "loose, by strain"))
                 if (IMAGES / f"{name}_work.svg").exists()]
-    return (table("| probes | α | macro | micro | grains turning | contacts turning | out of balance | left | boundary term |", rows) +
+    return (table("| probes | α | macro | micro | grains | contacts | balance | left | boundary |", rows) +
             "\n\n" + "\n".join(pictures))
 
 
@@ -188,9 +201,9 @@ def energy(triax) -> str:
         damping = [100 * l["damping_J"] / l["friction_J"] for l in ledgers]
         rows.append(f"| {words} | {min(damping):.2g} to {max(damping):.2g} % | {max(l['error_share'] for l in ledgers):.0e} |")
     worst = max((s for s in document["stages"] if s["ledger"]), key=lambda s: s["ledger"]["error_share"])
-    return (table("| probes | what damping took, of what friction took | the ledger misses at most |", rows) +
-            f"\n\nOver the other stages of `quick` the ledgers miss at most {worst['ledger']['error_share']:.0e} (`{worst['name']}`, "
-            f"which is strained at 0.5 /s).")
+    return (table("| probes | damping over friction | largest error |", rows) +
+            "\n\n" + wrapped(f"The largest error of the other stages of `quick` is {worst['ledger']['error_share']:.0e} (`{worst['name']}`, "
+                             f"strained at 0.5 /s)."))
 
 
 # ---- strain paths
@@ -211,7 +224,7 @@ def peaks(triax) -> str:
                 end += f" at {100 * last['strain']['axial']:.2f} %"
             cells.append(f"{peak['path_stress_kPa']:.1f} | {100 * peak['axial_strain']:.2f} | {end}")
         rows.append(f"| {ratio} | " + " | ".join(cells) + " |")
-    return table("| R | `medium`: largest | at ε₁ | at the end | `loose`: largest | at ε₁ | at the end |", rows)
+    return table("| R | `medium`: peak | at ε₁ | end | `loose`: peak | at ε₁ | end |", rows)
 
 
 def falls(one: dict) -> bool:
@@ -231,7 +244,7 @@ def crossing(run: dict) -> str:
             far.append((100 * abs(one["w2_first_negative"]["axial_strain"] - one["peak_path_stress"]["axial_strain"]), ratio))
     worst = max(far)
     others = sorted(far)[:-1]
-    return f"within {others[-1][0]:.2f} % of strain of the maximum, at R = {worst[1]} {worst[0]:.2f} %"
+    return f"within {others[-1][0]:.2f} % ({worst[0]:.2f} % at R = {worst[1]})"
 
 
 def paths(triax) -> str:
@@ -239,26 +252,27 @@ def paths(triax) -> str:
     loose, medium = runs["loose"], runs["medium"]
     energies = [(stage(run, f"R {r}")["kinetic_energy_most_J"], name, r) for name, run in (("medium", medium), ("loose", loose)) for r in RATIOS]
     energies.sort(reverse=True)
-    rows = [
-        f"| σ₁ − σ₃/R has a maximum for R below 0.85 | a maximum and then a fall by more than a tenth: `medium` for R = {fallen(medium)}; `loose` for R = "
-        f"{fallen(loose)} | `medium` same, `loose` differs |",
-        f"| W₂ vanishes at the maximum and is negative after it | W₂ of Eq. (30) over increments of 0.1 % of strain turns negative {crossing(loose)} (`loose`), "
-        f"{crossing(medium)} (`medium`) | same |",
-        f"| the path at R = 0.825 carries about 25 kPa at ES_a and ES_b, one on each side | the maximum is "
-        f"{stage(medium, 'R 0.825')['peak_path_stress']['path_stress_kPa']:.1f} kPa (`medium`), "
-        f"{stage(loose, 'R 0.825')['peak_path_stress']['path_stress_kPa']:.1f} kPa (`loose`): ES_a and ES_b of `loose` are at "
-        f"{stage(loose, 'a at rest')['path_stress_kPa']:.1f} and {stage(loose, 'b at rest')['path_stress_kPa']:.1f} kPa | lower |",
-        f"| kinetic energy on the paths at most about 1e-3 J | {energies[0][0]:.0e} J at most (`{energies[0][1]}`, R = {energies[0][2]}), then {energies[1][0]:.0e} J | same |",
-    ]
-    return table("| the paper | ours | |", rows)
+    return comparison(
+        ("σ₁ − σ₃/R has a maximum for R below 0.85",
+         f"A maximum and then a decrease by more than a tenth: `medium` for R = {fallen(medium)}, `loose` for R = {fallen(loose)}.",
+         "`medium` same, `loose` differs"),
+        ("W₂ vanishes at the maximum and is negative after it",
+         f"W₂ of Eq. (30) over increments of 0.1 % of strain becomes negative close to the maximum, in strain {crossing(loose)} for `loose`, "
+         f"{crossing(medium)} for `medium`.", "Same"),
+        ("The path at R = 0.825 carries about 25 kPa at ES_a and ES_b, one on each side",
+         f"The maximum is {stage(medium, 'R 0.825')['peak_path_stress']['path_stress_kPa']:.1f} kPa (`medium`), "
+         f"{stage(loose, 'R 0.825')['peak_path_stress']['path_stress_kPa']:.1f} kPa (`loose`). ES_a and ES_b of `loose` are at "
+         f"{stage(loose, 'a at rest')['path_stress_kPa']:.1f} and {stage(loose, 'b at rest')['path_stress_kPa']:.1f} kPa.", "Lower"),
+        ("Kinetic energy on the paths at most about 1e-3 J",
+         f"At most {energies[0][0]:.0e} J (`{energies[0][1]}`, R = {energies[0][2]}), then {energies[1][0]:.0e} J.", "Same"))
 
 
 # ---- perturbations
 
 def ended(run: dict, name: str) -> str:
     one = stage(run, name)
-    words = {"at rest": "a new equilibrium", "collapsed": "collapses", "undecided": "not at rest after the longest time"}[one["end"]]
-    return f"{words}, χ = {one['chi']:.4g} at the end, at most {one['kinetic_energy_most_J']:.1g} J"
+    words = {"at rest": "a new equilibrium", "collapsed": "collapses", "undecided": "not at rest at the time limit"}[one["end"]]
+    return f"{words}, final χ = {one['chi']:.4g}, at most {one['kinetic_energy_most_J']:.1g} J"
 
 
 def asked(run: dict, which: str) -> float:
@@ -269,19 +283,17 @@ def perturbations(triax) -> str:
     run = kept_results(triax)["loose"]
     a, b = asked(run, "a"), asked(run, "b")
     reached = stage(run, "b load")["chi_most"]
-    rows = [
-        f"| left alone, both states do not evolve | ES_a: {ended(run, 'a left alone')}; ES_b: {ended(run, 'b left alone')} | same |",
-        f"| ES_a under +2 %: a new equilibrium, a little higher, hardly any kinetic energy | +{stage(run, 'a load')['load_step_Pa']:g} Pa ({100 * a:.1f} %): "
-        f"{ended(run, 'a load')} | same |",
-        f"| ES_b under +1 %: does not reach what is asked for, collapses at a growing rate with kinetic energy growing exponentially | "
-        f"+{stage(run, 'b load')['load_step_Pa']:g} Pa ({100 * b:.1f} %): χ reaches {reached:.3f} of the {1 + b:.3f} asked for; {ended(run, 'b load')} | "
-        f"same at {100 * b:.1f} % |",
-        f"| ES_a with 1e-4 J given to floating grains: a new equilibrium after a burst | {stage(run, 'a energy')['kinetic_energy_given_J']:.0e} J: "
-        f"{ended(run, 'a energy')} | same |",
-        f"| ES_b with 1e-4 J: total collapse | {stage(run, 'b energy')['kinetic_energy_given_J']:.0e} J: {ended(run, 'b energy')} | same at "
-        f"{stage(run, 'b energy')['kinetic_energy_given_J']:.0e} J |",
-    ]
-    return table("| the paper | ours | |", rows)
+    return comparison(
+        ("Without perturbation both states do not change", f"ES_a: {ended(run, 'a left alone')}. ES_b: {ended(run, 'b left alone')}.", "Same"),
+        ("ES_a under +2 %: a new equilibrium, a little higher, hardly any kinetic energy",
+         f"+{stage(run, 'a load')['load_step_Pa']:g} Pa ({100 * a:.1f} %): {ended(run, 'a load')}.", "Same"),
+        ("ES_b under +1 %: does not reach the setpoint, collapses at a growing rate, kinetic energy grows exponentially",
+         f"+{stage(run, 'b load')['load_step_Pa']:g} Pa ({100 * b:.1f} %): χ reaches {reached:.3f} of {1 + b:.3f}, then {ended(run, 'b load')}.",
+         f"Same at {100 * b:.1f} %"),
+        ("ES_a with 1e-4 J given to floating grains: a new equilibrium after a transient",
+         f"{stage(run, 'a energy')['kinetic_energy_given_J']:.0e} J: {ended(run, 'a energy')}.", "Same"),
+        ("ES_b with 1e-4 J: total collapse", f"{stage(run, 'b energy')['kinetic_energy_given_J']:.0e} J: {ended(run, 'b energy')}.",
+         f"Same at {stage(run, 'b energy')['kinetic_energy_given_J']:.0e} J"))
 
 
 def study(triax) -> str:
@@ -293,8 +305,11 @@ def study(triax) -> str:
         return sum(stage(run, f"{s}, {push}")["end"] == "collapsed" for s in states)
 
     fast, slow = at_rates[0][1], at_rates[1][1]
-    return (f"A state taken from beyond the maximum relaxes when its walls stop: from 18.0 to {stage(run, 'relaxed')['path_stress_kPa']:.1f} kPa at 0.1 /s, from 17.0 to\n"
-            f"{stage(run, 'slow relaxed')['path_stress_kPa']:.1f} kPa when the path had been followed at 0.02 /s. ES_b is such a state after it was loaded again, slowly (0.002 /s). "
-            f"Of {len(states)} such\nstates 0.005 % of strain apart {collapsed('350 Pa')} collapse under +350 Pa, {collapsed('170 Pa')} under +170 Pa, {collapsed('0.1 mJ')} with 0.1 mJ given to floating grains.\n\n"
-            f"Near the maximum results depend on the rate: R = 0.825 has its maximum of {fast['path_stress_kPa']:.1f} kPa at {100 * fast['axial_strain']:.2f} % of strain at 0.1 /s,\n"
-            f"and of {slow['path_stress_kPa']:.1f} kPa at {100 * slow['axial_strain']:.2f} % at 0.02 /s. Perturbations run at the specimen's own pace.")
+    return "\n\n".join(wrapped(text) for text in (
+        f"A state beyond the maximum relaxes when its walls stop: from 18.0 to {stage(run, 'relaxed')['path_stress_kPa']:.1f} kPa on a path at 0.1 /s, from "
+        f"17.0 to {stage(run, 'slow relaxed')['path_stress_kPa']:.1f} kPa at 0.02 /s. ES_b is such a state, loaded again slowly (0.002 /s). Of "
+        f"{len(states)} such states, 0.005 % of strain apart, {collapsed('350 Pa')} collapse under +350 Pa, {collapsed('170 Pa')} under +170 Pa and "
+        f"{collapsed('0.1 mJ')} with 0.1 mJ given to floating grains.",
+        f"Near the maximum the results depend on the rate. The maximum for R = 0.825 is {fast['path_stress_kPa']:.1f} kPa at "
+        f"{100 * fast['axial_strain']:.2f} % of strain at 0.1 /s, and {slow['path_stress_kPa']:.1f} kPa at {100 * slow['axial_strain']:.2f} % at "
+        f"0.02 /s. Perturbations run at the specimen's own rate."))

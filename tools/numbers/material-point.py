@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The numbers of docs/how-to/material-point.md (tools/pages)."""
+import textwrap
 from math import sqrt
 
 # Table 2 of the paper: type, p'0 (kPa), e0, η at collapse.
@@ -50,8 +51,8 @@ def table2(triax) -> str:
     def rms(differences):
         return sqrt(sum(d * d for d in differences) / len(measured))
 
-    return f"""\
-With the set `S28-general` INL2 puts the collapse of the ten tests of Table 2 at η = {min(etas):.2f} to {max(etas):.2f} (measured {min(measured):.2f} to
-{max(measured):.2f}; rms of the difference {rms([a - b for a, b in found]):.3f}, and no constant value can do better than {rms([m - mean for m in measured]):.3f}),
-undrained and at constant q within {max(apart):.3f} of each other: one instability line, as the paper found. These are paths of a material point;
-`tests/sim/materials/interpolated_test.cpp` holds them to an independent computation, and [Table 2 beside ours](table2.md) has the tests in the apparatus."""
+    return textwrap.fill(f"""\
+With the set `S28-general` INL2 gives the collapse of the ten tests of Table 2 at η = {min(etas):.2f} to {max(etas):.2f}. Measured
+were {min(measured):.2f} to {max(measured):.2f}. The rms difference is {rms([a - b for a, b in found]):.3f}; a constant value gives at least {rms([m - mean for m in measured]):.3f}.
+Undrained and constant-q paths differ by at most {max(apart):.3f}: one instability line, as in the paper. These are
+paths of a material point. [Table 2](../explanation/table2.md) has the tests in the apparatus.""", 100)

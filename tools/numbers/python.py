@@ -27,10 +27,6 @@ def laws(triax) -> str:
     return example(triax, "laws")
 
 
-def cones(triax) -> str:
-    return example(triax, "cones")
-
-
 def calibration(triax) -> str:
     return example(triax, "calibrate")
 

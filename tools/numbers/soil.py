@@ -26,7 +26,8 @@ def all_of_them(triax, folder: pathlib.Path) -> str:
         void_ratio = VOID_RATIOS.get(record.stem)
         said("replay", str(record), "--set", "specimen.material=Karlsruhe fine sand",
              *(["--set", f"specimen.consolidated_void_ratio={void_ratio}"] if void_ratio else []))
-    return "".join(f"    {line}".rstrip() + "\n" for line in said("soil").splitlines())
+    values = said("soil").split("\n\n  Test ")[0]
+    return "\n".join(f"    {line}".rstrip() for line in values.splitlines())
 
 
 def karlsruhe(triax) -> str:

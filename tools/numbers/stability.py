@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The numbers of docs/explanation/stability.md (tools/pages)."""
+import textwrap
 
 LOOSE = ("--void-ratio", "1.086", "--p-kPa", "70", "--step", "1")
 DENSE = ("--void-ratio", "0.75", "--p-kPa", "100", "--step", "1")
@@ -31,15 +32,15 @@ def collapses(triax, material: str) -> list[dict]:
 
 def where(own: dict) -> str:
     if own["cone"] is None:
-        return "met no cone"
+        return "no cone"
     if not own["certain"]:
-        return "on the edge within the error of its direction"
+        return "on the edge, within its error"
     return f"{own['nearest_edge_deg']:.1f}° {'inside' if own['in_cone'] else 'outside'}"
 
 
 def own_increments(triax) -> str:
-    lines = ["| law | test | its increment | the cone | it stands |", "|---|---|---|---|---|"]
-    for law, words in (("inl2", "INL2, the virtual specimen's own"), ("sanisand", "SANISAND")):
+    lines = ["| law | test | increment | cone | position of the increment |", "|---|---|---|---|---|"]
+    for law, words in (("inl2", "INL2, as the specimen"), ("sanisand", "SANISAND")):
         for one in collapses(triax, f"{law}/S28-general"):
             own = one["own_increment"]
             cone = degrees(one["cones"][own["cone"]]) if own["cone"] is not None else "none"
@@ -50,7 +51,7 @@ def own_increments(triax) -> str:
 
 def void_ratios(triax) -> str:
     at = [f"{one['state']['void_ratio']:.3f}" for one in collapses(triax, "inl2/S28-general")]
-    return f"The arrows come from tests of other void ratios ({at[0]} and {at[1]} at collapse) than the 1.1 of the cones."
+    return f"The void ratios of the tests ({at[0]} and {at[1]} at collapse) differ from the 1.1 of the cones."
 
 
 def spans(one: dict, sense: str) -> str:
@@ -60,7 +61,7 @@ def spans(one: dict, sense: str) -> str:
 
 def control(triax) -> str:
     told = triax.documents("probe", "--material", "inl2/S28-general", *LOOSE, "--eta", "0.5,0.6,0.7")
-    lines = ["| η | σ₁ − σ₃/R cannot grow in compression | nor fall in extension |", "|---|---|---|"]
+    lines = ["| η | σ₁ − σ₃/R cannot grow in compression | cannot fall in extension |", "|---|---|---|"]
     for one in told:
         lines.append(f"| {one['state']['eta']:.1f} | {spans(one, 'loading')} | {spans(one, 'unloading')} |")
     return "\n".join(lines)
@@ -80,7 +81,7 @@ def limit_of_peaks(triax, material: str, with_peak: float, without: float) -> fl
 
 
 def strain_paths(triax) -> str:
-    lines = ["| law | a peak for R from | to |", "|---|---|---|"]
+    lines = ["| law | peak for R from | to |", "|---|---|---|"]
     for words, material in (("INL2", "inl2/S28-general"), ("octolinear", "octolinear/S28-general"),
                             ("SANISAND", "sanisand/S28-general"), ("hypoplasticity", "hypoplastic/S28-MT")):
         lines.append(f"| {words} | {limit_of_peaks(triax, material, 1, 0.1):.2f} | {limit_of_peaks(triax, material, 1, 3):.2f} |")
@@ -94,13 +95,15 @@ def boundary(document: dict, p_kPa: float) -> dict:
 
 def domain(triax) -> str:
     one = boundary(triax.documents("domain", "--material", "inl2/S28-general", *DOMAIN)[0], 74)
-    return (f"Inside lies the line of isotropic unloading, where ICU and CSD tests collapse (at p′ = {one['p_eff_kPa']:.0f} kPa: first unstable\n"
-            f"direction η = {one['first_unstable']['eta']:.3f}, ICU and CSD {one['isotropic_unloading']['eta']:.3f}), and far above it the plastic "
-            f"limit ({one['limit']['eta']:.2f}).")
+    return textwrap.fill(
+        f"At p′ = {one['p_eff_kPa']:.0f} kPa the first unstable direction is at η = {one['first_unstable']['eta']:.3f}. ICU and CSD tests collapse "
+        f"inside the domain, on the line of isotropic unloading, at {one['isotropic_unloading']['eta']:.3f}. The plastic limit is far above "
+        f"({one['limit']['eta']:.2f}).", 100)
 
 
 def plane_strain(triax) -> str:
     one = boundary(triax.documents("domain", "--material", "octolinear/S28-general", "--void-ratio", "1.086", "--plane", "plane-strain",
                                    "--localisation", "--p-kPa", "10:300/20", "--q-kPa", "0:390/100")[0], 74)
-    return (f"Diffuse failure comes first (η = {one['first_unstable']['eta']:.2f} at {one['p_eff_kPa']:.0f} kPa), localisation later "
-            f"({one['localisation']['eta']:.2f}), the plastic limit last ({one['limit']['eta']:.2f}).")
+    return textwrap.fill(
+        f"At {one['p_eff_kPa']:.0f} kPa diffuse failure is first (η = {one['first_unstable']['eta']:.2f}), then localisation "
+        f"({one['localisation']['eta']:.2f}), then the plastic limit ({one['limit']['eta']:.2f}).", 100)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of docs/how-to/adding-a-law.md, as it stands there.
+// The law of docs/how-to/laws.md, as it stands there.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -68,5 +68,5 @@ TEST_CASE("the page on adding a law shows the code that is tested here") {
   const auto from = source.find(begin) + begin.size();
   const std::string snippet = source.substr(from, source.find(end, from) - from);
   REQUIRE(snippet.size() > 400);
-  CHECK(read("docs/how-to/adding-a-law.md").find(snippet) != std::string::npos);
+  CHECK(read("docs/how-to/laws.md").find(snippet) != std::string::npos);
 }

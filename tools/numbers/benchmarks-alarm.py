@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blocks of docs/reference/benchmarks-alarm.md (tools/pages): output of the benchmark of the alarm. Minutes."""
+from remade.benchmark import sampled
+
+
+def warning(triax) -> str:
+    return sampled(triax, "bench/warning/run.sh", "bench/warning/run.sh --seeds 1 --only ICU")

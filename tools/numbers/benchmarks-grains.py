@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blocks of docs/reference/benchmarks-grains.md (tools/pages): output of the benchmark of the grain engine. Minutes."""
+
+
+def grains(triax) -> str:
+    """On a packing that it makes itself; beside busy processes of its own, too."""
+    return triax.output_of("bench/grains/run.sh")
