@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A test as a workbook: specimen, stages, readings, states that follow from them by formulas,
-// verdict and charts (docs/how-to/reports.md).
+// assessment and charts (docs/how-to/reports.md).
 #include <string>
 
 #include "src/study/triaxial/test_result.hpp"
