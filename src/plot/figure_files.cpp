@@ -7,8 +7,11 @@
 #include <QBuffer>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "lab/base/bad_input.hpp"
 #include "src/output/markup.hpp"
@@ -38,12 +41,23 @@ std::string quoted(const std::string& cell) {
 
 }  // namespace
 
-std::string without_date(std::string pdf) {
-  // As long as before, because a PDF finds its parts by their place in the file.
-  const auto begin = pdf.find("/CreationDate (");
-  const auto end = pdf.find(')', begin);
-  if (begin != std::string::npos && end != std::string::npos)
-    pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+std::string make_reproducible(std::string pdf) {
+  // Qt 6.4 writes the first only, Qt 6.8 all of them: two in its XMP metadata.
+  constexpr std::array<std::pair<std::string_view, char>, 7> kVariableParts{
+      {{"/CreationDate (", ')'},
+       {"/ModDate (", ')'},
+       {"xmp:CreateDate=\"", '"'},
+       {"xmp:ModifyDate=\"", '"'},
+       {"xmp:MetadataDate=\"", '"'},
+       {"xmpMM:DocumentID=\"", '"'},
+       {"/ID [ <", ']'}}};
+  // The length stays the same: a PDF has a table of the positions of its objects.
+  for (const auto& [opening, closing] : kVariableParts) {
+    const auto begin = pdf.find(opening);
+    if (begin == std::string::npos) continue;
+    const auto end = pdf.find(closing, begin + opening.size());
+    if (end != std::string::npos) pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+  }
   return pdf;
 }
 
@@ -62,7 +76,7 @@ std::string to_pdf(const Drawing& drawing) {
   page.setRenderHint(QPainter::LosslessImageRendering);
   draw_on_page(*drawing.plot, page, QRectF(0, 0, writer.width(), writer.height()));
   if (!page.end()) throw lab::WorkFailed("a figure cannot be drawn as PDF");
-  return without_date(buffer.data().toStdString());
+  return make_reproducible(buffer.data().toStdString());
 }
 
 std::vector<std::string> write_figure(const Drawing& drawing, const std::string& prefix) {

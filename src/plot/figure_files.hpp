@@ -45,8 +45,9 @@ struct NamedFigure {
 /// Writes PREFIX_NAME.svg, .png, .pdf, .csv and .json.
 void write_named_figure(const NamedFigure& figure, const std::string& prefix);
 
-/// Blanks over the time of writing that Qt notes in a PDF: the same report gives the same bytes.
-std::string without_date(std::string pdf);
+/// Overwrites with spaces what differs from one writing of a PDF by Qt to the next: times and
+/// identifiers. The same report then gives the same bytes. The length does not change.
+std::string make_reproducible(std::string pdf);
 
 /// Remarks behind "# ", one line of names, then the rows; what is unknown or not finite is empty.
 std::string to_csv(const FigureData& data);

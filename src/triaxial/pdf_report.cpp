@@ -69,7 +69,7 @@ std::string pdf_bytes(const ReportSheets& sheets, const std::vector<PageSection>
   });
   for (const auto& section : more) pages.add(section);
   pages.finish();
-  return without_date(buffer.data().toStdString());
+  return make_reproducible(buffer.data().toStdString());
 }
 
 void pdf_report(const ReportSheets& sheets, const std::string& path,
