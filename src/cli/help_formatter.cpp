@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <sstream>
 
+#include "src/cli/option_text.hpp"
 #include "src/output/terminal.hpp"
 #include "src/output/wrapping.hpp"
 
@@ -25,8 +26,18 @@ HelpFormatter::HelpFormatter() {
   label("SUBCOMMAND", "COMMAND");
 }
 
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  if (option->get_items_expected_max() == 0) return {};  // a flag
+  const bool is_list = option->get_positional() &&
+                       option->get_expected_max() == CLI::detail::expected_max_vector_size;
+  std::string text = is_list ? "..." : "";
+  if (const std::string type = option->get_type_name(); !type.empty()) text += ' ' + type;
+  if (option->get_required()) text += ' ' + get_label("REQUIRED");
+  return text;
+}
+
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  return lines_of(option->get_description(), text_width() - column_width_);
+  return lines_of(describe_option(*option), text_width() - column_width_);
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
