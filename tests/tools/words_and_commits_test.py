@@ -103,6 +103,17 @@ class Touched(Repository):
                          (1, "lab/new.hpp:1: write: a plain word\nlab/new.hpp:2: write: kMax\n"))
 
 
+    def test_a_glossary_that_is_not_committed_is_not_in_force(self):
+        shutil.rmtree(self.root / ".git")
+        self.git("init", "-q")
+        self.write("docs/glossary.md", GLOSSARY)
+        self.write("lab/old.hpp", "")
+        self.git("add", "lab")
+        self.git("commit", "-q", "-m", "chore: begin")
+        self.write("lab/old.hpp", "constexpr int kMostOld = 1;\n")
+        self.assertEqual(self.run_tool("check-words", "--touched"), (0, ""))
+
+
 class Commits(Repository):
     def check(self, message):
         self.commit(message)
