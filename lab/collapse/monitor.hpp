@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Watches the second-order work of the measured path, one state at a time, in constant memory, and
-// says when, how and by which criteria the specimen lost sustainability (docs/explanation/detection.md).
+// Computes the second-order work of the measured path, one state at a time, in constant memory, and
+// reports when, how and by which criteria the specimen lost sustainability
+// (docs/explanation/detection.md).
 #include <functional>
 #include <memory>
 #include <vector>

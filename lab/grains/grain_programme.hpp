@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A programme of a specimen of grains: how the specimen is made, and what is done to it, SI. How it
-// is written is in docs/how-to/grains.md; how it is read, grain_programme_reader.hpp; what carries it out,
-// grain_run.hpp.
+// is written is in docs/how-to/grains.md; how it is read, grain_programme_reader.hpp; what carries
+// it out, grain_run.hpp.
 #include <cstdint>
 #include <optional>
 #include <string>

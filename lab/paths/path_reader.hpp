@@ -11,10 +11,10 @@ inline constexpr double kSmallestPathTolerance = 1e-12, kLargestPathTolerance = 
 inline constexpr double kSmallestVoidRatio = 0.05, kLargestVoidRatio = 20;
 inline constexpr double kSmallestPathStress_kPa = 1e-3;
 
-/// Reads a path from TOML text; how it is written is in docs/reference/paths.md. `file` is what messages call
-/// it and what files that it names are relative to. Throws BadInput (file:line, what was found,
-/// what would be right). Whether the law takes the start is for check_start() to say, since
-/// settings may still change it.
+/// Reads a path from TOML text; how it is written is in docs/reference/paths.md. `file` is what
+/// messages call it and what files that it names are relative to. Throws BadInput (file:line, what
+/// was found, what would be right). Whether the law takes the start is for check_start() to say,
+/// since settings may still change it.
 PathDescription read_path(std::string_view toml_text, const std::string& file);
 
 /// The same from a file on disk.

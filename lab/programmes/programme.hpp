@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A programme: specimen, rig and stages, SI. How it is written is in docs/formats; how it is read,
-// programme_reader.hpp.
+// A programme: specimen, rig and stages, SI. docs/reference/programmes.md describes the file,
+// programme_reader.hpp reads it.
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A dialect says how one kind of file holds a record: a small TOML, data and not code
-// (docs/reference/record-files.md lists its keys). The ones in lab/records/dialects ship with triax.
+// (docs/reference/record-files.md lists its keys). The ones in lab/records/dialects ship with
+// triax.
 #include <optional>
 #include <string>
 #include <string_view>

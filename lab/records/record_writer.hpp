@@ -9,8 +9,8 @@
 
 namespace triax::lab {
 
-/// Writes a record in triax's own CSV (docs/reference/record-files.md): the metadata as TOML behind #, one row a
-/// reading, below the rows how it ended and the truth of a simulation.
+/// Writes a record in triax's own CSV (docs/reference/record-files.md): the metadata as TOML behind
+/// #, one row a reading, below the rows how it ended and the truth of a simulation.
 ///
 /// The file appears under its name only when it is complete (WholeFile). Values are written in
 /// units of the field with the fewest digits that give the reading's bits back: exactly for values

@@ -120,10 +120,11 @@ void refuse_other_separator(const ByteSource& source, const Head& head) {
     if (!found) continue;
     throw BadInput(
         source.name(), static_cast<std::int64_t>(found->line) + 1,
-        fmt::format("the headings are triax's own, but the columns are separated by '{}'; "
-                    "triax's own CSV has commas, and points in its numbers. Change that, or "
-                    "describe the file as a dialect (docs/reference/record-files.md, table.separator)",
-                    character(found->separator)));
+        fmt::format(
+            "the headings are triax's own, but the columns are separated by '{}'; "
+            "triax's own CSV has commas, and points in its numbers. Change that, or "
+            "describe the file as a dialect (docs/reference/record-files.md, table.separator)",
+            character(found->separator)));
   }
 }
 
@@ -159,10 +160,11 @@ void refuse_other_separator(const ByteSource& source, const Head& head) {
                           : std::string("no dialect fits this file");
   throw BadInput(
       source.name(), best.empty() ? 0 : static_cast<std::int64_t>(best_line) + 1,
-      fmt::format("{}; headings found: {}. Describe it in a few lines of TOML and give "
-                  "that with --dialect FILE.toml: name = \"...\", [columns] axial_strain "
-                  "= {{ names = \"its heading\", unit = \"%\" }}, ... (docs/reference/record-files.md)",
-                  who, shown.empty() ? "none" : joined(shown)));
+      fmt::format(
+          "{}; headings found: {}. Describe it in a few lines of TOML and give "
+          "that with --dialect FILE.toml: name = \"...\", [columns] axial_strain "
+          "= {{ names = \"its heading\", unit = \"%\" }}, ... (docs/reference/record-files.md)",
+          who, shown.empty() ? "none" : joined(shown)));
 }
 
 // The unit that a units row states for a cell: its first bracket, or the whole of it.

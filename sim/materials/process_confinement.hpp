@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Limits for a process that handles foreign code or foreign data: the process of a plug-in
-// (docs/how-to/laws.md lists them for users, with what is not contained) and the process that reads an
-// uploaded record (docs/how-to/browser.md).
+// (docs/how-to/laws.md lists them for users, with what is not contained) and the process that reads
+// an uploaded record (docs/how-to/browser.md).
 #include <cstddef>
 #include <cstdint>
 

@@ -8,8 +8,8 @@
 
 namespace triax::src {
 
-/// The record in our own CSV (docs/reference/record-files.md): triax replay reads it again, bit for bit. No cell
-/// of it is a formula to a spreadsheet (lab::toml_quoted).
+/// The record in our own CSV (docs/reference/record-files.md): triax replay reads it again, bit for
+/// bit. No cell of it is a formula to a spreadsheet (lab::toml_quoted).
 void export_record(const db::Store& store, const db::StoredTest& test, const std::string& path);
 
 /// The states and second-order work as CSV: numbers only.

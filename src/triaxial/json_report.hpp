@@ -8,9 +8,10 @@
 
 namespace triax::src {
 
-/// The JSON contract (docs/contributing/architecture.md): one object for one test, an array for several or none.
-/// Units are in the names (kPa, mm, degrees); what is unknown is null, never absent, never 0. A
-/// test without a verdict (running, interrupted) has null for "detected" and "kind".
+/// The JSON contract (docs/contributing/architecture.md): one object for one test, an array for
+/// several or none. Units are in the names (kPa, mm, degrees). An unknown value is null, never
+/// absent, never 0. A test without an assessment (running, interrupted) has null for "detected" and
+/// "kind".
 std::string json_report(const std::vector<study::TestResult>& tests);
 
 /// The object of one test alone, without a line end: for documents too long to be held whole.

@@ -45,7 +45,8 @@ class ServedPlant {
 
   /// Moves on by dt > 0 and looks. Where the specimen cannot follow it stands, and time goes on.
   void tick(double dt_s);
-  /// Switches a fault of docs/reference/sensor-faults.md on from now on; one without a meaning does nothing.
+  /// Switches a fault of docs/reference/sensor-faults.md on from now on; one without a meaning does
+  /// nothing.
   void add_fault(Fault fault);
   void clear_faults();
   const std::vector<Fault>& faults() const { return programme_.faults; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Readings as a record in triax's own form (docs/reference/record-files.md): triax replay reads the workbook again
-// as the same test, a simulated one as simulated.
+// Readings as a record in triax's own form (docs/reference/record-files.md): triax replay reads the
+// workbook again as the same test, a simulated one as simulated.
 #include <string>
 #include <vector>
 

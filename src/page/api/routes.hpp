@@ -5,7 +5,8 @@
 
 namespace triax::src {
 
-/// What the page is given (docs/how-to/browser.md). Throws Refused, lab::BadInput and lab::WorkFailed.
+/// What the page is given (docs/how-to/browser.md). Throws Refused, lab::BadInput and
+/// lab::WorkFailed.
 PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request);
 /// The queue whose threads compute the answer.
 WorkQueue queue_of(const PageRequest& request);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An uploaded record is foreign data: a process of its own reads it (docs/how-to/browser.md). The process has
-// limits of memory, file length and processor time, cannot start others, runs at low priority and
-// does not outlive this program (sim/materials/process_confinement.hpp).
+// An uploaded record is foreign data: a process of its own reads it (docs/how-to/browser.md). The
+// process has limits of memory, file length and processor time, cannot start others, runs at low
+// priority and does not outlive this program (sim/materials/process_confinement.hpp).
 #include <cstdint>
 #include <functional>
 #include <string>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A soil as one JSON document, and as the TOML that `triax calibrate` starts from: the same values
-// under the same names (docs/how-to/soil.md). What the tests do not give is null in JSON, absent in TOML.
+// under the same names (docs/how-to/soil.md). What the tests do not give is null in JSON, absent in
+// TOML.
 #include <string>
 #include <vector>
 

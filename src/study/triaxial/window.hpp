@@ -38,8 +38,9 @@ Window window(const TestColumns& test, const WindowAsked& asked);
 void keep_extremes(std::span<const double> values, std::size_t begin, std::size_t end,
                    std::size_t buckets, std::vector<std::size_t>& kept);
 
-/// The window as the page is given it (docs/how-to/browser.md): columns by name, missing values null, with
-/// the test's unread steps and faults. Numbers have the fewest digits that stand for them.
+/// Returns the window as JSON for the web interface (docs/how-to/browser.md): columns by name,
+/// missing values null, with the unread steps and faults of the test. Numbers have the fewest
+/// digits that give them back exactly.
 std::string window_json(const TestColumns& test, const WindowAsked& asked);
 
 }  // namespace triax::study

@@ -55,7 +55,8 @@ bool kills(const Fault& f, bool drained) {
          f.device == "cell_pressure" || f.device == "pore_pressure";
 }
 
-/// What docs/reference/sensor-faults.md says that nobody can notice, or that does nothing in this test.
+/// Whether docs/reference/sensor-faults.md lists the fault as one that cannot be detected, or the
+/// fault has no effect in this test.
 bool unnoticeable(const Subject& s, const Fault& f) {
   if (f.kind == FaultKind::drift || f.kind == FaultKind::latency) return true;
   // What stands out of the looks of a reading is not in their mean.
