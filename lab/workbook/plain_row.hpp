@@ -8,9 +8,9 @@
 
 namespace triax::lab {
 
-/// <row ...> with cells <c ...><f>...</f><v>...</v></c>, of printable ASCII without entities.
-/// Anything else (texts in the cell, comments, namespaces, blanks between elements) is for the
-/// parser.
+/// Reads a `row` element with cells `c`, each with an optional formula `f` and a value `v`, of
+/// printable ASCII without entities. The XML parser reads anything else (texts in the cell,
+/// comments, namespaces, spaces between elements).
 class PlainRow {
  public:
   struct Cell {
