@@ -70,6 +70,19 @@ std::string superfluous(const CLI::App& command, const std::string& named) {
                      lab::excerpt(rest.empty() ? "" : rest.front()), named);
 }
 
+/// "1 to 1024" from the two forms of the library: "1 to 1024" (2.3) and "[1 - 1024]" (2.4).
+std::string range_text(std::string range) {
+  std::erase_if(range, [](char c) { return c == '[' || c == ']'; });
+  for (const std::string_view between : {" to ", " - "}) {
+    const auto at = range.find(between);
+    if (at == std::string::npos) continue;
+    const auto low = lab::whole_text_as<double>(range.substr(0, at));
+    const auto high = lab::whole_text_as<double>(range.substr(at + between.size()));
+    if (low && high) return fmt::format("{:.15g} to {:.15g}", *low, *high);
+  }
+  return range;
+}
+
 std::string not_valid(const CLI::Option& option, const std::string& message) {
   const auto given = option.results();
   const std::string value = lab::excerpt(given.empty() ? "" : given.back());
@@ -78,7 +91,7 @@ std::string not_valid(const CLI::Option& option, const std::string& message) {
   const bool number = !given.empty() && lab::whole_text_as<double>(given.back());
   if (const auto range = message.find(kRange); range != std::string::npos && number)
     return fmt::format("{}: {} is out of range; expected {}", option.get_name(), value,
-                       message.substr(range + kRange.size()));
+                       range_text(message.substr(range + kRange.size())));
   if (type.find('|') != std::string::npos)
     return fmt::format("{}: {} is not valid; {}", option.get_name(), value,
                        lab::suggestion(given.empty() ? "" : given.back(), choices(type)));

@@ -108,6 +108,8 @@ TEST_CASE("a wrong command line is told in our words, with the nearest right one
         Wrong{"simulate p.toml --seed", "--seed: expected one value, --seed N"},
         Wrong{"simulate p.toml q.toml", "unexpected argument 'q.toml'"},
         Wrong{"simulate p.toml --jobs 0", "--jobs: '0' is out of range; expected 1 to 1024"},
+        Wrong{"serve r.toml --speed 0.001",
+              "--speed: '0.001' is out of range; expected 0.01 to 10000"},
         Wrong{"simulate p.toml --jobs x", "--jobs: 'x' is not a number; expected --jobs N"},
         Wrong{"report --format docx",
               "--format: 'docx' is not valid; known: text, json, html, pdf"},
