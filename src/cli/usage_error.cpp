@@ -84,7 +84,7 @@ std::string range_text(std::string range) {
 }
 
 std::string not_valid(const CLI::Option& option, const std::string& message) {
-  const auto given = option.results();
+  const auto& given = option.results();
   const std::string value = lab::excerpt(given.empty() ? "" : given.back());
   const std::string type = option.get_type_name();
   constexpr std::string_view kRange = "not in range ";
@@ -101,7 +101,7 @@ std::string not_valid(const CLI::Option& option, const std::string& message) {
 
 std::string fault(const CLI::App& app, const CLI::App* command, const CLI::ParseError& error,
                   const std::string& first) {
-  const std::string message = error.what();
+  std::string message = error.what();
   if (command == nullptr) {
     return looks_like_option(first) ? superfluous(app, "triax")
                                     : fmt::format("unknown command {}; {}", lab::excerpt(first),
