@@ -129,6 +129,7 @@ std::string json(const Reported& all, const std::vector<SheetTest>& sheets) {
   if (all.tests.empty() && sheets.empty() && all.runs.size() == 1)
     return grain_run_json(all.runs.front());
   std::vector<std::string> documents;
+  documents.reserve(sheets.size());
   for (const auto& sheet : sheets) documents.push_back(study::json_document(document_of(sheet)));
   if (sheets.empty())
     for (const auto& test : all.tests) documents.push_back(json_of_test(test) + '\n');
