@@ -123,7 +123,7 @@ const Names& detail_columns() {
 std::string column_list(const Names& columns, const std::string& prefix) {
   std::string text;
   for (const std::string& name : columns)
-    text.append(text.empty() ? "" : ", ").append(prefix).append(name);
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", prefix, name);
   return text;
 }
 
@@ -133,8 +133,8 @@ std::string selected(SQLite::Database& database, const std::string& table, const
   std::string text;
   for (const std::string& name : columns) {
     const bool there = std::ranges::find(missing, name) == missing.end();
-    text.append(text.empty() ? "" : ", ");
-    text.append(there ? alias : "NULL AS ").append(there ? "." : "").append(name);
+    if (!text.empty()) text += ", ";
+    text += there ? fmt::format("{}.{}", alias, name) : fmt::format("NULL AS {}", name);
   }
   return text;
 }

@@ -17,33 +17,19 @@
 namespace triax::db {
 namespace {
 
-struct Pragma {
-  const char* name;
-  bool takes_argument;  ///< which table, how many errors; for the others it would be an assignment
-};
-
-bool only_tells(const char* name, bool has_argument) {
-  static constexpr auto kHarmless = std::to_array<Pragma>({{"application_id", false},
-                                                           {"compile_options", false},
-                                                           {"database_list", false},
-                                                           {"foreign_key_check", true},
-                                                           {"foreign_key_list", true},
-                                                           {"function_list", false},
-                                                           {"index_info", true},
-                                                           {"index_list", true},
-                                                           {"index_xinfo", true},
-                                                           {"integrity_check", true},
-                                                           {"page_count", false},
-                                                           {"page_size", false},
-                                                           {"quick_check", true},
-                                                           {"schema_version", false},
-                                                           {"table_info", true},
-                                                           {"table_list", true},
-                                                           {"table_xinfo", true},
-                                                           {"user_version", false}});
-  return std::ranges::any_of(kHarmless, [&](const Pragma& pragma) {
-    return sqlite3_stricmp(pragma.name, name) == 0 && (pragma.takes_argument || !has_argument);
-  });
+/// True for a PRAGMA that reports and changes nothing.
+bool is_harmless_pragma(const char* name, bool has_argument) {
+  // An argument of these would be an assignment.
+  static constexpr std::array kWithoutArgument{"application_id", "compile_options", "database_list",
+                                               "function_list",  "page_count",      "page_size",
+                                               "schema_version", "user_version"};
+  // The argument is a table, an index or a number of errors.
+  static constexpr std::array kWithArgument{
+      "foreign_key_check", "foreign_key_list", "index_info", "index_list", "index_xinfo",
+      "integrity_check",   "quick_check",      "table_info", "table_list", "table_xinfo"};
+  const auto is_name = [&](const char* pragma) { return sqlite3_stricmp(pragma, name) == 0; };
+  return std::ranges::any_of(kWithArgument, is_name) ||
+         (!has_argument && std::ranges::any_of(kWithoutArgument, is_name));
 }
 
 /// For a PRAGMA, `first` is its name and `second` what stands behind it.
@@ -55,7 +41,7 @@ int authorize(void*, int action, const char* first, const char* second, const ch
     case SQLITE_RECURSIVE:
       return SQLITE_OK;
     case SQLITE_PRAGMA:
-      return only_tells(first, second != nullptr) ? SQLITE_OK : SQLITE_DENY;
+      return is_harmless_pragma(first, second != nullptr) ? SQLITE_OK : SQLITE_DENY;
     default:
       return SQLITE_DENY;
   }
