@@ -83,7 +83,6 @@ void JudgedStates::note_volume_gauge(const Reading& reading) {
 
 void JudgedStates::add(const Reading& reading, const State& state) {
   note_volume_gauge(reading);
-  if (held_.full()) held_.set_capacity(2 * held_.capacity());
   held_.push_back({.reading = reading, .state = state});
   health_.watch(reading);
   for (const auto& wrong : health_.wrong()) mark(wrong);
@@ -103,7 +102,7 @@ bool JudgedStates::spoils(const SensorFinding& finding, int stage) const {
 
 void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
   if (is_vouched(wrong.finding, header_.vouched)) return;
-  for (Judged& entry : held_) {
+  for (Judged& entry : held()) {
     if (entry.reading.number < wrong.from || entry.reading.number > wrong.until) continue;
     entry.wrong |= channel_bit(wrong.finding.channel);
     if (!spoils(wrong.finding, entry.reading.stage)) continue;
@@ -123,17 +122,26 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
     withheld_ = fmt::format("{} since reading {}", reason(wrong.finding), wrong.from);
 }
 
+/// A vector that is emptied keeps its memory; a deque would allocate for every reading.
+void JudgedStates::drop_first() {
+  ++first_;
+  const bool is_last = first_ == held_.size();
+  if (!is_last && first_ <= kHeld) return;
+  held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(first_));
+  first_ = 0;
+}
+
 const JudgedStates::Judged* JudgedStates::next() {
-  if (std::exchange(taken_, false)) held_.pop_front();
+  if (std::exchange(taken_, false)) drop_first();
   if (finished_ && held_.empty()) end_undrained(drainage_.suspicion());
   if (held_.empty()) return nullptr;
-  const bool full = static_cast<std::int64_t>(held_.size()) > kHeld;
-  if (!finished_ && !full && held_.front().reading.number >= health_.doubtful_from())
-    return nullptr;
-  judge(held_.front());
-  held_.front().axis_live = shows_axis(held_.front());
+  Judged& entry = held_[first_];
+  const bool full = static_cast<std::int64_t>(held().size()) > kHeld;
+  if (!finished_ && !full && entry.reading.number >= health_.doubtful_from()) return nullptr;
+  judge(entry);
+  entry.axis_live = shows_axis(entry);
   taken_ = true;
-  return &held_.front();
+  return &entry;
 }
 
 bool JudgedStates::may_go_on(const State& state) const {

@@ -3,10 +3,9 @@
 // Between reduction and monitor: states on live sensors pass, the others do not.
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
-
-#include <boost/circular_buffer.hpp>
 
 #include "lab/health/closed_drainage.hpp"
 #include "lab/health/plausibility.hpp"
@@ -78,6 +77,8 @@ class JudgedStates {
     std::int64_t last = -1;  ///< last judged reading; -1: none
     std::string reason;
   };
+  std::span<Judged> held() { return std::span(held_).subspan(first_); }
+  void drop_first();
   bool spoils(const SensorFinding& finding, int stage) const;
   void mark(const RecordHealth::Wrong& wrong);
   void note_volume_gauge(const Reading& reading);
@@ -92,8 +93,9 @@ class JudgedStates {
 
   RecordHeader header_;
   RecordHealth health_;
-  boost::circular_buffer<Judged> held_{16};  ///< grows
-  bool taken_ = false;                       ///< the front of held_ was given on
+  std::vector<Judged> held_;
+  std::size_t first_ = 0;  ///< of held_: those before were returned and dropped
+  bool taken_ = false;     ///< next() returned the first one
   bool finished_ = false;
   std::optional<State> last_live_;  ///< the last that was judged, in shear
   std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
 namespace {
 
 constexpr double kSteep = 60;  // degrees
-const double kSteepSine = std::sin(sim::radians(kSteep));
-
-/// Of the mobilised friction angle, at q/p' = eta.
-double sine_of_friction(double eta) { return (eta >= 0 ? 3 : -3) * eta / (6 + eta); }
 
 bool is_test_pressure(double p_eff) {
   return p_eff >= Plausibility::kLeastStress && p_eff <= Plausibility::kMostStress;
@@ -47,7 +44,7 @@ std::string Plausibility::impossible_specimen() const {
 bool Plausibility::is_possible(const State& s) const {
   if (!first_ && !is_test_pressure(s.p_eff)) return false;
   if (exceeds_any_cell(s)) return false;
-  const double reach = s.p_eff + (first_ ? zero_error_ : zero_error(s.p_eff));
+  const double reach = s.p_eff + zero_error(first_ ? first_->p_eff : s.p_eff);
   return s.q <= kSteepest * reach && -s.q <= kSteepestExtension * reach;
 }
 
@@ -99,10 +96,7 @@ bool Plausibility::add(const State& s) {
     last_impossible_ = s.reading;
     return false;
   }
-  if (!first_) {
-    first_ = s;
-    zero_error_ = zero_error(s.p_eff);
-  }
+  if (!first_) first_ = s;
   watch_fall(s);
   const double strain = s.strain.axial - first_->strain.axial;
   if (std::fabs(s.q) > largest_q_) strain_at_largest_ = strain;
@@ -114,7 +108,7 @@ bool Plausibility::add(const State& s) {
   highest_strain_ = std::max(highest_strain_, strain);
   if (!(s.p_eff > kWorth * first_->p_eff)) return true;
   if (!tension_ && least_stress(s) < 0) tension_ = s;
-  if (!steep_ && sine_of_friction(s.q / s.p_eff) > kSteepSine) steep_ = s;
+  if (!steep_ && sim::mobilised_friction_angle(s.q / s.p_eff) > sim::radians(kSteep)) steep_ = s;
   return true;
 }
 

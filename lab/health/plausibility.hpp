@@ -72,7 +72,6 @@ class Plausibility {
 
   SpecimenInfo specimen_;
   std::optional<State> first_;
-  double zero_error_ = 0;  ///< Pa, once there is a first state
   double largest_q_ = 0, largest_strain_ = 0;
   double least_q_ = 0, most_q_ = 0;                ///< with their signs
   double lowest_strain_ = 0, highest_strain_ = 0;  ///< from the first

@@ -3,6 +3,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "src/cli/manual.hpp"
+#include "src/cli/option_text.hpp"
 
 namespace triax::src {
 namespace {
@@ -149,7 +150,7 @@ std::string zsh(const CLI::App& app) {
         fmt::format("    '{}:{}'\n", sub->get_name(), zsh_escaped(sub->get_description(), ":"));
     cases += fmt::format("    {}) _arguments", sub->get_name());
     for (const auto* option : sub->get_options()) {
-      const std::string text = zsh_escaped(option->get_description(), "[]:");
+      const std::string text = zsh_escaped(describe_option(*option), "[]:");
       const bool takes_value = option->get_items_expected_max() > 0;
       const auto choices = values(*option);
       const std::string kind = kind_of_names(*option);
@@ -214,7 +215,7 @@ end
     for (const auto* option : sub->get_options())
       for (const auto& name : option->get_lnames()) {
         text += fmt::format("complete -c triax -n '__fish_seen_subcommand_from {}' -l {} -d '{}'",
-                            sub->get_name(), name, escaped(option->get_description(), "'"));
+                            sub->get_name(), name, escaped(describe_option(*option), "'"));
         if (const auto kind = kind_of_names(*option); !kind.empty())
           text += fmt::format(" -x -a '(__triax_names {})'", kind);
         else if (const auto choices = values(*option); !choices.empty())

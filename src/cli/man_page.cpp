@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "src/cli/manual.hpp"
+#include "src/cli/option_text.hpp"
 #include "src/study/version.hpp"
 
 namespace triax::src {
@@ -40,7 +41,7 @@ std::string option_item(const CLI::Option& option) {
     if (option.get_items_expected_max() > 0)
       names += " \\fI" + roff(option.get_type_name()) + "\\fR";
   }
-  return ".TP\n" + names + "\n" + roff(option.get_description()) + "\n";
+  return ".TP\n" + names + "\n" + roff(describe_option(option)) + "\n";
 }
 
 std::string options(const CLI::App& app) {

@@ -19,6 +19,7 @@ struct Kettle {
     sub.add_option("CUP", cups, "where to")->type_name("");
     sub.add_option("--heat", heat, "how fast [low]")->type_name("low|high");
     sub.add_flag("--tea,-t", tea, "with tea");
+    sub.add_option("--minutes", minutes, "how long")->type_name("MIN")->capture_default_str();
     command.name = "boil";
     command.purpose = "make water hot";
     command.description = {".dots and 'quotes' at the start of a line", "back\\slash"};
@@ -30,6 +31,7 @@ struct Kettle {
   std::vector<std::string> cups;
   std::string heat;
   bool tea = false;
+  int minutes = 3;
   Command command;
 };
 
@@ -51,13 +53,20 @@ TEST_CASE("a man page holds what the command says of itself, as roff that hides 
 TEST_CASE("completion offers commands, options, and the values of options that have few") {
   const Kettle kettle;
   const auto bash = completion_script(kettle.app, "bash");
-  CHECK(contains(bash, "boil) words=\"-h --help --heat -t --tea\""));
+  CHECK(contains(bash, "boil) words=\"-h --help --heat -t --tea --minutes\""));
   CHECK(contains(bash, "boil:--heat) words=\"low high\""));
   const auto zsh = completion_script(kettle.app, "zsh");
   CHECK(contains(zsh, "'--heat[how fast \\[low\\]]:value:(low high)'"));
   const auto fish = completion_script(kettle.app, "fish");
   CHECK(contains(fish, "-l heat -d 'how fast [low]' -x -a 'low high'"));
   CHECK_THROWS_AS(completion_script(kettle.app, "tcsh"), triax::lab::BadInput);
+}
+
+TEST_CASE("man_page, completion_script: show the default of an option in brackets", "[cli]") {
+  const Kettle kettle;
+  CHECK(contains(man_page(kettle.sub, kettle.command), "\\fIMIN\\fR\nhow long [3]\n"));
+  CHECK(contains(completion_script(kettle.app, "zsh"), "'--minutes[how long \\[3\\]]:value"));
+  CHECK(contains(completion_script(kettle.app, "fish"), "-l minutes -d 'how long [3]'"));
 }
 
 TEST_CASE("quotation marks in a purpose do not end the shell's own") {
