@@ -33,8 +33,9 @@ class Tree(unittest.TestCase):
             for name, text in files.items():
                 (root / name).parent.mkdir(parents=True, exist_ok=True)
                 (root / name).write_text(text, encoding="utf-8")
-            (root / "tools").mkdir()
-            shutil.copy(TOOLS / tool, root / "tools" / tool)
+            (root / "tools/remade").mkdir(parents=True)
+            for name in (tool, "remade/markdown.py"):
+                shutil.copy(TOOLS / name, root / "tools" / name)
             subprocess.run(["git", "init", "-q", folder], check=True)
             subprocess.run(["git", "-C", folder, "add", *files], check=True)
             done = subprocess.run([sys.executable, root / "tools" / tool, *arguments], cwd=folder, capture_output=True, text=True,

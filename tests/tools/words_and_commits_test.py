@@ -29,9 +29,9 @@ class Repository(unittest.TestCase):
         self.root = Path(self.folder.name)
         self.addCleanup(self.folder.cleanup)
         self.git("init", "-q")
-        (self.root / "tools").mkdir()
-        for tool in ("check-words", "check-commits"):
-            shutil.copy(TOOLS / tool, self.root / "tools")
+        (self.root / "tools/remade").mkdir(parents=True)
+        for name in ("check-words", "check-commits", "remade/markdown.py"):
+            shutil.copy(TOOLS / name, self.root / "tools" / name)
         self.write("docs/glossary.md", GLOSSARY)
         self.write("lab/old.hpp", "constexpr int kMostOld = 1;  // told\n")
         self.commit("anything goes before the rule")
