@@ -46,7 +46,7 @@ std::string kind_of_names(const CLI::Option& option) {
 
 std::string kind_of_argument(const CLI::App& app) {
   for (const auto* option : app.get_options())
-    if (const auto kind = kind_of_names(*option); option->get_positional() && !kind.empty())
+    if (auto kind = kind_of_names(*option); option->get_positional() && !kind.empty())
       return kind;
   return {};
 }
