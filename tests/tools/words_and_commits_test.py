@@ -59,12 +59,38 @@ class Repository(unittest.TestCase):
         return self.run_tool("check-words")
 
 
+class Texts(Repository):
+    def texts(self, name, text):
+        self.write(name, text)
+        self.git("add", "-A")
+        return self.run_tool("check-words", "--texts")
+
+    def test_a_message_is_found_with_its_line_across_joined_literals(self):
+        self.assertEqual(self.texts("src/a.cpp", '// told you so now\nfail("the result "\n     "is a verdict");\n'),
+                         (1, 'src/a.cpp:2: "verdict": write "assessment"\n'))
+
+    def test_the_page_is_checked(self):
+        self.assertEqual(self.texts("src/page/web/js/a.js", "show(`this is a verdict ${verdict.of}`);\n")[0], 1)
+        self.assertEqual(self.texts("src/page/web/index.html", "<p class='verdict'>\n<b>one verdict</b>\n")[1].count("index.html:2: "), 1)
+
+    def test_sql_names_tags_and_semicolons_pass(self):
+        self.assertEqual(self.texts("db/a.cpp", 'f("SELECT x FROM verdict v");\ng("member \\"verdict\\" is missing; "\n "did you mean '
+                                                "'verdict'? a; b; c\", \"<p class=x verdict>a b c</p>\");\n"), (0, ""))
+
+    def test_tests_are_not_checked(self):
+        self.assertEqual(self.texts("tests/a.cpp", 'f("this is a verdict");\n'), (0, ""))
+
+
 class Words(Repository):
     def test_clean_pages_pass(self):
         self.assertEqual(self.words("# Page\n\nThe `verdict` of\n\n    a verdict\n\n[x](verdict.md)\n"), (0, ""))
 
     def test_a_word_of_the_glossary_is_found_with_its_line(self):
         self.assertEqual(self.words("# Page\n\nGood.\nA Verdict.\n"), (1, 'docs/page.md:4: "verdict": write "assessment"\n'))
+
+    def test_results_of_benchmarks_are_checked(self):
+        self.write("bench/results/speed.md", "A verdict.\n")
+        self.assertEqual(self.words("# Page\n"), (1, 'bench/results/speed.md:1: "verdict": write "assessment"\n'))
 
     def test_a_word_on_the_second_line_of_an_entry_counts(self):
         self.assertIn('"sheet": write "assessment"', self.words("# Page\n\nA sheet.\n")[1])
