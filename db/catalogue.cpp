@@ -5,7 +5,6 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -87,7 +86,7 @@ std::string one_line(const std::string& text, const char* what) {
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
   if (!lab::is_utf8(line) || std::ranges::any_of(line, is_control))
     throw lab::BadInput(
-        fmt::format("the {} {} has to be one line of UTF-8 text", what, lab::excerpt(line)));
+        fmt::format("the {} {} must be one line of UTF-8 text", what, lab::excerpt(line)));
   return line;
 }
 
@@ -99,10 +98,7 @@ std::vector<std::string> each_one_line(const std::vector<std::string>& tags) {
 }
 
 [[noreturn]] void no_such_test(const std::string& path, const std::vector<std::int64_t>& ids) {
-  throw lab::BadInput(
-      path, 0,
-      fmt::format("there {} {}; `triax tests` lists those there are",
-                  ids.size() == 1 ? "is no test" : "are no tests", fmt::join(ids, ", ")));
+  throw lab::BadInput(path, 0, describe_missing_tests(ids));
 }
 
 /// The writer that has a lease of a test that is marked as running; empty where there is none.

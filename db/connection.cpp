@@ -23,6 +23,7 @@
 #include "db/schema/schema.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/base/whole_file.hpp"
 
 namespace triax::db {
 namespace {
@@ -44,8 +45,8 @@ void check_ours(SQLite::Database& database, const std::string& path) {
   const int id = read_int(database, "PRAGMA application_id");
   if (id != kApplicationId && (id != 0 || !empty))
     throw lab::BadInput(path, 0,
-                        "this SQLite database is of another program; name a triax database, "
-                        "or a file that does not exist yet");
+                        "this SQLite database belongs to another program; give a triax database or "
+                        "a file that does not exist yet");
   const int version = read_int(database, "PRAGMA user_version");
   if (version > newest_schema())
     throw lab::BadInput(path, 0,
@@ -116,7 +117,7 @@ void check_exists(const std::string& path) {
   check_place(path);
   if (!fs::exists(path))
     throw NoDatabase(path, 0,
-                     "no such database; `triax replay`, `simulate` and `grains` create one");
+                     "database does not exist; `triax replay`, `simulate` and `grains` create one");
 }
 
 SQLite::Database read_only(SQLite::Database database) {
@@ -173,23 +174,18 @@ bool is_at_size_limit(const std::string& path, rlim_t limit) {
 
 void check_place(const std::string& path) {
   if (path.empty() || path == ":memory:")  // SQLite has databases of these names, on no disk
-    throw lab::BadInput("the database has to be a file, such as triax.db; " + lab::excerpt(path) +
-                        " names none");
+    throw lab::BadInput("the database must be a file, such as triax.db; " + lab::excerpt(path) +
+                        " is not a file name");
   std::error_code unknown;
   const fs::file_type type = fs::status(path, unknown).type();
   if (type == fs::file_type::directory)
     throw lab::BadInput(path, 0,
-                        "is a folder; the database has to be a file, such as " + path +
+                        "is a folder; expected a file, such as " + path +
                             (path.ends_with('/') ? "" : "/") + "triax.db");
   if (fs::exists(fs::file_status(type)) && type != fs::file_type::regular &&
       type != fs::file_type::unknown)
-    throw lab::BadInput(path, 0,
-                        "is a device, a pipe or a socket; the database has to be a regular file");
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder))
-    throw lab::BadInput(
-        path, 0,
-        "there is no folder " + folder.string() + " to put the database in; create it first");
+    throw lab::BadInput(path, 0, "is a device, a pipe or a socket; expected a regular file");
+  lab::check_folder_of(path);
 }
 
 void migrate(SQLite::Database& database, const std::string& path, int target) {
@@ -230,7 +226,8 @@ SQLite::Database open_for_writing(const std::string& path, std::chrono::millisec
 void check_filled(SQLite::Database& database, const std::string& path) {
   check_ours(database, path);
   if (is_empty(database))
-    throw NoDatabase(path, 0, "is empty; `triax replay`, `simulate` and `grains` fill a database");
+    throw NoDatabase(
+        path, 0, "database is empty; `triax replay`, `simulate` and `grains` store tests in it");
 }
 
 SQLite::Database open_for_reading(const std::string& path) {
@@ -264,11 +261,11 @@ void check_there(const std::string& path) {
 void throw_for(const SQLite::Exception& error, const std::string& path) {
   switch (error.getErrorCode()) {
     case SQLITE_NOTADB:
-      throw lab::BadInput(path, 0,
-                          "is not an SQLite database; name a triax database, or a file "
-                          "that does not exist yet");
+      throw lab::BadInput(
+          path, 0,
+          "is not an SQLite database; give a triax database or a file that does not exist yet");
     case SQLITE_CANTOPEN:
-      throw lab::BadInput(path, 0, "cannot be opened; check that file and folder may be written");
+      throw lab::BadInput(path, 0, "cannot be opened; check the permissions of file and folder");
     case SQLITE_READONLY:
     case SQLITE_PERM:
       throw lab::BadInput(path, 0, "cannot be written; check the permissions of file and folder");

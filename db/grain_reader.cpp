@@ -269,7 +269,8 @@ StoredGrainRun read_grain_run(SQLite::Database& database, std::int64_t id) {
     if constexpr (std::is_same_v<std::decay_t<decltype(row)>, RowReader>) r.exact = row.exact();
   });
   if (found.empty())
-    throw lab::BadInput(fmt::format("there is no run of grains with the id {}", id));
+    throw lab::BadInput(fmt::format(
+        "grain run {} does not exist; `triax query grain_runs` lists all grain runs", id));
   StoredGrainRun run;
   run.id = id;
   SQLite::Statement seen(

@@ -5,8 +5,7 @@ namespace triax::db {
 
 const std::vector<NamedQuery>& named_queries() {
   static const std::vector<NamedQuery> queries{
-      {"tests",
-       "every test: what it was, where it came from, how it ended, whether statistics count it",
+      {"tests", "all tests: type, source, end, and whether statistics count them",
        "SELECT t.id AS test_id, t.name AS test, t.origin, t.programme, s.status, t.stored_at, "
        "s.readings, t.source, t.dialect, t.seed, "
        "t.id IN (SELECT test_id FROM counted_tests) AS counted "
@@ -16,15 +15,14 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT * FROM collapse_points ORDER BY type_of_test, test_id"},
       {"collapses", "the result of every test, with state and second-order work at onset",
        "SELECT * FROM collapses ORDER BY test_id"},
-      {"criteria", "what each criterion found, with its evidence",
+      {"criteria", "the result of each criterion, with its evidence",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS criterion, c.detected, "
        "c.reading, c.time_s, c.eta, c.noticed_reading, c.noticed_time_s, c.evidence "
        "FROM criteria c JOIN tests t ON t.id = c.test_id ORDER BY c.id"},
       {"peaks", "the peak of q of every test", "SELECT * FROM peaks ORDER BY test_id"},
       {"instability_line",
-       "stress ratio at collapse by programme, sense, origin and kind: the slope of the "
-       "instability "
-       "line; each file once",
+       "stress ratio at collapse by type of test, sense of shear, origin and kind: the slope of "
+       "the instability line; each file once",
        "SELECT type_of_test, CASE WHEN eta < 0 THEN 'extension' ELSE 'compression' END AS sense, "
        "origin, kind, count(*) AS tests, avg(eta) AS eta_mean, "
        "min(eta) AS eta_min, max(eta) AS eta_max, avg(phi_mob_deg) AS phi_mob_mean_deg "
@@ -45,7 +43,7 @@ const std::vector<NamedQuery>& named_queries() {
       {"sweep", "the tests of every sweep: each varied key with its value, and the result",
        "SELECT r.* FROM sweep_results r JOIN sweep_members m ON m.test_id = r.test_id "
        "AND m.key = r.key ORDER BY r.sweep, r.place, m.position"},
-      {"grain_runs", "the runs of specimens of grains: how they were made, what they are",
+      {"grain_runs", "runs of grain specimens: preparation and properties",
        "SELECT r.id AS run_id, r.name AS run, r.origin, s.status, recorded_at, grains, seed, "
        "compaction_friction_deg, friction_angle_deg, stiffness_reading, porosity, void_ratio, "
        "coordination, floating_grains, grains_outside, source "
@@ -56,7 +54,7 @@ const std::vector<NamedQuery>& named_queries() {
        "s.axial_stress_kPa, s.radial_stress_kPa, s.unbalanced, s.kinetic_energy_J, s.engine_steps, "
        "s.wall_clock_s FROM grain_stages s JOIN grain_runs r ON r.id = s.run_id "
        "ORDER BY r.id, s.number"},
-      {"grain_peaks", "peak of s1 - s3/R of every path of grains, and what came after it",
+      {"grain_peaks", "peak of s1 - s3/R of every path of grains, and what followed",
        "SELECT * FROM grain_peaks ORDER BY run_id, stage"},
       {"grain_probes", "second-order work of every probe of grains; number 0 is the null probe",
        "SELECT r.name AS run, r.origin, s.name AS stage_name, p.* FROM grain_probes p "
@@ -92,22 +90,22 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT t.id AS test_id, t.name AS test, t.origin, e.reading, e.time_s, e.kind, "
        "e.noticed_reading, e.noticed_time_s, e.detail "
        "FROM events e JOIN tests t ON t.id = e.test_id ORDER BY t.id, e.id"},
-      {"alarms", "what the alarm said first and did not take back, with the onset that came",
+      {"alarms", "first warnings of the alarm that were not withdrawn, with the onset found",
        "SELECT t.id AS test_id, t.name AS test, t.origin, o.level, o.reading, o.time_s, "
        "o.eta_forecast, o.eta_low, o.eta_high, o.left_quantity, o.left_value, o.left_time_s, "
        "c.kind, c.reading AS onset_reading, c.time_s AS onset_time_s, c.eta AS onset_eta "
        "FROM outlooks o JOIN tests t ON t.id = o.test_id "
        "LEFT JOIN collapses c ON c.test_id = o.test_id ORDER BY t.id, o.reading"},
-      {"forecasts", "the onset as it was forecast while tests ran, at every point of W2",
+      {"forecasts", "forecasts of the onset while tests ran, at every point of W2",
        "SELECT * FROM forecasts ORDER BY test_id, reading"},
       {"checks", "measured values compared with acceptable limits",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS check_name, c.measured, "
        "c.limit_value, c.ok, c.note "
        "FROM checks c JOIN tests t ON t.id = c.test_id ORDER BY t.id, c.id"},
-      {"warnings", "what was changed, joined or missing in the records",
+      {"warnings", "corrections, joins and missing rows of the records",
        "SELECT DISTINCT t.id AS test_id, t.name AS test, t.origin, w.line, w.text "
        "FROM warnings w JOIN tests t ON t.id = w.test_id ORDER BY t.id, w.line"},
-      {"unfinished_tests", "tests that still run or were interrupted, with the last sign of life",
+      {"unfinished_tests", "tests that are running or were interrupted, with the last heartbeat",
        "SELECT * FROM unfinished_tests ORDER BY test_id"},
   };
   return queries;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /// What SQLite keeps beside a database that belongs to its content.
 constexpr std::array<const char*, 2> kBeside = {"-wal", "-journal"};
 
-constexpr const char* kElsewhere = "; TMPDIR names another folder for temporary files";
+constexpr const char* kElsewhere = "; set TMPDIR to another folder for temporary files";
 
 class PrivateFolder {
  public:
@@ -36,13 +36,14 @@ class PrivateFolder {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     if (error)
-      throw lab::WorkFailed(path + ": is read by way of a copy, for which there is no folder: " +
-                            (named != nullptr ? "TMPDIR is " + std::string(named) : "/tmp") + ": " +
-                            error.message() + kElsewhere);
+      throw lab::WorkFailed(
+          path + ": is read through a temporary copy, and no temporary folder is available: " +
+          (named != nullptr ? "TMPDIR is " + std::string(named) : "/tmp") + ": " + error.message() +
+          kElsewhere);
     std::string pattern = (folder / "triax-reading-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw lab::WorkFailed(path + ": is read by way of a copy, and " + pattern +
-                            " cannot be made: " + std::strerror(errno) + kElsewhere);
+      throw lab::WorkFailed(path + ": is read through a temporary copy, and " + pattern +
+                            " cannot be created: " + std::strerror(errno) + kElsewhere);
     path_ = pattern;
   }
   ~PrivateFolder() {
@@ -72,8 +73,8 @@ struct Unchanged {
 
 [[noreturn]] void no_room(const std::string& path, const std::string& copy,
                           const std::string& why) {
-  throw lab::WorkFailed(path + ": is read by way of a copy, and " + copy +
-                        " does not take it: " + why + kElsewhere);
+  throw lab::WorkFailed(path + ": is read through a temporary copy, and " + copy +
+                        " cannot be written: " + why + kElsewhere);
 }
 
 /// The copy may be written where the database may not.
@@ -84,9 +85,9 @@ void copy(const std::string& from, const std::string& to, const std::string& pat
   // The library tells a full disk as an error of input or output.
   if (access(from.c_str(), R_OK) == 0) no_room(path, to, error.message());
   throw lab::BadInput(path, 0,
-                      "cannot be read whole: " + from + ": " + error.message() +
-                          "; part of the tests is in that file: make it readable, or open the "
-                          "database once as a user who may write there (triax tests repair)");
+                      "cannot be read completely: " + from + ": " + error.message() +
+                          "; this file contains some of the tests: make it readable, or run `triax "
+                          "tests repair` as a user with write permission");
 }
 
 void copy_files(const std::string& file, const std::string& to, const std::string& path) {
@@ -130,10 +131,12 @@ SQLite::Database migrated_copy(SQLite::Database& source, const std::string& path
   } catch (const SQLite::Exception& error) {
     const int code = error.getErrorCode();
     if (code != SQLITE_FULL && (code != SQLITE_IOERR || source.getErrorCode() == code)) throw;
-    throw lab::WorkFailed(path + ": is of an older triax and read by way of a copy, for which " +
-                          folder.database() +
-                          " has no room; TMPDIR names another folder for temporary files, and "
-                          "triax tests repair brings the database itself up to date");
+    throw lab::WorkFailed(
+        path +
+        ": is from an older version of triax and is read through a temporary copy, for which " +
+        folder.database() +
+        " has no free space; set TMPDIR to another folder for temporary files, or update the "
+        "database with `triax tests repair`");
   }
   return opened_and_migrated(folder, path);
 }
@@ -148,8 +151,8 @@ SQLite::Database migrated_copy_of_files(const std::string& path) {
     if (Unchanged(file) == before) return opened_and_migrated(folder, path);
   }
   throw lab::BadInput(path, 0,
-                      "is being written by a program whose files beside it this user may not open; "
-                      "ask for the right to read " +
+                      "is being written by a program whose files next to it cannot be opened; get "
+                      "read permission for " +
                           path + "-shm, or wait until it has ended");
 }
 

@@ -58,7 +58,7 @@ std::string sql_for(const std::string& name_or_sql) {
     if (query.name == name_or_sql) return std::string(query.sql);
   if (name_or_sql.find_first_of(" \t\n\r;(") == std::string::npos)
     throw lab::BadInput("unknown query " + lab::excerpt(name_or_sql) + "; " +
-                        lab::suggestion(name_or_sql, query_names()) + "; SQL is accepted too");
+                        lab::suggestion(name_or_sql, query_names()) + "; or give an SQL statement");
   return name_or_sql;
 }
 
@@ -73,8 +73,7 @@ void check_single(sqlite3* database, const std::string& sql) {
     statements += statement != nullptr || outcome != SQLITE_OK;
     sqlite3_finalize(statement);
     if (outcome != SQLITE_OK && statements == 1) throw SQLite::Exception(database);
-    if (statements > 1)
-      throw lab::BadInput("the SQL has more than one statement; one query runs at a time");
+    if (statements > 1) throw lab::BadInput("the SQL has more than one statement; give one");
   }
   if (statements == 0) throw lab::BadInput("the SQL has no statement; write a SELECT");
 }
@@ -163,13 +162,12 @@ void query(const std::string& path, const std::string& name_or_sql,
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() == SQLITE_INTERRUPT)
       throw lab::WorkFailed(fmt::format(
-          "the query did not finish within {:g} s; simplify it, or allow more (--time-limit S)",
+          "the query did not finish within {:g} s; simplify it or set a longer --time-limit S",
           time_limit_s));
     if (is_failure_of_work(error)) throw lab::WorkFailed(path + ": " + error.what());
     if ((error.getErrorCode() & 0xff) == SQLITE_AUTH ||
         (error.getErrorCode() & 0xff) == SQLITE_READONLY)
-      throw lab::BadInput(
-          "SQL: this statement would change something; the database is read-only here");
+      throw lab::BadInput("SQL: this statement would change the database; queries are read-only");
     throw lab::BadInput("SQL: " + std::string(error.what()));
   }
 }

@@ -64,7 +64,7 @@ ScanWriter::ScanWriter(SQLite::Database& database, std::int64_t test_id)
 std::int64_t ScanWriter::key(std::int64_t reading) const {
   if (reading < 0 || reading > 0xffffffff)
     throw lab::WorkFailed("reading " + std::to_string(reading) +
-                          " cannot be stored: a test holds readings 0 to 4294967295");
+                          " cannot be stored: readings must be 0 to 4294967295");
   return test_id_ << 32 | reading;
 }
 

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -116,6 +117,13 @@ void visit_scans(SQLite::Database& database, std::int64_t id, std::int64_t every
 
 }  // namespace
 
+std::string describe_missing_tests(const std::vector<std::int64_t>& ids) {
+  return fmt::format("{} {} not exist; `triax tests` lists all tests",
+                     ids.size() == 1 ? fmt::format("test {}", ids.front())
+                                     : fmt::format("tests {}", fmt::join(ids, ", ")),
+                     ids.size() == 1 ? "does" : "do");
+}
+
 std::string_view to_string(TestStatus status) {
   switch (status) {
     case TestStatus::running:
@@ -150,7 +158,7 @@ struct Store::Impl {
   }
 
   [[noreturn]] void no_test(std::int64_t id) const {
-    throw lab::BadInput(path, 0, "there is no test " + std::to_string(id));
+    throw lab::BadInput(path, 0, describe_missing_tests({id}));
   }
   std::int64_t find_one(const std::string& name) const;
   std::int64_t find_by_short_name(const std::string& name) const;
@@ -184,18 +192,19 @@ std::int64_t Store::Impl::find_by_short_name(const std::string& name) const {
   while (select.executeStep()) {
     const std::string other = select.getColumn(1).getString();
     if (latest != 0 && other != called)
-      throw lab::BadInput(path, 0,
-                          fmt::format("'{}' fits the tests '{}' and '{}'; give the full name or "
-                                      "the number",
-                                      name, called, other));
+      throw lab::BadInput(
+          path, 0,
+          fmt::format("test '{}' is ambiguous: '{}' or '{}'; give the full name or the number",
+                      name, called, other));
     if (latest == 0) latest = select.getColumn(0).getInt64();
     called = other;
   }
-  if (latest == 0)
-    throw lab::BadInput(path, 0,
-                        fmt::format("unknown test {}; {}", lab::excerpt(name),
-                                    lab::suggestion(name, latest_names())));
-  return latest;
+  if (latest != 0) return latest;
+  const auto names = latest_names();
+  throw lab::BadInput(
+      path, 0,
+      fmt::format("test {} does not exist; {}", lab::excerpt(name),
+                  names.empty() ? "the database has no tests" : lab::suggestion(name, names)));
 }
 
 std::vector<std::string> Store::Impl::latest_names() const {

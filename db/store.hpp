@@ -68,6 +68,9 @@ struct TestVersion {
   std::int64_t readings = 0;
 };
 
+/// "test 7 does not exist; ...". Several: "tests 7, 8 do not exist; ...". The rest lists all tests.
+std::string describe_missing_tests(const std::vector<std::int64_t>& ids);
+
 /// Reads a database of tests (the Recorder writes it), also while it is written. One thread at a
 /// time.
 class Store {

@@ -34,7 +34,8 @@ template <class Kind>
 Kind known(const std::string& text, std::optional<Kind> (*kind_from)(std::string_view)) {
   if (const auto kind = kind_from(text)) return *kind;
   throw lab::BadInput(fmt::format(
-      "the database holds '{}', which this version of triax does not know: use a newer one", text));
+      "the database contains '{}', which is unknown to this version of triax; use a newer version",
+      text));
 }
 
 /// Of its two columns; nothing where the reading is NULL.

@@ -89,7 +89,7 @@ std::vector<lab::Warning> warnings_of_earlier_readings(SQLite::Database& databas
   const auto more = earlier.getColumn(2).getInt64() - 1;
   return {{0, fmt::format(
                   "the same file was read before as test {} {}{}; statistics count it once, "
-                  "by its latest complete reading",
+                  "by its latest complete replay",
                   earlier.getColumn(0).getInt64(), lab::excerpt(earlier.getColumn(1).getString()),
                   more > 0 ? fmt::format(" and {} more", more) : std::string())}};
 }

@@ -104,10 +104,10 @@ int run(int argc, char** argv) {
   }
   (*application.run)();
   if (const sim::UmatEnds ends = sim::umat_ends(); ends.calls > 0)
-    throw lab::WorkFailed(fmt::format(
-        "{} ({} {} of a plug-in ended in disorder; what rests on {} is missing from the results)",
-        ends.first, ends.calls, ends.calls == 1 ? "call" : "calls",
-        ends.calls == 1 ? "it" : "them"));
+    throw lab::WorkFailed(
+        fmt::format("{} ({} failed; results that depend on {} are missing)", ends.first,
+                    ends.calls == 1 ? "a UMAT call" : fmt::format("{} UMAT calls", ends.calls),
+                    ends.calls == 1 ? "it" : "them"));
   return kDone;
 }
 

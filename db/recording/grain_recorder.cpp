@@ -87,7 +87,7 @@ struct GrainRecorder::Impl {
     has_moved = false;
     if (pulse) pulse.emplace(path, lease);
     if (patience.say)
-      patience.say(path + ": was renamed, removed or replaced during the run; all of the run is " +
+      patience.say(path + ": was renamed, removed or replaced during the run; the whole run is " +
                    "stored there again, nothing is lost");
   }
   std::int64_t store_again() {

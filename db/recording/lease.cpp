@@ -51,7 +51,7 @@ void Lease::renew(SQLite::Database& database) {
   sign.bind(1, writer_);
   if (sign.exec() == 0)
     throw lab::WorkFailed(
-        "what is being recorded was removed from the database meanwhile; start it again");
+        "the test was removed from the database while it was recorded; start it again");
   const LeasedTable of = table_of(what_);
   SQLite::Statement again(database, std::string("UPDATE ") + of.table + " SET status = 'running'" +
                                         of.again +

@@ -8,7 +8,7 @@ namespace triax::db {
 bool Waiting::failed(const MayPass& why) {
   if (!under_way()) {
     since_ = Clock::now();
-    say(std::string(why.what()) + "; what is to be stored waits until the database takes it");
+    say(std::string(why.what()) + "; buffering readings until the database can be written");
   }
   return Clock::now() - from_ > patience_.most || (patience_.stop && patience_.stop());
 }
@@ -18,7 +18,7 @@ void Waiting::pause() const { std::this_thread::sleep_for(patience_.again); }
 void Waiting::succeeded(const std::string& path) {
   if (!under_way()) return;
   since_ = {};
-  say(path + ": the database takes what waited; nothing is lost");
+  say(path + ": the buffered readings are stored; nothing is lost");
 }
 
 void Waiting::say(const std::string& sentence) const {

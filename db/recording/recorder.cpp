@@ -183,7 +183,7 @@ bool Recorder::Impl::set_aside(const MayPass& why) {
       spool_->rescue(entry_, test_);
       entry_.abandon();
       if (patience_.say)
-        patience_.say(spool_->path() + ": has all readings of the test so far (" + why.what() +
+        patience_.say(spool_->path() + ": contains all readings of the test so far (" + why.what() +
                       ")");
     }
     if (storing_.rows() > 0) spool_->store(test_, storing_);
@@ -209,8 +209,8 @@ void Recorder::Impl::drop_spool() {
 
 std::string Recorder::Impl::advice(const MayPass& why) const {
   if (!spool_ || spool_->is_empty()) return why.what();
-  return std::string(why.what()) + "; the readings wait in " + spool_->path() +
-         ", and `triax tests repair` takes them in";
+  return std::string(why.what()) + "; the readings are buffered in " + spool_->path() +
+         ", and `triax tests repair` stores them";
 }
 
 void Recorder::Impl::wait_for_turn() {
@@ -288,7 +288,7 @@ lab::SessionListener Recorder::listener() {
 }
 
 std::int64_t Recorder::finish(const lab::TestSummary& summary) {
-  if (!impl_->open()) throw lab::WorkFailed("there is no running test to finish");
+  if (!impl_->open()) throw lab::WorkFailed("no running test to finish");
   impl_->end(Impl::Ending::complete, &summary);
   return impl_->test_id();
 }

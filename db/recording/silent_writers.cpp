@@ -43,7 +43,7 @@ std::set<std::string> silent_writers(const std::vector<std::string>& databases,
   constexpr std::chrono::milliseconds kAgain{250};
   Heartbeats silent = heartbeats_in(databases, looks.tests);
   if (!silent.empty() && looks.say)
-    looks.say(fmt::format("waits up to {:g} s for a sign of life of what is marked as running",
+    looks.say(fmt::format("waiting up to {:g} s for a heartbeat of the tests marked as running",
                           std::chrono::duration<double>(looks.between).count()));
   const auto end = std::chrono::steady_clock::now() + looks.between;
   while (!silent.empty() && std::chrono::steady_clock::now() < end) {

@@ -44,7 +44,7 @@ void TestEntry::bound() {
 
 void TestEntry::connect() {
   const bool existed = std::filesystem::exists(path_);
-  if (away_ && !existed && !may_make_) throw MayPass(path_ + ": is not there");
+  if (away_ && !existed && !may_make_) throw MayPass(path_ + ": file does not exist");
   database_.emplace(open_for_writing(path_, patience_));
   if (!existed) created_.emplace(path_, *database_);
   bound();
@@ -70,9 +70,8 @@ void TestEntry::open() {
 void TestEntry::check_files() const {
   if (!files_) return;
   if (const std::string missing = files_->missing(); !missing.empty())
-    throw FilesMoved(missing +
-                     ": was renamed, removed or replaced while a test is recorded into the "
-                     "database");
+    throw FilesMoved(
+        missing + ": was renamed, removed or replaced while a test was recorded into the database");
 }
 
 void TestEntry::abandon() {

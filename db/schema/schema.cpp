@@ -75,8 +75,8 @@ const Parts& expected_parts(int version) {
   std::string upper = part.first;
   for (char& c : upper) c = static_cast<char>(c - 'a' + 'A');
   refuse(path, part,
-         fmt::format("is not triax's and could change what is stored or read; remove it with the "
-                     "sqlite3 shell (DROP {} {}) if you trust the rest of the file",
+         fmt::format("does not belong to triax and could change data; if you trust the rest of the "
+                     "file, remove it with the sqlite3 shell (DROP {} {})",
                      upper, lab::excerpt(part.second)));
 }
 
@@ -139,10 +139,10 @@ void check_schema(SQLite::Database& database, const std::string& path) {
     const auto found = present.find(key);
     const std::string of = fmt::format("schema version {}", version);
     if (found == present.end())
-      throw lab::BadInput(path, 0,
-                          fmt::format("the database lacks the {} {} of {}; restore it from a "
-                                      "backup",
-                                      key.first, lab::excerpt(key.second), of));
+      throw lab::BadInput(
+          path, 0,
+          fmt::format("the {} {} of {} is missing from the database; restore it from a backup",
+                      key.first, lab::excerpt(key.second), of));
     if (found->second.sql != part.sql && !is_same_definition(found->second.sql, part.sql))
       refuse(path, key,
              "differs from that of " + of +
@@ -157,8 +157,8 @@ void check_pages(SQLite::Database& database, const std::string& path) {
   const std::string found = database.execAndGet("PRAGMA quick_check(1)").getString();
   if (found != "ok")
     throw lab::WorkFailed(
-        fmt::format("{}: is damaged and not written: {}; restore it from a "
-                    "backup, or export the tests that can still be read",
+        fmt::format("{}: database is damaged and was not changed: {}; restore it from a backup, or "
+                    "export the tests that can still be read",
                     path, lab::excerpt(found)));
 }
 

@@ -96,9 +96,10 @@ class DictionaryRules {
     for (const auto& heading : group.headings)
       if (definition.find(heading) == nullptr) {
         wrong("9", group.heading_line, group,
-              heading + " is neither in the dictionary nor in group DICT");
+              heading + " is not in the dictionary and not in group DICT");
         if (file_.find("DICT") == nullptr)
-          wrong("18", 0, group, "headings of its own, and the file has no group DICT");
+          wrong("18", 0, group,
+                "headings that are not in the dictionary, and the file has no group DICT");
       } else if (!heading.starts_with(group.name) && !heading.starts_with("SPEC_") &&
                  !heading.starts_with("TEST_") && !of_another(heading)) {
         wrong("19b", group.heading_line, group,
@@ -119,9 +120,8 @@ class DictionaryRules {
     for (std::size_t i = 0, at = 0; i < group.headings.size(); ++i) {
       if (definition.find(group.headings[i]) == nullptr) continue;
       if (at < wanted.size() && group.headings[i] != wanted[at])
-        return wrong(
-            "7", group.heading_line, group,
-            fmt::format("{} stands where the dictionary has {}", group.headings[i], wanted[at]));
+        return wrong("7", group.heading_line, group,
+                     fmt::format("found {}; the dictionary has {}", group.headings[i], wanted[at]));
       ++at;
     }
   }
@@ -144,7 +144,7 @@ class DictionaryRules {
     const auto keys = keys_of(definition);
     for (const auto& key : keys)
       if (!group.has(key))
-        wrong("10a", group.heading_line, group, "the key heading " + key + " is not there");
+        wrong("10a", group.heading_line, group, "the key heading " + key + " is missing");
     std::set<std::string> seen;
     for (const AgsCheckedRow& row : group.rows)
       if (!keys.empty() && !seen.insert(key_text(group, row, keys)).second)
@@ -156,7 +156,7 @@ class DictionaryRules {
       if (!one.required) continue;
       if (!group.has(one.heading)) {
         wrong("10b", group.heading_line, group,
-              "the required heading " + one.heading + " is not there");
+              "the required heading " + one.heading + " is missing");
         continue;
       }
       for (const AgsCheckedRow& row : group.rows)

@@ -18,7 +18,8 @@ constexpr std::uint64_t kLargestChecked = std::uint64_t{64} << 20;
 
 std::string all_of(ByteSource& source) {
   if (source.size() > kLargestChecked)
-    throw BadInput(source.name(), 0, "larger than 64 MB; check the groups of a delivery apart");
+    throw BadInput(source.name(), 0,
+                   "larger than 64 MB; check the groups of the delivery separately");
   source.rewind();
   std::string bytes(source.size(), '\0');
   std::size_t taken = 0;
@@ -26,7 +27,7 @@ std::string all_of(ByteSource& source) {
     taken += count;
   bytes.resize(taken);
   if (bytes.find('\0') != std::string::npos)
-    throw BadInput(source.name(), 0, "NUL bytes found: this is no text");
+    throw BadInput(source.name(), 0, "NUL bytes found: this is not a text file");
   return bytes;
 }
 
@@ -41,11 +42,11 @@ class LineRules {
   void take(std::string_view line, bool ended_by_cr_lf) {
     ++line_;
     if (!ended_by_cr_lf && !std::exchange(told_line_end_, true))
-      wrong("2a", "the line does not end with CR LF (others are not told)");
+      wrong("2a", "the line does not end with CR LF (reported once)");
     if (std::ranges::any_of(line, [](char c) { return static_cast<unsigned char>(c) > 0x7E; }))
       wrong("1", "a character that is not ASCII (a byte-order mark, an accent, a sign)");
     if (line.empty()) return;
-    if (trimmed(line).empty()) return wrong("5", "a line of blanks only");
+    if (trimmed(line).empty()) return wrong("5", "a line of spaces only");
     cells_.clear();
     if (const auto broken = split_ags_line(line, cells_); !broken.empty())
       return wrong("5", broken);
@@ -74,17 +75,18 @@ class LineRules {
       for (const char c : cell) again.append(c == '"' ? 2 : 1, c);
       again += '"';
     }
-    if (again != line) wrong("5", "a field without quotes, or blanks between fields");
+    if (again != line) wrong("5", "a field without quotes, or spaces between fields");
   }
 
   void begin_group() {
     if (cells_.size() != 1)
-      return wrong("4", fmt::format("the GROUP row has {} fields beside its descriptor; it has one",
-                                    cells_.size()));
+      return wrong("4",
+                   fmt::format("the GROUP row has {} fields after its descriptor; expected one",
+                               cells_.size()));
     const std::string& name = cells_.front();
     if (name.size() != 4 || !std::ranges::all_of(name, is_capital))
-      wrong("19", "the group is called " + excerpt(name) + "; a name has four capital letters");
-    if (file_.find(name) != nullptr) wrong("4", "group " + excerpt(name) + " is there twice");
+      wrong("19", "the name of the group is " + excerpt(name) + "; expected four capital letters");
+    if (file_.find(name) != nullptr) wrong("4", "group " + excerpt(name) + " appears twice");
     file_.groups.push_back({.name = name, .line = line_});
   }
 
@@ -102,13 +104,13 @@ class LineRules {
     group->headings = cells_;
     std::set<std::string> seen;
     for (const auto& name : cells_) {
-      if (!seen.insert(name).second) wrong("7", "heading " + excerpt(name) + " is there twice");
+      if (!seen.insert(name).second) wrong("7", "heading " + excerpt(name) + " appears twice");
       if (name.empty() || name.size() > 9 || !std::ranges::all_of(name, is_name_sign))
         wrong("19a", "the heading " + excerpt(name) +
-                         " has to be of at most nine capitals, digits and underscores");
+                         " must have at most nine capital letters, digits and underscores");
       else if (name.size() < 6 || name[4] != '_' || name.find('_', 5) != std::string::npos)
         wrong("19b", "the heading " + excerpt(name) +
-                         " is no name of a group, an underscore and up to four characters");
+                         " is not the name of a group, an underscore and up to four characters");
     }
   }
 
@@ -131,7 +133,7 @@ class LineRules {
     if (at > 0) return wrong("4", "a second " + kind + " row");
     const std::int64_t above = units ? group->heading_line : group->unit_line;
     if (above + 1 != line_)
-      wrong("2b", fmt::format("the {} row is not right below the {} row", kind,
+      wrong("2b", fmt::format("the {} row must follow the {} row directly", kind,
                               units ? "HEADING" : "UNIT"));
     at = line_;
     (units ? group->units : group->types) = cells_;

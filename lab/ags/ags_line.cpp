@@ -43,12 +43,12 @@ std::string split_ags_line(std::string_view line, std::vector<std::string>& cell
       i = first;
       if (!take_quoted(line, i, text))
         return fmt::format(
-            "the quote of cell {} is not closed; an AGS4 cell has no line break in it",
+            "the quote of cell {} is not closed; an AGS4 cell cannot contain a line break",
             cells.size());
       i = behind_blanks(line, i);
       if (i < line.size() && line[i] != ',')
         return fmt::format(
-            "text behind the closing quote of cell {}, {}; a quote inside a cell is doubled",
+            "text after the closing quote of cell {}, {}; write a quote inside a cell twice",
             cells.size(), excerpt(text));
     } else {
       const std::size_t comma = std::min(line.find(',', i), line.size());

@@ -25,7 +25,7 @@ void check_one_row(AgsCheckedFile& file, const char* rule, const char* name) {
     file.find_wrong(rule, 0, name, fmt::format("the file has no group {}", name));
   else if (group->rows.size() != 1)
     file.find_wrong(rule, group->line, name,
-                    fmt::format("{} rows of DATA; it has one", group->rows.size()));
+                    fmt::format("{} rows of DATA; expected one", group->rows.size()));
 }
 
 /// Rules 15 and 17: what the UNIT or TYPE rows use is listed.
@@ -84,9 +84,9 @@ void check_transmission(AgsCheckedFile& file) {
     return values.empty() || values.contains("");
   };
   if (links && empty("TRAN_DLIM"))
-    file.find_wrong("11a", 0, "TRAN", "record links need the mark that TRAN_DLIM says");
+    file.find_wrong("11a", 0, "TRAN", "record links need the delimiter in TRAN_DLIM");
   if (links && empty("TRAN_RCON"))
-    file.find_wrong("11b", 0, "TRAN", "record links need the mark that TRAN_RCON says");
+    file.find_wrong("11b", 0, "TRAN", "record links need the concatenator in TRAN_RCON");
 }
 
 void check_file_sets(AgsCheckedFile& file) {

@@ -54,18 +54,19 @@ sim::Unit AgsNumbers::unit_of(const std::string& heading, const std::string& giv
   const sim::Unit expected = *sim::find_unit(usual);
   if (given.empty()) {
     if (!usual.empty())
-      findings_.note(
-          "unit " + heading, reader_.line(),
-          fmt::format("{} has no unit; taken in {}, as in the AGS4 dictionary", heading, usual));
+      findings_.note("unit " + heading, reader_.line(),
+                     fmt::format("{} has no unit; read as {}, the unit of the AGS4 dictionary",
+                                 heading, usual));
     return expected;
   }
   const auto unit = known_unit(given);
   const bool fits = unit && unit->dimension == expected.dimension;
   if (!fits)
-    throw BadInput(reader_.file(), reader_.group().unit_line,
-                   fmt::format("{} is in {}, {}; the AGS4 dictionary has it in {}", heading,
-                               excerpt(given), unit ? "which does not fit it" : "an unknown unit",
-                               usual.empty() ? "no unit" : usual));
+    throw BadInput(
+        reader_.file(), reader_.group().unit_line,
+        fmt::format("{} is in {}, {}; the AGS4 dictionary has {}", heading, excerpt(given),
+                    unit ? "which does not fit this quantity" : "an unknown unit",
+                    usual.empty() ? "no unit" : usual));
   if (unit->name == "kN/m3")
     findings_.note(
         "unit weight", reader_.line(),
@@ -80,7 +81,7 @@ std::optional<double> AgsNumbers::si(std::string_view heading, std::string_view 
   const auto value = finite_number(text);
   if (!value) {
     findings_.note("no number " + name, reader_.line(),
-                   fmt::format("{} is {}, which is no number; left out", name, excerpt(text)));
+                   fmt::format("{} is {}, which is not a number; ignored", name, excerpt(text)));
     return std::nullopt;
   }
   const auto column = reader_.group().find(heading);
@@ -88,9 +89,10 @@ std::optional<double> AgsNumbers::si(std::string_view heading, std::string_view 
   const double si = sim::to_si(*value, unit);
   if (!std::isfinite(si)) return std::nullopt;
   if (unit.dimension == sim::Dimension::density && si > kDensestSoil) {
-    findings_.note("dense " + name, reader_.line(),
-                   fmt::format("{} is {} {}, which no soil has (a unit weight in kN/m3?); left out",
-                               name, text, unit.name));
+    findings_.note(
+        "dense " + name, reader_.line(),
+        fmt::format("{} is {} {}, which is impossible for soil (a unit weight in kN/m3?); ignored",
+                    name, text, unit.name));
     return std::nullopt;
   }
   return si;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kEndMarkOfDos = '\x1A';
 /// The standard has 150 or so; more are no file of a ground investigation.
-constexpr std::size_t kMostGroups = 2000;
+constexpr std::size_t kMaxGroups = 2000;
 constexpr std::array<std::string_view, 5> kRowKinds{"GROUP", "HEADING", "UNIT", "TYPE", "DATA"};
 
 bool begins_ags3(std::string_view line) {
@@ -69,7 +69,7 @@ bool AgsReader::next_line(std::string_view& line) {
 /// True for a row of data.
 bool AgsReader::take(std::string_view line) {
   if (begins_ags3(line))
-    fail("this is AGS 3 (its groups begin with **); have the delivery issued as AGS4");
+    fail("this is AGS 3 (its groups begin with **); expected AGS4: request the delivery as AGS4");
   if (const auto wrong = split_ags_line(line, cells_); !wrong.empty()) fail(wrong);
   const std::string row(trimmed(cells_.front()));
   if (std::ranges::find(kRowKinds, row) == kRowKinds.end())
@@ -95,14 +95,14 @@ bool AgsReader::take(std::string_view line) {
 void AgsReader::begin_group() {
   while (!cells_.empty() && trimmed(cells_.back()).empty()) cells_.pop_back();
   if (cells_.size() != 1)
-    fail(fmt::format("the GROUP row has {} cells; it has one, the name of the group",
+    fail(fmt::format("the GROUP row has {} cells; expected one, the name of the group",
                      cells_.size()));
   group_ = {.name = std::string(trimmed(cells_.front())), .headings = {}};
   has_data_ = false;
   if (std::ranges::find(names_, group_.name) != names_.end()) return;
-  if (names_.size() == kMostGroups)
-    fail(
-        fmt::format("more than {} groups: this is no file of a ground investigation", kMostGroups));
+  if (names_.size() == kMaxGroups)
+    fail(fmt::format("more than {} groups: this is not a file of a ground investigation",
+                     kMaxGroups));
   names_.push_back(group_.name);
 }
 
@@ -114,9 +114,9 @@ void AgsReader::take_headings() {
   for (const std::string& cell : cells_) {
     const std::string_view name = trimmed(cell);
     if (name.empty())
-      fail("the HEADING row of group " + excerpt(group_.name) + " has a blank cell");
+      fail("the HEADING row of group " + excerpt(group_.name) + " has an empty cell");
     if (!seen.insert(name).second)
-      fail("heading " + excerpt(name) + " is there twice in group " + excerpt(group_.name));
+      fail("heading " + excerpt(name) + " appears twice in group " + excerpt(group_.name));
     group_.headings.push_back({.name = std::string(name), .unit = {}, .type = {}});
   }
 }

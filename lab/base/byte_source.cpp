@@ -20,10 +20,9 @@ class FileSource : public ByteSource {
   explicit FileSource(const std::string& path) : name_(path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) cannot_open();
-    if (S_ISDIR(status.st_mode))
-      throw BadInput(path, 0, "this is a folder; give the file of one record");
+    if (S_ISDIR(status.st_mode)) throw BadInput(path, 0, "is a folder; expected a file");
     if (!S_ISREG(status.st_mode))
-      throw BadInput(path, 0, "not a regular file; expected a record in a file on disk");
+      throw BadInput(path, 0, "is not a regular file; expected a file on disk");
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) cannot_open();
     size_ = static_cast<std::uint64_t>(status.st_size);
@@ -41,15 +40,13 @@ class FileSource : public ByteSource {
     do {
       count = ::read(descriptor_, into.data(), into.size());
     } while (count < 0 && errno == EINTR);
-    if (count < 0) throw WorkFailed(name_ + ": cannot read: " + std::strerror(errno));
+    if (count < 0) throw WorkFailed(name_ + ": cannot be read: " + std::strerror(errno));
     return static_cast<std::size_t>(count);
   }
   void rewind() override { ::lseek(descriptor_, 0, SEEK_SET); }
 
  private:
-  [[noreturn]] void cannot_open() const {
-    throw BadInput(name_, 0, std::string("cannot be opened: ") + std::strerror(errno));
-  }
+  [[noreturn]] void cannot_open() const { throw BadInput(name_, 0, describe_open_error(errno)); }
 
   std::string name_;
   int descriptor_ = -1;
@@ -77,6 +74,11 @@ class MemorySource : public ByteSource {
 };
 
 }  // namespace
+
+std::string describe_open_error(int error) {
+  return error == ENOENT ? "file does not exist"
+                         : std::string("cannot be opened: ") + std::strerror(error);
+}
 
 std::unique_ptr<ByteSource> open_file(const std::string& path) {
   return std::make_unique<FileSource>(path);

@@ -28,6 +28,8 @@ class ByteSource {
   virtual ByteSource& file() { return *this; }
 };
 
+/// "file does not exist", or "cannot be opened: " and the system's reason for `error` (errno).
+std::string describe_open_error(int error);
 /// Throws BadInput for a file that is missing, cannot be read, is a directory or no regular file.
 std::unique_ptr<ByteSource> open_file(const std::string& path);
 std::unique_ptr<ByteSource> open_memory(std::string name, std::string bytes);

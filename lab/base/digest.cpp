@@ -25,7 +25,7 @@ std::string sha256(ByteSource& source) {
   source.rewind();
   std::array<unsigned char, 32> digest{};
   if (!good || EVP_DigestFinal_ex(hash.get(), digest.data(), nullptr) != 1)
-    throw WorkFailed("no SHA-256 is to be had from libcrypto");
+    throw WorkFailed("libcrypto does not provide SHA-256");
   return fmt::format("{:02x}", fmt::join(digest, ""));
 }
 

@@ -31,17 +31,17 @@ bool LineReader::fill() {
   begin_ = 0;
   if (end_ > kLongestLine)
     throw BadInput(source_.name(), line_number_ + 1,
-                   "the line is longer than 1 MB; a record is a text file with one scan a line");
+                   "the line is longer than 1 MB; expected a text file with one reading per line");
   if (buffer_.size() - end_ < block_) buffer_.resize(buffer_.size() + block_);
   const auto count = source_.read({buffer_.data() + end_, block_});
   if (line_number_ == 0 && std::string_view(buffer_.data(), end_ + count).starts_with("PK\3\4"))
     throw BadInput(source_.name(), 0,
-                   "this is a workbook (.xlsx, .ods) or another zip archive, no text: save the "
-                   "sheet that holds the readings as CSV");
+                   "this is a workbook (.xlsx, .ods) or another zip archive, not a text file: save "
+                   "the worksheet with the readings as CSV");
   if (std::memchr(buffer_.data() + end_, 0, count) != nullptr)
     throw BadInput(source_.name(), line_number_ + 1,
-                   "NUL bytes found at or after this line: this is not plain text (save the record "
-                   "as UTF-8 or Windows-1252 text)");
+                   "NUL bytes found at or after this line: this is not a text file; save the "
+                   "record as UTF-8 or Windows-1252 text");
   end_ += count;
   return count > 0;
 }

@@ -35,8 +35,8 @@ int decimals(std::string_view text) {
 Range by_step(Range range, double step, std::string_view text, std::int64_t most) {
   const double steps = (range.to - range.from) / step;
   if (!(steps >= 0) || !std::isfinite(steps))
-    fail(text,
-         fmt::format("never comes from {:g} to {:g} by steps of {:g}", range.from, range.to, step));
+    fail(text, fmt::format("cannot reach {1:g} from {0:g} in steps of {2:g}", range.from, range.to,
+                           step));
   if (steps >= static_cast<double>(most)) fail(text, fmt::format("has more than {} values", most));
   range.step = step;
   range.count = static_cast<std::int64_t>(std::floor(steps + kRounding)) + 1;
@@ -46,8 +46,7 @@ Range by_step(Range range, double step, std::string_view text, std::int64_t most
 Range by_count(Range range, std::string_view part, std::string_view text, std::int64_t most) {
   const auto count = whole_text_as<std::int64_t>(trimmed(part));
   if (!count || *count < 1)
-    fail(text,
-         "is not a range; expected a whole number of values behind the '/', as in 10:300/200");
+    fail(text, "is not a range; expected an integer after the '/', as in 10:300/200");
   if (*count > most) fail(text, fmt::format("has more than {} values", most));
   range.count = *count;
   return range;

@@ -180,10 +180,18 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
+std::string must_be_one_of(const std::vector<std::string>& candidates) {
+  return candidates.empty() ? "none is defined" : "must be one of: " + joined(candidates);
+}
+
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
   const auto near = nearest(word, candidates);
-  const auto known = candidates.empty() ? "nothing" : joined(candidates);
-  return near.empty() ? "known: " + known : "did you mean '" + near + "'? (known: " + known + ")";
+  const auto accepted = must_be_one_of(candidates);
+  return near.empty() ? accepted : "did you mean '" + near + "'? (" + accepted + ")";
+}
+
+std::string invalid_value(std::string_view word, const std::vector<std::string>& candidates) {
+  return excerpt(word) + " is not valid; " + suggestion(word, candidates);
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view between) {

@@ -29,8 +29,13 @@ std::optional<Number> whole_text_as(std::string_view text);
 /// where none is near enough to be meant: one error and another for every three letters, or a part
 /// of the candidate.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
-/// For the message about an unknown word: "did you mean 'NEAREST'? (known: A, B)" or "known: A, B".
+/// For messages: "must be one of: A, B"; "none is defined" without candidates.
+std::string must_be_one_of(const std::vector<std::string>& candidates);
+/// For the message about an unknown word: "did you mean 'NEAREST'? (must be one of: A, B)" or
+/// must_be_one_of().
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
+/// "'WORD' is not valid; " and the suggestion.
+std::string invalid_value(std::string_view word, const std::vector<std::string>& candidates);
 /// Empty words are left out.
 std::string joined(const std::vector<std::string>& words, std::string_view between = ", ");
 

@@ -37,8 +37,8 @@ class Editor {
   toml::node& item(toml::array& list, const std::string& part) const {
     const auto number = whole_text_as<std::uint64_t>(part);
     if (!number || *number < 1 || *number > list.size())
-      fail(fmt::format("{} is not one of the {} of {}; they count from 1", excerpt(part),
-                       list.size(), way_));
+      fail(fmt::format("{0} is not an item of {2}; expected 1 to {1}", excerpt(part), list.size(),
+                       way_));
     return list[*number - 1];
   }
 

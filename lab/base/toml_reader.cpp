@@ -115,9 +115,9 @@ bool too_deep(std::string_view text) {
 TomlTable TomlTable::parse(std::string_view text, const std::string& file, std::int64_t first_line,
                            const std::vector<TomlEdit>& edits) {
   if (too_deep(text))
-    throw BadInput(file, first_line,
-                   "not a description: tables and lists stand in one another more than 200 deep "
-                   "(dots of keys and brackets outside texts)");
+    throw BadInput(
+        file, first_line,
+        "tables and lists are nested more than 200 deep (dots of keys and brackets outside texts)");
   auto impl = std::make_shared<Impl>();
   impl->file = file;
   impl->line_offset = first_line - 1;
@@ -165,7 +165,7 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_
   const auto* node = impl_->ask(key);
   if (!node) return std::nullopt;
   const auto* whole = node->as_integer();
-  if (!whole) fail(key, "expected a whole number");
+  if (!whole) fail(key, "expected an integer");
   if (whole->get() < lowest || whole->get() > highest)
     fail(key, "is " + std::to_string(whole->get()) + ", must be " + std::to_string(lowest) +
                   " to " + std::to_string(highest));
@@ -317,8 +317,8 @@ void TomlTable::missing(std::string_view key) const {
     return std::ranges::find(impl_->asked, one) != impl_->asked.end();
   });
   const auto near = nearest(key, strangers);
-  fail("",
-       std::string(key) + " is missing" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+  fail("", std::string(key) + " is missing" +
+               (near.empty() ? "" : "; is '" + near + "' a misspelling of it?"));
 }
 
 namespace {

@@ -41,6 +41,16 @@ std::string behind_links(const std::string& path) {
   return at.string();
 }
 
+void check_folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  if (std::error_code none; !folder.empty() && !fs::is_directory(folder, none))
+    throw BadInput(path, 0, "folder " + folder.string() + " does not exist; create it first");
+}
+
+std::string describe_write_error(const std::string& path, int error) {
+  return path + ": cannot be written: " + std::strerror(error);
+}
+
 bool write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const auto count = ::write(descriptor, bytes.data(), bytes.size());
@@ -55,11 +65,11 @@ WholeFile::WholeFile(const std::string& path) : path_(path), target_(behind_link
   struct stat present {};
   const bool exists = ::stat(target_.c_str(), &present) == 0;
   if (!exists && errno != ENOENT) fail();
-  if (exists && S_ISDIR(present.st_mode))
-    throw BadInput(path_, 0, "is a folder; name a file to write");
+  if (exists && S_ISDIR(present.st_mode)) throw BadInput(path_, 0, "is a folder; expected a file");
   if (exists && !S_ISREG(present.st_mode))
-    throw BadInput(path_, 0, "is a device or a pipe, which cannot appear whole; name a file");
+    throw BadInput(path_, 0, "is a device or a pipe; expected a regular file");
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail();
+  if (!exists) check_folder_of(target_);
   if (!open_nameless()) open_named();
   ::fchmod(descriptor_, exists ? present.st_mode & 0777 : permissions_for_new_files());
 }
@@ -71,7 +81,7 @@ WholeFile::~WholeFile() {
 
 void WholeFile::fail() const {
   const int error = errno;
-  const std::string what = path_ + ": cannot write: " + std::strerror(error);
+  const std::string what = describe_write_error(path_, error);
   if (error == ENOSPC || error == EDQUOT) throw NoRoom(what);
   throw WorkFailed(what);
 }

@@ -50,6 +50,13 @@ class WholeFile {
 /// The path with a symbolic link at its end followed, also to a file that does not exist yet.
 std::string behind_links(const std::string& path);
 
+/// Throws BadInput "PATH: folder F does not exist; create it first" if the folder of the path does
+/// not exist.
+void check_folder_of(const std::string& path);
+
+/// "PATH: cannot be written: " and the system's reason for `error` (errno).
+std::string describe_write_error(const std::string& path, int error);
+
 /// Writes all bytes to an open descriptor; false, with errno, where that fails.
 bool write_all(int descriptor, std::string_view bytes);
 

@@ -50,7 +50,7 @@ std::optional<Finding> ControlPeak::finding() const {
 }
 
 std::string ControlPeak::blind() const {
-  return looked_ ? std::string() : "not looked for: a load was prescribed, which q has to follow";
+  return looked_ ? std::string() : "not applied: a load was prescribed, and q follows it";
 }
 
 /// Positive where the specimen is sheared to, in extension (q < 0) as in compression.
@@ -109,7 +109,7 @@ void ControlPeak::check_contraction(const PathPoint& point, bool has_time) {
   if (contraction_.add(-rate / norm, error / norm, weight) || !before_) before_ = point;
   if (!contraction_.found()) return;
   const std::string what =
-      drained_ ? fmt::format("the volume turned to contraction while p' fell (ε_v {:.4f} %, ",
+      drained_ ? fmt::format("the volume started to contract while p' fell (ε_v {:.4f} %, ",
                              before_->volumetric_strain * 100)
                : fmt::format(
                      "the pore pressure (measure of the volume change while the valve is closed) "

@@ -18,7 +18,7 @@ LimitSurface::LimitSurface(const SpecimenInfo& specimen) {
 namespace {
 
 constexpr double kNear = 0.95;  ///< of the limit's stress ratio
-constexpr const char* kGiveAngle = "--set specimen.limit_friction_angle_deg=...";
+constexpr const char* kGiveAngle = "give --set specimen.limit_friction_angle_deg=...";
 
 double ratio_at(double angle, bool compression) {
   return compression ? sim::stress_ratio_at_friction_angle(angle)
@@ -86,8 +86,8 @@ std::string LimitSurface::source(bool is_known) const {
   if (!largest_angle_) return fmt::format("unknown; {}", kGiveAngle);
   if (is_known) return "largest stress ratio of this test, at which the specimen failed";
   return fmt::format(
-      "unknown: no friction angle is given, and the {:.1f}° that this test mobilised may be less; "
-      "{}",
+      "unknown: no friction angle is given, and the {:.1f}° mobilised in this test may be below "
+      "it; {}",
       sim::degrees(*largest_angle_), kGiveAngle);
 }
 

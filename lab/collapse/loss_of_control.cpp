@@ -140,9 +140,10 @@ Finding LossOfControl::Run::told() const {
   Finding told = *finding;
   if (carried_on()) {
     told.detected = false;
-    told.evidence += fmt::format("; q went on to {:.2f} kPa, nothing was lost", last / 1e3);
+    told.evidence +=
+        fmt::format("; q increased further to {:.2f} kPa, no strength was lost", last / 1e3);
   } else if (loss && loss->came_back()) {
-    told.evidence += fmt::format("; q, {:.2f} kPa at least, came back to {:.2f} kPa",
+    told.evidence += fmt::format("; q fell to {:.2f} kPa and recovered to {:.2f} kPa",
                                  loss->least() / 1e3, loss->largest_since() / 1e3);
   }
   return told;
@@ -174,7 +175,7 @@ const LossAndReturn* LossOfControl::loss() const {
 
 std::string LossOfControl::blind() const {
   return looked_ ? std::string()
-                 : "not looked for: a displacement was prescribed, and a frame keeps its control";
+                 : "not applied: a displacement was prescribed, and a frame cannot lose control";
 }
 
 void LossOfControl::check_held_q(const State& state, bool has_time) {
@@ -238,8 +239,8 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
   if (!next || !(leap >= kFall)) return;
   const auto jumped = [&](const char* what) {
     return fmt::format(
-        "axial strain jumped from {:.3f} % to {:.3f} % between two readings "
-        "and {} from {:.2f} kPa to {:.2f} kPa",
+        "axial strain jumped from {:.3f} % to {:.3f} % between two readings, and {} from {:.2f} "
+        "kPa to {:.2f} kPa",
         before.strain.axial * 100, state.strain.axial * 100, what, before.q / 1e3, state.q / 1e3);
   };
   const bool falls_with_its_area = onward && left < 1 - leap / 2 && left > 1 - 2 * leap;
@@ -287,12 +288,12 @@ void LossOfControl::check_strain_burst(bool has_time) {
   if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
     run_.fall = Fall{recent_[start], last};
   begin(recent_[start],
-        fmt::format("axial strain rose from {:.3f} % to {:.3f} % within {}{}",
+        fmt::format("axial strain increased from {:.3f} % to {:.3f} % within {}{}",
                     recent_[start].strain.axial * 100, last.strain.axial * 100,
                     in_readings(kRecent - 1 - start),
                     mean_rate_ > 0
                         ? fmt::format(", {:.0f} times faster than before", burst / mean_rate_)
-                        : ", with no movement before"),
+                        : ", without movement before"),
         has_time);
 }
 
@@ -307,7 +308,7 @@ void LossOfControl::check_pore_burst(bool has_time) {
              kBurst / 2 * mean_pore_rate_ * lapse(recent_[start], recent_[start + 1], has_time))
     ++start;
   begin(recent_[start],
-        fmt::format("pore pressure rose from {:.2f} kPa to {:.2f} kPa within {} readings, "
+        fmt::format("pore pressure increased from {:.2f} kPa to {:.2f} kPa within {} readings, "
                     "{:.2f} kPa more than prescribed",
                     recent_[start].pore_pressure / 1e3, last.pore_pressure / 1e3,
                     static_cast<std::int64_t>(kRecent - 1 - start),

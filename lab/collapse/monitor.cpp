@@ -369,7 +369,7 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
 Collapse CollapseMonitor::so_far() const { return impl_->verdict_so_far(); }
 
 Collapse CollapseMonitor::of_the_axis() const {
-  std::vector<Criterion> criteria = no_criteria("not judged");
+  std::vector<Criterion> criteria = no_criteria("not assessed");
   for (const Criterion& one : impl_->criteria.criteria())
     if (one.name == LossOfControl::kName)
       *std::ranges::find(criteria, one.name, &Criterion::name) = one;

@@ -67,7 +67,7 @@ Collapse not_judged(const Evidence& e) {
       fmt::format("too few readings in shear, {} complete states of the {} needed", e.states,
                   static_cast<int>(BlockPyramid::kBlocks));
   set_limit(e.limit, c);
-  c.criteria = no_criteria("not judged: " + c.judged_until_reason);
+  c.criteria = no_criteria("not assessed: " + c.judged_until_reason);
   return c;
 }
 
@@ -163,7 +163,7 @@ void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
                   fall.loss() * 100, fall.peak.q / 1e3, fall.peak.reading, fall.least.q / 1e3,
                   fall.least.reading);
   if (!fall.confirmed) {
-    c.end_at(fall.last_high.reading, lost + "; a single reading shows it");
+    c.end_at(fall.last_high.reading, lost + ", but only one reading shows it");
     return;
   }
   c.kind = kind_of(fall.loss(), fall.share_regained());
@@ -177,7 +177,7 @@ void take_backbone(const Evidence& e, const BackboneFall& fall, Collapse& c) {
   criterion.eta = c.onset->eta();
   criterion.evidence = fmt::format(
       "normalised second-order work {:.3f} of the increment from reading {} to {}: {}; too few "
-      "readings for a standard error, the onset lies within {} of them",
+      "readings for a standard error: the onset is known to within {} readings",
       fall.normalised_work(), fall.last_high.reading, fall.least.reading, lost, fall.readings + 1);
 }
 
@@ -217,8 +217,8 @@ void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
 void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
   if (c.onset && c.onset->reading <= fall.reading) return;
   const std::string reason = fmt::format(
-      "q fell by {:.0f} % after reading {} while the axial strain did not move at all: more than "
-      "relaxation; the displacement transducer may be stuck",
+      "q fell by {:.0f} % after reading {} while the axial strain did not move at all. This is "
+      "more than relaxation; the displacement transducer may be stuck",
       fall.share * 100, fall.reading);
   c.kind = CollapseKind::none;
   c.end_at(fall.reading, reason);

@@ -15,7 +15,7 @@ namespace triax::lab {
 void save_state(const std::string& path, const sim::GrainState& state) {
   const std::vector<std::byte> bytes = sim::save_grains(state);
   if (bytes.size() > kLargestStateFile)
-    throw WorkFailed(path + ": the state is larger than 4 GiB, which could not be read again");
+    throw WorkFailed(path + ": the state is larger than 4 GiB, the largest that can be read");
   WholeFile file(path);
   file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   file.finish();
@@ -25,12 +25,12 @@ sim::GrainState load_state(const std::string& path) {
   std::error_code none;
   const auto status = std::filesystem::status(path, none);
   if (!std::filesystem::exists(status))
-    throw BadInput(path, 0, "no such file; expected a state saved by triax grains");
+    throw BadInput(path, 0, "file does not exist; expected a state saved by triax grains");
   if (!std::filesystem::is_regular_file(status))
-    throw BadInput(path, 0, "is not a file; expected a state saved by triax grains");
+    throw BadInput(path, 0, "is not a regular file; expected a state saved by triax grains");
   const std::uintmax_t size = std::filesystem::file_size(path, none);
   if (none || size > kLargestStateFile)
-    throw BadInput(path, 0, "is larger than 4 GiB; states of grains up to that size can be read");
+    throw BadInput(path, 0, "is larger than 4 GiB, the largest grain state that can be read");
   std::vector<std::byte> bytes(size);
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));

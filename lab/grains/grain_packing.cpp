@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <sstream>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/byte_source.hpp"
 #include "lab/base/text.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
 
@@ -79,16 +81,16 @@ GrainPacking read_packing(std::string_view text, const std::string& file, int ax
   for (int to = 0; to < 3; ++to) {
     packing.box.low_m[to] = (*head)[1 + 2 * from(to)];
     packing.box.high_m[to] = (*head)[2 + 2 * from(to)];
-    if (!(packing.box.length_m(to) > 0)) lines.fail("an edge of the box is not above 0");
+    if (!(packing.box.length_m(to) > 0)) lines.fail("an edge of the box must be above 0");
   }
   while (const auto row = lines.next<4>("x y z radius")) {
     sim::Sphere sphere;
     sphere.radius_m = (*row)[3];
-    if (!(sphere.radius_m > 0)) lines.fail("the radius is not above 0");
+    if (!(sphere.radius_m > 0)) lines.fail("the radius must be above 0");
     for (int to = 0; to < 3; ++to) {
       const double x = sphere.centre_m[to] = (*row)[from(to)];
       if (x < packing.box.low_m[to] || x > packing.box.high_m[to])
-        lines.fail("the grain's centre lies outside the box");
+        lines.fail("the centre of the grain is outside the box");
     }
     packing.spheres.push_back(sphere);
     if (static_cast<double>(packing.spheres.size()) > count)
@@ -103,7 +105,8 @@ GrainPacking load_packing(const std::string& path, int axis) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   std::ifstream in(path, std::ios::binary);
-  if (error || !in) throw BadInput(path, 0, "cannot be read");
+  if (error) throw BadInput(path, 0, describe_open_error(error.value()));
+  if (!in) throw BadInput(path, 0, describe_open_error(errno));
   if (size > kLargestPacking) throw BadInput(path, 0, "is larger than 1 GB");
   std::ostringstream text;
   text << in.rdbuf();

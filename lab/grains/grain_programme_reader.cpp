@@ -44,8 +44,7 @@ void read_density(const TomlTable& table, GrainSource& source) {
   const auto friction = table.number("compaction_friction_deg", kFriction);
   const auto porosity = table.number("porosity", {.at_least = 0.2, .at_most = 0.7});
   if (friction.has_value() == porosity.has_value())
-    table.fail(porosity ? "porosity" : "",
-               "the density is either compaction_friction_deg or porosity; give one of the two");
+    table.fail(porosity ? "porosity" : "", "give either compaction_friction_deg or porosity");
   if (friction) {
     source.compaction.friction_angle = sim::radians(*friction);
     return;
@@ -97,8 +96,7 @@ sim::ContactLaw read_law(const TomlTable& table) {
   if (reading == "literal")
     law.reading = sim::StiffnessReading::literal;
   else if (reading != "in_series")
-    table.fail("stiffness_reading", fmt::format("{} is not valid; {}", excerpt(reading),
-                                                suggestion(reading, {"in_series", "literal"})));
+    table.fail("stiffness_reading", invalid_value(reading, {"in_series", "literal"}));
   const auto number = [&](std::string_view key, const Bounds& bounds, double otherwise) {
     return table.number(key, bounds).value_or(otherwise);
   };
@@ -117,10 +115,11 @@ class Names {
  public:
   void take(const TomlTable& table, const std::string& name) {
     if (name == kAsMade)
-      table.fail("name", fmt::format("'{}' is the name of the specimen as made", kAsMade));
+      table.fail("name",
+                 fmt::format("'{}' is reserved for the specimen before the first stage", kAsMade));
     const auto [at, is_new] = files_.emplace(in_file_name(name), name);
     if (!is_new)
-      table.fail("name", fmt::format("{} and {} give the same file names", excerpt(name),
+      table.fail("name", fmt::format("{} and {} lead to the same file names", excerpt(name),
                                      excerpt(at->second)));
     known_.push_back(name);
   }
@@ -173,7 +172,7 @@ GrainProgramme read_grain_programme(std::string_view toml_text, const std::strin
   read_source(root.required_table("specimen"), programme);
   if (const auto law = root.table("contact")) {
     if (!programme.grains.state_file.empty())
-      root.fail("contact", "the state that [specimen] names has its own law of contact");
+      root.fail("contact", "the state in [specimen] contains its contact law; leave this out");
     programme.law = read_law(*law);
   }
   read_stages(root, programme);

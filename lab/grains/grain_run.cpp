@@ -28,14 +28,15 @@ sim::Compacted made_to_porosity(const GrainSource& source, const sim::Cloud& clo
   made.trials = found.trials;
   if (found.best.stopped || found.reached) return std::move(found.best);
   const std::string why =
-      found.below_bracket   ? "denser than this specimen becomes with any friction of compaction"
-      : found.above_bracket ? "looser than this specimen becomes with any friction of compaction"
-      : !found.best.calm    ? "the compaction did not come to rest; more most_steps may help"
-                            : fmt::format("{} trials were not enough", found.trials);
-  throw WorkFailed(
-      fmt::format("a porosity of {:g} within {:g} was not reached, the nearest is "
-                  "{:.5f}: {}",
-                  source.search->porosity, source.search->tolerance, found.best.porosity, why));
+      found.below_bracket
+          ? "denser than this specimen becomes with any friction angle of compaction"
+      : found.above_bracket
+          ? "looser than this specimen becomes with any friction angle of compaction"
+      : !found.best.calm ? "the compaction did not reach equilibrium; try a larger most_steps"
+                         : fmt::format("not found in {} trials", found.trials);
+  throw WorkFailed(fmt::format("porosity {:g} ± {:g} was not reached, the nearest is {:.5f}: {}",
+                               source.search->porosity, source.search->tolerance,
+                               found.best.porosity, why));
 }
 
 /// Few grains in a small box leave no place for the last ones: then the cloud is looser.
@@ -73,7 +74,7 @@ std::optional<GrainsMade> make_specimen(const GrainProgramme& programme, int thr
     }
     if (compacted.stopped) return std::nullopt;
     if (!compacted.calm)
-      throw WorkFailed("the compaction did not come to rest; more most_steps may help");
+      throw WorkFailed("the compaction did not reach equilibrium; try a larger most_steps");
     made.state = std::move(compacted.state);
   }
   made.measures = measure(made.state);
@@ -171,7 +172,8 @@ class Stages {
       held.radial = work.radial_stress_pa.value_or(
           0.5 * (held_stress(start, sim::kRadial[0]) + held_stress(start, sim::kRadial[1])));
       if (!(held.axial > 0) || !(held.radial > 0))
-        throw std::invalid_argument("the stresses to be held are not above 0: it has collapsed");
+        throw std::invalid_argument(
+            "the stresses to hold are not above 0: the specimen has collapsed");
       sim::Grains grains(start, threads_);
       grains.keep_ledger();
       result.settling = sim::rest(grains, held, work.settling, progress_);
@@ -242,7 +244,7 @@ bool run_grains(const GrainProgramme& programme, const GrainRunOptions& options,
   try {
     made = make_specimen(programme, options.threads, options.progress);
   } catch (const sim::GrainsFailed& error) {
-    throw WorkFailed(fmt::format("making the specimen: {}", error.what()));
+    throw WorkFailed(fmt::format("building the specimen: {}", error.what()));
   }
   if (!made) return false;
   tell(listeners, &GrainListener::made, *made);

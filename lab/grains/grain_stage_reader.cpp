@@ -49,9 +49,7 @@ void read_mark(const TomlTable& table, GrainPathStage& stage) {
     known.emplace_back(candidate.word);
     if (candidate.word == word) found = &candidate;
   }
-  if (found == nullptr)
-    table.fail("quantity",
-               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+  if (found == nullptr) table.fail("quantity", invalid_value(word, known));
   sim::PathMark mark;
   mark.quantity = found->quantity;
   mark.value = found->scale * table.required_number("value");
@@ -67,10 +65,8 @@ void read_course(const TomlTable& table, GrainPathStage& stage) {
   const auto load = table.number("load_rate_kPa_per_s", {.at_least = -1e9, .at_most = 1e9});
   const char* key = load ? "load_rate_kPa_per_s" : "strain_rate_per_s";
   if (strain.has_value() == load.has_value())
-    table.fail(strain ? key : "",
-               "axis 1 moves by strain_rate_per_s or load_rate_kPa_per_s; give one of the two");
-  if (strain.value_or(0) == 0 && load.value_or(0) == 0)
-    table.fail(key, "is 0: nothing would happen");
+    table.fail(strain ? key : "", "give either strain_rate_per_s or load_rate_kPa_per_s");
+  if (strain.value_or(0) == 0 && load.value_or(0) == 0) table.fail(key, "must not be 0");
   path.strain_rate_per_s = strain.value_or(0);
   path.load_rate_pa_per_s = 1e3 * load.value_or(0);
   path.axial_strain =
@@ -137,7 +133,7 @@ GrainProbeStage read_probes(const TomlTable& table) {
   const auto strain = table.number("norm_strain", {.above = 0, .at_most = 0.01});
   if (stress && strain)
     table.fail("norm_strain",
-               "probes are of stress (norm_kPa) or of strain (norm_strain); give one of the two");
+               "give either norm_kPa (stress probes) or norm_strain (strain probes)");
   if (stress) how.norm_pa = 1e3 * *stress;
   if (strain) {
     how.kind = sim::ProbeKind::strain;
@@ -158,8 +154,7 @@ GrainPerturbationStage read_perturbation(const TomlTable& table) {
   how.ratio = table.required_number("strain_path_R", kRatio);
   const auto load = table.number("load_step_Pa", {.at_least = -1e7, .at_most = 1e7});
   const auto energy = table.number("kinetic_energy_J", {.at_least = 0, .at_most = 1e3});
-  if (!load && !energy)
-    table.fail("", "expected load_step_Pa, kinetic_energy_J or both; 0 is no perturbation");
+  if (!load && !energy) table.fail("", "expected load_step_Pa, kinetic_energy_J or both, above 0");
   how.load_step_pa = load.value_or(0);
   how.kinetic_energy_j = energy.value_or(0);
   take(table, "floating_share", kPositive, 1, how.floating_share);
@@ -202,8 +197,7 @@ GrainStage read_grain_stage(const TomlTable& table) {
            action == "strain_path")
     stage.work = read_path(table, action);
   else
-    table.fail("action", fmt::format("{} is not valid; {}", excerpt(action),
-                                     suggestion(action, grain_actions())));
+    table.fail("action", invalid_value(action, grain_actions()));
   table.finish();
   return stage;
 }

@@ -36,11 +36,10 @@ void ClosedDrainage::look_for_water(const Reading& believed) {
   if (++wet_ == 1) dry_until_ = before_;
   if (wet_ < 2 || doubt_) return;
   // A gauge that comes late shows the water after the pore pressure did.
-  doubt_ =
-      Doubt{returning_ ? std::min(turned_, dry_until_) : dry_until_,
-            fmt::format("water flows although the valve is closed ({:.0f} mm3): it does not close, "
-                        "something leaks, or the volume gauge drifts",
-                        flowed * 1e9)};
+  doubt_ = Doubt{returning_ ? std::min(turned_, dry_until_) : dry_until_,
+                 fmt::format("water flows although the valve is closed ({:.0f} mm3): the valve "
+                             "does not close, there is a leak, or the volume gauge drifts",
+                             flowed * 1e9)};
 }
 
 void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State& state) {
@@ -118,7 +117,7 @@ void ClosedDrainage::look_for_silence(double total_p) {
     silent_ = Doubt{
         start_,
         fmt::format("the pore pressure stayed at the back pressure while the mean total stress "
-                    "changed by {:.1f} kPa: the valve is open, or the specimen not saturated",
+                    "changed by {:.1f} kPa: the valve is open, or the specimen is not saturated",
                     loading / 1e3)};
   }
 }

@@ -196,7 +196,7 @@ void JudgedStates::judge(Judged& entry) {
   if (!is_watched(stage)) return;
   const bool first = !std::exchange(sheared_, true);
   if (first) wrong_at_shear_ = entry.wrong;
-  if (first && entry.no_origin) end_ = End{-1, entry.reason + " where strains begin to count"};
+  if (first && entry.no_origin) end_ = End{-1, entry.reason + " at the start of shear"};
   if (first)
     if (auto reason = plausibility_.impossible_specimen(); !reason.empty())
       end_ = End{-1, std::move(reason)};
@@ -257,8 +257,8 @@ void JudgedStates::bound(Collapse& collapse) const {
   }
   if (const auto& onset = collapse.onset; onset && onset->p_eff_pa && !(*onset->p_eff_pa > 0)) {
     collapse.withhold(
-        fmt::format("p' is {:.1f} kPa at reading {}, zero within the error of the sensors: no "
-                    "onset can be placed there",
+        fmt::format("p' is {:.1f} kPa at reading {}, zero within the error of the sensors: an "
+                    "onset cannot be located there",
                     *onset->p_eff_pa / 1e3, onset->reading));
     return;
   }
@@ -276,14 +276,14 @@ std::vector<Warning> JudgedStates::warnings() const {
   std::vector<Warning> all = health_.warnings();
   for (auto& warning : plausibility_.warnings()) all.push_back(std::move(warning));
   if (!doubt_of_what_was_said_.empty())
-    all.push_back({0, "the drainage was said to be closed and is judged so, although " +
+    all.push_back({0, "the drainage is assessed as closed, as stated by the user, although " +
                           doubt_of_what_was_said_});
   if (const auto reason = withheld(); !reason.empty()) {
-    all.push_back({0, "no verdict: " + reason});
+    all.push_back({0, "not assessed: " + reason});
   } else if (const auto end = this->end()) {
     all.push_back({0, end->last >= 0
-                          ? fmt::format("no verdict after reading {}: {}", end->last, end->reason)
-                          : fmt::format("no verdict: {}", end->reason)});
+                          ? fmt::format("not assessed after reading {}: {}", end->last, end->reason)
+                          : fmt::format("not assessed: {}", end->reason)});
   }
   return all;
 }

@@ -36,8 +36,8 @@ std::string Plausibility::impossible_specimen() const {
   const double slimness = *specimen_.height_m / *specimen_.diameter_m;
   if (slimness >= kFlattest && slimness <= kSlimmest) return {};
   return fmt::format(
-      "the specimen is {:g} mm high and {:g} mm wide, as none in a triaxial cell is: one of the "
-      "two is wrong, or in another unit",
+      "the specimen is {:g} mm high and {:g} mm wide, impossible in a triaxial cell: one of the "
+      "two is wrong or in another unit",
       *specimen_.height_m * 1e3, *specimen_.diameter_m * 1e3);
 }
 
@@ -52,18 +52,19 @@ std::string Plausibility::impossible(const State& s) const {
   if (is_possible(s)) return {};
   if (!first_ && !is_test_pressure(s.p_eff))
     return fmt::format(
-        "p' is {:.4g} kPa at reading {} where shear begins, which no triaxial test is made at: a "
-        "pressure is no reading or in another unit than its column says, or u was taken off twice",
+        "p' is {:.4g} kPa at reading {}, the start of shear, which is impossible in a triaxial "
+        "test: a pressure was not measured or has another unit than its column states, or u was "
+        "subtracted twice",
         s.p_eff / 1e3, s.reading);
   if (exceeds_any_cell(s))
     return fmt::format(
-        "q is {:.4g} kPa and p' {:.4g} kPa at reading {}, beyond any triaxial cell: force or a "
-        "pressure is no reading or in another unit than its column says",
+        "q is {:.4g} kPa and p' {:.4g} kPa at reading {}, which is impossible in a triaxial cell: "
+        "force or a pressure was not measured or has another unit than its column states",
         s.q / 1e3, s.p_eff / 1e3, s.reading);
   return fmt::format(
       "q is {:.1f} kPa and p' {:.1f} kPa at reading {} (smaller effective stress {:.1f} kPa), "
-      "beyond any friction angle: force, area or a pressure is no reading or in another unit, or a "
-      "sensor was not set to zero",
+      "above any friction angle: force, area or a pressure was not measured or has another "
+      "unit, or a sensor was not set to zero",
       s.q / 1e3, s.p_eff / 1e3, s.reading, least_stress(s) / 1e3);
 }
 
@@ -84,8 +85,8 @@ void Plausibility::watch_fall(const State& s) {
   if (!(s.p_eff > kWorth * first_->p_eff)) return;
   slip_ = Slip{furthest_->reading,
                fmt::format("q fell from {:.1f} to {:.1f} kPa at a growing stress ratio while the "
-                           "axial strain went back from {:.2f} to {:.2f} %, as no unloading does: "
-                           "the strain was not that of the specimen",
+                           "axial strain went back from {:.2f} to {:.2f} %, which is not an "
+                           "unloading: the strain is not that of the specimen",
                            furthest_->q / 1e3, s.q / 1e3, furthest_->strain.axial * 100,
                            s.strain.axial * 100)};
 }
@@ -117,7 +118,7 @@ std::string Plausibility::idle() const {
   if (!first_ || largest_strain_ < kStrain || largest_q_ > kShare * first_->p_eff) return {};
   return fmt::format(
       "q stayed within {:.2g} kPa over {:.1f} % of axial strain, less than 1 % of p': the force is "
-      "in another unit than its column says, or was not recorded",
+      "in another unit than its column states, or was not recorded",
       largest_q_ / 1e3, largest_strain_ * 100);
 }
 
@@ -131,31 +132,32 @@ std::string Plausibility::backwards() const {
   const bool one_way = other_q < kOneSide * largest_q_ && onward < kOneSide * back;
   if (!one_way || sign * strain_at_largest_ > -kLeastStrain) return {};
   return fmt::format(
-      "q goes to {:.1f} kPa while the axial strain goes to {:.2f} %: the sign of one of the two is "
-      "not what the program takes it for (a dialect says sign = -1)",
+      "q goes to {:.1f} kPa while the axial strain goes to {:.2f} %: one of the two has the "
+      "opposite sign (in a dialect: sign = -1)",
       sign * largest_q_ / 1e3, -sign * back * 100);
 }
 
 std::vector<Warning> Plausibility::warnings() const {
   std::vector<Warning> all;
-  if (impossible_count_ == 1) all.push_back({0, "impossible state, left out: " + impossible_});
+  if (impossible_count_ == 1) all.push_back({0, "impossible state, not used: " + impossible_});
   if (impossible_count_ > 1)
-    all.push_back({0, fmt::format("{} impossible states, left out, the last at reading {}: {}",
+    all.push_back({0, fmt::format("{} impossible states, not used, the last at reading {}: {}",
                                   impossible_count_, last_impossible_, impossible_)});
   if (!first_) return all;
   const double p0 = first_->p_eff;
   if (first_->q < -std::max(5e3, 0.02 * p0))
-    all.push_back({0, fmt::format("q is {:.1f} kPa where shear begins: extension, or the load cell "
-                                  "was not set to zero",
-                                  first_->q / 1e3)});
+    all.push_back(
+        {0, fmt::format("q is {:.1f} kPa at the start of shear: extension, or the load cell "
+                        "was not set to zero",
+                        first_->q / 1e3)});
   if (tension_)
     all.push_back(
         {0, fmt::format("the smaller effective stress is below zero at reading {} ({:.1f} "
-                        "kPa): no sand carries tension; a zero or a unit is wrong",
+                        "kPa): sand carries no tension; a zero or a unit is wrong",
                         tension_->reading, least_stress(*tension_) / 1e3)});
   if (steep_)
     all.push_back(
-        {0, fmt::format("the mobilised friction angle passes {:.0f} degrees at reading {} "
+        {0, fmt::format("the mobilised friction angle exceeds {:.0f} degrees at reading {} "
                         "(q/p' {:.2f}): a zero or a unit is wrong",
                         kSteep, steep_->reading, steep_->q / steep_->p_eff)});
   return all;

@@ -307,7 +307,8 @@ std::vector<Warning> RecordHealth::warnings() const {
     if (is_vouched(first, header_.vouched))
       text += kBelievedThough;
     else if (header_.origin == Origin::recorded && first.fault == SensorFault::stuck)
-      text += fmt::format("; if it is sound: --set sensors.{}=sound", info(first.channel).name);
+      text += fmt::format("; if the sensor is not faulty: --set sensors.{}=sound",
+                          info(first.channel).name);
     all.push_back({0, std::move(text)});
   }
   return all;

@@ -36,7 +36,7 @@ std::string describe(const SensorFinding& finding);
 /// The same in short, as a reason: "the load cell (axial_force) is stuck".
 std::string reason(const SensorFinding& finding);
 /// The end of a warning about a channel that someone says is sound.
-inline constexpr std::string_view kBelievedThough = "; said to be sound, and believed";
+inline constexpr std::string_view kBelievedThough = "; used because the user confirmed it (=sound)";
 /// Someone says that the channel is sound, and it gives values to believe.
 bool is_vouched(const SensorFinding& finding, const std::vector<Quantity>& vouched);
 

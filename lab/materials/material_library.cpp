@@ -97,7 +97,7 @@ std::vector<MaterialSet> read_file(std::string_view toml_text, const std::string
   std::vector<MaterialSet> found;
   for (const std::string& key : sets.keys())
     found.push_back(read_set(sets.required_table(key), law, key, folder, others));
-  if (found.empty()) throw BadInput(file, 0, "has no set; write [sets.NAME]");
+  if (found.empty()) throw BadInput(file, 0, "no parameter set found; write [sets.NAME]");
   return found;
 }
 
@@ -163,8 +163,8 @@ MaterialSet with_parameter(const MaterialSet& set, const std::string& key,
     if (parameter.key == key) found = &parameter;
   }
   if (found == nullptr)
-    throw BadInput(
-        fmt::format("{} has no parameter {}; {}", set.name, excerpt(key), suggestion(key, known)));
+    throw BadInput(fmt::format("{}: unknown parameter {}; {}", set.name, excerpt(key),
+                               suggestion(key, known)));
   MaterialSet changed = set;
   if (found->kind == sim::ParameterKind::text) {
     changed.parameters.texts[key] = value;

@@ -23,7 +23,7 @@ SearchRange range_of(const TomlTable& table, const std::string& key) {
 void read_prior(const TomlTable& table, const std::string& key, std::vector<SearchRange>& ranges) {
   const auto numbers = table.numbers(key);
   const auto found = std::ranges::find(ranges, key, &SearchRange::key);
-  if (found == ranges.end()) table.fail(key, "is not among the parameters of [search]");
+  if (found == ranges.end()) table.fail(key, "is not a parameter of [search]");
   if (numbers.size() != 2 || !(numbers[1] > 0))
     table.fail(key, "must be two numbers, [value, standard error above 0]");
   found->prior = {numbers[0], numbers[1]};

@@ -141,8 +141,8 @@ void read_term(Scanner& scanner, double sign, Combination<Space>& to) {
   const std::size_t column = scanner.column();
   const std::string_view name = scanner.name();
   if (name.empty())
-    fail(column, fmt::format("expected the name of an increment, found {}; known: {}",
-                             scanner.found(), joined(increment_names<Space>())));
+    fail(column, fmt::format("expected the name of an increment, found {}; {}", scanner.found(),
+                             must_be_one_of(increment_names<Space>())));
   if (!add(name, sign * factor, to))
     fail(column, fmt::format("unknown increment {}; {}", excerpt(name),
                              suggestion(name, increment_names<Space>())));
@@ -163,7 +163,7 @@ Combination<Space> read_left(Scanner& scanner) {
     }
   }
   if (left.stress.cwiseAbs().maxCoeff() < 1e-15 && left.strain.cwiseAbs().maxCoeff() < 1e-12)
-    fail(0, "the terms cancel: nothing is left of the condition");
+    fail(0, "the terms cancel: the condition is empty");
   return left;
 }
 

@@ -44,9 +44,9 @@ class Translator {
     for (const auto& law : sim::laws())
       if (law.name != "umat") known.push_back(law.name);
     fail(
-        fmt::format("{} with {} numbers is not a law of triax (known: {}); the library with its "
-                    "UMAT can be given: umat=libNAME.so",
-                    excerpt(inp_.name), inp_.properties.size(), joined(known)));
+        fmt::format("{} with {} numbers is not a law of triax; {}; for another law give the "
+                    "library with its UMAT: umat=libNAME.so",
+                    excerpt(inp_.name), inp_.properties.size(), must_be_one_of(known)));
   }
 
  private:
@@ -76,7 +76,7 @@ class Translator {
     if (next < inp_.properties.size())
       fail(fmt::format("{} numbers, {} has {}", inp_.properties.size(), law.name, next));
     if (std::ranges::any_of(inp_.state, [](double v) { return v != 0; }))
-      warn("the state variables of the start are left out: their order is not that of triax");
+      warn("the state variables of the start are ignored: their order differs from that of triax");
     return t;
   }
 
@@ -99,11 +99,11 @@ class Translator {
   Translation hypoplastic() {
     Translation t{"hypoplastic", {}, void_ratio_state(7), {}};
     take_hypoplastic(t, property(1), property(10), property(11));
-    if (property(2) != 0) warn(fmt::format("p_t = {} kPa is left out", property(2)));
+    if (property(2) != 0) warn(fmt::format("p_t = {} kPa is ignored", property(2)));
     if (property(15) != 0)
       fail(
-          "the bulk modulus of the water (number 15) is not 0: its stresses would be total ones, "
-          "triax drives effective ones");
+          "the bulk modulus of the water (number 15) is not 0: its stresses would be total "
+          "stresses, but triax prescribes effective stresses");
     if (!t.void_ratio && property(16) > 0 && property(16) < 10) t.void_ratio = property(16);
     if (property(12) > 0) t.memory = intergranular(1);
     return t;
@@ -119,7 +119,7 @@ class Translator {
       if (std::ranges::any_of(
               inp_.state.begin() + std::min<std::ptrdiff_t>(1, std::ssize(inp_.state)),
               inp_.state.end(), [](double v) { return v != 0; }))
-        fail("a start with state variables beyond the void ratio has no equivalent here");
+        fail("state variables of the start other than the void ratio are not supported");
       t.memory.assign(6, 0);
     }
     return t;
@@ -201,8 +201,9 @@ InpStart start_from_inp(const InpMaterial& inp, const IncrementalDriverSettings&
                                         : as_plugin(inp, settings);
   const auto index = static_cast<std::size_t>(std::max(settings.void_ratio_index, 0));
   if (index > inp.state.size())
-    throw BadInput(fmt::format("void_ratio_index={}: the start has {} state variables", index,
-                               inp.state.size()));
+    throw BadInput(
+        fmt::format("void_ratio_index={}: out of range; the start has {} state variables", index,
+                    inp.state.size()));
   if (index > 0) t.void_ratio = inp.state[index - 1];
   if (settings.void_ratio) {
     t.void_ratio = settings.void_ratio;
@@ -211,8 +212,8 @@ InpStart start_from_inp(const InpMaterial& inp, const IncrementalDriverSettings&
   }
   if (!t.void_ratio || !(*t.void_ratio > 0))
     throw BadInput(where, 0,
-                   "the void ratio of the start is not known: give void_ratio=NUMBER, or "
-                   "void_ratio_index=NUMBER of the state variable that is it");
+                   "the void ratio of the start is missing: give void_ratio=NUMBER, or "
+                   "void_ratio_index=N if it is state variable N");
   InpStart start;
   start.void_ratio = *t.void_ratio;
   start.memory = std::move(t.memory);

@@ -135,7 +135,7 @@ std::vector<Segment> read_inp_steps(InpLines& lines, const InpFile& file,
     }
     append_group(group, repetitions, time, lines, segments);
   }
-  if (segments.empty()) lines.fail("the file has no step; a step begins with *LinearLoad");
+  if (segments.empty()) lines.fail("no step is given; a step begins with *LinearLoad");
   return segments;
 }
 

@@ -113,7 +113,7 @@ IncrementalDriverTest load_incremental_driver(const std::string& path,
   const fs::path folder = is_folder ? fs::path(path) : fs::path(path).parent_path();
   const std::string test = is_folder ? "test.inp" : fs::path(path).filename().string();
   if (const std::string name = folded(test); name == kParameters || name == kStart)
-    throw BadInput(path, 0, "has no path; give its folder, or the test.inp in that folder");
+    throw BadInput(path, 0, "contains no path; give its folder, or the test.inp in that folder");
   return read([&](const std::string& name) { return text_of_file((folder / name).string()); }, test,
               folder.string(), settings);
 }
@@ -128,7 +128,7 @@ PathDescription describe_incremental_driver(
     own.void_ratio_index =
         static_cast<int>(number_of("void_ratio_index", *text, 1, sim::kMostMemory));
     if (own.void_ratio_index != number_of("void_ratio_index", *text, 1, sim::kMostMemory))
-      throw BadInput("void_ratio_index must be a whole number");
+      throw BadInput("void_ratio_index must be an integer");
   }
   if (!own.umat.empty())
     if (const auto text = taken(settings, "time_limit_s"))

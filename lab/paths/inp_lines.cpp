@@ -81,8 +81,7 @@ std::vector<double> InpLines::numbers(std::size_t count, std::string_view what) 
 
 int InpLines::as_whole(double value, std::string_view what, int lowest, int highest) const {
   if (value != std::floor(value) || value < lowest || value > highest)
-    fail(fmt::format("{} is {}, must be a whole number from {} to {}", what, value, lowest,
-                     highest));
+    fail(fmt::format("{} is {}; must be an integer from {} to {}", what, value, lowest, highest));
   return static_cast<int>(value);
 }
 

@@ -76,14 +76,15 @@ void read_inp_restriction(std::string_view line, int row, const InpLines& lines,
     lines.fail(
         fmt::format("{} is not a restriction; expected one like sd1 + 2*sd2 = -10", excerpt(line)));
   std::string_view rest(text.data(), equals);
-  if (rest.empty()) lines.fail("the restriction has nothing on the left of its =");
+  if (rest.empty()) lines.fail("the restriction is empty to the left of =");
   while (!rest.empty()) {
     const Term term = take_term(rest, lines);
     const std::string name = folded(term.name);
     const bool known = name.size() == 3 && (name[0] == 's' || name[0] == 'e') && name[1] == 'd' &&
                        name[2] >= '1' && name[2] <= '6';
     if (!known)
-      lines.fail(fmt::format("unknown {}; known: sd1 to sd6, ed1 to ed6", excerpt(term.name)));
+      lines.fail(fmt::format("unknown increment {}; must be one of: sd1 to sd6, ed1 to ed6",
+                             excerpt(term.name)));
     const int component = name[2] - '1';
     if (name[0] == 's')
       conditions.stress.row(row) += term.factor * inp_stress_row(component);
@@ -127,25 +128,24 @@ sim::PathEnd read_inp_end(std::string_view condition, const InpLines& lines,
     lines.fail(fmt::format("{} is not a number to compare with",
                            excerpt(std::string_view(text).substr(sign + 1))));
   const Term term = take_term(left, lines);
-  if (!left.empty())
-    lines.fail("an end condition on a sum has no equivalent here; one quantity has");
+  if (!left.empty()) lines.fail("an end condition on a sum is not supported; give one quantity");
   const auto* found = std::ranges::find(known, term.name, &EndName::name);
   if (found == std::end(known)) {
     std::vector<std::string> names;
     for (const auto& one : known) names.emplace_back(one.name);
-    lines.fail(fmt::format("an end condition on {} has no equivalent here; known: {}",
-                           excerpt(term.name), joined(names)));
+    lines.fail(fmt::format("an end condition on {} is not supported; {}", excerpt(term.name),
+                           must_be_one_of(names)));
   }
   if (term.factor == 0) lines.fail("the factor of an end condition must not be 0");
   const double limit = *bound / term.factor * found->scale;
   const bool above = (text[sign] == '>') == (found->scale / term.factor > 0);
   if (found->quantity == deviator_stress) {
     if (limit < 0)
-      lines.fail("an end condition on a negative q has no equivalent here: q counts without sign");
-    warnings.push_back(fmt::format(
-        "{}:{}: in the end condition q counts without sign, √(3/2)|s|; incrementalDriver takes "
-        "σ3 − σ1",
-        lines.name(), lines.line_number()));
+      lines.fail("an end condition on a negative q is not supported: q is used without sign");
+    warnings.push_back(
+        fmt::format("{}:{}: in the end condition q is used without sign, √(3/2)|s|; "
+                    "incrementalDriver uses σ3 − σ1",
+                    lines.name(), lines.line_number()));
   }
   sim::PathEnd end;
   end.quantity = found->quantity;

@@ -14,7 +14,7 @@ namespace triax::lab {
 namespace {
 
 constexpr int kMostIncrements = 10'000'000;
-constexpr double kShortestPeriod = 1e-12;  // s
+constexpr double kMinPeriod = 1e-12;  // s
 constexpr std::size_t kMostImported = 20'000;
 
 /// A keyword that stands for a *LinearLoad with one number to read.
@@ -91,7 +91,7 @@ void read_linear(InpLines& lines, InpStep& step) {
 }
 
 void read_circulating(InpLines& lines, InpStep& step) {
-  if (!(step.duration > kShortestPeriod)) lines.fail("the duration is the period, must be above 0");
+  if (!(step.duration > kMinPeriod)) lines.fail("the duration is the period; must be above 0");
   const InpFrame frame = read_frame(lines);
   for (int i = 0; i < 6; ++i) {
     const auto values =
@@ -101,7 +101,7 @@ void read_circulating(InpLines& lines, InpStep& step) {
     step.phase(i) = values[2];
   }
   step.circulating = true;
-  if (!step.end.empty()) lines.fail("an end condition of *CirculatingLoad has no equivalent here");
+  if (!step.end.empty()) lines.fail("an end condition of *CirculatingLoad is not supported");
 }
 
 void read_restrictions(InpLines& lines, InpStep& step) {
@@ -142,7 +142,7 @@ void read_import(std::string_view rest, InpLines& lines, InpStep& step, const In
   const int column_count = lines.as_whole(*columns, "the number of columns", 1, 100);
   const std::string name(trimmed(rest.substr(0, bar)));
   if (name.empty()) lines.fail("*ImportFile: expected NAME | number of columns");
-  if (!step.end.empty()) lines.fail("an end condition of *ImportFile has no equivalent here");
+  if (!step.end.empty()) lines.fail("an end condition of *ImportFile is not supported");
   read_commons(lines, step);
   const InpFrame frame = read_frame(lines);
   std::array<int, 6> column{};
@@ -193,9 +193,10 @@ bool read_shorthand(const std::string& keyword, InpLines& lines, InpStep& step,
     give(step, frame, i, found->stress_given[static_cast<std::size_t>(i)] == 's',
          i == found->driven ? total : 0);
   if (found->driven < 0)
-    warnings.push_back(fmt::format(
-        "{}:{}: {} needs a law with viscosity; laws here have no time, so nothing moves",
-        lines.name(), lines.line_number(), step.keyword));
+    warnings.push_back(
+        fmt::format("{}:{}: {} needs a law with viscosity; the laws of triax do not depend on "
+                    "time, so the state does not change",
+                    lines.name(), lines.line_number(), step.keyword));
   return true;
 }
 
@@ -227,10 +228,13 @@ InpStep read_inp_step(const std::string& keyword_line, InpLines& lines, const In
     read_commons(lines, step);
     read_restrictions(lines, step);
   } else if (keyword == "*deformationgradient") {
-    lines.fail("*DeformationGradient rotates the specimen: that is not a set of linear conditions");
-  } else if (keyword == "*perturbationss" || keyword == "*perturbationse") {
     lines.fail(
-        fmt::format("{} reverses every increment: that is a probe, not a path", step.keyword));
+        "*DeformationGradient is not supported: a rotation of the specimen is not a set of linear "
+        "conditions");
+  } else if (keyword == "*perturbationss" || keyword == "*perturbationse") {
+    lines.fail(fmt::format(
+        "{} is not supported: it reverses every increment, which is a probe, not a path",
+        step.keyword));
   } else {
     lines.fail(fmt::format("unknown keyword of a step {}; {}", excerpt(step.keyword),
                            suggestion(step.keyword, kKnown)));

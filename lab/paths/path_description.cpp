@@ -36,7 +36,7 @@ void check(const PathDescription& description, const sim::Path<Space>& path) {
     refuse(fmt::format("{} cannot follow this path: {}", description.material.name,
                        Space::kSize == 6 && !description.material.material.no_tensor.empty()
                            ? description.material.material.no_tensor
-                           : "it is not formulated for its frame"));
+                           : "the law is not formulated for the frame of the path"));
   const auto start = law->start(path.stress, path.void_ratio);
   const auto wanted = static_cast<std::size_t>(start.memory.size());
   if (!path.memory.empty() && path.memory.size() != wanted)
@@ -84,7 +84,7 @@ void change_parameter(PathDescription& description, const std::string& key,
     found = found || parameter.key == key;
   }
   if (!found)
-    throw BadInput(fmt::format("unknown setting {}; {}", excerpt(key), suggestion(key, known)));
+    throw BadInput(fmt::format("unknown key {}; {}", excerpt(key), suggestion(key, known)));
   description.material = with_parameter(description.material, key, value);
   description.parameters.emplace_back(key, value);
 }

@@ -73,8 +73,7 @@ sim::Vector<Space> read_stress(const TomlTable& table) {
   constexpr Bounds kStress{.at_least = -kLargestPressure_kPa, .at_most = kLargestPressure_kPa};
   const auto p = table.number(
       "p_eff_kPa", {.at_least = kSmallestPathStress_kPa, .at_most = kLargestPressure_kPa});
-  if (p && table.has("stress_kPa"))
-    table.fail("stress_kPa", "p_eff_kPa gives the stress too; give one of the two");
+  if (p && table.has("stress_kPa")) table.fail("stress_kPa", "give either p_eff_kPa or stress_kPa");
   if (p) return stress_from<Space>(1e3 * *p, 1e3 * *p);
   if (!table.has("stress_kPa"))
     table.fail("",
@@ -123,9 +122,7 @@ sim::PathEnd read_end(const TomlTable& table) {
     known.emplace_back(candidate.key);
     if (candidate.key == word) key = &candidate;
   }
-  if (key == nullptr)
-    table.fail("quantity",
-               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+  if (key == nullptr) table.fail("quantity", invalid_value(word, known));
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
   const auto above = table.number("above", bounds), below = table.number("below", bounds);
   table.finish();
@@ -153,10 +150,10 @@ sim::Segment<Space> read_rest(const TomlTable& table, const std::vector<std::str
   segment.repeat = static_cast<int>(table.integer("repeat", 1, 100000).value_or(1));
   segment.repeat_from = names.size();
   if (const auto from = table.text("repeat_from")) {
-    if (!table.has("repeat")) table.fail("repeat_from", "needs repeat");
+    if (!table.has("repeat")) table.fail("repeat_from", "needs repeat = N, the number of runs");
     const auto found = std::ranges::find(names, *from);
     if (found == names.end() && *from != segment.name)
-      table.fail("repeat_from", fmt::format("{} is not a segment up to here; {}", excerpt(*from),
+      table.fail("repeat_from", fmt::format("{} is not an earlier segment; {}", excerpt(*from),
                                             suggestion(*from, names)));
     segment.repeat_from = static_cast<std::size_t>(found - names.begin());
   }
@@ -197,7 +194,7 @@ std::vector<sim::Segment<Space>> read_ramp(const TomlTable& table, sim::Segment<
   segment.least_parts = static_cast<int>(table.integer("parts", 1, 1000000).value_or(200));
   set_conditions(table, "conditions", conditions, segment);
   if (segment.conditions.increment.isZero(0))
-    table.fail("conditions", "all totals are 0: nothing happens in this segment");
+    table.fail("conditions", "all totals are 0; at least one must differ from 0");
   return {segment};
 }
 
@@ -205,8 +202,7 @@ std::vector<sim::Segment<Space>> read_ramp(const TomlTable& table, sim::Segment<
 template <class Space>
 std::vector<sim::Segment<Space>> read_steps(const TomlTable& table, sim::Segment<Space> segment,
                                             const std::string& file) {
-  if (table.has("conditions"))
-    table.fail("table", "the table holds the conditions; leave conditions out");
+  if (table.has("conditions")) table.fail("table", "give either table or conditions");
   const PathTable steps = read_path_table(file);
   std::vector<Condition<Space>> conditions;
   for (const std::string& heading : steps.headings) try {
@@ -235,7 +231,7 @@ std::vector<sim::Segment<Space>> read_steps(const TomlTable& table, sim::Segment
     segment.goes_on = !segments.empty();
     segments.push_back(segment);
   }
-  if (segments.empty()) throw BadInput(file, 0, "no row differs from 0: nothing happens");
+  if (segments.empty()) throw BadInput(file, 0, "all rows are 0; at least one must differ from 0");
   return segments;
 }
 
@@ -265,8 +261,7 @@ std::vector<sim::Segment<Space>> read_segment(const TomlTable& table,
 bool is_cartesian(const TomlTable& table) {
   const std::string frame = table.text("frame").value_or("triaxial");
   if (std::ranges::find(kFrames, frame) == kFrames.end())
-    table.fail("frame",
-               fmt::format("{} is not valid; {}", excerpt(frame), suggestion(frame, kFrames)));
+    table.fail("frame", invalid_value(frame, kFrames));
   return frame == "cartesian";
 }
 

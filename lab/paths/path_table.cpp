@@ -32,7 +32,7 @@ PathTable read_path_table(const std::string& path) {
       throw BadInput(path, lines.line_number(), message);
     };
     if (cells.size() != table.headings.size())
-      fail(fmt::format("{} cells, but {} headings", cells.size(), table.headings.size()));
+      fail(fmt::format("{} cells for {} headings", cells.size(), table.headings.size()));
     if (table.rows.size() == kMostTableRows) fail(fmt::format("more than {} rows", kMostTableRows));
     auto& row = table.rows.emplace_back(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -41,7 +41,7 @@ PathTable read_path_table(const std::string& path) {
                          excerpt(cells[i])));
     table.lines.push_back(lines.line_number());
   }
-  if (table.rows.empty()) throw BadInput(path, 0, "has no row of numbers below its headings");
+  if (table.rows.empty()) throw BadInput(path, 0, "no row of numbers below the headings");
   return table;
 }
 

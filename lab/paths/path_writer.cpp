@@ -86,7 +86,7 @@ template <class Space>
 std::string failed_increment_toml(const PathDescription& description,
                                   const sim::FailedIncrement<Space>& failed,
                                   const std::string& message) {
-  std::string text = fmt::format("# Of {}, segment {}: {}\n[path]\nname = {}\n",
+  std::string text = fmt::format("# From {}, segment {}: {}\n[path]\nname = {}\n",
                                  remark(description.source), remark(failed.segment.name),
                                  remark(message), toml_quoted("failure of " + description.name));
   text += fmt::format("tolerance = {}\nmaterial = {}\n", description.tolerance,

@@ -17,9 +17,7 @@ constexpr double kLongestLatency = 60;
 
 std::string read_device(const TomlTable& table) {
   std::string word = table.required_text("device");
-  if (possible_faults(word).empty())
-    table.fail("device", fmt::format("{} is not valid; {}", excerpt(word),
-                                     suggestion(word, fault_devices())));
+  if (possible_faults(word).empty()) table.fail("device", invalid_value(word, fault_devices()));
   return word;
 }
 

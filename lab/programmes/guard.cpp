@@ -26,15 +26,13 @@ WarningLevel read_level(const TomlTable& table) {
   const std::string word = table.required_text("on");
   const auto level = warning_level_from(word);
   if (level && *level != WarningLevel::none) return *level;
-  table.fail("on",
-             fmt::format("{} is not valid; known: approaching, imminent, lost", excerpt(word)));
+  table.fail("on", invalid_value(word, {"approaching", "imminent", "lost"}));
 }
 
 Action read_action(const TomlTable& table) {
   const std::string word = table.required_text("action");
   if (const auto action = value_of<Action>(word, kGuardActions)) return *action;
-  table.fail("action",
-             fmt::format("{} is not valid; known: hand_over, hold, unload, safe", excerpt(word)));
+  table.fail("action", invalid_value(word, {"hand_over", "hold", "unload", "safe"}));
 }
 
 /// A key that another action would not heed is a mistake.
@@ -48,7 +46,7 @@ void refuse_others(const TomlTable& table, const Guard& guard) {
                                      Of{"share", {Action::unload, Action::unload}},
                                      Of{"hold_min", {Action::hold, Action::unload}}})
     if (table.has(key) && std::ranges::find(actions, guard.action) == actions.end())
-      table.fail(key, fmt::format("means nothing with action = \"{}\"; leave it out",
+      table.fail(key, fmt::format("has no effect with action = \"{}\"; leave it out",
                                   to_string(guard.action)));
 }
 
@@ -85,11 +83,12 @@ Guard read_guard(const TomlTable& table, const Programme& programme) {
   guard.hold_s = minutes ? *minutes * 60 : guard.hold_s;
   table.finish();
   if (std::ranges::none_of(programme.stages, [&](const Stage& s) { return guards(guard, s); }))
-    table.fail("action",
-               guard.action == Action::hand_over
-                   ? "no stage of shear is driven by load, dead_load, constant_q, stress_ratio or "
-                     "spring: there is nothing to hand over; write hold, unload or safe"
-                   : "no stage is of shear with a piston: there is nothing to guard");
+    table.fail(
+        "action",
+        guard.action == Action::hand_over
+            ? "no shear stage is driven by load, dead_load, constant_q, stress_ratio or spring, so "
+              "control cannot be switched to displacement; must be one of: hold, unload, safe"
+            : "no stage is a shear stage with a piston; leave [guard] out");
   return guard;
 }
 

@@ -16,7 +16,7 @@ Kind read_kind(const TomlTable& table) {
   if (word == "hold") return Kind::hold;
   if (word == "resume") return Kind::resume;
   if (word == "abort") return Kind::abort;
-  table.fail("action", fmt::format("{} is not valid; known: hold, resume, abort", excerpt(word)));
+  table.fail("action", invalid_value(word, {"hold", "resume", "abort"}));
 }
 
 }  // namespace
@@ -30,16 +30,16 @@ std::vector<OperatorAction> read_operator(const std::vector<TomlTable>& tables) 
     table.finish();
     const bool holding = !actions.empty() && actions.back().kind == Kind::hold;
     if (!actions.empty() && action.at_s <= actions.back().at_s)
-      table.fail("at_min", "is not later than the action before");
+      table.fail("at_min", "must be later than the previous action");
     if (!actions.empty() && actions.back().kind == Kind::abort)
       table.fail("action", "comes after an abort, which ends the test");
     if (action.kind == Kind::resume && !holding) table.fail("action", "no hold to resume");
     if (action.kind == Kind::hold && holding)
-      table.fail("action", "the test is on hold already: resume it first");
+      table.fail("action", "the test is held already; resume it first");
     actions.push_back(action);
   }
   if (!actions.empty() && actions.back().kind == Kind::hold)
-    tables.back().fail("action", "nothing ends this hold: add a resume or an abort");
+    tables.back().fail("action", "this hold does not end; add a resume or an abort");
   return actions;
 }
 

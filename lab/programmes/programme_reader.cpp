@@ -81,9 +81,9 @@ void read_grains(const TomlTable& table, const std::string& path, Programme& pro
   for (const char* key :
        {"material", "material_file", "void_ratio", "initial_effective_stress_kPa"})
     if (table.has(key))
-      table.fail(key,
-                 "excluded by grains: material, void ratio and stress are those of the grains; "
-                 "leave it out");
+      table.fail(
+          key,
+          "not allowed with grains, which define material, void ratio and stress; leave it out");
   sim::GrainDriving how;
   how.inertial_number = table.number("inertial_number", {.at_least = 1e-6, .at_most = 1e-2})
                             .value_or(how.inertial_number);

@@ -60,9 +60,7 @@ PressureController read_controller(const std::optional<TomlTable>& base,
   if (c.pressure_resolution_pa > c.range_pa)
     table.fail("pressure_resolution_kPa", "is coarser than the range");
   if (c.volume_rate_limit_m3_per_s > 0 && c.fluid_compliance_m3_per_pa == 0)
-    table.fail("volume_rate_limit_mm3_per_s",
-               "needs fluid_compliance_mm3_per_kPa as well: without it the pressure is held "
-               "against any flow");
+    table.fail("volume_rate_limit_mm3_per_s", "needs fluid_compliance_mm3_per_kPa as well");
   if (c.start_volume_m3 && c.capacity_m3 == 0)
     table.fail("start_volume_cm3", "needs capacity_cm3 as well");
   if (c.start_volume_m3 && *c.start_volume_m3 > c.capacity_m3)
@@ -116,7 +114,7 @@ void check_turns(const TomlTable& table, const Programme& programme) {
   const double least = kShortest_s / compliance;
   if (programme.specimen.drainage_resistance < least * (1 - 1e-9))
     table.fail("drainage_resistance_kPa_s_per_mm3",
-               fmt::format("must be at least {:.3g} beside a controller with a fluid compliance of "
+               fmt::format("must be at least {:.3g} with a controller of fluid compliance of "
                            "{:g} mm3/kPa",
                            least * 1e-12, compliance * 1e12));
 }

@@ -22,7 +22,7 @@ const AxialWay& read_way(const TomlTable& table) {
     if (way.word == word) return way;
     known.emplace_back(way.word);
   }
-  table.fail("axial", fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+  table.fail("axial", invalid_value(word, known));
 }
 
 void read_perturbation(const TomlTable& table, Stage& stage) {
@@ -57,9 +57,8 @@ PressureDemand read_demand(const TomlTable& table, const std::string& name,
   if (target) {
     demand.target_pa = 1e3 * *target;
     if (std::isfinite(pressure_pa) && (*demand.target_pa - pressure_pa) * *rate < 0)
-      table.fail(target_key,
-                 fmt::format("lies behind the start at {:g} kPa: the sign of {} is wrong",
-                             pressure_pa / 1e3, rate_key));
+      table.fail(target_key, fmt::format("cannot be reached from {:g} kPa: the sign of {} is wrong",
+                                         pressure_pa / 1e3, rate_key));
   }
   return demand;
 }
@@ -87,7 +86,8 @@ bool reachable(const EndCondition& end, const PressureDemand& demand, double sta
 
 void check_strain_path(const TomlTable& table, const Stage& stage) {
   if (!stage.valve_open)
-    table.fail("strain_path_R", "needs drainage = \"open\": the back controller drives the volume");
+    table.fail("strain_path_R",
+               "needs drainage = \"open\", because the back controller prescribes the volume");
   if (stage.back.rate_pa_per_s != 0)
     table.fail("back_rate_kPa_per_min", "the back controller cannot follow strain_path_R as well");
 }
@@ -100,9 +100,7 @@ EndCondition read_end(const TomlTable& table) {
     known.emplace_back(candidate.key);
     if (candidate.key == word) key = &candidate;
   }
-  if (key == nullptr)
-    table.fail("quantity",
-               fmt::format("{} is not valid; {}", excerpt(word), suggestion(word, known)));
+  if (key == nullptr) table.fail("quantity", invalid_value(word, known));
   EndCondition end;
   end.quantity = key->quantity;
   const Bounds bounds{.at_least = key->lowest, .at_most = key->highest};
@@ -151,8 +149,8 @@ Logging read_logging(const TomlTable& table, const Logging& otherwise) {
   logging.averaging_s = averaging.value_or(otherwise.averaging_s);
   if (logging.averaging_s <= logging.interval_s) return logging;
   table.fail(averaging ? "averaging_s" : "scan_interval_s",
-             fmt::format("a reading every {:g} s cannot be the mean of {:g} s; write averaging_s = "
-                         "{:g} or less{}",
+             fmt::format("a reading every {:g} s cannot be averaged over {:g} s; write averaging_s "
+                         "= {:g} or less{}",
                          logging.interval_s, logging.averaging_s, logging.interval_s,
                          averaging ? "" : " here, too"));
 }
@@ -165,10 +163,8 @@ Stage read_stage(const TomlTable& table, const Programme& programme, double& cel
   const std::string role = table.required_text("role");
   const auto known_role = stage_role_from(role);
   if (!known_role || *known_role == StageRole::unknown)
-    table.fail(
-        "role",
-        fmt::format("{} is not valid; known: saturation, b_check, consolidation, shear, hold",
-                    excerpt(role)));
+    table.fail("role",
+               invalid_value(role, {"saturation", "b_check", "consolidation", "shear", "hold"}));
   stage.role = *known_role;
   const std::string drainage = table.required_text("drainage");
   if (drainage != "open" && drainage != "closed")

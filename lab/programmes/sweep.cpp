@@ -34,8 +34,8 @@ class ValueReader {
   }
 
   void add(std::string value) {
-    if (static_cast<std::int64_t>(axis_.values.size()) >= kMostSweepTests)
-      fail(fmt::format("more than {} values", kMostSweepTests));
+    if (static_cast<std::int64_t>(axis_.values.size()) >= kMaxSweepTests)
+      fail(fmt::format("more than {} values", kMaxSweepTests));
     axis_.values.push_back(std::move(value));
   }
 
@@ -45,9 +45,10 @@ class ValueReader {
     const auto from = whole_text_as<std::int64_t>(item.substr(0, dots));
     const auto to = whole_text_as<std::int64_t>(item.substr(dots + 2));
     if (!from || !to)
-      fail(fmt::format("{} is not a range of whole numbers; expected FROM:TO:STEP, as in 1:200:1",
+      fail(fmt::format("{} is not a range of integers; expected FROM:TO:STEP, as in 1:200:1",
                        excerpt(item)));
-    if (*to < *from) fail(fmt::format("the range {} runs backwards", excerpt(item)));
+    if (*to < *from)
+      fail(fmt::format("the range {} is descending; expected FROM <= TO", excerpt(item)));
     for (std::int64_t value = *from;; ++value) {
       add(std::to_string(value));
       if (value == *to) return;
@@ -55,7 +56,7 @@ class ValueReader {
   }
 
   void read_range_of(std::string_view item) try {
-    for (std::string& value : written_values(read_range(item, kMostSweepTests)))
+    for (std::string& value : written_values(read_range(item, kMaxSweepTests)))
       add(std::move(value));
   } catch (const std::invalid_argument& error) {
     fail(error.what());
@@ -103,9 +104,9 @@ Sweep::Sweep(std::vector<SweepAxis> axes) : axes_(std::move(axes)), short_keys_(
                       "list",
                       axis.key));
     size_ *= static_cast<std::int64_t>(axis.values.size());
-    if (size_ > kMostSweepTests)
-      throw BadInput(fmt::format("--sweep: more than {} tests; take fewer values or several sweeps",
-                                 kMostSweepTests));
+    if (size_ > kMaxSweepTests)
+      throw BadInput(fmt::format(
+          "--sweep: more than {} tests; give fewer values or run several sweeps", kMaxSweepTests));
   }
 }
 

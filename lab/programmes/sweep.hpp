@@ -18,7 +18,7 @@ struct SweepAxis {
 };
 
 /// No sweep has more tests than this.
-inline constexpr std::int64_t kMostSweepTests = 100'000;
+inline constexpr std::int64_t kMaxSweepTests = 100'000;
 
 /// Reads "KEY=VALUES". Values are separated by commas; each is a value as the file holds it, or a
 /// range of numbers, FROM:TO:STEP or FROM:TO/COUNT (lab/base/range.hpp). Throws BadInput, which

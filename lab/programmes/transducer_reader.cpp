@@ -94,10 +94,9 @@ void check(const Sheet& sheet, const TomlTable& table) {
   }
   // Written so that a sum that is no number is caught too.
   if (!sheet.calibration.empty() && !(largest <= 1000 * sheet.range))
-    table.fail(polynomial,
-               fmt::format("may give {:g} {} at full scale, of a range of {:g} {}; it is a "
-                           "polynomial of the signal in mV",
-                           largest, unit, sheet.range, unit));
+    table.fail(polynomial, fmt::format("can give {:g} {} at full scale, beyond the range of {:g} "
+                                       "{}; expected a polynomial of the signal in mV",
+                                       largest, unit, sheet.range, unit));
 }
 
 }  // namespace

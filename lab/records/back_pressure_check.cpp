@@ -14,8 +14,8 @@ void check_back_pressure(const Reading& reading, const StageInfo* stage, bool be
   if (is_closed && !begins_stage) return;
   findings.note("back pressure", reading.line, [&] {
     return fmt::format(
-        "the back pressure, {:.6g} kPa, is above the cell pressure, {:.6g} kPa: no "
-        "specimen is confined then; check the units and the order of the columns",
+        "the back pressure, {:.6g} kPa, is above the cell pressure, {:.6g} kPa: the specimen would "
+        "not be confined; check the units and the order of the columns",
         back / kKilopascal, cell / kKilopascal);
   });
 }

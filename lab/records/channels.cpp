@@ -41,8 +41,8 @@ std::string missing_channels(std::span<const Quantity> columns) {
   for (const Quantity q : kRaw)
     if (!has_all(columns, {q})) lacking.push_back(heading(q));
   return fmt::format(
-      "channels are missing: a raw record needs {} too; a reduced one axial_strain and two of its "
-      "stresses (deviator_stress_kPa and mean_effective_stress_kPa); found: {}",
+      "channels are missing: a raw record also needs {}; a reduced record needs axial_strain and "
+      "two stresses, such as deviator_stress_kPa and mean_effective_stress_kPa; found: {}",
       joined(lacking), there.empty() ? "none" : joined(there));
 }
 

@@ -150,7 +150,7 @@ class Planner {
     const auto name = std::string(cells_[cell]);
     if (!text) {
       if (wanted.empty()) return 1;
-      fail(fmt::format("column {} has no unit; write {}_{} or another unit of that kind",
+      fail(fmt::format("column {} has no unit; write {}_{} or another unit of this quantity",
                        excerpt(name), name, wanted));
     }
     const auto unit = sim::find_unit(*text);
@@ -159,7 +159,7 @@ class Planner {
                        excerpt(*text), wanted.empty() ? "%" : wanted));
     if (unit->dimension != sim::find_unit(wanted)->dimension)
       fail(fmt::format("column {} is in {}; expected {}", excerpt(name), excerpt(*text),
-                       wanted.empty() ? "a plain number or %" : wanted));
+                       wanted.empty() ? "a number without unit, or %" : wanted));
     return unit->scale;
   }
 

@@ -31,16 +31,16 @@ void CounterJoin::apply(std::array<double, kQuantityCount>& si, int stage, bool 
       const QuantityInfo& row = info(counter.quantity);
       const auto unit = *sim::find_unit(row.unit);
       const auto jump =
-          fmt::format("{} jumps from {:.6g} to {:.6g} {} where stage {} begins", row.name,
+          fmt::format("{} jumps from {:.6g} to {:.6g} {} at the start of stage {}", row.name,
                       before / unit.scale, value / unit.scale, row.unit, stage);
       if (counter.joins) {
         counter.offset += before - value;
         counter.joined = true;
         findings.note(fmt::format("reset {} {}", row.name, stage), line,
-                      jump + ": the counter was set to zero; joined as if nothing had moved");
+                      jump + ": the counter was set to zero; joined without a jump");
       } else {
         findings.note(fmt::format("reset {} {}", row.name, stage), line,
-                      jump + ": unloaded, or the load cell was set to zero; left as it is");
+                      jump + ": unloaded, or the load cell was set to zero; not changed");
       }
     }
     if (counter.offset != 0) value += counter.offset;

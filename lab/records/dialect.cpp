@@ -28,9 +28,10 @@ Separator read_separator(const TomlTable& table, const char* key) {
   if (text == "\t" || text == "tab") return Separator::tab;
   if (text == " " || text == "blanks") return Separator::blanks;
   if (text == "wide blanks") return Separator::wide_blanks;
-  table.fail(key, excerpt(text) +
-                      " is not a separator; expected auto, comma, semicolon, tab, blanks or 'wide "
-                      "blanks' (two or more)");
+  table.fail(key,
+             excerpt(text) +
+                 " is not a separator; expected auto, comma, semicolon, tab, 'blanks' (one space "
+                 "or more) or 'wide blanks' (two spaces or more)");
 }
 
 DecimalMark read_decimal(const TomlTable& table) {
@@ -49,7 +50,9 @@ void check_unit(const TomlTable& table, const char* key, const std::string& unit
                           ? sim::find_unit(info(column.quantity).unit)->dimension
                           : sim::Dimension::time;
   const auto found = sim::find_unit(unit);
-  if (!found) table.fail(key, excerpt(unit) + " is an unknown unit");
+  if (!found)
+    table.fail(
+        key, excerpt(unit) + " is an unknown unit (docs/reference/conventions.md lists all units)");
   if (found->dimension != wanted) table.fail(key, excerpt(unit) + " does not fit this column");
 }
 
@@ -64,9 +67,9 @@ DialectColumn read_column(const TomlTable& columns, const std::string& key) {
   } else if (const auto quantity = find_quantity(key)) {
     column.quantity = *quantity;
   } else {
-    throw BadInput(
-        columns.file(), columns.line(key),
-        fmt::format("[columns] has no {}; {}", excerpt(key), suggestion(key, column_names())));
+    throw BadInput(columns.file(), columns.line(key),
+                   fmt::format("unknown key {} in [columns]; {}", excerpt(key),
+                               suggestion(key, column_names())));
   }
   if (columns.is_table(key)) {
     const auto table = *columns.table(key);

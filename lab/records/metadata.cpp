@@ -34,8 +34,8 @@ template <class Value>
 Value one_of(const std::string& where, std::string_view key, std::string_view text,
              std::optional<Value> found, std::initializer_list<std::string_view> allowed) {
   if (found) return *found;
-  throw BadInput(fmt::format("{}: {} = {} is not valid; expected {}", where, key, excerpt(text),
-                             names_of(allowed)));
+  throw BadInput(fmt::format("{}: {} = {} is not valid; must be one of: {}", where, key,
+                             excerpt(text), names_of(allowed)));
 }
 
 [[noreturn]] void unknown_key(const std::string& where, std::string_view key) {
@@ -59,9 +59,9 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
     header.cut_short = value;
   } else if (name == "seed") {
     const auto seed = whole_text_as<std::uint64_t>(value);
-    if (!seed || *seed > kLargestSeed)
-      throw BadInput(fmt::format("{}: {} = {} is not a whole number from 0 to {}", where, key,
-                                 excerpt(value), kLargestSeed));
+    if (!seed || *seed > kMaxSeed)
+      throw BadInput(fmt::format("{}: {} = {} is not an integer from 0 to {}", where, key,
+                                 excerpt(value), kMaxSeed));
     header.seed = seed;
   } else {
     unknown_key(where, key);

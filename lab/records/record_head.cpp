@@ -98,7 +98,7 @@ void describe_record(RecordHeader& header, const TableLayout& layout, Findings& 
   }
   if (!header.has_time)
     findings.note("no time", layout.heading_line,
-                  "no time column: rates and derivatives are taken along the axial strain");
+                  "no time column: rates and derivatives are with respect to the axial strain");
 }
 
 std::string toml_preamble(const TableLayout& layout) {

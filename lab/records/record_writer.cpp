@@ -88,9 +88,7 @@ void RecordWriter::write(const Reading& reading) {
 
 void RecordWriter::finish(const RecordHeader& header, const std::optional<Truth>& truth) {
   if (impl_->is_empty)
-    throw WorkFailed(impl_->path +
-                     ": not written: the test has no readings, and a record without "
-                     "any cannot be read");
+    throw WorkFailed(impl_->path + ": not written because the test has no readings");
   impl_->text += as_comment(ending_toml(header));
   if (truth) impl_->text += as_comment(truth_toml(*truth));
   impl_->flush();

@@ -68,12 +68,12 @@ void RowOrder::add(const Row& row, bool begins_stage, Findings& findings) {
   std::shift_left(window_.begin(), window_.end(), 1);
   window_.back() = {std::fabs(strain - strain_.first), deviator_in(row), row.line};
   if (changed_places())
-    findings.note("rows changed places", window_[3].line,
-                  "this row and the one before seem to have changed places: the axial strain runs "
-                  "back here only");
+    findings.note(
+        "rows changed places", window_[3].line,
+        "this row and the previous row seem to be swapped: the axial strain decreases only here");
   if (is_out_of_place())
     findings.note("row out of place", window_[4].line,
-                  "the axial strain runs back in this row only: rows are out of order");
+                  "the axial strain decreases only in this row: rows are out of order");
 }
 
 /// Rows 2 and 3 of the window.
@@ -114,7 +114,7 @@ void RowOrder::finish() const {
   };
   if (rows_run_back(time_.back, time_.forward))
     throw BadInput(file_, first_line_,
-                   fmt::format("the rows are in reverse order: the time runs back from {:g} s in "
+                   fmt::format("the rows are in reverse order: the time decreases from {:g} s in "
                                "this line to {:g} s in line {}; sort them by time",
                                time_.first, time_.last, last_line_));
   const double largest = std::fabs(strain_.first);
@@ -123,12 +123,11 @@ void RowOrder::finish() const {
   const bool runs_to_zero = strain_.first > 0 ? rows_run_back(strain_.back, strain_.forward)
                                               : rows_run_back(strain_.forward, strain_.back);
   if (std::isnan(time_.first) && to_zero && runs_to_zero)
-    throw BadInput(
-        file_, first_line_,
-        fmt::format("the rows are in reverse order: the axial strain runs back from its largest "
-                    "value in this line to {:.2g} of it in line {}; sort them, or add a column of "
-                    "time if the specimen was unloaded",
-                    std::fabs(strain_.last) / largest, last_line_));
+    throw BadInput(file_, first_line_,
+                   fmt::format("the rows are in reverse order: the axial strain decreases from its "
+                               "largest value in this line to {:.2g} of it in line {}; sort them, "
+                               "or add a column of time if the specimen was unloaded",
+                               std::fabs(strain_.last) / largest, last_line_));
 }
 
 }  // namespace triax::lab

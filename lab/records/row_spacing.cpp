@@ -42,8 +42,8 @@ void RowSpacing::report(const Gap& gap, Findings& findings) const {
   findings.note("rows missing", gap.line, [&] {
     const double missing = std::round((gap.to - gap.from) / step_) - 1;
     return fmt::format(
-        "{:.0f} row{} missing before this line: {} goes from {:.6g} to {:.6g} in an "
-        "even series of steps of {:.4g}",
+        "{:.0f} row{} missing before this line: {} goes from {:.6g} to {:.6g} in a series of equal "
+        "steps of {:.4g}",
         missing, missing == 1 ? " is" : "s are", name_, gap.from, gap.to, step_);
   });
 }

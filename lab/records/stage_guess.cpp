@@ -37,7 +37,7 @@ std::string movements(const StageSummary& moved) {
   for (const Row& row : kRows)
     if (const double change = moved[row.quantity].change(); !std::isnan(change))
       parts.push_back(fmt::format("{} by {:.4g} {}", row.name, change * row.scale, row.unit));
-  return parts.empty() ? "nothing that was read changed"
+  return parts.empty() ? "no measured quantity changed"
                        : fmt::format("changed: {}", fmt::join(parts, ", "));
 }
 
@@ -53,7 +53,7 @@ Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
   std::string remedy =
       fmt::format("--set stages.{}.role=... and {}", inferred.number, said_otherwise(inferred));
   if (inferred.role == StageRole::shear && inferred.control == AxialControl::unknown) {
-    taken += ", what moved the axis not known";
+    taken += ", control of the axis unknown";
     remedy += fmt::format(" and --set stages.{}.control=displacement, load or constant_q",
                           inferred.number);
   }

@@ -20,11 +20,12 @@ int StageNumbers::of(double value, std::int64_t line, Findings& findings) {
   const double other = seen_.try_emplace(number, value).first->second;
   if (other != value)
     throw BadInput(file_, line,
-                   fmt::format("stage {} would be called {}, the number of stage {} already; "
-                               "give one of them another number",
+                   fmt::format("stage {} would get the number {}, which stage {} has already; give "
+                               "one of them another number",
                                value, number, other));
   if (!whole)
-    findings.note("stage number", line, fmt::format("stage {} is called stage {}", value, number));
+    findings.note("stage number", line,
+                  fmt::format("stage {} is renumbered as stage {}", value, number));
   return number;
 }
 

@@ -51,7 +51,7 @@ Head read_head(ByteSource& source, Findings& findings) {
     text = text || !trimmed(line).empty();
   }
   if (!text && head.whole_file)
-    throw BadInput(source.name(), 0, "the file is empty; a record has a line of headings and rows");
+    throw BadInput(source.name(), 0, "the file is empty; expected a line of headings and rows");
   if (!utf8) {
     const auto first =
         std::ranges::find_if(head.lines, [](const auto& one) { return !is_utf8(one); });
@@ -121,9 +121,9 @@ void refuse_other_separator(const ByteSource& source, const Head& head) {
     throw BadInput(
         source.name(), static_cast<std::int64_t>(found->line) + 1,
         fmt::format(
-            "the headings are triax's own, but the columns are separated by '{}'; "
-            "triax's own CSV has commas, and points in its numbers. Change that, or "
-            "describe the file as a dialect (docs/reference/record-files.md, table.separator)",
+            "the headings are those of triax, but the columns are separated by '{}'; the "
+            "CSV format of triax uses commas as separator and decimal points. Change the "
+            "file, or describe it as a dialect (docs/reference/record-files.md, table.separator)",
             character(found->separator)));
   }
 }
@@ -155,16 +155,15 @@ void refuse_other_separator(const ByteSource& source, const Head& head) {
   if (best.size() == 1)
     throw BadInput(source.name(), static_cast<std::int64_t>(best_line) + 1,
                    "only one column found (" + shown.front() +
-                       "); columns are separated by comma, semicolon, tab or blanks");
+                       "); columns are separated by comma, semicolon, tab or spaces");
   const auto who = forced ? "the dialect '" + forced->name + "' does not fit this file"
                           : std::string("no dialect fits this file");
   throw BadInput(
       source.name(), best.empty() ? 0 : static_cast<std::int64_t>(best_line) + 1,
-      fmt::format(
-          "{}; headings found: {}. Describe it in a few lines of TOML and give "
-          "that with --dialect FILE.toml: name = \"...\", [columns] axial_strain "
-          "= {{ names = \"its heading\", unit = \"%\" }}, ... (docs/reference/record-files.md)",
-          who, shown.empty() ? "none" : joined(shown)));
+      fmt::format("{}; headings found: {}. Describe the file in a few lines of TOML and give them "
+                  "with --dialect FILE.toml: name = \"...\", [columns] axial_strain = {{ names = "
+                  "\"its heading\", unit = \"%\" }}, ... (docs/reference/record-files.md)",
+                  who, shown.empty() ? "none" : joined(shown)));
 }
 
 // The unit that a units row states for a cell: its first bracket, or the whole of it.
@@ -261,7 +260,7 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
   }
   if (row >= lines.size() && head.whole_file)
     throw BadInput(layout.file, layout.heading_line,
-                   "headings without a row of readings; nothing was recorded");
+                   "headings without a row of readings; the record is empty");
   const auto unknown = plan_columns(layout, heading_text(lines[best->line]), units, findings);
   layout.separator = row_separator(layout, row < lines.size() ? lines[row] : std::string());
   if (const auto missing = missing_channels(layout.quantities()); !missing.empty())

@@ -96,7 +96,7 @@ bool TableReader::next(Row& row) {
     if (!plain && (skipped(line) || !parse_general(line))) continue;
     if (blank_line_ > 0) {
       if (row.line > 0)
-        findings_.note("blank lines", blank_line_, "a blank line inside the table is ignored");
+        findings_.note("blank lines", blank_line_, "an empty line inside the table is ignored");
       blank_line_ = 0;
     }
     if (lines_.cut_off())
@@ -147,7 +147,8 @@ bool TableReader::parse_fast(std::string_view line) {
 
 bool TableReader::skipped(std::string_view line) {
   if (is_end_mark(line)) {
-    findings_.note("end mark", lines_.line_number(), "the mark of an old file's end is left out");
+    findings_.note("end mark", lines_.line_number(),
+                   "an end-of-file character (Ctrl-Z) is ignored");
     return true;
   }
   if (trimmed(line).empty()) {
@@ -167,7 +168,7 @@ void TableReader::keep_comment(std::string_view line) {
   const auto offset = lines_.line_number() - trailer_line_;
   if (offset > kMostLines || trailer_.size() > kLongestLine)
     throw BadInput(layout_.file, lines_.line_number(),
-                   "lines of metadata stand below the rows, but far from each other: keep them "
+                   "lines of metadata are below the rows and far from each other: keep them "
                    "together above the headings or at the end");
   auto written = std::ranges::count(trailer_, '\n');
   for (; written < offset; ++written) trailer_ += '\n';
@@ -212,7 +213,7 @@ void TableReader::check_cell_count(std::string_view line) {
                                "cells; copy it again, or remove this line",
                                found, wanted));
   throw BadInput(layout_.file, lines_.line_number(),
-                 fmt::format("{} cell{} where the headings in line {} have {}: {}", found,
+                 fmt::format("{} cell{}, but the headings in line {} have {}: {}", found,
                              found == 1 ? "" : "s", layout_.heading_line, wanted, excerpt(line)));
 }
 
@@ -228,7 +229,7 @@ bool TableReader::parse_code(std::string_view cell, Plan& plan, double number) {
   if (plan.slot >= kQuantityCount || !means_no_value(number, previous(plan))) return false;
   rows_[now_][plan.slot] = kMissing;
   findings_.note(plan.code, lines_.line_number(), [&] {
-    return fmt::format("column {} has {}, which loggers write for \"no value\": read as missing",
+    return fmt::format("column {} has {}, a code for \"no value\": read as missing",
                        excerpt(plan.column->heading), excerpt(cell));
   });
   return true;
@@ -241,12 +242,12 @@ void TableReader::parse_number(std::string_view cell, Plan& plan) {
   const auto kind = parse_cell(cell, decimal_, value);
   if (before != decimal_ && decimal_ == DecimalMark::comma)
     findings_.note("decimal comma", lines_.line_number(),
-                   "the decimal mark is a comma: " + excerpt(cell) + " is read that way");
+                   "the decimal mark is a comma: " + excerpt(cell) + " is read accordingly");
   if (kind == CellKind::text && plan.slot == kTime) {
     if (const auto seconds = clock_seconds(cell)) {
       values[kTime] = clock_.since_start(*seconds);
       findings_.note("clock", lines_.line_number(),
-                     "the time is a clock's: counted from the first reading");
+                     "the time is a time of day: counted from the first reading");
       return;
     }
   }
@@ -280,7 +281,7 @@ void TableReader::parse_number(std::string_view cell, Plan& plan) {
   values[plan.slot] = value * plan.scale;
   if (kind == CellKind::out_of_range || !std::isfinite(values[plan.slot]))
     throw BadInput(layout_.file, lines_.line_number(),
-                   fmt::format("column {} has {}: no instrument can have measured that{}",
+                   fmt::format("column {} has {}: not a possible value of an instrument{}",
                                excerpt(heading), excerpt(cell), remedy));
   check_limit(cell, plan);
 }
@@ -295,7 +296,7 @@ bool TableReader::parse_percent(std::string_view cell, const Plan& plan) {
     return false;
   rows_[now_][plan.slot] = value * kPercent;
   findings_.note("percent", lines_.line_number(),
-                 "cells in per cent are read as such: " + excerpt(cell));
+                 "cells in per cent are read as per cent: " + excerpt(cell));
   return true;
 }
 
@@ -303,8 +304,8 @@ void TableReader::check_limit(std::string_view cell, const Plan& plan) const {
   if (!(std::abs(rows_[now_][plan.slot]) > plan.limit)) return;
   const Quantity quantity = plan.column->quantity;
   throw BadInput(layout_.file, lines_.line_number(),
-                 fmt::format("column {} has {}, beyond {:g} {}: no apparatus measures that; "
-                             "check the unit of the column",
+                 fmt::format("column {} has {}, beyond {:g} {}: impossible in a triaxial "
+                             "apparatus; check the unit of the column",
                              excerpt(plan.column->heading), excerpt(cell), absurd_of(quantity),
                              info(quantity).unit));
 }

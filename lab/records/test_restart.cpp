@@ -114,17 +114,17 @@ void TestRestart::follow(const Values& now) {
                             ? now[kTime] > candidate.first[kTime]
                             : candidate.rows >= kRows && !strain.is_returned(now[kStrain]);
   if (moves_on)
-    throw BadInput(file_, candidate.line,
-                   describe(candidate) +
-                       "; split the file there, or number its stages in a column of their own");
+    throw BadInput(
+        file_, candidate.line,
+        describe(candidate) + "; split the file there, or add a column with stage numbers");
 }
 
 std::string TestRestart::describe(const Candidate& candidate) const {
   const QuantityInfo& row = info(*strain_);
   const double scale = row.unit.empty() ? 1 : sim::find_unit(row.unit)->scale;
   std::string text = fmt::format(
-      "a second test begins with reading {}: between line {} and line {} {} goes back "
-      "from {:.4g} to {:.4g}",
+      "a second test begins with reading {}: between line {} and line {} {} decreases from {:.4g} "
+      "to {:.4g}",
       candidate.reading, candidate.line_before, candidate.line, heading(*strain_),
       candidate.before[kStrain] / scale, candidate.first[kStrain] / scale);
   if (candidate.time_back())

@@ -22,7 +22,8 @@ double TimeLine::next(double test_time_s, double stage_time_s, int stage, bool s
   const double raw = has_stage_time_ ? stage_time_s : test_time_s;
   double time = stamp(test_time_s, stage_time_s, stage, stage_begins, line, findings);
   if (std::isnan(raw)) {
-    findings.note("time missing", line, "no time in this row: it is set just after the last one");
+    findings.note("time missing", line,
+                  "no time in this row: the time is set just after that of the previous row");
     time = rows_ == 0 ? 0 : last_ + least_step();
   } else if (rows_ > 0) {
     repair(time, line, findings);
@@ -51,15 +52,14 @@ double TimeLine::stamp(double test_time_s, double stage_time_s, int stage, bool 
       const double shift = last_ + least_step() - begins;
       stage_start_ += shift;
       if (placed)
-        findings.note(
-            "stage time back", line,
-            fmt::format("stage {} begins at {:g} s, but the stage before ended at {:g} s: "
-                        "the stage is set {:g} s later",
-                        stage, begins, last_, shift));
+        findings.note("stage time back", line,
+                      fmt::format("stage {} begins at {:g} s, but the previous stage ended at {:g} "
+                                  "s: the stage is moved {:g} s later",
+                                  stage, begins, last_, shift));
       else
         findings.note("stage time joined", line,
-                      fmt::format("the time starts again with stage {}: it is joined to the end of "
-                                  "the stage before, {:g} s",
+                      fmt::format("the time restarts with stage {}: it is joined to the end of the "
+                                  "previous stage, {:g} s",
                                   stage, last_));
     }
   }
@@ -79,14 +79,14 @@ void TimeLine::repair(double& time, std::int64_t line, Findings& findings) {
   const double behind = last_ + least_step();
   if (shifted == last_) {
     findings.note("time repeated", line, [&] {
-      return fmt::format("the time {:g} s appears twice: the second is set {:g} s later", time,
+      return fmt::format("the time {:g} s appears twice: the second is moved {:g} s later", time,
                          behind - last_);
     });
   } else {
     findings.note("time back", line, [&] {
       return fmt::format(
-          "the time runs back from {:g} s to {:g} s: it is shifted by {:g} s "
-          "from here on, until it increases by itself",
+          "the time decreases from {:g} s to {:g} s: it is shifted by {:g} s from here on, until "
+          "it increases",
           last_, time, behind - time);
     });
     offset_ = behind - time;

@@ -24,15 +24,14 @@ void BValue::add(const Reading& reading, bool in_b_check) {
 
 Check BValue::check() const {
   const bool ok = *value_ >= kLimit;
-  return {
-      .kind = CheckKind::b_value,
-      .measured = value_,
-      .limit = kLimit,
-      .ok = ok,
-      .note = ok ? "saturated"
-                 : fmt::format("B {:.3f}: not saturated, or very stiff; pore pressures are smaller "
-                               "than those of a saturated specimen",
-                               *value_)};
+  return {.kind = CheckKind::b_value,
+          .measured = value_,
+          .limit = kLimit,
+          .ok = ok,
+          .note = ok ? "saturated"
+                     : fmt::format("B {:.3f}: the specimen is not saturated or very stiff; pore "
+                                   "pressures are smaller than in a saturated specimen",
+                                   *value_)};
 }
 
 }  // namespace triax::lab

@@ -25,8 +25,8 @@ std::optional<Check> ClosedValve::check() const {
   std::string note = "with the drainage closed the back volume did not change";
   if (!ok)
     note = fmt::format(
-        "with the drainage closed {:.0f} mm3 ran {} the specimen's side by reading {}: the valve "
-        "does not close, or something leaks; the test was not undrained",
+        "with the drainage closed {:.0f} mm3 flowed {} the specimen by reading {}: the valve does "
+        "not close, or there is a leak; the test was not undrained",
         std::fabs(largest_m3_) * 1e9, largest_m3_ > 0 ? "to" : "from", reading_);
   return Check{.kind = CheckKind::undrained_volume,
                .measured = largest_,

@@ -67,9 +67,9 @@ std::vector<Check> Closure::checks(std::optional<double> start_area,
                 .measured = difference,
                 .limit = kLimit,
                 .ok = std::fabs(difference) <= kLimit};
-    check.note =
-        fmt::format("the file's own {} is {:.2f} % {} than ours", info(pair.quantity).symbol,
-                    std::fabs(difference) * 100, difference < 0 ? "higher" : "lower");
+    check.note = fmt::format("the {} in the file is {:.2f} % {} than the value of triax",
+                             info(pair.quantity).symbol, std::fabs(difference) * 100,
+                             difference < 0 ? "higher" : "lower");
     if (pair.quantity == Quantity::deviator_stress && !check.ok && area_count_ > 0 && start_area)
       check.note += area_as_cause(difference, *start_area, back_volume_joined);
     all.push_back(std::move(check));
@@ -82,12 +82,12 @@ std::string Closure::area_as_cause(double difference, double start_area,
   const double area_ratio = area_ratio_sum_ / static_cast<double>(area_count_);
   if (std::fabs(1 / area_ratio - 1 + difference) > 0.01) return {};
   std::string cause = fmt::format(
-      ", because of the area: at the start of shear the file has {:.1f} mm2, we have {:.1f} mm2",
+      ", because of the area: at the start of shear the file has {:.1f} mm2, triax {:.1f} mm2",
       *their_start_area_ * 1e6, start_area * 1e6);
   if (back_volume_joined)
     cause +=
-        "; its volume counter was set back between stages while the reference for the volume "
-        "change was kept";
+        "; its volume counter was reset between stages, but the reference for the volume change "
+        "was not";
   return cause;
 }
 

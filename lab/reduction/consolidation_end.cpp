@@ -72,7 +72,7 @@ std::vector<Check> ConsolidationEnd::checks() const {
          .ok = ok,
          .note = fmt::format(
              "at the end of consolidation the volume changed by {:.3g} % per hour{}", *rate,
-             ok ? "" : ": it was not complete, or the back-pressure controller leaks")});
+             ok ? "" : ": consolidation was not complete, or the back-pressure controller leaks")});
   }
   if (differences_ > 0 && p_eff_ > 0) {
     const double ratio = std::fabs(difference_) / p_eff_;
@@ -86,8 +86,8 @@ std::vector<Check> ConsolidationEnd::checks() const {
                        "pressure{}",
                        std::fabs(difference_) / 1e3, difference_ < 0 ? "below" : "above",
                        ok ? ""
-                          : ": it had not dissipated, or the valve was not open, or one of the two "
-                            "transducers is off zero")});
+                          : ": it had not dissipated, the valve was not open, or one of the two "
+                            "transducers has a zero error")});
   }
   return all;
 }

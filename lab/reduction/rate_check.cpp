@@ -44,9 +44,8 @@ std::optional<Check> RateCheck::check(std::optional<std::int64_t> before) const 
   std::string note = "in drained shear the pore pressure followed the back pressure";
   if (!ok)
     note = fmt::format(
-        "at reading {} the pore pressure was {:.2f} kPa {} the back pressure, {:.1f} % of p': "
-        "the "
-        "test ran too fast for its drainage, or a line is blocked, or one of the two transducers "
+        "at reading {} the pore pressure was {:.2f} kPa {} the back pressure, {:.1f} % of p': the "
+        "rate was too high for the drainage, a line is blocked, or one of the two transducers "
         "drifted",
         largest.reading, std::fabs(largest.difference_pa) / 1e3,
         largest.difference_pa > 0 ? "above" : "below", largest.ratio * 100);

@@ -17,10 +17,10 @@ constexpr double kWaterDensity = 1000;  // kg/m³
 double required(const std::optional<double>& value, const RecordHeader& header, const char* what,
                 const std::string& key) {
   if (!value)
-    throw MissingKey(header.source, key, what, key.substr(key.rfind('_') + 1),
-                     fmt::format("the record has raw channels but does not say the {}; give it "
-                                 "with --set {}=...",
-                                 what, key));
+    throw MissingKey(
+        header.source, key, what, key.substr(key.rfind('_') + 1),
+        fmt::format("the record has raw channels but the {} is missing; give it with --set {}=...",
+                    what, key));
   if (!(*value > 0))
     throw BadInput(header.source, 0, fmt::format("the {} must be positive ({})", what, key));
   return *value;
@@ -34,8 +34,8 @@ RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& o
   if (!header.has(Quantity::pore_pressure) && !header.has(Quantity::back_pressure) &&
       !header.is_total_stress())
     throw BadInput(header.source, 0,
-                   fmt::format("a channel is missing: effective stresses need {} (or {}); of an "
-                               "unconsolidated undrained test say --set test.programme=UU",
+                   fmt::format("a channel is missing: effective stresses need {} (or {}); for an "
+                               "unconsolidated undrained test give --set test.programme=UU",
                                heading(Quantity::pore_pressure), heading(Quantity::back_pressure)));
   const double height =
       required(specimen_.height_m, header, "height of the specimen", "specimen.height_mm");
@@ -53,7 +53,7 @@ RawReduction::RawReduction(const RecordHeader& header, const ReductionOptions& o
   }
   if (!header.has(Quantity::back_volume))
     warnings_.push_back(
-        {0, "no back-volume channel: the volume of the specimen is taken as constant"});
+        {0, "no back-volume channel: the volume of the specimen is assumed constant"});
   if (!header.has(Quantity::pore_pressure) && header.has(Quantity::back_pressure))
     warnings_.push_back({0, "no pore-pressure channel: the back pressure is used instead"});
 }
@@ -81,17 +81,16 @@ void RawReduction::start_shear(const Reading& reading) {
   } else if (consolidation_shortening_ == 0 && consolidation_outflow_ != 0) {
     height = isotropic;
     warnings_.push_back(
-        {reading.line, fmt::format("the axial displacement did not move during consolidation: the "
-                                   "height {:.3f} mm at the start of shear follows from isotropic "
-                                   "strain",
-                                   height * 1e3)});
+        {reading.line,
+         fmt::format("the axial displacement did not change during consolidation: the height at "
+                     "the start of shear, {:.3f} mm, is computed from isotropic strain",
+                     height * 1e3)});
   } else if (std::fabs(height - isotropic) > 0.01 * as_built_.height_m) {
     warnings_.push_back(
-        {reading.line,
-         fmt::format("height at the start of shear: {:.3f} mm by the displacement, "
-                     "{:.3f} mm by isotropic strain; if the ram was moved without the "
-                     "specimen, give --set specimen.consolidated_height_mm=...",
-                     height * 1e3, isotropic * 1e3)});
+        {reading.line, fmt::format("height at the start of shear: {:.3f} mm from the displacement, "
+                                   "{:.3f} mm from isotropic strain; if the ram moved without the "
+                                   "specimen, give --set specimen.consolidated_height_mm=...",
+                                   height * 1e3, isotropic * 1e3)});
   }
   now_ = {.height_m = height,
           .volume_m3 = volume,

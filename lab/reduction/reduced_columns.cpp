@@ -30,24 +30,23 @@ ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stag
                           ? header.specimen.consolidated_void_ratio
                           : header.specimen.void_ratio;
   if (header.is_raw()) return;
-  warnings_.push_back({0,
-                       "the record has reduced stresses and strains, no raw channels: its own "
-                       "reduction is used as it is"});
+  warnings_.push_back(
+      {0, "the record has reduced stresses and strains, no raw channels: they are used unchanged"});
   const bool has_volume = header.has(volumetric_strain) || header.has(radial_strain) ||
                           header.has(shear_strain) || header.has(void_ratio);
   const bool closed = std::ranges::all_of(
       stages_, [](const StageInfo& s) { return s.drainage == Drainage::closed; });
   if (!has_volume && (stages_.empty() || !closed))
     warnings_.push_back({0,
-                         "the record has no change of volume: stages that are not drained are "
-                         "taken as undrained (ε_v = 0), drained ones cannot be judged"});
+                         "the record has no volume change: drained stages cannot be assessed, all "
+                         "others are assumed undrained (ε_v = 0)"});
   only_excess_ = header.has(excess_pore_pressure) && !header.has(pore_pressure) &&
                  !header.has(axial_stress) && !header.has(radial_stress) &&
                  !header.has(cell_pressure);
   if (only_excess_)
     warnings_.push_back({0,
-                         "the record has the excess pore pressure only: pore pressures count "
-                         "from the start of shear"});
+                         "the record has the excess pore pressure only: pore pressures are "
+                         "relative to the start of shear"});
 }
 
 bool ReducedColumns::undrained(int stage) const {

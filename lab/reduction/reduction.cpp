@@ -22,8 +22,8 @@ struct Reduction::Impl {
         from_columns(h) {
     if (!raw && options.membrane != MembraneCorrection::none)
       throw BadInput(h.source, 0,
-                     "the record holds reduced stresses, no raw channels: whoever reduced it chose "
-                     "the membrane correction, and no other can be applied; leave --membrane out");
+                     "the record has reduced stresses and no raw channels: its membrane correction "
+                     "cannot be changed; leave --membrane out");
   }
 
   void note_impossible(const State& state, std::int64_t line);
@@ -59,14 +59,13 @@ State unknown(const State& at) {
 
 /// A few are readings of a sensor that dropped out; more are a record in wrong units.
 void Reduction::Impl::note_impossible(const State& state, std::int64_t line) {
-  Warning warning{
-      line, fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: no specimen is compressed "
-                        "or stretched by its whole height or volume",
-                        state.strain.axial, state.volumetric_strain)};
+  Warning warning{line, fmt::format("axial strain {:.3g}, volumetric strain {:.3g}: impossible, a "
+                                    "strain cannot reach 1 or -1",
+                                    state.strain.axial, state.volumetric_strain)};
   if (impossible_in_a_row++ == 0) first_impossible = warning;
   if (impossible_in_a_row > kMostImpossible)
     throw BadInput(header.source, first_impossible.line,
-                   first_impossible.text + "; check the units, and the specimen's height");
+                   first_impossible.text + "; check the units and the height of the specimen");
   if (++impossible == 1) impossible_warning = std::move(warning);
 }
 

@@ -112,7 +112,7 @@ struct Warning {
 };
 
 /// A seed passes through TOML and SQL, whose whole numbers are signed.
-inline constexpr std::uint64_t kLargestSeed = 9223372036854775807U;
+inline constexpr std::uint64_t kMaxSeed = 9223372036854775807U;
 
 struct RecordHeader {
   std::string name;  ///< of the test; the file's stem if the record does not say

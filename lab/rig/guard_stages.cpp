@@ -66,11 +66,11 @@ std::string describe(const Guard& guard) {
   const double rate = guard.rate_m_per_s * 6e4;
   switch (guard.action) {
     case Action::hand_over:
-      return fmt::format("handed over to displacement at {:g} mm/min", rate);
+      return fmt::format("switched to displacement at {:g} mm/min", rate);
     case Action::hold:
       return fmt::format("crosshead locked and pressures held for {:g} min", guard.hold_s / 60);
     case Action::unload:
-      return fmt::format("handed over to displacement, {:g} % of q taken back at {:g} mm/min",
+      return fmt::format("switched to displacement, q reduced by {:g} % at {:g} mm/min",
                          guard.share * 100, rate);
     case Action::safe:
       return "safe state";

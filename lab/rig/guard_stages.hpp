@@ -25,7 +25,7 @@ GuardedProgramme with_guard_stages(Programme programme);
 /// the specimen is loaded until the further strain is reached, or back until the share of q is off.
 void aim(const Guard& guard, const Seen& seen, double height_m, Stage& successor);
 
-/// "handed over to displacement at 0.05 mm/min", what the guard did, in words.
+/// "switched to displacement at 0.05 mm/min", what the guard did, in words.
 std::string describe(const Guard& guard);
 
 }  // namespace triax::lab

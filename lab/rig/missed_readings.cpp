@@ -11,14 +11,14 @@ std::optional<std::string> MissedReadings::add(double due_s, double time_s, doub
   const bool missed = time_s >= due_s + interval_s;
   const int before = std::exchange(late_in_a_row_, missed ? late_in_a_row_ + 1 : 0);
   if (missed && before == 1)
-    return fmt::format("readings are missed again and again from {:.6g} s on", due_s);
+    return fmt::format("readings are missed repeatedly from {:.6g} s on", due_s);
   if (missed && before == 0)
     return fmt::format(
-        "readings are missed from {:.6g} s to {:.6g} s: instruments or machine are too slow, or "
-        "this program stood still",
+        "readings are missed from {:.6g} s to {:.6g} s: instruments or computer are too slow, or "
+        "this program was suspended",
         due_s, time_s);
   if (!missed && before > 1)
-    return fmt::format("readings are in time again from {:.6g} s on", time_s);
+    return fmt::format("readings are on time again from {:.6g} s on", time_s);
   return std::nullopt;
 }
 

@@ -13,7 +13,7 @@ std::vector<Otherwise> judge_otherwise(const RecordHeader& header,
     for (const Guess::Said& said : guess.otherwise) {
       try {
         const auto rig = open(said);
-        all.push_back({.taken = guess.what + " was taken as " + guess.taken,
+        all.push_back({.taken = guess.what + " was assumed to be " + guess.taken,
                        .said = said.key + "=" + said.value,
                        .collapse = run_session(*rig, {.reduction = reduction}).collapse});
       } catch (const BadInput&) {

@@ -118,7 +118,7 @@ TomlTable RecordedRig::Impl::parse_preamble(const std::string& toml) const {
     return TomlTable::parse(toml, layout.file);
   } catch (const BadInput& error) {
     throw BadInput(std::string(error.what()) +
-                   " (lines after # are TOML; begin a free remark with ##)");
+                   " (lines after # are TOML; begin a comment with ##)");
   }
 }
 
@@ -136,7 +136,7 @@ void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
     // Whether soil or a program gave the readings is for the record to say, not for its reader.
     if (key == "test.origin" || key == "test.seed")
       throw BadInput(
-          fmt::format("{}: {} says where the record came from; it cannot be set", where, key));
+          fmt::format("{}: {} describes the origin of the record; it cannot be set", where, key));
     if (key.starts_with("stages.") != stages) continue;
     const SpecimenInfo before = header.specimen;
     set_metadata(header, where, key, value);
@@ -167,7 +167,7 @@ void RecordedRig::Impl::tell_contradiction(const SpecimenInfo& before, const std
     const auto &was = before.*key.member, &now = header.specimen.*key.member;
     if (!was || !now || std::fabs(*now - *was) <= kRounding * std::fabs(*was)) continue;
     header.warnings.push_back(
-        {0, fmt::format("{} stands over the record's {:g}{}{}", where,
+        {0, fmt::format("{} replaces {:g}{}{} of the record", where,
                         key.unit.empty() ? *was : sim::to_field(*was, *sim::find_unit(key.unit)),
                         key.unit.empty() ? "" : " ", key.unit)});
   }
@@ -273,12 +273,12 @@ void RecordedRig::Impl::look_for_typed_height(const std::vector<StageSummary>& s
   const auto typed = typed_height(*found, ours);
   if (!typed) return;
   header.specimen.consolidated_height_m = typed;
-  findings.note("typed height", found->first_line,
-                fmt::format("the file's own axial strain in stage {} is the displacement over "
-                            "{:.2f} mm, not over the {:.2f} mm that the displacement of the stages "
-                            "before leaves: the operator typed in a new start height; it is taken "
-                            "as the consolidated height",
-                            found->number, *typed * 1e3, ours * 1e3));
+  findings.note(
+      "typed height", found->first_line,
+      fmt::format("the axial strain of the file in stage {} is the displacement over {:.2f} mm, "
+                  "not over {:.2f} mm, the height after the displacement of the previous stages: "
+                  "the operator entered a new start height; it is used as the consolidated height",
+                  found->number, *typed * 1e3, ours * 1e3));
 }
 
 int RecordedRig::Impl::stage_of(const Row& drawn) {
@@ -297,7 +297,7 @@ bool RecordedRig::Impl::draw(Reading& reading) {
   stage = number;
   if (begins && !header.stage(stage))
     findings.note("unnamed stage", row.line,
-                  fmt::format("stage {} is not described; its role is unknown", stage));
+                  fmt::format("stage {} has no description; its role is unknown", stage));
   reading.time_s = time_line.next(row.time_s, row.stage_time_s, stage, begins, row.line, findings);
   if (header.origin == Origin::recorded) {
     counters.apply(row.si, stage, begins, row.line, findings);
@@ -318,16 +318,14 @@ void RecordedRig::Impl::finish() {
   if (over) return;
   if (time_line.stands_still())
     throw BadInput(layout.file, row.line,
-                   fmt::format("the time is the same in all {} rows; without a time that runs, "
-                               "leave the time column out",
+                   fmt::format("the time is the same in all {} rows; leave the time column out",
                                time_line.rows()));
   std::vector<Quantity> held;
   for (const Quantity q : header.columns)
     if (filled[index(q)]) held.push_back(q);
   if (count > 0)
     if (const auto missing = missing_channels(held); !missing.empty())
-      throw BadInput(layout.file, layout.heading_line,
-                     "a column without a single value: " + missing);
+      throw BadInput(layout.file, layout.heading_line, "a column without any value: " + missing);
   if (!rows->trailer().empty()) {
     RecordHeader end;
     read_metadata(end, truth, TomlTable::parse(rows->trailer(), layout.file, rows->trailer_line()));

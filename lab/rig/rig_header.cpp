@@ -50,8 +50,9 @@ RecordHeader rig_header(const Programme& programme, std::uint64_t seed) {
   for (const auto& row : raw_channels())
     if (programme.fitted[index(row.quantity)]) h.columns.push_back(row.quantity);
   for (const TomlEdit& change : programme.changes)
-    h.warnings.push_back({0, fmt::format("{} = {} by --set, instead of the programme's value",
-                                         change.key, change.value)});
+    h.warnings.push_back(
+        {0, fmt::format("{} = {} from --set, instead of the value of the programme", change.key,
+                        change.value)});
   for (const Fault& fault : programme.faults) h.warnings.push_back({0, describe(fault)});
   return h;
 }

@@ -172,7 +172,7 @@ void RigSoftware::Impl::check_targets() {
 }
 
 void RigSoftware::Impl::hold_by_guard(const std::string& detail) {
-  go(Mode::held, EventKind::held, "by the guard: " + detail);
+  go(Mode::held, EventKind::held, "by the intervention: " + detail);
   held_until_s = time_s + guard.hold_s();
 }
 
@@ -181,7 +181,7 @@ void RigSoftware::Impl::act_as_guard_if_due() {
   const Guard& now = guard.act();
   if (now.action == Guard::Action::safe) {
     const TestEnding before_guard = ending;
-    if (go(Mode::safe, EventKind::safe_state, "by the guard")) ending = before_guard;
+    if (go(Mode::safe, EventKind::safe_state, "by the intervention")) ending = before_guard;
     return;
   }
   cut(ended_by_guard(stage(), time_s, describe(now)));
@@ -203,7 +203,7 @@ bool RigSoftware::Impl::stage_over() {
   if (std::ranges::any_of(stage().end, [this](const auto& end) { return met(end); })) {
     check_targets();
     if (guard.unloads()) {
-      hold_by_guard("q was taken back");
+      hold_by_guard("q was reduced");
       return false;
     }
     if (!guard.is_followed(stage_index)) return true;
@@ -328,7 +328,7 @@ void RigSoftware::Impl::check_ranges() {
   for (std::size_t i = 0; i < kRawQuantityCount; ++i)
     if (const auto& row = quantities()[i]; apparatus->devices().saturated[i])
       if (!std::exchange(saturation_warned[i], true))
-        warn(fmt::format("{} went out of its range of {:g} {} at {:.6g} s", row.name,
+        warn(fmt::format("{} left its range of {:g} {} at {:.6g} s", row.name,
                          programme.transducers[i].range, row.unit, time_s));
 }
 

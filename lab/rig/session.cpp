@@ -97,8 +97,8 @@ std::optional<std::string> contradiction(const Collapse& taken,
   for (const Otherwise& other : others)
     if (other.collapse.judged && other.collapse.detected() != taken.detected())
       return fmt::format(
-          "it depends on what the record does not say: {}, which gives {}; {} gives "
-          "{}. Say which with --set",
+          "the assessment depends on an assumption: {}, which gives {}; {} gives {}. State which "
+          "is right with --set",
           other.taken, answer(taken), other.said, answer(other.collapse));
   return std::nullopt;
 }
@@ -106,7 +106,7 @@ std::optional<std::string> contradiction(const Collapse& taken,
 std::string told_of(const EarlierTests& earlier) {
   std::string names;
   for (const EarlierTest& test : earlier.all()) names += (names.empty() ? "" : ", ") + test.name;
-  return "the alarm was told of earlier tests of this sand: " + names;
+  return "the alarm used earlier tests of this sand: " + names;
 }
 
 /// One test on its way through the stream.

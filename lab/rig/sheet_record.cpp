@@ -59,9 +59,8 @@ std::unique_ptr<ByteSource> chosen_sheet(ZipArchive archive, std::unique_ptr<Byt
     if (first.empty()) first = why;
   }
   if (book->sheets().size() > 1)
-    first = fmt::format(
-        "{}: none of its {} sheets holds readings that are recognised; of the first: {}",
-        book->name(), book->sheets().size(), first);
+    first = fmt::format("{}: no readings recognised in its {} worksheets; first worksheet: {}",
+                        book->name(), book->sheets().size(), first);
   throw BadInput(first);
 }
 
@@ -97,7 +96,7 @@ void take_cells(RecordHeader& header, ByteSource& source, const TableLayout& lay
     }
   if (sheet->book().sheets().size() > 1)
     findings.note("sheet", 0,
-                  fmt::format("the readings are those of sheet {}; --sheet NAME takes another",
+                  fmt::format("the readings are from worksheet {}; use --sheet NAME for another",
                               excerpt(sheet->sheet().name)));
 }
 

@@ -11,8 +11,8 @@ std::string out_of_time(const Stage& stage) {
 }
 
 std::string ended_by_guard(const Stage& stage, double time_s, const std::string& what_it_did) {
-  return fmt::format("stage \"{}\" was ended at {:.6g} s by the guard: {}", stage.name, time_s,
-                     what_it_did);
+  return fmt::format("stage \"{}\" was ended at {:.6g} s by the intervention: {}", stage.name,
+                     time_s, what_it_did);
 }
 
 std::string ended_in_safe_state(const Stage& stage, double time_s, const std::string& why) {
@@ -20,13 +20,13 @@ std::string ended_in_safe_state(const Stage& stage, double time_s, const std::st
 }
 
 std::string ended_by_law(const Stage& stage, double time_s, const sim::SpecimenStep& step) {
-  return fmt::format("stage \"{}\" ended at {:.6g} s: the law has no result beyond: {}", stage.name,
-                     time_s, step.message);
+  return fmt::format("stage \"{}\" ended at {:.6g} s: the law gives no result from there on: {}",
+                     stage.name, time_s, step.message);
 }
 
 std::string control_lost(const Stage& stage, double time_s, const sim::SpecimenStep& step) {
   return fmt::format(
-      "stage \"{}\" ended at {:.6g} s: the specimen cannot follow what is prescribed "
+      "stage \"{}\" ended at {:.6g} s: the specimen cannot follow the prescribed path "
       "(q = {:.4g} kPa, p' = {:.4g} kPa)",
       stage.name, time_s + step.done_s, step.state.material.q() / 1e3,
       step.state.material.p() / 1e3);

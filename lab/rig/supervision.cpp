@@ -103,8 +103,9 @@ std::optional<std::string> Supervision::look(const Reading& raw, const Seen& see
   // Twice, so that a spike stops nothing.
   const bool above = load_limit_n_ > 0 && std::fabs(force) > load_limit_n_;
   if (above && std::exchange(above_limit_, above))
-    return fmt::format("emergency stop: the load of {:.1f} N is above the frame's limit of {:g} N",
-                       force, load_limit_n_);
+    return fmt::format(
+        "emergency stop: the load of {:.1f} N exceeds the limit of the frame, {:g} N", force,
+        load_limit_n_);
   above_limit_ = above;
   if (!devices.fault.empty()) return devices.fault;
   if (auto reason = full_or_empty(devices)) return reason;
@@ -186,9 +187,8 @@ std::optional<std::string> Supervision::stuck(const Reading& raw) {
     const auto& dead = health_[i].dead();
     if (!dead || !needs(channel) || dead->fault == SensorFault::missing) continue;
     const sim::Unit unit = spoken_unit(channel);
-    reason =
-        fmt::format("{} has been at exactly {:g} {}: stuck, since a working transducer has noise",
-                    name_of(channel), sim::to_field(raw[channel], unit), unit.name);
+    reason = fmt::format("{} was at exactly {:g} {}: stuck, because a working transducer has noise",
+                         name_of(channel), sim::to_field(raw[channel], unit), unit.name);
   }
   return reason;
 }
@@ -221,8 +221,9 @@ std::optional<std::string> Supervision::standing(const Seen& seen, const Demande
   const double asked_way = std::exchange(asked_way_, 0);
   way_start_ = displacement;
   if (stood_ < 2) return std::nullopt;
-  return fmt::format("the crosshead was moved by {:.3f} mm, the displacement reads {:.3f} mm more",
-                     asked_way * 1e3, way * 1e3);
+  return fmt::format(
+      "the crosshead moved by {:.3f} mm, but the displacement reading changed by {:.3f} mm",
+      asked_way * 1e3, way * 1e3);
 }
 
 void Supervision::RestingVolume::moves(double volume) {
@@ -249,8 +250,8 @@ void Supervision::watch_closed_valve(const Seen& seen, const Demanded& asked, do
   if (asked.valve_open) return back_water_.moves(volume);
   if (const auto flowed = back_water_.rests(volume, kShare * volume_m3_, dt_s))
     notes_.push_back(
-        fmt::format("water flows although the valve is closed ({:.0f} mm3 since then): "
-                    "it does not close, or there is a leak",
+        fmt::format("water flows although the valve is closed ({:.0f} mm3 since then): the valve "
+                    "does not close, or there is a leak",
                     *flowed * 1e9));
 }
 
@@ -260,10 +261,10 @@ void Supervision::watch_cell(const Seen& seen, const Demanded& asked, double dt_
   const bool ramps = std::exchange(cell_held_pa_, asked.cell_pa) != asked.cell_pa;
   if (asked.valve_open || ramps) return cell_water_.moves(volume);
   if (const auto flowed = cell_water_.rests(volume, kShare * volume_m3_, dt_s))
-    notes_.push_back(fmt::format(
-        "the cell takes water although its pressure and the specimen's volume are constant "
-        "({:.0f} mm3 meanwhile): cell or controller leaks",
-        *flowed * 1e9));
+    notes_.push_back(
+        fmt::format("water flows into the cell although its pressure and the volume of the "
+                    "specimen are constant ({:.0f} mm3 meanwhile): cell or controller leaks",
+                    *flowed * 1e9));
 }
 
 void Supervision::watch_open_valve(const Seen& seen, const Demanded& asked, double dt_s) {
@@ -280,7 +281,7 @@ void Supervision::watch_open_valve(const Seen& seen, const Demanded& asked, doub
   if (no_flow_s_ < kAstray_s || std::exchange(no_flow_told_, true)) return;
   notes_.push_back(fmt::format(
       "the valve is open and the pore pressure differs by {:.1f} kPa from the back pressure, but "
-      "no water flows: it does not open, or one of the transducers is wrong",
+      "no water flows: the valve does not open, or one of the transducers is wrong",
       lag / 1e3));
 }
 

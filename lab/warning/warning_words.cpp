@@ -49,7 +49,7 @@ Event withdrawal_event(const State& now, bool has_time, const std::optional<Outl
       .reading = now.reading, .time_s = {}, .kind = EventKind::warning_withdrawn, .detail = reason};
   if (has_time) event.time_s = now.time_s;
   if (reason.empty()) event.detail = outlook ? describe(*outlook) : "no onset is forecast";
-  event.detail = "warning taken back: " + event.detail;
+  event.detail = "warning withdrawn: " + event.detail;
   return event;
 }
 

@@ -52,17 +52,17 @@ std::string Calibration::text() const {
 Calibration read_calibration(const TomlTable& table) {
   Calibration calibration;
   calibration.gain = table.number("gain").value_or(1);
-  if (calibration.gain == 0) table.fail("gain", "0 would make every reading the same");
+  if (calibration.gain == 0) table.fail("gain", "must not be 0: all readings would be equal");
   calibration.offset = table.number("offset").value_or(0);
   if (table.has("range")) {
     const auto range = table.numbers("range");
     if (range.size() != 2 || !(range[0] < range[1]))
-      table.fail("range", "expected [LEAST, MOST] in the unit of the field");
+      table.fail("range", "expected [MIN, MAX] in the unit of the channel");
     calibration.range = {range[0], range[1]};
   }
   calibration.date = table.text("date").value_or("");
   if (!calibration.date.empty() && !is_date(calibration.date))
-    table.fail("date", fmt::format("{} is no date; expected for example \"2026-03-17\"",
+    table.fail("date", fmt::format("{} is not a date; expected for example \"2026-03-17\"",
                                    excerpt(calibration.date)));
   calibration.certificate = table.text("certificate").value_or("");
   table.finish();

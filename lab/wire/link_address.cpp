@@ -31,11 +31,11 @@ class LinkParser {
     const std::size_t colon = text_.find("://");
     const auto kind = value_of<Kind>(text_.substr(0, colon), kSchemes);
     if (colon == std::string_view::npos || !kind)
-      fail("a link begins with tcp://, serial://, modbus-tcp:// or modbus-rtu://");
+      fail("unknown protocol; must be one of: tcp://, serial://, modbus-tcp://, modbus-rtu://");
     link_.kind = *kind;
     std::string_view rest = text_.substr(colon + 3);
     for (const char c : rest)
-      if (static_cast<unsigned char>(c) <= ' ' || c == 127) fail("a link has no blanks");
+      if (static_cast<unsigned char>(c) <= ' ' || c == 127) fail("a link must not contain spaces");
     link_.is_serial() ? serial(rest) : host_and_port(rest);
     return link_;
   }
@@ -48,8 +48,8 @@ class LinkParser {
   int number(std::string_view what, std::string_view text, int lowest, int highest) const {
     const auto value = whole_text_as<int>(text);
     if (!value || *value < lowest || *value > highest)
-      fail(fmt::format("{} is {}, it must be a whole number from {} to {}", what, excerpt(text),
-                       lowest, highest));
+      fail(fmt::format("{} is {}; must be an integer from {} to {}", what, excerpt(text), lowest,
+                       highest));
     return *value;
   }
 
@@ -57,21 +57,21 @@ class LinkParser {
     const bool modbus = link_.is_modbus();
     const char* form = modbus ? "modbus-tcp://HOST:PORT/UNIT" : "tcp://HOST:PORT";
     if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
-      if (!modbus) fail(fmt::format("nothing may follow the port, right is {}", form));
+      if (!modbus) fail(fmt::format("unexpected text after the port; expected {}", form));
       link_.unit = number("unit", rest.substr(slash + 1), 0, 255);
       rest = rest.substr(0, slash);
     } else if (modbus) {
-      fail(fmt::format("the unit is missing, right is {}", form));
+      fail(fmt::format("the unit is missing; expected {}", form));
     }
     const std::size_t colon = rest.rfind(':');
     if (colon == std::string_view::npos || (rest.front() == '[' && rest[colon - 1] != ']'))
-      fail(fmt::format("the port is missing, right is {}", form));
+      fail(fmt::format("the port is missing; expected {}", form));
     std::string_view host = rest.substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']'))
       host = host.substr(1, host.size() - 2);
     else if (host.find(':') != std::string_view::npos)
-      fail("an IPv6 address stands in brackets: [::1]");
-    if (host.empty()) fail(fmt::format("the host is missing, right is {}", form));
+      fail("write an IPv6 address in brackets: [::1]");
+    if (host.empty()) fail(fmt::format("the host is missing; expected {}", form));
     link_.host = host;
     link_.port = number("port", rest.substr(colon + 1), 0, 65535);
   }
@@ -80,7 +80,7 @@ class LinkParser {
     const std::size_t mark = rest.find('?');
     link_.path = rest.substr(0, mark);
     if (!link_.path.starts_with('/'))
-      fail("the port's path begins with '/', as in serial:///dev/ttyUSB0");
+      fail("the path of the port must begin with '/', as in serial:///dev/ttyUSB0");
     bool unit = false;
     while (mark != std::string_view::npos && !(rest.empty())) {
       const std::size_t begin = rest.find_first_of("?&");
@@ -108,10 +108,10 @@ class LinkParser {
       link_.unit = number(key, value, 1, 247);
     } else if (key == "parity") {
       const auto parity = value_of<Parity>(value, kParities);
-      if (!parity) fail(fmt::format("parity is {}, known: none, even, odd", excerpt(value)));
+      if (!parity) fail("parity: " + invalid_value(value, {"none", "even", "odd"}));
       link_.parity = *parity;
     } else {
-      fail(fmt::format("setting {} is unknown, {}", excerpt(key), suggestion(key, known)));
+      fail(fmt::format("unknown key {}; {}", excerpt(key), suggestion(key, known)));
     }
   }
 

@@ -46,15 +46,17 @@ const PersonalityPoint& Personality::at(std::string_view point) const {
   for (const auto& one : points) names.push_back(one.name);
   throw BadInput(
       fmt::format("{} has no value {}; {}", title, excerpt(point),
-                  names.empty() ? "its channels have numbers: at = 1" : suggestion(point, names)));
+                  names.empty() ? "its channels are numbered: at = 1" : suggestion(point, names)));
 }
 
 std::string Personality::complaint_about(std::string_view text) const {
   const auto said = trimmed(text);
   if (!identity.begins.empty() && !said.starts_with(identity.begins))
-    return fmt::format("it says {}; a {} begins with '{}'", excerpt(said), title, identity.begins);
+    return fmt::format("the identity is {}; that of a {} begins with '{}'", excerpt(said), title,
+                       identity.begins);
   if (!identity.holds.empty() && said.find(identity.holds) == std::string_view::npos)
-    return fmt::format("it says {}; a {} says '{}' in it", excerpt(said), title, identity.holds);
+    return fmt::format("the identity is {}; that of a {} contains '{}'", excerpt(said), title,
+                       identity.holds);
   return {};
 }
 
@@ -77,7 +79,7 @@ Personality find_personality(const std::string& name_or_file) {
     if (one.name == name_or_file) return one;
     names.push_back(one.name);
   }
-  throw BadInput(fmt::format("unknown personality {}; {}, or a file NAME.toml",
+  throw BadInput(fmt::format("unknown instrument profile {}; {}; or give the path of a .toml file",
                              excerpt(name_or_file), suggestion(name_or_file, names)));
 }
 

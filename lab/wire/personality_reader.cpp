@@ -31,7 +31,7 @@ std::vector<Protocol> read_protocols(const TomlTable& document) {
     } else if (word == "lines") {
       protocols.push_back(Protocol::lines);
     } else {
-      document.fail("protocol", suggestion(word, {"scpi", "modbus", "lines"}));
+      document.fail("protocol", invalid_value(word, {"scpi", "modbus", "lines"}));
     }
   }
   if (protocols.empty())
@@ -41,7 +41,7 @@ std::vector<Protocol> read_protocols(const TomlTable& document) {
 
 int address_of(const TomlTable& table, const char* key) {
   const auto address = table.integer(key, 0, kLastAddress);
-  if (!address) table.fail("", fmt::format("needs {} = its address on the wire, from 0", key));
+  if (!address) table.fail("", fmt::format("needs {} = its protocol address, from 0", key));
   return static_cast<int>(*address);
 }
 
@@ -105,7 +105,7 @@ PersonalityPoint read_point(const TomlTable& table, const std::string& name) {
   point.help = table.text("help").value_or("");
   const auto access = table.text("access").value_or("r");
   if (access != "r" && access != "w" && access != "rw")
-    table.fail("access", fmt::format("{} is none; expected r, w or rw", excerpt(access)));
+    table.fail("access", fmt::format("{} is not valid; must be one of: r, w, rw", excerpt(access)));
   point.readable = access != "w";
   point.writable = access != "r";
   point.scpi = table.text("scpi").value_or("");
@@ -120,7 +120,7 @@ void check_overlap(const TomlTable& points, const Personality& personality) {
   const auto take = [&](bool bit, int address, const std::string& who, const std::string& key) {
     const auto [place, is_new] = taken.try_emplace({bit, address}, who);
     if (!is_new)
-      points.fail(key, fmt::format("{} {} is taken by {}", bit ? "bit" : "register", address,
+      points.fail(key, fmt::format("{} {} is used by {} already", bit ? "bit" : "register", address,
                                    place->second));
   };
   for (int i = 0; i < personality.identity.registers; ++i)
@@ -155,12 +155,9 @@ PersonalityScan read_scan(const TomlTable& table) {
   scan.stamped = table.flag("stamped").value_or(false);
   scan.range = read_range(table);
   if (scan.chooses() && (table.has("lines") || table.has("columns")))
-    table.fail("",
-               "where {at} chooses channels they are answered in one line; leave out lines and "
-               "columns");
+    table.fail("", "with {at} all channels are in one line; leave out lines and columns");
   if (scan.ask.empty() && scan.lines > 1)
-    table.fail("lines",
-               "which line is the first cannot be told where they come unasked; expected 1");
+    table.fail("lines", "the first line is unknown if lines are sent without a query; expected 1");
   table.finish();
   return scan;
 }
@@ -174,7 +171,7 @@ void read_line(Personality& personality, const TomlTable& table) {
     return given ? *given * 1e-3 : usual_s;
   };
   personality.deadline_s = milliseconds("deadline_ms", personality.deadline_s);
-  if (personality.deadline_s <= 0) table.fail("deadline_ms", "expected more than 0");
+  if (personality.deadline_s <= 0) table.fail("deadline_ms", "must be above 0");
   personality.pause_s = milliseconds("pause_ms", personality.pause_s);
   personality.compound = table.flag("compound").value_or(false);
   personality.set_check = table.text("set_check").value_or("");
@@ -192,7 +189,7 @@ void check_protocols(const TomlTable& document, const Personality& personality) 
   if (personality.speaks(Protocol::lines) && !personality.scan)
     document.fail("protocol", "lines needs [scan]");
   if (personality.speaks(Protocol::lines) && personality.speaks(Protocol::scpi))
-    document.fail("protocol", "scpi and lines go by the same links; expected one of them");
+    document.fail("protocol", "scpi and lines use the same links; give one of them");
 }
 
 }  // namespace

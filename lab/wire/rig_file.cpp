@@ -61,8 +61,8 @@ void read_unit(const TomlTable& table, RigChannel& channel) {
   if (channel.unit == own.name) channel.scale = own.scale;
   if (unit && unit->dimension == own.dimension) return;
   if (channel.unit != own.name)
-    table.fail("unit", fmt::format("{} is no unit of {}; {} is one", excerpt(channel.unit),
-                                   channel.name, own.name));
+    table.fail("unit", fmt::format("{} is not a unit of {}; expected for example {}",
+                                   excerpt(channel.unit), channel.name, own.name));
 }
 
 RigChannel read_channel(const TomlTable& table, const RigInstrument& instrument) {
@@ -90,7 +90,7 @@ RigRole read_role(const TomlTable& table) {
     if (to_text(role) == *word) return role;
     known.emplace_back(to_text(role));
   }
-  table.fail("role", fmt::format("{} is not valid; {}", excerpt(*word), suggestion(*word, known)));
+  table.fail("role", invalid_value(*word, known));
 }
 
 /// A personality of the user's own stands beside the rig's file.
@@ -107,8 +107,9 @@ void check_protocol(const TomlTable& table, const RigInstrument& one) {
       modbus ? one.personality.speaks(Protocol::modbus)
              : one.personality.speaks(Protocol::scpi) || one.personality.speaks(Protocol::lines);
   if (!speaks)
-    table.fail("link", fmt::format("personality {} speaks no {}", one.personality.name,
-                                   modbus ? "Modbus" : "SCPI or lines over such a link"));
+    table.fail("link", fmt::format("instrument profile {} has no {}", one.personality.name,
+                                   modbus ? "Modbus, which this link needs"
+                                          : "SCPI or lines, one of which this link needs"));
 }
 
 RigInstrument read_instrument(const TomlTable& table) {
@@ -146,15 +147,15 @@ void check_once(const RigFile& rig, const std::vector<TomlTable>& tables) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const RigInstrument& one = rig.instruments[i];
     if (!names.insert(one.name).second)
-      tables[i].fail("name", fmt::format("another instrument is called {}", excerpt(one.name)));
+      tables[i].fail("name", fmt::format("another instrument has the name {}", excerpt(one.name)));
     if (!links.insert(to_text(one.link)).second && one.link.port != 0)
-      tables[i].fail("link", "another instrument is there");
+      tables[i].fail("link", "another instrument has this link");
     if (one.role != RigRole::reads && !roles.insert(one.role).second)
-      tables[i].fail("role", fmt::format("another instrument is the {}", to_text(one.role)));
+      tables[i].fail("role", fmt::format("another instrument has the role {}", to_text(one.role)));
     for (const RigChannel& channel : one.channels)
       if (!measured.insert(channel.name).second)
         throw BadInput(rig.file, channel.line,
-                       fmt::format("{} is measured twice", excerpt(channel.name)));
+                       fmt::format("{} is assigned to two channels", excerpt(channel.name)));
   }
 }
 
@@ -177,8 +178,8 @@ std::string_view to_text(RigRole role) {
 const RigPlant& RigFile::served() const {
   if (plant) return *plant;
   throw BadInput(file, 0,
-                 "only a rig with a [plant] can be served: its programme stands behind the "
-                 "instruments");
+                 "a rig without [plant] cannot be simulated; [plant] names the programme behind "
+                 "the instruments");
 }
 
 const RigInstrument* RigFile::find(std::string_view instrument) const {
@@ -209,7 +210,7 @@ RigFile parse_rig_file(std::string_view toml, const std::string& file) {
   table.finish();
   if (const auto plant = document.table("plant")) rig.plant = read_plant(*plant);
   const std::vector<TomlTable> tables = document.tables("instruments");
-  if (tables.empty()) document.fail("", "a rig has at least one [[instruments]]");
+  if (tables.empty()) document.fail("", "no instrument is given; write [[instruments]]");
   for (const TomlTable& one : tables) rig.instruments.push_back(read_instrument(one));
   document.finish();
   check_once(rig, tables);

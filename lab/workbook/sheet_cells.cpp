@@ -37,7 +37,7 @@ std::optional<CellPlace> cell_place(std::string_view address) {
   for (; i < address.size() && address[i] >= 'A' && address[i] <= 'Z' && i < 4; ++i)
     column = column * 26 + static_cast<std::size_t>(address[i] - 'A' + 1);
   const auto row = whole_text_as<std::int64_t>(address.substr(i));
-  if (i == 0 || column > kMostColumns || !row || *row < 1 || *row > kMostRows) return std::nullopt;
+  if (i == 0 || column > kMaxColumns || !row || *row < 1 || *row > kMaxRows) return std::nullopt;
   place.column = column - 1;
   place.row = *row;
   return place;
@@ -54,15 +54,15 @@ SheetCells::SheetCells(const Workbook& book, const SheetEntry& sheet, CellListen
                    [this](std::string_view piece) {
                      if (!taken_) return;
                      if (value_.size() + piece.size() > kLongestText)
-                       fail("a text longer than any spreadsheet has");
+                       fail("a text that is too long for a spreadsheet");
                      value_ += piece;
                    },
                .rows = [this](std::string_view bytes) { return take_plain_rows(bytes); }}) {}
 
 void SheetCells::fail(const std::string& what) const {
-  throw BadInput(
-      book_.name(), row_,
-      fmt::format("sheet {}, cell {}{}: {}", excerpt(sheet_), column_name(column_), row_, what));
+  throw BadInput(book_.name(), row_,
+                 fmt::format("worksheet {}, cell {}{}: {}", excerpt(sheet_), column_name(column_),
+                             row_, what));
 }
 
 void SheetCells::start(std::string_view element, XmlAttributes attributes) {
@@ -85,9 +85,9 @@ void SheetCells::end(std::string_view element) {
 
 void SheetCells::begin_row(std::string_view number) {
   const auto said = number.empty() ? row_ + 1 : whole_text_as<std::int64_t>(number).value_or(0);
-  if (said <= row_ || said > kMostRows)
-    fail(fmt::format("behind it a row {}; rows run from 1 to {}, and on", excerpt(number),
-                     kMostRows));
+  if (said <= row_ || said > kMaxRows)
+    fail(fmt::format("followed by row {}; rows must ascend from 1 to {}", excerpt(number),
+                     kMaxRows));
   row_ = said;
   row_text_ = std::to_string(said);
   column_ = next_column_ = 0;
@@ -103,7 +103,7 @@ std::size_t SheetCells::column_of(std::string_view text) const {
   if (letters > 0 && column > next_column_ && text.substr(letters) == row_text_) return column - 1;
   const auto place = cell_place(text);
   if (!place || place->column < next_column_ || place->row != row_)
-    fail(fmt::format("behind it the cell {}; columns run from A to XFD, and on, in row {}",
+    fail(fmt::format("followed by cell {}; columns must ascend from A to XFD in row {}",
                      excerpt(text), row_));
   return place->column;
 }
@@ -113,7 +113,7 @@ void SheetCells::begin_cell(const CellTag& tag) {
   value_.clear();
   column_ = next_column_;
   if (!tag.place.empty()) column_ = column_of(tag.place);
-  if (column_ >= kMostColumns) fail("columns run from A to XFD");
+  if (column_ >= kMaxColumns) fail("columns must be A to XFD");
   style_ = tag.style.empty() ? CellStyle::number
                              : book_.style(whole_text_as<std::uint64_t>(tag.style).value_or(0));
   kind_ = tag.type.empty()                               ? Kind::number
@@ -146,7 +146,7 @@ void SheetCells::end_cell() {
   if (row_ == 0) fail("a cell outside of a row");
   if (value_.empty()) {
     if (formula_ && kind_ != Kind::text)
-      fail("a formula without a value: open the workbook in a spreadsheet, and save it");
+      fail("a formula without a value: open the workbook in a spreadsheet and save it");
     return;
   }
   const auto text = cell_text();
@@ -166,7 +166,7 @@ std::string_view SheetCells::cell_text() {
     case Kind::shared: {
       const auto index = whole_text_as<std::uint64_t>(value_);
       const auto shared = index ? book_.shared_text(*index) : std::nullopt;
-      if (!shared) fail("refers to a text that the workbook does not have");
+      if (!shared) fail("refers to a text that is not in the workbook");
       if (!is_comma_number(trimmed(*shared))) return *shared;
       written_ = trimmed(*shared);
       break;

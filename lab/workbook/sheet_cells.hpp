@@ -23,8 +23,8 @@ struct CellPlace {
 std::optional<CellPlace> cell_place(std::string_view address);
 /// 0 is A, 26 is AA.
 std::string column_name(std::size_t column);
-inline constexpr std::size_t kMostColumns = 16384;
-inline constexpr std::int64_t kMostRows = 1'048'576;
+inline constexpr std::size_t kMaxColumns = 16384;
+inline constexpr std::int64_t kMaxRows = 1'048'576;
 
 struct CellListener {
   std::function<void(std::int64_t row)> row;

@@ -77,8 +77,9 @@ std::string cell_of(const Workbook& book, const std::string& reference) {
   const auto place =
       mark == std::string::npos ? std::nullopt : cell_place(reference.substr(mark + 1));
   if (!place)
-    throw BadInput(book.name(), 0,
-                   excerpt(reference) + " is no cell of a sheet, as in 'Tabelle!B5'");
+    throw BadInput(
+        book.name(), 0,
+        excerpt(reference) + " is not a cell of a worksheet; expected for example 'Tabelle!B5'");
   std::string found;
   std::int64_t at = 0;
   SheetCells cells(book, book.sheet(reference.substr(0, mark)),

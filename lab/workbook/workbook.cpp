@@ -72,20 +72,20 @@ Workbook::Workbook(ZipArchive archive) : archive_(std::move(archive)) { read_par
 void Workbook::read_parts() {
   constexpr const char* kTypes = "[Content_Types].xml";
   if (!archive_.has(kTypes))
-    throw BadInput(name(), 0,
-                   archive_.has("content.xml")
-                       ? "a workbook of OpenDocument (.ods): save it as .xlsx or as CSV"
-                       : "a zip archive, but no workbook (.xlsx): unpack it, and give the records "
-                         "in it");
+    throw BadInput(
+        name(), 0,
+        archive_.has("content.xml")
+            ? "an OpenDocument workbook (.ods): save it as .xlsx or CSV"
+            : "a zip archive, not a workbook (.xlsx): unpack it and give the records in it");
   if (archive_.has_part_ending("vbaProject.bin"))
     throw BadInput(name(), 0,
-                   "the workbook has macros, which triax does not take: save it as .xlsx");
+                   "the workbook has macros, which triax does not accept: save it as .xlsx");
   std::string book = "xl/workbook.xml";
   for (const auto& [id, relation] : relations_of(archive_, ""))
     if (relation.type == "officeDocument") book = relation.part;
   if (book.ends_with(".bin") || archive_.has("xl/workbook.bin"))
-    throw BadInput(name(), 0, "a binary workbook (.xlsb): save it as .xlsx or as CSV");
-  if (!archive_.has(book)) throw BadInput(name(), 0, "an Office document, but no workbook (.xlsx)");
+    throw BadInput(name(), 0, "a binary workbook (.xlsb): save it as .xlsx or CSV");
+  if (!archive_.has(book)) throw BadInput(name(), 0, "an Office document, not a workbook (.xlsx)");
   read_sheets(book);
   for (const auto& [id, relation] : relations_of(archive_, book)) {
     if (relation.type == "sharedStrings") read_shared_texts(relation.part);
@@ -105,7 +105,7 @@ void Workbook::read_sheets(const std::string& part) {
       sheets_.push_back({std::string(attributes["name"]), relation->second.part});
   };
   read_xml(archive_, part, {.start = start, .end = {}, .text = {}});
-  if (sheets_.empty()) throw BadInput(name(), 0, "the workbook has no sheet that can be seen");
+  if (sheets_.empty()) throw BadInput(name(), 0, "the workbook has no visible worksheet");
 }
 
 void Workbook::read_shared_texts(const std::string& part) {
@@ -122,13 +122,14 @@ void Workbook::read_shared_texts(const std::string& part) {
     texts_.end_text();
     if (texts_.bytes() > kMostSharedText)
       throw BadInput(name(), 0,
-                     "the workbook holds more than 48 MB of text; save its sheet as CSV");
+                     "the workbook contains more than 48 MB of text; save its worksheet as CSV");
   };
   std::string clean;
   const auto text = [&](std::string_view piece) {
     if (!taken) return;
     if (texts_.pending_size() + piece.size() > kLongestSharedText)
-      throw BadInput(name(), 0, "a text longer than any spreadsheet has; save its sheet as CSV");
+      throw BadInput(name(), 0,
+                     "a text that is too long for a spreadsheet; save the worksheet as CSV");
     clean.assign(piece);
     std::ranges::replace_if(
         clean, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
@@ -160,8 +161,9 @@ const SheetEntry& Workbook::sheet(const std::string& wanted) const {
     if (matches_name(entry.name, wanted)) return entry;
   std::vector<std::string> names;
   for (const SheetEntry& entry : sheets_) names.push_back(excerpt(entry.name));
-  throw BadInput(name(), 0,
-                 fmt::format("no sheet {}; the workbook has {}", excerpt(wanted), joined(names)));
+  throw BadInput(
+      name(), 0,
+      fmt::format("no worksheet {}; must be one of: {}", excerpt(wanted), joined(names)));
 }
 
 std::optional<std::string_view> Workbook::shared_text(std::size_t index) const {
@@ -181,7 +183,7 @@ bool looks_like_workbook(ByteSource& source) {
   if (bytes.starts_with("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"))
     throw BadInput(
         source.name(), 0,
-        "an .xls or an encrypted workbook: save it as .xlsx without a password, or as CSV");
+        "an .xls file or an encrypted workbook: save it as .xlsx without a password, or as CSV");
   return bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6");
 }
 

@@ -71,7 +71,7 @@ struct XmlStream::Impl {
     Impl& me = of(self);
     me.guarded([&] {
       if (++me.depth > kDeepest)
-        throw BadInput(me.name, 0, "its XML nests deeper than any workbook's");
+        throw BadInput(me.name, 0, "its XML is nested too deep for a workbook");
       if (me.listener.start) me.listener.start(local_name(element), XmlAttributes(pairs));
     });
   }
@@ -94,7 +94,8 @@ struct XmlStream::Impl {
   static void on_doctype(void* self, const char*, const char*, const char*, int) {
     Impl& me = of(self);
     me.guarded([&] {
-      throw BadInput(me.name, 0, "its XML declares a document type, which no workbook does");
+      throw BadInput(me.name, 0,
+                     "its XML declares a document type, which is not allowed in a workbook");
     });
   }
 
@@ -138,7 +139,7 @@ void XmlStream::Impl::feed(std::string_view bytes, bool last) {
                        "); open it in a spreadsheet and save it again");
   const auto at = byte_index(parser);
   if (at >= 0 && fed - at > kLongestPiece)
-    throw BadInput(name, 0, "its XML has a single piece of more than 8 MB: no workbook's cell");
+    throw BadInput(name, 0, "its XML has a text of more than 8 MB, too large for a cell");
 }
 
 void XmlStream::Impl::take_rows(std::string_view& bytes) {

@@ -18,7 +18,9 @@ constexpr std::uint64_t kUnpackedBeforeDoubt = std::uint64_t{16} << 20;
   zip_error_init_with_code(&error, code);
   const std::string text = zip_error_strerror(&error);
   zip_error_fini(&error);
-  throw BadInput(name, 0, "begins as a workbook or another zip archive, but is broken: " + text);
+  throw BadInput(name, 0,
+                 "begins like a workbook, but is damaged or incomplete: " + text +
+                     "; copy or save the file again");
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ struct ZipArchive::Impl {
   }
   void check_parts() const {
     if (zip_get_num_entries(archive, 0) > kMostParts)
-      throw BadInput(name, 0, "an archive of more than 10000 parts: no workbook has so many");
+      throw BadInput(name, 0, "an archive of more than 10000 parts, too many for a workbook");
   }
 };
 
@@ -58,8 +60,7 @@ std::size_t ZipPart::read(std::span<char> into) {
   unpacked_ += static_cast<std::uint64_t>(count);
   if (unpacked_ > kUnpackedBeforeDoubt && unpacked_ / ZipArchive::kMostPacked > packed_)
     throw BadInput(impl_->name, 0,
-                   "a part of it unpacks to more than 300 times its size: no laboratory's sheet "
-                   "does; it is not read further");
+                   "a part of it unpacks to more than 300 times its size; reading stopped");
   return static_cast<std::size_t>(count);
 }
 

@@ -87,7 +87,7 @@ const ParameterTable<HypoplasticParameters>& hypoplastic_table() {
       {{"transverse_factor",
         "m_T",
         "",
-        "stiffness after a turn by 90 degrees, likewise",
+        "ratio of the stiffness after a change of direction by 90 degrees",
         {.at_least = 1},
         ParameterKind::number,
         2},
@@ -111,7 +111,7 @@ const ParameterTable<HypoplasticParameters>& hypoplastic_table() {
       {{"intergranular_start",
         "ρ_0",
         "",
-        "share of R, isotropic, that consolidation leaves",
+        "isotropic fraction of R after consolidation",
         {.at_least = 0, .at_most = 1},
         ParameterKind::number,
         1},
@@ -121,7 +121,7 @@ const ParameterTable<HypoplasticParameters>& hypoplastic_table() {
 
 LawDescription hypoplastic_law() {
   return describe<Hypoplastic>(
-      "hypoplastic", "Hypoplasticity of von Wolffersdorff, with intergranular strain where R > 0",
+      "hypoplastic", "Hypoplasticity of von Wolffersdorff, with intergranular strain if R > 0",
       "von Wolffersdorff (1996), Mech. Cohes.-Frict. Mater. 1:251; Niemunis and Herle (1997), "
       "Mech. Cohes.-Frict. Mater. 2:279",
       hypoplastic_table());

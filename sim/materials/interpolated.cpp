@@ -70,12 +70,14 @@ Material on_table(Interpolation kind, const ParameterSet& set) {
 /// Why a law makes no base; empty where it does.
 std::string unfit(const Material& base) {
   if (!base.tensor) return base.no_tensor;
-  if (base.tensor->finite()) return "a law that integrates itself has no answer at an instant";
+  if (base.tensor->finite())
+    return "a law that integrates its increments itself gives no rate at a state";
   const auto response = base.tensor->response(base.tensor->isotropic(100e3, 0.9));
   if (const auto* form = std::get_if<StiffnessForm<Tensor>>(&response); form && form->nonlinear)
     return "its responses to single unloadings are so contractive that their sum contracts under "
-           "isotropic unloading from the start; it is incrementally nonlinear itself, use it as it "
-           "is";
+           "isotropic unloading from the start; use this law directly, it is incrementally "
+           "nonlinear "
+           "itself";
   if (std::holds_alternative<InterpolatedForm<Tensor>>(response))
     return "it is such an interpolation itself";
   return {};
@@ -103,7 +105,7 @@ LawDescription description(Interpolation kind, std::string name, std::string tit
   LawDescription d;
   d.name = std::move(name);
   d.title = std::move(title);
-  d.source = "Darve, Sibille, Daouadji and Nicot (2007), Eqs. 25 to 27; moduli as based on";
+  d.source = "Darve, Sibille, Daouadji and Nicot (2007), Eqs. 25 to 27; moduli from the base";
   d.parameters = {{.key = "base",
                    .meaning = "\"sanisand\" (parameters below), \"table\" (lists below) or LAW/SET "
                               "that is probed",

@@ -21,14 +21,13 @@ constexpr double kDrained = 0.05;
 constexpr const char* kNoInstabilityLine =
     "p' falls at constant q or inside the yield surface (CSD and the like), which NorSand cannot "
     "follow: below M_i such a fall is elastic unloading until the inner cap, and the stress ratio "
-    "there depends on the path taken, so that the law has no instability line for it; sanisand, "
-    "hypoplastic or inl2 can";
+    "there depends on the path taken, so that the law has no instability line for it; use "
+    "sanisand, hypoplastic or inl2";
 constexpr const char* kIsotropicLoading =
-    "p' rises while q does not (isotropic loading), which NorSand cannot follow: it stands at "
-    "its "
-    "pressure of consolidation from the start and would shear; start at the consolidated stress";
+    "p' rises while q does not (isotropic loading), which NorSand cannot follow: its start is "
+    "already the consolidated state; start at the consolidated stress";
 constexpr const char* kExtension =
-    "triaxial extension: the law and its numbers are those of compression";
+    "triaxial extension: the law and its parameters are for compression only";
 constexpr const char* kSetForDrained =
     "the volume is held, but this set is for drained loading (pore_fluid_bulk_modulus_kPa is 0); "
     "take one for undrained loading, such as norsand/S28-MT";
@@ -68,23 +67,38 @@ const ParameterTable<NorSandParameters>& norsand_table() {
        &P::state_dilatancy},
       {{"hardening_modulus", "H0", "", "plastic hardening", {.at_least = 10}},
        &P::hardening_modulus},
-      {{"hardening_state_slope", "H_ψ", "", "its fall with the state parameter", {}, number, 0},
+      {{"hardening_state_slope",
+        "H_ψ",
+        "",
+        "decrease of the hardening with the state parameter",
+        {},
+        number,
+        0},
        &P::hardening_state_slope},
       {{"shear_modulus_kPa", "G_r", "kPa", "shear modulus at its pressure", {.above = 0}},
        &P::shear_modulus_pa},
-      {{"shear_modulus_pressure_kPa", "p_r", "kPa", "p' of that shear modulus", {.above = 0}},
+      {{"shear_modulus_pressure_kPa",
+        "p_r",
+        "kPa",
+        "p' at which the shear modulus is G_r",
+        {.above = 0}},
        &P::shear_modulus_pressure_pa},
-      {{"shear_modulus_exponent", "n", "", "its growth with p'", {.at_least = 0, .at_most = 1}},
+      {{"shear_modulus_exponent",
+        "n",
+        "",
+        "growth of the shear modulus with p'",
+        {.at_least = 0, .at_most = 1}},
        &P::shear_modulus_exponent},
       {{"poisson_ratio", "ν", "", "Poisson's ratio", {.above = -1, .below = 0.5}},
        &P::poisson_ratio},
       {{"critical_void_ratio", "Γ", "", "critical state line, its height", {.above = 0}},
        &P::critical_void_ratio},
-      {{"critical_slope", "λ", "", "its slope", {.above = 0}}, &P::critical_slope},
+      {{"critical_slope", "λ", "", "slope of the critical state line", {.above = 0}},
+       &P::critical_slope},
       {{"critical_exponent",
         "c",
         "",
-        "its exponent; 0: straight over ln p'",
+        "exponent of the critical state line; 0: straight over ln p'",
         {.at_least = 0},
         number,
         0},
@@ -134,7 +148,7 @@ LawDescription norsand_law() {
   law.make = [](const ParameterSet& set, const MaterialFinder&) {
     return Material{std::make_shared<NorSand>(parameters_from(set, norsand_table())),
                     nullptr,
-                    "the law's hardening and its numbers are those of triaxial compression",
+                    "the law and its parameters are for triaxial compression only",
                     {}};
   };
   return law;

@@ -32,11 +32,16 @@ const ParameterTable<SanisandParameters>& sanisand_table() {
        &P::critical_void_ratio},
       {{"critical_slope", "λ", "", "slope of the critical state line", {.at_least = 0}},
        &P::critical_slope},
-      {{"critical_exponent", "ξ", "", "its exponent", {.above = 0}}, &P::critical_exponent},
+      {{"critical_exponent", "ξ", "", "exponent of the critical state line", {.above = 0}},
+       &P::critical_exponent},
       {{"yield_radius", "m", "", "radius of the yield surface", {.above = 0, .below = 0.2}},
        &P::yield_radius},
       {{"hardening_factor", "h0", "", "plastic modulus", {.above = 0}}, &P::hardening_factor},
-      {{"hardening_void_ratio_factor", "c_h", "", "its fall with the void ratio", {.at_least = 0}},
+      {{"hardening_void_ratio_factor",
+        "c_h",
+        "",
+        "decrease of the plastic modulus with the void ratio",
+        {.at_least = 0}},
        &P::hardening_void_ratio_factor},
       {{"bounding_exponent", "n_b", "", "bounding line with the state parameter", {.at_least = 0}},
        &P::bounding_exponent},
@@ -49,7 +54,8 @@ const ParameterTable<SanisandParameters>& sanisand_table() {
        &P::dilatancy_exponent},
       {{"fabric_limit", "z_max", "", "limit of the fabric tensor", {.at_least = 0}},
        &P::fabric_limit},
-      {{"fabric_rate", "c_z", "", "its growth with dilation", {.at_least = 0}}, &P::fabric_rate},
+      {{"fabric_rate", "c_z", "", "growth of the fabric tensor with dilation", {.at_least = 0}},
+       &P::fabric_rate},
       {{"atmospheric_pressure_kPa", "p_at", "kPa", "reference pressure", {.above = 0}},
        &P::atmospheric_pressure_pa}};
   return table;
@@ -115,7 +121,7 @@ std::optional<std::string> Sanisand<Space>::warning(const State& state) const {
   const double fade = kFade * parameters_.atmospheric_pressure_pa;
   if (state.p() >= fade) return std::nullopt;
   return "p' is below " + short_number(fade / 1e3) +
-         " kPa, where the contraction is faded out so that a liquefied state keeps a stress";
+         " kPa, where the contraction of the law is reduced so that p' does not reach 0";
 }
 
 template <class Space>

@@ -87,8 +87,8 @@ std::optional<std::string> SanisandModuli<Space>::objection(const State& state) 
   if (!(state.p() > 0)) return "p' is not above 0, where the law ends";
   if (auto base = law_.objection(state.stress, state.void_ratio)) return base;
   if (at_limit(state))
-    return "the stress ratio stands on the bounding surface of the base law, where a generalised "
-           "triaxial path that raises it has no response";
+    return "the stress ratio is on the bounding surface of the base law, where its "
+           "generalised-triaxial moduli do not exist";
   return std::nullopt;
 }
 

@@ -45,7 +45,7 @@ const ParameterTable<UmatNumbers>& umat_table() {
       {{"time_limit_s",
         "",
         "",
-        "seconds after which a call counts as hung",
+        "time limit of one call, in seconds",
         {.above = 0, .at_most = 3600},
         ParameterKind::number,
         10},
@@ -53,7 +53,7 @@ const ParameterTable<UmatNumbers>& umat_table() {
       {{"memory_limit_megabytes",
         "",
         "",
-        "megabytes that it may ask for",
+        "maximum memory of the UMAT, in megabytes",
         {.at_least = 1, .at_most = 1e6},
         ParameterKind::number,
         1024},
@@ -66,21 +66,16 @@ std::vector<ParameterDescription> umat_parameters() {
       {"umat",
        "",
        "",
-       "the shared library, relative to this file or as the loader finds it",
+       "shared library, relative to this file, or a name that the loader finds",
        {},
        ParameterKind::text},
-      {"name", "CMNAME", "", "name of the material; empty where left out", {}, ParameterKind::text},
-      {"stress_unit",
-       "",
-       "",
-       "unit of stress of the plug-in; kPa where left out",
-       {},
-       ParameterKind::text},
-      {"properties", "PROPS", "", "its material constants", {}, ParameterKind::numbers},
+      {"name", "CMNAME", "", "name of the material; default empty", {}, ParameterKind::text},
+      {"stress_unit", "", "", "unit of stress of the UMAT; default kPa", {}, ParameterKind::text},
+      {"properties", "PROPS", "", "material constants of the UMAT", {}, ParameterKind::numbers},
       {"initial_state",
        "STATEV",
        "",
-       "its state variables at the start; 0 where left out",
+       "state variables at the start; default 0",
        {},
        ParameterKind::numbers}};
   for (auto& one : descriptions(umat_table())) all.push_back(std::move(one));
@@ -89,7 +84,7 @@ std::vector<ParameterDescription> umat_parameters() {
 
 int whole(const char* key, double value) {
   if (value != std::floor(value))
-    throw std::invalid_argument(std::string(key) + " must be a whole number");
+    throw std::invalid_argument(std::string(key) + " must be an integer");
   return static_cast<int>(value);
 }
 
@@ -213,7 +208,7 @@ void reduce(const Vector<Tensor>& stress, const Matrix<Tensor>& tangent,
   step.tangent = p.transpose() * tangent * p;
   if ((stress - p * step.state.stress).norm() > kAsymmetry * stress.norm())
     step.failure =
-        "the plug-in's stresses are not axisymmetric about axis 1: the path needs the full tensor";
+        "the stresses of the UMAT are not axisymmetric about axis 1; use a path with full tensors";
 }
 
 }  // namespace
@@ -253,7 +248,7 @@ std::vector<std::string> Umat<Space>::memory_names() const {
 template <class Space>
 std::optional<std::string> Umat<Space>::objection(const State& state) const {
   if (state.memory.size() != worker_->plugin().state_variables + kPast)
-    return "the memory is not that of this plug-in";
+    return "the memory is not that of this UMAT";
   return Law<Space>::objection(state);
 }
 
@@ -269,7 +264,7 @@ std::string Umat<Space>::check(const UmatCall& call) const {
   else if (!std::isfinite(call.smaller))
     wrong = "PNEWDT";
   if (wrong == nullptr) return {};
-  return worker_->plugin().library + ": the plug-in gave back a " + wrong + " that is not finite";
+  return worker_->plugin().library + ": the UMAT returned a " + wrong + " that is not finite";
 }
 
 template <class Space>
@@ -278,7 +273,7 @@ FiniteStep<Space> Umat<Space>::integrate(const State& from, const Vector<Space>&
   step.state = from;
   const int n = worker_->plugin().state_variables;
   if (from.memory.size() != n + kPast || !strain.allFinite()) {
-    step.failure = "the plug-in is called with a state or a strain that is not finite";
+    step.failure = "the UMAT is called with a state or a strain that is not finite";
     return step;
   }
   UmatCall call;
@@ -298,8 +293,7 @@ FiniteStep<Space> Umat<Space>::integrate(const State& from, const Vector<Space>&
   if (step.failure.empty() && call.smaller < 1)
     step.failure =
         worker_->plugin().library +
-        ": the plug-in asks for a smaller increment (PNEWDT = " + std::to_string(call.smaller) +
-        ")";
+        ": the UMAT requests a smaller increment (PNEWDT = " + std::to_string(call.smaller) + ")";
   if (!step.failure.empty()) {
     step.smaller = true;
     return step;

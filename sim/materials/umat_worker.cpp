@@ -40,7 +40,7 @@ void note_end(const std::string& words) {
 }
 
 std::string system_error(const char* what) {
-  return std::string("the process for the plug-in cannot be made (") + what + ": " +
+  return std::string("the process for the UMAT cannot be started (") + what + ": " +
          strerrordesc_np(errno) + ")";
 }
 
@@ -177,14 +177,14 @@ void UmatWorker::close_files() {
 std::string UmatWorker::how_it_trespassed() const {
   const UmatArguments::Beside where = exchange_->trespass;
   const auto number = static_cast<std::size_t>(where.argument);
-  if (number >= kUmatArguments) return "the plug-in wrote over memory that is not its own";
+  if (number >= kUmatArguments) return "the UMAT wrote over memory that is not its own";
   const UmatArgumentText argument = text_of(where.argument, plugin_);
   const std::string values =
       std::to_string(argument.values) + (argument.values == 1 ? " value" : " values");
   std::string remedy;
-  if (where.argument == UmatArgument::statev) remedy = ": is state_variables right?";
-  if (where.argument == UmatArgument::props) remedy = ": are properties complete?";
-  return std::string("the plug-in reads or writes ") +
+  if (where.argument == UmatArgument::statev) remedy = "; check state_variables";
+  if (where.argument == UmatArgument::props) remedy = "; check that properties is complete";
+  return std::string("the UMAT reads or writes ") +
          (where.behind ? "past the last value of " : "before the first value of ") + argument.name +
          ", which has " + values + remedy;
 }
@@ -193,19 +193,19 @@ std::string UmatWorker::why_it_ended() const {
   const std::string message = one_line(exchange_->said());
   if (exchange_->stage == UmatStage::trespassed) return how_it_trespassed();
   if (exchange_->stage == UmatStage::xit)
-    return "the plug-in called XIT" + (message.empty() ? "" : " (" + message + ")");
+    return "the UMAT called XIT" + (message.empty() ? "" : " (" + message + ")");
   if (exchange_->stage == UmatStage::exited)
-    return "the plug-in ended its process (STOP or exit, status " +
+    return "the UMAT ended its process (STOP or exit, status " +
            std::to_string(exchange_->exit_status) + ")";
   if (status_ != -1 && WIFSIGNALED(status_)) {
     const int signal = WTERMSIG(status_);
     const char* name = sigabbrev_np(signal);
-    return "the plug-in crashed: SIG" + std::string(name != nullptr ? name : "?") + " (" +
+    return "the UMAT crashed: SIG" + std::string(name != nullptr ? name : "?") + " (" +
            sigdescr_np(signal) + ")";
   }
   if (status_ != -1 && WIFEXITED(status_))
-    return "the plug-in's process ended with status " + std::to_string(WEXITSTATUS(status_));
-  return "the plug-in's process is gone";
+    return "the process of the UMAT ended with status " + std::to_string(WEXITSTATUS(status_));
+  return "the process of the UMAT has ended";
 }
 
 std::string UmatWorker::last_words() const {
@@ -227,7 +227,7 @@ void UmatWorker::shorten_output() const {
 std::string UmatWorker::call(UmatCall& c) {
   const std::lock_guard lock(mutex_);
   if (late_ == kMostLate)
-    return plugin_.library + ": " + how_late("each of three calls") + "; it is called no more";
+    return plugin_.library + ": " + how_late("each of three calls") + "; it is not called again";
   if (process_ == 0)
     if (std::string failure = start(); !failure.empty()) return failure;
   UmatCall& there = exchange_->call;

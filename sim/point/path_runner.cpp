@@ -13,9 +13,9 @@ namespace {
 constexpr std::size_t kMostWarnings = 50;
 /// Share of the stress at the start at which nothing is left of it.
 constexpr double kVanishedStress = 1e-6;
-constexpr const char* kLostMessage = "it cannot be held any longer";
+constexpr const char* kLostMessage = "the condition cannot be maintained";
 constexpr const char* kVanishedMessage =
-    "the effective stress has vanished, and the law has no tension";
+    "the effective stress has vanished, and the law carries no tension";
 /// Share of the mean stress that a deviator stress of round-off may have.
 constexpr double kNoDeviator = 1e-9;
 /// A strain of which small-strain theory says nothing.

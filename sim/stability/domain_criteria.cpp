@@ -53,7 +53,7 @@ constexpr DomainCriterionKind kKinds[] = {
      .witness = determinant_witness},
     {.name = "localisation",
      .legend = "localisation (acoustic tensor)",
-     .help = "look for vanishing acoustic tensors (Rice) too, which takes ten times as long",
+     .help = "also search for shear band modes (singular acoustic tensor); takes ten times as long",
      .most_rows = 25,
      .witness = localisation_witness},
 };

@@ -55,8 +55,8 @@ study::Progress shown_in(TaskProgress& progress) {
 void run_piece(const CalibrateOptions& o, const study::CalibrationRequest& request) {
   const Piece piece = piece_of(o.piece);
   if (piece.count > o.searches)
-    throw lab::BadInput(fmt::format("--piece {}: there are {} searches only; give --searches {}",
-                                    o.piece, o.searches, piece.count));
+    throw lab::BadInput(fmt::format("--piece {}: only {} searches; give --searches {}", o.piece,
+                                    o.searches, piece.count));
   const Interruption interruption;
   TaskProgress progress(1);
   progress.next("piece " + o.piece);
@@ -91,7 +91,7 @@ void run(const CalibrateOptions& o) {
   }
   print(o.json ? study::calibration_json(found) : calibrate_text(found));
   if (found.interrupted)
-    throw lab::WorkFailed("stopped by the operator: what is given is the best so far");
+    throw lab::WorkFailed("stopped by the operator; the result is the best so far");
 }
 
 }  // namespace
@@ -99,46 +99,48 @@ void run(const CalibrateOptions& o) {
 Command calibrate_command() {
   return {
       .name = "calibrate",
-      .purpose = "find the parameters of a law from tests, with their uncertainty",
+      .purpose = "Calibrate the parameters of a law against tests",
       .description =
-          {"The law is driven through the shear of the tests under the control that was applied "
-           "(undrained, drained, or along a stress path), and what it gives is compared with what "
-           "was measured: q and p' of undrained tests, q and the change of volume of drained ones, "
-           "along the arc length of the path, so that parts with many readings count no more. "
-           "Global searches by differential evolution, then least squares from the best members "
-           "of each, find the parameters within the ranges of the law's parameter file.",
-           "The answer has intervals and correlations, names parameters that the tests do not "
-           "determine and other optima that fit about as well, and predicts the stress ratio at "
-           "collapse of each test from the others. It gives the bifurcation domain and the cones "
-           "of unstable directions that the set implies, with how far they scatter over 200 sets "
-           "drawn from the estimate (10 of a UMAT). --output writes a parameter file like those "
-           "that ship with the program. Stopped by Ctrl-C, it gives the best so far, says so and "
-           "ends with status 1.",
-           "Searches are independent of each other: --piece I/N runs every N-th of them as one "
-           "task of a batch system, and --merge, with the same tests and options, puts the pieces "
-           "together."},
+          {"The law is driven through the shear stage of each test under the control that was "
+           "applied (undrained, drained, or along a stress path). The results are compared with "
+           "the measurements: q and p' of undrained tests, q and the change of volume of drained "
+           "tests. They are compared along the arc length of the path, so that parts with many "
+           "readings have no extra weight. Global searches by differential evolution, followed by "
+           "least squares from the best members of each search, find the parameters within the "
+           "ranges of the law's parameter file.",
+           "The results have intervals and correlations. Parameters that the tests do not "
+           "determine, and other optima with a similar fit, are listed. The stress ratio at "
+           "collapse of each test is predicted from the other tests. The bifurcation domain and "
+           "the cones of unstable directions of the set are computed, with their scatter over 200 "
+           "sets drawn from the estimate (10 for a UMAT). --output writes a parameter file in the "
+           "format of those that ship with the program. If it is stopped by Ctrl-C, triax prints "
+           "the best results so far, marks them as such and ends with status 1.",
+           "Searches are independent of each other: --piece I/N runs only searches I, I+N, I+2N, "
+           "... as one task of a batch system. --merge, with the same tests and options, combines "
+           "the pieces."},
       .diagnostics =
           {{"test ... has no void ratio: ...",
-            "the state of the soil is not known: replay the record with --set "
-            "specimen.void_ratio=E"},
-           {"tests of two soils: ...", "one set of parameters is for one soil: name its tests"},
+            "replay the record with --set specimen.void_ratio=E: the state of the soil is unknown "
+            "without it"},
+           {"tests of two soils: ...",
+            "name the tests of one soil: a parameter set describes one soil"},
            {"N free parameters from M tests: ...",
-            "each test tells four numbers at most: fix some parameters, or add tests"},
+            "fix some parameters, or add tests: each test determines four numbers at most"},
            {"not determined (in the table of parameters)",
-            "a misfit of 2 % leaves most of the parameter's range open: fix it, or add a test that "
-            "needs it (another density, pressure or drainage)"},
+            "fix it, or add a test that is sensitive to it (another density, pressure or "
+            "drainage): a misfit of 2 % leaves most of its range open"},
            {"FILE: is a piece of another calibration: ...",
-            "--merge has to be given the law, tests and options of the pieces"}},
-      .examples = {{"triax calibrate hypoplastic --output my_sand.toml",
-                    "all parameters from all tests of the database"},
-                   {"triax calibrate sanisand TMD1 TMD3 TMU1 --fix poisson_ratio=0.05 --figures "
-                    "curves",
-                    "three tests, one parameter kept, measured beside computed as figures"},
-                   {"triax calibrate norsand --start soil/soil.toml --output my_norsand.toml",
-                    "begins with what triax soil measured"},
-                   {"triax calibrate hypoplastic --searches 64 --piece $SLURM_ARRAY_TASK_ID/64 "
-                    "--output piece_$SLURM_ARRAY_TASK_ID.json",
-                    "one task of an array job 1-64"}},
+            "give --merge the law, tests and options of the pieces"}},
+      .examples =
+          {{"triax calibrate hypoplastic --output my_sand.toml",
+            "calibrate all parameters against all tests of the database"},
+           {"triax calibrate sanisand TMD1 TMD3 TMU1 --fix poisson_ratio=0.05 --figures curves",
+            "use three tests, keep one parameter fixed, and draw measured and computed curves"},
+           {"triax calibrate norsand --start soil/soil.toml --output my_norsand.toml",
+            "start from the results of triax soil"},
+           {"triax calibrate hypoplastic --searches 64 --piece $SLURM_ARRAY_TASK_ID/64 --output "
+            "piece_$SLURM_ARRAY_TASK_ID.json",
+            "run one task of an array job 1-64"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<CalibrateOptions>();
         add_calibrate_options(app, *o);

@@ -32,11 +32,11 @@ std::string parameters(const Calibration& c) {
                {"remark"}},
               {}};
   for (const auto& p : c.parameters)
-    table.rows.push_back(
-        {p.key, symbol_of(c, p.key), fmt::format("{:.5g}", p.value),
-         p.determined ? fmt::format("{:.5g}", p.low) : kUnknown,
-         p.determined ? fmt::format("{:.5g}", p.high) : kUnknown,
-         std::string(p.determined ? "" : "not determined") + (p.at_bound ? " at its bound" : "")});
+    table.rows.push_back({p.key, symbol_of(c, p.key), fmt::format("{:.5g}", p.value),
+                          p.determined ? fmt::format("{:.5g}", p.low) : kUnknown,
+                          p.determined ? fmt::format("{:.5g}", p.high) : kUnknown,
+                          std::string(p.determined ? "" : "not determined") +
+                              (p.at_bound ? " (at its bound)" : "")});
   return fmt::format("Parameters, with {:.0f} % intervals\n", 100 * c.confidence) +
          indented(to_text(table));
 }
@@ -54,10 +54,9 @@ std::string correlations(const Calibration& c) {
 
 std::string searches(const Calibration& c) {
   std::string out = fmt::format("  cost        {:.4g}", c.cost);
-  if (c.start_cost) out += fmt::format("; of {} {:.4g}", c.start.name, *c.start_cost);
-  out +=
-      fmt::format("\n              (1: off by 2 % of its span in every quantity of every test)\n");
-  out += fmt::format("  searches    {} of {} ended there\n", c.ended_at_best, c.searches);
+  if (c.start_cost) out += fmt::format("; of the start {}: {:.4g}", c.start.name, *c.start_cost);
+  out += fmt::format("\n              (1: each quantity deviates by 2 % of its span)\n");
+  out += fmt::format("  searches    {} of {} ended at this optimum\n", c.ended_at_best, c.searches);
   for (std::size_t k = 1; k < c.optima.size(); ++k) {
     out += fmt::format("  as good     cost {:.4g} at", c.optima[k].cost);
     for (std::size_t i = 0; i < c.parameters.size(); ++i)
@@ -116,8 +115,8 @@ std::string calibrate_text(const Calibration& c) {
   std::string out = fmt::format("{}\n{}\n", title, std::string(title.size(), '='));
   if (c.interrupted)
     out +=
-        "INTERRUPTED: the best so far; a search may find better, and what is missing below was "
-        "not computed\n";
+        "INTERRUPTED: the best result so far; a complete search can find a better one, and values "
+        "missing below were not computed\n";
   out += searches(c) + "\n" + parameters(c) + correlations(c) + misfits(c) + predictions(c);
   if (c.domain) out += implied_domain_text(*c.domain);
   if (!c.notes.empty()) out += "\nNotes\n";

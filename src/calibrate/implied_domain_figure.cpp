@@ -211,7 +211,7 @@ FigureData data_of(const study::Calibration& c) {
       .origin = "simulated",
       .remarks = {"law: " + c.material.law->name, void_ratio_in_words(d),
                   fmt::format("low, high: the middle {:.0f} % of {} sets drawn from the estimate; "
-                              "share: of those that have it",
+                              "fraction: of those that have it",
                               100 * d.confidence, d.draws),
                   "rows without q: criteria at one p', eta below 0 in extension; others: cones"},
       .columns = {{"p_eff_kPa", "kPa"}, {"q_kPa", "kPa"}},

@@ -63,11 +63,11 @@ std::string remarks(const study::ImpliedDomain& d) {
   std::string out;
   if (d.draws < d.asked)
     out += fmt::format(
-        "  only {} of {} sets could be drawn: the ranges or the law refuse most of what the tests "
-        "leave open\n",
+        "  only {} of {} sets could be drawn: most sets compatible with the tests are outside the "
+        "ranges or invalid for the law\n",
         d.draws, d.asked);
   if (d.refused > d.draws)
-    out += fmt::format("  the law refused {} sets that were drawn: intervals end at its bounds\n",
+    out += fmt::format("  {} drawn sets are invalid for the law: intervals end at its bounds\n",
                        d.refused);
   return out;
 }
@@ -84,8 +84,8 @@ std::string implied_domain_text(const study::ImpliedDomain& d) {
       fmt::format("\nCones and domain that the set implies, at {}\n", void_ratio_in_words(d));
   if (!d.none.empty()) return out + "  " + d.none + "\n" + (d.draws > 0 ? remarks(d) : "");
   out += fmt::format(
-      "  in brackets the middle {:.0f} % of {} sets drawn from the estimate; sets: those that have "
-      "it\n",
+      "  in brackets: the middle {:.0f} % of {} sets drawn from the estimate; sets: percentage "
+      "with a value\n",
       100 * d.confidence, d.draws);
   return out + boundaries(d.compression, "compression") +
          (d.extension.empty() ? "" : "\n" + boundaries(d.extension, "extension")) + cones(d) +

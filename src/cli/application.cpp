@@ -12,10 +12,10 @@ namespace {
 std::string help_footer(const Command& command) {
   std::string text;
   if (!command.statuses.empty())
-    text += "\nExit status (0 done, 1 failed while running, 2 wrong usage or bad input):\n";
+    text += "Exit status (0 success, 1 failure at run time, 2 wrong usage or invalid input):\n";
   for (const auto& status : command.statuses)
     text += "  " + status.line + "  " + status.purpose + "\n";
-  text += "\nExamples:\n";
+  text += text.empty() ? "Examples:\n" : "\nExamples:\n";
   for (const auto& example : command.examples)
     text += "  " + example.line + "\n      " + example.purpose + "\n";
   return text;
@@ -25,10 +25,9 @@ std::string help_footer(const Command& command) {
 
 Application make_application(const std::vector<Command>& commands) {
   Application application{
-      std::make_unique<CLI::App>(
-          "triax: a laboratory for triaxial tests. It says when, why and at what "
-          "stress ratio a specimen became unstable.",
-          "triax"),
+      std::make_unique<CLI::App>("triax processes triaxial tests on soil and reports whether, when "
+                                 "and at what stress ratio a specimen became unstable.",
+                                 "triax"),
       std::make_shared<std::function<void()>>()};
   CLI::App& app = *application.app;
   app.set_help_flag("--help,-h", "print this help and exit");
@@ -36,7 +35,7 @@ Application make_application(const std::vector<Command>& commands) {
                        "print the version and exit");
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer(
-      "\nExit status: 0 done, 1 failed while running, 2 wrong usage or bad input.\n"
+      "Exit status: 0 success, 1 failure at run time, 2 wrong usage or invalid input.\n"
       "See triax COMMAND --help or man triax-COMMAND for more.");
   for (const auto& command : commands) {
     CLI::App* sub = app.add_subcommand(command.name, command.purpose);

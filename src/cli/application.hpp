@@ -9,8 +9,8 @@
 
 namespace triax::src {
 
-/// The whole command line, built from what its commands say of themselves. `run` is what the parsed
-/// command does; empty where none was given.
+/// The whole command line, built from the descriptions of its commands. `run` executes the parsed
+/// command; it is empty if none was given.
 struct Application {
   std::unique_ptr<CLI::App> app;
   std::shared_ptr<std::function<void()>> run;

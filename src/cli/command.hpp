@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a command says of itself: the one source of --help, man page and shell completion.
+// The description of a command: the only source of --help, man page and shell completion.
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>
 #include <functional>
@@ -11,16 +11,16 @@ namespace triax::src {
 
 struct Example {
   std::string line;     ///< as typed, without the prompt
-  std::string purpose;  ///< what it does, a half sentence
+  std::string purpose;  ///< imperative half sentence: "list all tests"
 };
 
 struct Command {
   std::string name;
-  std::string purpose;                   ///< one line
+  std::string purpose;                   ///< one line: imperative verb and object
   std::vector<std::string> description;  ///< paragraphs
   std::vector<Example> diagnostics;      ///< a message (or its beginning) and the remedy
   std::vector<Example> examples;
-  /// Exit statuses beside 0, 1 and 2 (the number, its meaning).
+  /// Exit statuses other than 0, 1 and 2 (the number, its meaning).
   std::vector<Example> statuses = {};
   /// Adds the options to the sub-command and gives what is to be run once they are parsed. Touches
   /// no file. What is run throws lab::BadInput (status 2), EndedEarly (its own status) or anything

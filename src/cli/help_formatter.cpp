@@ -24,6 +24,7 @@ HelpFormatter::HelpFormatter() {
   column_width(34);
   label("REQUIRED", "(required)");
   label("SUBCOMMAND", "COMMAND");
+  label("Positionals", "Arguments");
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {

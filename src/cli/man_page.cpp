@@ -63,10 +63,9 @@ std::string synopsis(const CLI::App& sub) {
 
 std::string exit_status(const std::vector<Example>& more = {}) {
   std::string text =
-      ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\nfailed while running\n.TP\n2\nwrong usage or bad "
-      "input: one "
-      "line on standard error names the file, the line or key, what was found and what would be "
-      "right\n";
+      ".SH EXIT STATUS\n.TP\n0\nsuccess\n.TP\n1\nfailure at run time\n.TP\n2\nwrong usage or "
+      "invalid input: one line on standard error names the file, the line or key, what was found "
+      "and what is accepted\n";
   for (const auto& status : more)
     text += ".TP\n" + roff(status.line) + "\n" + roff(status.purpose) + "\n";
   return text;
@@ -75,7 +74,7 @@ std::string exit_status(const std::vector<Example>& more = {}) {
 }  // namespace
 
 std::string man_page(const CLI::App& app) {
-  std::string text = title("TRIAX") + ".SH NAME\ntriax \\- a laboratory for triaxial tests\n";
+  std::string text = title("TRIAX") + ".SH NAME\ntriax \\- Process triaxial tests on soil\n";
   text += ".SH SYNOPSIS\n\\fBtriax\\fR \\fICOMMAND\\fR [\\fIOPTION\\fR]...\n.SH DESCRIPTION\n" +
           roff(app.get_description()) + "\n.SH COMMANDS\n";
   for (const auto* sub : app.get_subcommands({}))

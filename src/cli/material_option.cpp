@@ -13,13 +13,13 @@
 namespace triax::src {
 
 void add_material(CLI::App& app, MaterialOptions& options) {
-  app.add_option("--material", options.name, "parameter set; listed by triax materials")
+  app.add_option("--material", options.name, "parameter set, as listed by triax materials")
       ->type_name("LAW/SET");
-  app.add_option("--materials", options.file,
-                 "sets of this file (also of a UMAT) instead of the shipped ones")
+  app.add_option(
+         "--materials", options.file,
+         "use the sets of this parameter file (also for a UMAT) instead of the shipped sets")
       ->type_name("FILE.toml");
-  app.add_option("--set", options.sets,
-                 "a parameter of the law instead of the set's; may be repeated")
+  app.add_option("--set", options.sets, "set a parameter of the law (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--void-ratio", options.void_ratio, "void ratio of the states")->type_name("E");
@@ -28,8 +28,8 @@ void add_material(CLI::App& app, MaterialOptions& options) {
 lab::MaterialSet chosen_material(const MaterialOptions& options) {
   if (options.name.empty())
     throw lab::BadInput(
-        "missing --material LAW/SET, as in --material inl2/S28-general; triax materials lists "
-        "the sets");
+        "missing --material LAW/SET, as in --material inl2/S28-general; `triax materials` lists "
+        "all sets");
   lab::MaterialSet material =
       options.file.empty()
           ? lab::find_material(options.name)

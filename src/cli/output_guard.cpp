@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include <cstring>
+#include <cerrno>
 #include <filesystem>
 
 #include "lab/base/bad_input.hpp"
@@ -40,8 +40,8 @@ void refuse_overwriting(const std::string& option, const std::string& output,
   for (const auto& file : kept)
     if (same_file(output, file))
       throw lab::BadInput(
-          fmt::format("{} {}: this is {} ({}) and would be overwritten; give another name", option,
-                      output, what, file));
+          fmt::format("{} {}: this file is {} ({}) and would be overwritten; give another name",
+                      option, output, what, file));
 }
 
 std::vector<std::string> files_of_prefix(const std::string& prefix,
@@ -57,7 +57,7 @@ namespace {
 
 void check_writable(const fs::path& folder, const std::string& target) {
   if (::access((folder / "").c_str(), W_OK | X_OK) != 0)
-    throw lab::WorkFailed(fmt::format("{}: cannot write: {}", target, std::strerror(errno)));
+    throw lab::WorkFailed(lab::describe_write_error(target, errno));
 }
 
 void check_file(const std::string& option, const std::string& output, const std::string& target) {
@@ -65,8 +65,10 @@ void check_file(const std::string& option, const std::string& output, const std:
   const fs::path file = lab::behind_links(target);
   const auto kind = fs::status(file, none).type();
   if (kind == fs::file_type::directory)
-    throw lab::BadInput(fmt::format("{} {}: {} is a folder", option, output, target));
+    throw lab::BadInput(
+        fmt::format("{} {}: {} is a folder; expected a file", option, output, target));
   if (kind == fs::file_type::character || kind == fs::file_type::fifo) return;
+  lab::check_folder_of(file.string());
   check_writable(file.has_parent_path() ? file.parent_path() : ".", target);
 }
 
@@ -80,7 +82,7 @@ void make_folder(const std::string& option, const std::string& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (std::error_code none; !fs::is_directory(folder, none))
-    throw lab::BadInput(fmt::format("{} {}: cannot create folder{}", option, folder,
+    throw lab::BadInput(fmt::format("{} {}: folder cannot be created{}", option, folder,
                                     failed ? ": " + failed.message() : std::string()));
 }
 
@@ -90,7 +92,7 @@ void check_folder(const std::string& option, const std::string& folder,
   std::error_code none;
   if (fs::exists(folder, none)) {
     if (!fs::is_directory(folder, none))
-      throw lab::BadInput(fmt::format("{} {}: this is a file; expected a folder", option, folder));
+      throw lab::BadInput(fmt::format("{} {}: is a file; expected a folder", option, folder));
     for (const auto& target : targets) check_file(option, folder, target);
     return;
   }
@@ -107,7 +109,7 @@ void check_targets(const std::string& option, const std::string& output,
                    const std::vector<std::string>& targets) {
   if (output.empty() || output == "-") return;
   if (output.back() == '/')
-    throw lab::BadInput(fmt::format("{} {}: this is a folder; expected a file", option, output));
+    throw lab::BadInput(fmt::format("{} {}: is a folder; expected a file", option, output));
   for (const auto& target : targets) check_file(option, output, target);
 }
 

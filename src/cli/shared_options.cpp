@@ -27,7 +27,7 @@ void add_format_of(CLI::App& app, const std::vector<std::string>& formats,
                    const std::function<void(const std::string&)>& chosen) {
   const CLI::Option* format =
       app.add_option_function<std::string>("--format", chosen,
-                                           fmt::format("form of the results [{}]", formats.front()))
+                                           fmt::format("output format [{}]", formats.front()))
           ->check(CLI::IsMember(formats).description(""))
           ->type_name(fmt::format("{}", fmt::join(formats, "|")));
   app.add_flag_callback(
@@ -38,7 +38,7 @@ void add_format_of(CLI::App& app, const std::vector<std::string>& formats,
                                                            format->as<std::string>()));
         chosen("json");
       },
-      "short for --format json: one JSON document, nothing else on standard output");
+      "same as --format json");
 }
 
 }  // namespace
@@ -54,13 +54,14 @@ void add_json(CLI::App& app, bool& json) {
 }
 
 void add_live(CLI::App& app, bool& live) {
-  app.add_flag("--live", live, "what was said while the test ran, and when, instead of the result");
+  app.add_flag("--live", live,
+               "print what was reported during the test, and when, instead of the result");
 }
 
 void add_earlier(CLI::App& app, std::vector<std::string>& tests) {
   app.add_option("--earlier", tests,
-                 "test of the database, of the same sand at about that density, of which the alarm "
-                 "is told; may be repeated")
+                 "stored test on the same sand at a similar density, used to improve the onset "
+                 "forecast (repeatable)")
       ->type_name("TEST")
       ->allow_extra_args(false);
 }
@@ -84,11 +85,10 @@ void add_speed(CLI::App& app, double& speed) {
            if (!(speed > 0) || !std::isfinite(speed))
              throw CLI::ValidationError(
                  "--speed",
-                 fmt::format("'{}' is not valid; expected max, or how many times faster than "
-                             "the clock, as in 60",
+                 fmt::format("'{}' is not valid; expected max, or a factor of real time, as in 60",
                              text));
          },
-         "pace: as fast as possible, or N times the clock; results do not depend on it [max]")
+         "pace: max, or N times real time, without effect on the results [max]")
       ->type_name("max|N");
 }
 

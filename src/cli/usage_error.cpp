@@ -46,6 +46,18 @@ std::string as_typed(const CLI::Option& option) {
   return option.get_name() + (option.get_positional() || type.empty() ? "" : " " + type);
 }
 
+/// "missing --record OUT.csv (the file to write)".
+std::string missing_option(const CLI::App& command, const std::string& name) {
+  const auto* option = option_of(command, name);
+  if (option == nullptr) return "missing " + name;
+  // A description can have a default in brackets, or go on with details.
+  const std::string text = option->get_description();
+  const std::string_view brief =
+      lab::trimmed(std::string_view(text).substr(0, text.find_first_of(";[(")));
+  return fmt::format("missing {}{}", as_typed(*option),
+                     brief.empty() ? std::string() : fmt::format(" ({})", brief));
+}
+
 /// Choices of an option whose type is written a|b|c.
 std::vector<std::string> choices(const std::string& type) {
   std::vector<std::string> all(1);
@@ -66,7 +78,7 @@ std::string superfluous(const CLI::App& command, const std::string& named) {
       return fmt::format("unknown option {}{}", name,
                          near.empty() ? std::string() : fmt::format("; did you mean {}?", near));
     }
-  return fmt::format("unexpected argument {}: {} takes no more of them",
+  return fmt::format("unexpected argument {}: too many arguments for {}",
                      lab::excerpt(rest.empty() ? "" : rest.front()), named);
 }
 
@@ -93,9 +105,9 @@ std::string not_valid(const CLI::Option& option, const std::string& message) {
     return fmt::format("{}: {} is out of range; expected {}", option.get_name(), value,
                        range_text(message.substr(range + kRange.size())));
   if (type.find('|') != std::string::npos)
-    return fmt::format("{}: {} is not valid; {}", option.get_name(), value,
-                       lab::suggestion(given.empty() ? "" : given.back(), choices(type)));
-  return fmt::format("{}: {} is not a number; expected {}", option.get_name(), value,
+    return fmt::format("{}: {}", option.get_name(),
+                       lab::invalid_value(given.empty() ? "" : given.back(), choices(type)));
+  return fmt::format("{}: {} is not valid; expected {}", option.get_name(), value,
                      as_typed(option));
 }
 
@@ -114,8 +126,7 @@ std::string fault(const CLI::App& app, const CLI::App* command, const CLI::Parse
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return superfluous(*command, named);
   const auto name_end = message.find(" is required");
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && name_end != std::string::npos)
-    return fmt::format("missing {}; expected {} {}", message.substr(0, name_end), named,
-                       message.substr(0, name_end));
+    return missing_option(*command, message.substr(0, name_end));
   constexpr std::string_view kConversion = "Could not convert: ";
   const bool conversion = message.starts_with(kConversion);
   const CLI::Option* option =
@@ -135,7 +146,7 @@ std::string fault(const CLI::App& app, const CLI::App* command, const CLI::Parse
 }  // namespace
 
 std::string missing_command(const CLI::App& app) {
-  return "missing command; known: " + lab::joined(command_names(app));
+  return "missing command; " + lab::must_be_one_of(command_names(app));
 }
 
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error,

@@ -30,7 +30,7 @@ study::ReportedDomain compute(const DomainOptions& o, const lab::MaterialSet& ma
   const study::DomainSettings::Grid grid = chosen_grid(o, material);
   if (piece.count > grid.columns)
     throw lab::BadInput(
-        fmt::format("--piece {}: the grid has only {} columns to share", o.piece, grid.columns));
+        fmt::format("--piece {}: the grid has only {} columns", o.piece, grid.columns));
   return study::run_domain({.material = material,
                             .grid = grid,
                             .threads = o.jobs,
@@ -97,7 +97,7 @@ void refuse_if_nothing_is_answered(const study::ReportedDomain& domain) {
   if (study::any_answer(domain)) return;
   const study::ReportedColumn& first = domain.columns.front();
   throw lab::WorkFailed(
-      fmt::format("{} gives no result at any state of the grid; at p' {:g} kPa first: {}",
+      fmt::format("{} gives no result at any state of the grid; first at p' {:g} kPa: {}",
                   domain.settings.material.name, first.p_eff_kPa, on_one_line(first.refusal)));
 }
 
@@ -125,49 +125,49 @@ void run(const DomainOptions& o) {
 Command domain_command() {
   return {
       .name = "domain",
-      .purpose = "map the bifurcation domain of a material in the p'-q plane",
+      .purpose = "Map the bifurcation domain of a material in the p'-q plane",
       .description =
-          {"Every state (p', q) of a grid at one void ratio is probed with stress increments in "
-           "all directions of the plane: stable where the second-order work is positive in all of "
-           "them, unstable inside the bifurcation domain, unknown where the law has no "
-           "answer in some directions "
-           "and the others are stable. Between the rows the boundary is "
-           "isolated: the first unstable state with its direction, isotropic unloading (dq = 0 "
-           "with falling p', where undrained tests have their peak and tests at constant q "
-           "collapse), and the plastic limit. States have no memory of a reversal.",
-           "Columns of one p' are independent of each other. They run on all cores, and --piece "
-           "I/N computes every N-th of them only, as one task of a batch system or of MPI; --merge "
-           "puts the pieces together to what a run in one go gives, to the byte."},
-      .diagnostics =
-          {{"... gives no result at any state of the grid; ...",
-            "all of them are out of the law's range, for the reason that follows: choose another "
-            "void ratio, or correct the UMAT that fails"},
-           {"--merge: piece I of N is missing", "run that piece again, with the same options"},
-           {"FILE: is a piece of another domain: ...", "its settings differ from the first file's"},
-           {"FILE: is not a complete JSON document; ...",
-            "the task that wrote it was killed: run it again"},
-           {"--plane plane-strain: ... is not formulated for it",
-            "the law is one of axisymmetry only"}},
+          {"Probes every state (p', q) of a grid at one void ratio with stress increments in all "
+           "directions of the plane. A state is stable if the second-order work is positive in all "
+           "of them, unstable if it is inside the bifurcation domain, and unknown if the law gives "
+           "no result in some directions and the others are stable. The boundary is located "
+           "between the rows: the first unstable state with its direction, isotropic unloading (dq "
+           "= 0 with decreasing p', the direction of undrained tests at their peak and of tests at "
+           "constant q at collapse), and the plastic limit. States have no memory of a reversal.",
+           "Columns of one p' are independent of each other and run on all cores. --piece I/N "
+           "computes only columns I, I+N, I+2N, ... as one task of a batch system or of MPI. "
+           "--merge combines the pieces to the same bytes as a single run."},
+      .diagnostics = {{"... gives no result at any state of the grid; ...",
+                       "choose another void ratio, or correct the UMAT: every state is out of the "
+                       "range of the law for the reason given"},
+                      {"--merge: piece I of N is missing",
+                       "run that piece again with the same options"},
+                      {"FILE: is a piece of another domain: ...",
+                       "merge only pieces with the same settings"},
+                      {"FILE: is not a complete JSON document; ...",
+                       "run its task again: it was killed while writing the file"},
+                      {"--plane plane-strain: ... is not formulated for it",
+                       "use --plane axisymmetric: the law is formulated for axisymmetry only"}},
       .examples =
           {{"triax domain --material inl2/S28-general --void-ratio 1.086",
-            "200 x 200 states with 360 directions each"},
+            "map 200 x 200 states with 360 directions each"},
            {"triax domain --material octolinear/S28-general --void-ratio 0.85 --p-kPa 50:800/100 "
             "--q-kPa -400:900/260 --output dense",
-            "extension too, as dense.csv and dense.json"},
+            "include extension and write the results to folder dense"},
            {"triax domain --materials my_umat.toml --material umat/sand --void-ratio 0.8 --plane "
             "plane-strain --json",
-            "your own law in plane strain"},
+            "map your own law in plane strain"},
            {"triax domain --material inl2/S28-general --void-ratio 1.086 --piece "
             "$SLURM_ARRAY_TASK_ID/64 --output piece_$SLURM_ARRAY_TASK_ID.json",
-            "one task of an array job 1-64"},
-           {"triax domain --merge piece_*.json --output loose", "all tasks put together"},
-           {"triax domain --material inl2/S28-general --void-ratio 1.1 --p-kPa 100:900/9 "
-            "--q-kPa 0:900/10 --test 27 --test 58 --output fig12",
-            "cones at some states, and the increments of two tests at collapse on top"},
+            "run one task of an array job 1-64"},
+           {"triax domain --merge piece_*.json --output loose", "merge the pieces of all tasks"},
+           {"triax domain --material inl2/S28-general --void-ratio 1.1 --p-kPa 100:900/9 --q-kPa "
+            "0:900/10 --test 27 --test 58 --output fig12",
+            "draw the cones at some states with the measured increments of two tests at collapse"},
            {"triax domain --material inl2/S28-general --void-ratio 1.086 --jobs 1 --piece "
             "$((OMPI_COMM_WORLD_RANK+1))/$OMPI_COMM_WORLD_SIZE --output "
             "piece_$OMPI_COMM_WORLD_RANK.json",
-            "the same under MPI: what mpirun -n 8 sh -c '...' is given, a process a piece"}},
+            "run one piece per process under MPI, as the argument of mpirun -n 8 sh -c '...'"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<DomainOptions>();
         add_domain_options(app, *o);

@@ -30,9 +30,9 @@ study::GridLine line(const char* option, const std::string& text, const study::G
     const lab::Range range =
         lab::read_range(ends_only ? fmt::format("{}/{}", text, usual.count) : text, kMostValues);
     if (!range.meets_end())
-      throw std::invalid_argument(
-          fmt::format("{} does not meet its end by this step; for {:g} values write {:g}:{:g}/{:g}",
-                      lab::excerpt(text), *range.step, range.from, range.to, *range.step));
+      throw std::invalid_argument(fmt::format(
+          "{} does not reach its end with this step; for {:g} values write {:g}:{:g}/{:g}",
+          lab::excerpt(text), *range.step, range.from, range.to, *range.step));
     study::GridLine found = usual;
     found.from = range.from;
     found.to = range.to;
@@ -47,16 +47,19 @@ study::GridLine line(const char* option, const std::string& text, const study::G
 
 void add_domain_options(CLI::App& app, DomainOptions& o) {
   add_material(app, o.material);
-  app.add_option("--p-kPa", o.p, "mean effective stresses [10:300/200 within the set's range]")
+  app.add_option("--p-kPa", o.p,
+                 "mean effective stresses in kPa; RANGE is FROM:TO/COUNT or FROM:TO:STEP "
+                 "[10:300/200 within the range of the set]")
       ->type_name("RANGE");
-  app.add_option("--q-kPa", o.q,
-                 "deviator stresses, below 0 in extension [200 from 0 to M times the highest p']; "
-                 "ranges are FROM:TO/COUNT or FROM:TO:STEP")
+  app.add_option(
+         "--q-kPa", o.q,
+         "deviator stresses in kPa, negative in extension [200 values from 0 to M times the "
+         "highest p']")
       ->type_name("RANGE");
   app.add_option("--plane", o.plane, "plane of the stress increments [axisymmetric]")
       ->check(CLI::IsMember({"axisymmetric", "plane-strain"}).description(""))
       ->type_name("axisymmetric|plane-strain");
-  app.add_option("--directions", o.directions, "directions at each state")
+  app.add_option("--directions", o.directions, "number of directions at each state")
       ->capture_default_str()
       ->type_name("N");
   for (const auto& kind : sim::domain_criterion_kinds())
@@ -64,22 +67,20 @@ void add_domain_options(CLI::App& app, DomainOptions& o) {
       app.add_flag_callback(
           fmt::format("--{}", kind.name), [&o, kind] { o.criteria.emplace_back(kind.name); },
           std::string(kind.help));
-  add_jobs(app, o.jobs, "threads; results do not depend on them", 4096);
+  add_jobs(app, o.jobs, "number of threads, without effect on the results", 4096);
   app.add_option("--piece", o.piece,
-                 "compute every N-th column from the I-th on only, and "
-                 "write them to the file --output")
+                 "compute only columns I, I+N, I+2N, ... and write them to the file --output")
       ->type_name("I/N");
-  app.add_option("--merge", o.merge, "merge these pieces only, compute nothing")
+  app.add_option("--merge", o.merge, "merge these pieces instead of computing")
       ->type_name("FILE...");
-  app.add_option(
-         "--output", o.output,
-         "write into FOLDER domain.csv (states), domain_boundaries.csv, domain.json, the map "
-         "as domain.svg, .png and .pdf, and the cones at some states as domain_cones_pq and "
-         "domain_cones_rendulic; with --piece the file of the piece")
+  app.add_option("--output", o.output,
+                 "write domain.csv (states), domain_boundaries.csv, domain.json, the map as "
+                 "domain.svg, .png and .pdf, and cones at some states as domain_cones_pq and "
+                 "domain_cones_rendulic to FOLDER; with --piece, the file of the piece")
       ->type_name("FOLDER");
   app.add_option("--test", o.tests,
-                 "put the measured increment of this test at its collapse on the figures of "
-                 "cones; may be repeated")
+                 "show the measured increment of this test at collapse in the figures of cones "
+                 "(repeatable)")
       ->type_name("TEST")
       ->allow_extra_args(false);
   add_db(app, o.db);
@@ -94,17 +95,13 @@ void check_domain_options(const CLI::App& app, const DomainOptions& o) {
       if (option->count() > 0 &&
           std::ranges::find(kWithMerge, option->get_name()) == kWithMerge.end())
         throw lab::BadInput(
-            fmt::format("{} and --merge: the pieces were computed with options of their own, "
-                        "nothing is computed here",
+            fmt::format("{} cannot be used with --merge: the options are those of the pieces",
                         option->get_name()));
-  if (!o.piece.empty() && o.output.empty())
-    throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
+  if (!o.piece.empty() && o.output.empty()) throw lab::BadInput("--piece needs --output FILE");
   if (!o.piece.empty() && o.json)
-    throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
+    throw lab::BadInput("--piece excludes --json: it writes to --output and prints nothing");
   if (!o.tests.empty() && (o.output.empty() || !o.piece.empty() || o.plane != "axisymmetric"))
-    throw lab::BadInput(
-        "--test is for the figures of cones: it needs --output, the "
-        "axisymmetric plane and no --piece");
+    throw lab::BadInput("--test needs --output and the axisymmetric plane, and excludes --piece");
 }
 
 study::DomainSettings::Grid chosen_grid(const DomainOptions& o, const lab::MaterialSet& material) {

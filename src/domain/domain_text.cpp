@@ -117,7 +117,7 @@ std::string domain_text(const study::ReportedDomain& domain) {
   for (const auto& column : domain.columns) {
     if (column.refusal.empty()) continue;
     out +=
-        fact("refused", fmt::format("at p′ {:g} kPa first: {}", column.p_eff_kPa, column.refusal));
+        fact("refused", fmt::format("first at p′ {:g} kPa: {}", column.p_eff_kPa, column.refusal));
     break;
   }
   for (const auto& warning : warnings) out += fact("warning", warning);

@@ -29,14 +29,11 @@ struct ElementOptions {
 void run_element(const ElementOptions& o) {
   const lab::PathDescription description =
       study::described_path(o.path, key_values(o.sets, "void_ratio=1.086"));
-  refuse_overwriting("--output", o.output, description.files, "what the path is read from");
-  refuse_overwriting("--save-failure", o.save_failure, description.files,
-                     "what the path is read from");
+  refuse_overwriting("--output", o.output, description.files, "a file of the path");
+  refuse_overwriting("--save-failure", o.save_failure, description.files, "a file of the path");
   if (!o.save_failure.empty() && description.material_name.empty())
     throw lab::BadInput(
-        "--save-failure: the material of incrementalDriver files has no name that a path file "
-        "could "
-        "use");
+        "--save-failure: a material of incrementalDriver files has no name for a path file");
   if (!o.output.empty())
     refuse_overwriting("--save-failure", o.save_failure, {o.output}, "the file of --output");
   const study::PathResult result = study::run_element(description, progress_bars());
@@ -46,7 +43,7 @@ void run_element(const ElementOptions& o) {
     write_file(o.output, o.output.ends_with(".json") ? path_json(result) : path_csv(result));
   if (!o.figure.empty()) {
     const auto figure = path_figure(result);
-    if (!figure.drawing.plot) throw lab::BadInput("--figure: the path has no two rows to draw");
+    if (!figure.drawing.plot) throw lab::BadInput("--figure: the path has fewer than two rows");
     write_named_figure(figure, o.figure);
   }
   print(o.format == "json"  ? path_json(result)
@@ -60,43 +57,45 @@ void run_element(const ElementOptions& o) {
 Command element_command() {
   return {
       .name = "element",
-      .purpose = "take one material point along a path, without apparatus",
+      .purpose = "Run a material point along a stress or strain path",
       .description =
-          {"PATH is a TOML file: a material, a start, and segments of conditions on stress and "
-           "strain increments, any six of them (two in axisymmetry): drained, undrained, constant "
-           "p', constant q, proportional strain, free combinations. Integration is "
-           "error-controlled; zero of the second-order work, peaks, end conditions and the limit "
-           "of control are isolated within the step.",
-           "Beyond the limit load the run stops, says which condition cannot be held any longer "
-           "and where, and ends with status 1 after it has printed its results. --save-failure "
-           "writes the increment that could not be done as a path of its own.",
-           "Of what a law remembers, columns memory.NAME, those that end in _root2 hold sqrt(2) "
-           "times "
-           "the component of the tensor; [start] memory is given in the same measure.",
-           "PATH may also be a folder with test.inp, parameters.inp and initialconditions.inp of "
-           "Niemunis' incrementalDriver, or the test.inp (of any name that ends in .inp) in it; "
-           "--set umat=libNAME.so names the library with its UMAT."},
+          {"PATH is a TOML file with a material, a start and segments of conditions on stress and "
+           "strain increments: any six conditions, or two in axisymmetry. Drained, undrained, "
+           "constant p', constant q, proportional strain and free combinations are possible. "
+           "Integration is error-controlled. Zeros of the second-order work, peaks, end conditions "
+           "and loss of control are located within the step.",
+           "Beyond the limit load, the run stops, reports which condition cannot be maintained and "
+           "at which state, prints its results and ends with status 1. --save-failure writes the "
+           "increment that failed as a path file.",
+           "Columns memory.NAME contain the state variables of the law. Columns whose names end in "
+           "_root2 contain sqrt(2) times the tensor component, and [start] memory is given in the "
+           "same scale.",
+           "PATH can also be a folder with test.inp, parameters.inp and initialconditions.inp of "
+           "Niemunis' incrementalDriver, or the test.inp in it (any name that ends in .inp). --set "
+           "umat=libNAME.so names the library with the UMAT."},
       .diagnostics =
           {{"control of q_kPa is lost ...",
-            "the material cannot carry more: reduce the load, or control a strain instead"},
-           {"... is out of range for ...", "the start lies outside what the law can describe"},
-           {"the closed cycle of stress ... gives ... more than it takes",
-            "bulk and shear modulus that follow p' alone have no energy: --set hyperelastic=1"},
+            "reduce the load, or control a strain instead: the material cannot carry more"},
+           {"... is out of range for ...", "choose a start within the range of the law"},
+           {"the closed cycle of stress ... gains ...",
+            "use --set hyperelastic=1: bulk and shear moduli that depend on p' alone do not "
+            "conserve energy"},
            {"undrained needs one condition on a total stress",
-            "the pore pressure would be undetermined: add radial_stress_kPa = 0, say"}},
+            "add a condition such as radial_stress_kPa = 0: the pore pressure is undetermined "
+            "without it"}},
       .examples =
           {{"triax element samples/paths/icu_100.toml --set void_ratio=1.05 --json",
-            "undrained compression of a denser specimen"},
+            "compress a denser specimen undrained"},
            {"triax element samples/paths/load_beyond_limit.toml --save-failure step.toml",
-            "a load that cannot be carried: status 1, and the step as a file"},
+            "apply a load that cannot be carried (status 1) and save the increment that failed"},
            {"triax element FOLDER/test.inp",
-            "files of incrementalDriver; the folder alone says the same"},
+            "run files of incrementalDriver; naming only the folder does the same"},
            {"triax element FOLDER --set umat=libsand.so --set void_ratio_index=7",
-            "the same with their UMAT, built as a shared library"},
+            "run them with their UMAT, built as a shared library"},
            {"triax element samples/paths/drained_100.toml --figure drained",
-            "the path as figures: drained_path.svg, .png, .pdf"},
+            "write the figure of the path as drained_path.svg, .png and .pdf"},
            {"triax element path.toml --set material=sanisand/Toyoura-DM04 --output rows.csv",
-            "another material, and all rows for a spreadsheet"}},
+            "use another material and write all rows for a spreadsheet"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<ElementOptions>();
         app.add_option("PATH", o->path,
@@ -104,19 +103,18 @@ Command element_command() {
             ->required()
             ->type_name("");
         app.add_option("--set", o->sets,
-                       "material, void_ratio, p_eff_kPa, tolerance or a parameter of the law "
-                       "instead of the file's; may be repeated")
+                       "set material, void_ratio, p_eff_kPa, tolerance or a parameter of the law "
+                       "(repeatable)")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--output", o->output, "also write all rows, as CSV or (.json) as JSON")
+        app.add_option("--output", o->output, "also write all rows as CSV or JSON")
             ->type_name("FILE.csv|FILE.json");
         app.add_option("--save-failure", o->save_failure,
-                       "write an increment that could not be done as a path of its own")
+                       "write an increment that failed as a path file")
             ->type_name("FILE.toml");
-        app.add_option(
-               "--figure", o->figure,
-               "draw the path: q, volume and pore pressure over strain, stress path, e over "
-               "log p'; PREFIX_path.svg, .png, .pdf and its numbers as .csv and .json")
+        app.add_option("--figure", o->figure,
+                       "draw q, volume and pore pressure against strain, the stress path, and e "
+                       "against log p'; writes PREFIX_path.svg, .png, .pdf, .csv and .json")
             ->type_name("PREFIX");
         add_format(app, o->format, {"text", "json", "csv"});
         return [o] { run_element(*o); };

@@ -32,20 +32,21 @@ void run_materials(const MaterialsOptions& o) {
 
 Command materials_command() {
   return {.name = "materials",
-          .purpose = "list laws and parameter sets, or show the parameters of one",
-          .description = {"Without NAME all laws with their parameter sets: what they describe, in "
-                          "which range, and where the numbers come from. With a set, LAW/SET, its "
-                          "parameters with symbol, value, unit, range and meaning; with a law, the "
-                          "same without values."},
+          .purpose = "List laws and parameter sets, or show the parameters of one",
+          .description = {"Without NAME, lists all laws with their parameter sets: the soil that "
+                          "they describe, their range and the source of their values. With a set "
+                          "LAW/SET, lists its parameters with symbol, value, unit, range and "
+                          "meaning. With a law, lists the same without values."},
           .diagnostics = {{"unknown material 'LAW/SET'; ...",
-                           "the nearest name, and all that are known"}},
-          .examples = {{"triax materials", "all laws and sets"},
-                       {"triax materials sanisand/S28-general", "the parameters of one set"},
-                       {"triax materials --materials my_sand.toml", "your own sets"}},
+                           "use the nearest name, or one of the names listed"}},
+          .examples = {{"triax materials", "list all laws and sets"},
+                       {"triax materials sanisand/S28-general", "show the parameters of one set"},
+                       {"triax materials --materials my_sand.toml", "list your own sets"}},
           .set_up = [](CLI::App& app) -> std::function<void()> {
             const auto o = std::make_shared<MaterialsOptions>();
-            app.add_option("NAME", o->name, "set LAW/SET, or law")->type_name("");
-            app.add_option("--materials", o->file, "sets of this file instead of the shipped ones")
+            app.add_option("NAME", o->name, "parameter set LAW/SET, or law [all]")->type_name("");
+            app.add_option("--materials", o->file,
+                           "use the sets of this parameter file instead of the shipped sets")
                 ->type_name("FILE.toml");
             add_json(app, o->json);
             return [o] { run_materials(*o); };

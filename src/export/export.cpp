@@ -43,8 +43,8 @@ std::string format_of(const ExportOptions& o) {
   const std::string ending = std::filesystem::path(o.output).extension().string();
   for (const auto& format : kFormats)
     if (ending == '.' + format) return format;
-  throw lab::BadInput("which format? give --format " + lab::joined(kFormats, "|") +
-                      ", or a file with such an ending to --output");
+  throw lab::BadInput("no format: use --format " + lab::joined(kFormats, "|") +
+                      " or an --output file with that extension");
 }
 
 /// Letters, digits and a few signs of the name: what stands in any file system.
@@ -67,7 +67,7 @@ std::vector<std::string> files_of_tests(const ExportOptions& o, const std::strin
   if (!folder && tests.size() == 1) return {o.output};
   if (!folder)
     throw lab::BadInput(
-        fmt::format("--output {}: {} tests are {} files; give a folder that is there", o.output,
+        fmt::format("--output {}: {} tests need {} files; expected an existing folder", o.output,
                     tests.size(), tests.size()));
   FileNames names;
   std::vector<std::string> files;
@@ -91,8 +91,8 @@ void export_workbooks(const db::Store& store, const std::vector<study::TestResul
     const auto plain = export_workbook(store, tests[i], files[i]);
     if (plain > 0)
       notify(
-          fmt::format("{}: {} cells of states stand as numbers: no formula of the readings comes "
-                      "to what was stored",
+          fmt::format("{}: {} cells of states are numbers, because no formula of the readings "
+                      "gives the stored value",
                       files[i], plain));
   }
 }
@@ -115,8 +115,8 @@ void export_ags(const db::Store& store, const std::vector<study::TestResult>& te
       document.find("LOCA")->rows, [](const lab::AgsRow& row) { return row.front().empty(); });
   if (unsaid > 0)
     notify(
-        "tests without a location: LOCA_ID is empty there; give the client's with --set "
-        "TEST/LOCA_ID=... (and SAMP_REF, SAMP_TOP)");
+        "some tests have no location: LOCA_ID is empty; give it with --set TEST/LOCA_ID=... (and "
+        "SAMP_REF, SAMP_TOP)");
   write_file(o.output.empty() ? "-" : o.output, lab::ags_text(document));
 }
 
@@ -125,22 +125,21 @@ void check_file(const std::string& path) {
   std::string text;
   for (const auto& finding : check.findings) text += path + ": " + in_words(finding) + '\n';
   if (!check.unknown_groups.empty())
-    text += fmt::format("{}: held to the dictionary without {}\n", path,
+    text += fmt::format("{}: checked with the dictionary except {}\n", path,
                         lab::joined(check.unknown_groups));
   print(text);
   if (!check.findings.empty())
-    throw lab::BadInput(
-        path, 0, fmt::format("{} findings against the rules of AGS4", check.findings.size()));
-  print(path + ": no finding against the rules of AGS4\n");
+    throw lab::BadInput(path, 0,
+                        fmt::format("{} violations of the rules of AGS4", check.findings.size()));
+  print(path + ": no violation of the rules of AGS4\n");
 }
 
 void run_export(const ExportOptions& o) {
   if (!o.check.empty()) return check_file(o.check);
   const std::string format = format_of(o);
-  if (!o.sets.empty() && format != "ags")
-    throw lab::BadInput("--set says headings of --format ags");
+  if (!o.sets.empty() && format != "ags") throw lab::BadInput("--set needs --format ags");
   if (o.states && format != "csv")
-    throw lab::BadInput("--states is of --format csv; json and xlsx have both");
+    throw lab::BadInput("--states needs --format csv; json and xlsx contain the states already");
   refuse_overwriting("--output", o.output, database_files(o.db), "the database");
   const db::Store store(o.db);
   tell_of_gaps(o.db);
@@ -163,66 +162,60 @@ void run_export(const ExportOptions& o) {
 Command export_command() {
   return {
       .name = "export",
-      .purpose = "hand tests over: CSV, workbooks, JSON or AGS4",
+      .purpose = "Export tests as CSV, workbook, JSON or AGS4",
       .description =
-          {"Writes the named tests, or all, for other programs. A test is named by its number or "
-           "its name; of several with one name it is the latest.",
-           "csv is the record in triax's own form, a file a test, named after it in the current "
-           "folder or in the folder of --output; replay reads it again, bit for bit. With --states "
-           "it holds strains, stresses and second-order work instead. No cell is a formula to a "
-           "spreadsheet. json is the document of `triax report --format json` with readings and "
-           "states in it.",
-           "xlsx is a workbook a test, named as a csv is: specimen, stages, readings, states, the "
-           "blocks that second-order work rests on, verdict and charts. States are formulas of the "
-           "readings, so that each number can be followed, with the values that triax stored "
-           "beside "
-           "them. A text is never a formula. A sheet ends at row 1048576: a longer test is "
-           "refused, "
-           "and goes out as csv.",
-           "ags is one file of AGS4 4.1.1 with all tests: TREG and TRET, TRIG and TRIT of a UU "
-           "test, "
-           "CTRG, CTRC, CTRP and CTRD of a cyclic one; the stress ratio at the onset of collapse "
-           "and "
-           "its kind are headings of their own, declared in DICT. References of the client "
-           "(LOCA_ID, "
-           "SAMP_TOP, SAMP_REF, SAMP_TYPE, SAMP_ID, SPEC_REF, SPEC_DPTH) come from the preamble of "
-           "the record or from --set and stand as they were given. What the record does not know "
-           "is empty. A file that would break a rule of AGS4 is not written.",
-           "--check holds a file of AGS4 to the rules of the format and tells each line that "
-           "breaks "
-           "one; nothing is exported then."},
-      .diagnostics = {{"FILE: ... no such database; ...",
-                       "there is no database yet, or --db names another file"},
-                      {"the AGS4 file would break line N, rule 8, ...",
-                       "a value of --set is not of the type of its heading, or a reference has a "
-                       "sign that AGS4 has not"}},
+          {"Writes the named tests, or all tests, for other programs. A test is named by its "
+           "number or its name. If several tests have the same name, the latest is used.",
+           "csv is the record in the format of triax: one file for each test, named after the "
+           "test, in the current folder or in the folder of --output. triax replay reads it back "
+           "bit for bit. With --states, the file has strains, stresses and second-order work "
+           "instead. A spreadsheet does not evaluate any cell as a formula. json is the document "
+           "of `triax report --format json` with readings and states.",
+           "xlsx is one workbook for each test, named like a csv file: specimen, stages, readings, "
+           "states, the blocks from which second-order work is computed, the assessment, and "
+           "charts. States are formulas of the readings, so that each number can be traced, and "
+           "the values that triax stored are next to them. A text is never a formula. A worksheet "
+           "has at most 1048576 rows: export a longer test as csv.",
+           "ags is one file of AGS4 4.1.1 with all tests: TREG and TRET, TRIG and TRIT for a UU "
+           "test, CTRG, CTRC, CTRP and CTRD for a cyclic test. The stress ratio at the onset of "
+           "collapse and the kind of collapse have headings of their own, declared in DICT. "
+           "References of the client (LOCA_ID, SAMP_TOP, SAMP_REF, SAMP_TYPE, SAMP_ID, SPEC_REF, "
+           "SPEC_DPTH) come from the preamble of the record or from --set and are written "
+           "unchanged. Values that the record lacks are empty. A file that would violate a rule of "
+           "AGS4 is not written.",
+           "--check validates an AGS4 file against the rules of the format and lists each line "
+           "that violates one. Nothing is exported."},
+      .diagnostics = {{"FILE: database does not exist; ...",
+                       "correct --db, or create the database with triax simulate, run or replay"},
+                      {"the AGS4 file would violate line N, rule 8, ...",
+                       "correct the value of --set: it is not of the type of its heading, or has a "
+                       "character that AGS4 does not allow"}},
       .examples =
-          {{"triax export csu_26 --format csv", "the record as csu_26.csv"},
-           {"triax export csu_26 --format xlsx", "a workbook with live formulas as csu_26.xlsx"},
+          {{"triax export csu_26 --format csv", "export the record as csu_26.csv"},
+           {"triax export csu_26 --format xlsx",
+            "export a workbook with live formulas as csu_26.xlsx"},
            {"triax export 1 2 --format ags --set LOCA_ID=BH1 --set 1/SAMP_REF=22 --output lab.ags",
-            "two tests as AGS4, with the client's references"},
-           {"triax export --format json --output all.json", "all tests with readings and states"},
-           {"triax export --check lab.ags", "whether a file keeps to the rules of AGS4"}},
+            "export two tests as AGS4 with the references of the client"},
+           {"triax export --format json --output all.json",
+            "export all tests with readings and states"},
+           {"triax export --check lab.ags", "validate an AGS4 file"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<ExportOptions>();
-        app.add_option("TEST", o->tests, "numbers or names of tests; all if none is given")
-            ->type_name("");
+        app.add_option("TEST", o->tests, "tests, by number or name [all]")->type_name("");
         add_db(app, o->db);
-        app.add_option("--format", o->format, "form of what is handed over")
+        app.add_option("--format", o->format, "output format [extension of --output]")
             ->check(CLI::IsMember(kFormats).description(""))
             ->type_name(lab::joined(kFormats, "|"));
-        app.add_option("--output", o->output,
-                       "file to write, or a folder for several; its ending says the format")
+        app.add_option("--output", o->output, "file to write, or folder for several files")
             ->type_name("FILE");
-        app.add_option(
-               "--set", o->sets,
-               "a heading of AGS4 that the record does not hold, TEST/HEADING=VALUE for one "
-               "test alone; again for more")
+        app.add_option("--set", o->sets,
+                       "heading of AGS4 that the record lacks; TEST/HEADING=VALUE for one test "
+                       "(repeatable)")
             ->type_name("HEADING=VALUE")
             ->allow_extra_args(false);
-        app.add_flag("--states", o->states, "csv: states and second-order work, not the readings");
-        app.add_option("--check", o->check, "hold a file of AGS4 to the rules; nothing else")
-            ->type_name("FILE");
+        app.add_flag("--states", o->states,
+                     "write states and second-order work instead of readings (csv)");
+        app.add_option("--check", o->check, "validate an AGS4 file and exit")->type_name("FILE");
         return [o] { run_export(*o); };
       }};
 }

@@ -88,7 +88,7 @@ void add_rose(GrainContent& content, const lab::ReportedGrainStage& stage,
   add_section(content, title("responses and contacts"), std::move(tables.responses));
   add_section(content, title("density of second-order work (J/m³)"), std::move(tables.work), {},
               std::move(facts));
-  add_section(content, title("what microscopic and macroscopic work differ by (J/m³)"),
+  add_section(content, title("difference of microscopic and macroscopic work (J/m³)"),
               std::move(tables.gap), gap_notes());
   add_section(content, title("energy"), std::move(tables.energy), energy_notes());
 }

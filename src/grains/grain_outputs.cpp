@@ -43,9 +43,8 @@ GrainOutputs::GrainOutputs(const lab::GrainProgramme& programme, std::string pre
     : programme_(programme), prefix_(std::move(prefix)), stop_(std::move(stop)) {
   for (const lab::GrainStage& stage : programme.stages)
     if (prefix_.empty() && (stage.save || for_lammps(stage) || pictures_of(stage) > 0))
-      throw lab::BadInput(
-          programme.source, stage.line,
-          fmt::format("stage '{}' writes files: say where by --output FOLDER", stage.name));
+      throw lab::BadInput(programme.source, stage.line,
+                          fmt::format("stage '{}' writes files; give --output FOLDER", stage.name));
 }
 
 std::string GrainOutputs::named(const lab::GrainStage& stage, const std::string& ending) const {

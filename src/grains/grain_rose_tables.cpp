@@ -116,15 +116,15 @@ std::string null_words(const study::GrainRoseFindings& found, const sim::GrainPr
 
 std::vector<std::string> gap_notes() {
   return {
-      "micro − macro: Σ over contacts (11) less (7), the sum of the next three and of what is left",
-      "grains, contacts: their turning under the force that they carry; balance: lack of it",
-      "boundary: the term of Eq. (22), 0 where walls move steadily; it is no part of the sum"};
+      "micro − macro: Σ over contacts (11) minus (7), the sum of the next three columns and left",
+      "grains, contacts: their rotation under the forces they carry; balance: unbalanced forces",
+      "boundary: the term of Eq. (22), 0 if walls move steadily; not part of the sum"};
 }
 
 std::vector<std::string> energy_notes() {
   return {
       "walls = elastic + kinetic + friction + damping + stopped + error, from the first step on",
-      "error: over the largest of what came in, went out and was there",
+      "error: as a fraction of the largest of input, output and content",
       "momentum: the largest component that is missing, kg m/s"};
 }
 
@@ -180,13 +180,14 @@ std::vector<std::pair<std::string, std::string>> rose_facts(const lab::ReportedG
       fmt::format("within {:g} %: {}", 100 * study::kAgreement, ranges_words(found.agreeing)));
   if (found.gap_left)
     add("micro−macro",
-        fmt::format("turning of grains makes up {} % of it, all that was computed leaves {:.1e}",
+        fmt::format("{} % of the difference is the rotation of grains; fraction left {:.1e}",
                     number(100 * *found.gap_of_grains, 1), *found.gap_left));
-  if (found.most_boundary)
-    add("boundary",
-        fmt::format("the term of Eq. (22) is at most {} J/m³", number(*found.most_boundary, 4)));
-  if (found.most_ledger_error)
-    add("energy", fmt::format("the ledgers close to {:.1e}", *found.most_ledger_error));
+  if (found.max_boundary_term)
+    add("boundary", fmt::format("the term of Eq. (22) is at most {} J/m³",
+                                number(*found.max_boundary_term, 4)));
+  if (found.max_energy_error)
+    add("energy",
+        fmt::format("largest error of the energy balances {:.1e}", *found.max_energy_error));
   add("contacts", fmt::format("sliding or non-permanent, {:g} % more than in the null probe: {}",
                               100 * study::kIrreversible, ranges_words(found.irreversible)));
   add("motion", fmt::format("kinetic energy above {:g} times the least: {}", study::kDynamic,

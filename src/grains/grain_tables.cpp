@@ -71,7 +71,7 @@ std::string came_to(const lab::ReportedGrainStage& stage) { return std::visit(Ca
 
 Table stages_table(const lab::GrainReport& report) {
   Table table =
-      with_columns({"stage", "action", "from", "came to"}, {"n", "Z", "floating", "steps"});
+      with_columns({"stage", "action", "from", "result"}, {"n", "Z", "floating", "steps"});
   for (const auto& stage : report.stages)
     table.rows.push_back(
         {stage.name, spaced(stage.action), stage.from.empty() ? "as made" : stage.from,
@@ -99,8 +99,8 @@ Table paths_table(const lab::GrainReport& report) {
 
 std::vector<std::string> paths_notes() {
   return {
-      "peaks: largest of the points, the smallest where ε₁ is driven to extension",
-      fmt::format("η: of the points with p above {:g} % of the first one's", 100 * study::kLeastP),
+      "peaks: largest value of the points, in extension the smallest",
+      fmt::format("η: only points with p above {:g} % of p at the first point", 100 * study::kMinP),
       "largest K: kinetic energy, along the path"};
 }
 
@@ -125,10 +125,10 @@ Table strain_paths_table(const lab::GrainReport& report) {
 }
 
 std::vector<std::string> strain_paths_notes() {
-  return {
-      "peak, there: of σ₁ − σ₃/R",
-      fmt::format("falls: afterwards by more than {:g} % of the peak", 100 * study::kFallen),
-      "W₂ < 0: of Eq. (30) over a twentieth of the points, first negative and for as many more"};
+  return {"peak, there: of σ₁ − σ₃/R",
+          fmt::format("falls: afterwards by more than {:g} % of the peak", 100 * study::kFallen),
+          "W₂ < 0: Eq. (30) over a twentieth of the points, first negative and for that many "
+          "points more"};
 }
 
 Table marks_table(const lab::GrainReport& report) {
@@ -168,7 +168,7 @@ Table rests_table(const lab::GrainReport& report) {
 }
 
 Table perturbations_table(const lab::GrainReport& report) {
-  Table table = with_columns({"stage", "from"}, {"step (Pa)", "energy (J)", "hit", "came to",
+  Table table = with_columns({"stage", "from"}, {"step (Pa)", "energy (J)", "hit", "result",
                                                  "after (s)", "χ", "ε₁ (%)", "largest K (J)"});
   for_each<lab::ReportedPerturbation>(report, [&](const auto& stage, const auto& came) {
     const auto* last = came.points.empty() ? nullptr : &came.points.back();

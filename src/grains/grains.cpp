@@ -44,10 +44,9 @@ lab::GrainProgramme programme_of(const Options& o) {
 }
 
 void check_piece(const Options& o) {
-  if (o.output.empty())
-    throw lab::BadInput("--piece needs --output FILE, where the piece is to be written");
+  if (o.output.empty()) throw lab::BadInput("--piece needs --output FILE");
   if (o.json)
-    throw lab::BadInput("--piece and --json: a piece is written to --output, nothing is printed");
+    throw lab::BadInput("--piece excludes --json: it writes to --output and prints nothing");
   if (!o.merge.empty())
     throw lab::BadInput(
         "--piece and --merge exclude each other: first compute all pieces, then merge them");
@@ -55,12 +54,12 @@ void check_piece(const Options& o) {
 
 void check_output(const Options& o, const lab::GrainProgramme& programme,
                   std::vector<std::string> files) {
-  refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
+  refuse_overwriting("--db", o.db, programme.files, "part of the programme");
   if (o.output.empty()) return;
   files.push_back(o.piece.empty() ? o.prefix() + ".json" : o.output);
   (o.piece.empty() ? check_folder : check_targets)("--output", o.output, files);
   for (const auto& file : files) {
-    refuse_overwriting("--output", file, programme.files, "what the programme is read from");
+    refuse_overwriting("--output", file, programme.files, "part of the programme");
     refuse_overwriting("--output", file, o.merge, "a piece of --merge");
     refuse_overwriting("--output", file, database_files(o.db), "the database");
   }
@@ -78,7 +77,7 @@ void write_and_print(const Options& o, const db::StoredGrainRun& run) {
 }
 
 constexpr const char* kStopped = "stopped by the operator; the completed stages are stored";
-constexpr const char* kStoppedEarly = "stopped by the operator before there was a specimen";
+constexpr const char* kStoppedEarly = "stopped by the operator before the specimen was built";
 
 /// Shows the progress until the operator stops it.
 sim::GrainProgress shown_in(TaskProgress& progress, const Interruption& interruption) {
@@ -150,62 +149,61 @@ void run(const Options& o) {
 Command grains_command() {
   return {
       .name = "grains",
-      .purpose = "run a programme on a specimen of grains, a discrete element model",
+      .purpose = "Simulate tests on a specimen of grains (discrete elements)",
       .description =
-          {"A specimen of spheres in a box of six frictionless walls is made (a cloud compressed "
-           "with the friction that gives the density asked for) or loaded, and taken through "
-           "stages: "
-           "isotropic, drained and undrained compression or extension, proportional strain paths, "
-           "rest, stress probes in all directions with the second-order work of walls and "
-           "contacts, and perturbations of an equilibrium. The contacts are those of section 5 of "
-           "Darve, Sibille, Daouadji and Nicot (2007): linear stiffness, Coulomb friction, no "
-           "tension.",
-           "Each stage starts from the one before it, or from the stage or mark that it names. "
-           "Every stage is stored as it ends and called simulated; the same programme gives the "
-           "same bits on any number of threads, and a saved state continues as if the run had "
-           "never "
-           "ended.",
-           "--output FOLDER writes grains.json, a CSV a stage, the figures, and the files that "
-           "stages ask for: states, pictures for ParaView, the stage for LAMMPS. Ctrl-C stops "
-           "after the current step; completed stages are stored.",
-           "The probes of a saved state do not depend on each other: --piece I/N makes every N-th "
-           "of them only, as one task of a batch system, and --merge puts the pieces together to "
-           "what a run in one go gives, to the bit."},
+          {"Makes a specimen of spheres in a box of six frictionless walls (a cloud compressed "
+           "with the friction that gives the requested density), or loads one, and runs stages on "
+           "it: isotropic, drained and undrained compression or extension, proportional strain "
+           "paths, relaxation to equilibrium, stress probes in all directions with the "
+           "second-order work of walls and contacts, and perturbations of an equilibrium. The "
+           "contacts follow section 5 of Darve, Sibille, Daouadji and Nicot (2007): linear "
+           "stiffness, Coulomb friction, no tension.",
+           "Each stage starts from the previous stage, or from the stage or mark that it names. "
+           "Every stage is stored when it ends and is marked as simulated. The same programme "
+           "gives bit-identical results on any number of threads, and a run that continues from a "
+           "saved state gives the same results as an uninterrupted run.",
+           "--output FOLDER writes grains.json, a CSV file for each stage, the figures, and the "
+           "files that stages request: states, files for ParaView, the stage for LAMMPS. Ctrl-C "
+           "stops after the current step, and completed stages are stored.",
+           "Probes of a saved state are independent of each other: --piece I/N makes only probes "
+           "I, I+N, I+2N, ... as one task of a batch system. --merge combines the pieces to "
+           "bit-identical results of a single run."},
       .diagnostics =
-          {{"FILE:LINE: ...", "the programme could not be understood there"},
+          {{"FILE:LINE: ...", "correct this line of the programme"},
            {"a porosity of ... was not reached, ...",
-            "ask for another one, or for the friction of compaction that gives the nearest"},
+            "choose another porosity, or the friction of compaction that gives the nearest one"},
            {"stage '...': its start '...' was never reached",
-            "the path ended before the mark: see the peak that it reached"}},
-      .examples = {{"triax grains samples/grains/quick.toml", "a small specimen, some seconds"},
+            "start from a mark before the peak that the path reached: the path ended before this "
+            "mark"}},
+      .examples = {{"triax grains samples/grains/quick.toml",
+                    "simulate a small specimen in some seconds"},
                    {"triax grains samples/grains/dense.toml --output dense",
-                    "probes of 10,000 grains with figures 13 to 15 of the paper"},
+                    "probe 10,000 grains and draw figures 13 to 15 of the paper"},
                    {"triax grains samples/grains/medium.toml --output medium --jobs 1",
-                    "strain paths and perturbed equilibria, figures 16 to 18, on one core"},
+                    "run strain paths and perturbed equilibria (figures 16 to 18) on one core"},
                    {"triax grains dense.toml --set specimen.seed=7 --set contact.damping=0.1",
-                    "another specimen, other damping"},
+                    "use another specimen and another damping"},
                    {"triax grains probes.toml --piece $SLURM_ARRAY_TASK_ID/37 --jobs 1 --output "
                     "piece_$SLURM_ARRAY_TASK_ID.json",
-                    "one task of an array job 1-37"},
-                   {"triax grains probes.toml --merge piece_*.json --output rose",
-                    "all tasks together"}},
+                    "run one task of an array job 1-37"},
+                   {"triax grains probes.toml --merge piece_*.json --output probes",
+                    "merge the pieces of all tasks"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<Options>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--set", o->sets,
-                       "another value for a key of the programme; may be repeated")
+        app.add_option("--set", o->sets, "set a key of the programme (repeatable)")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         app.add_option("--output", o->output,
-                       "also write document, data and figures into FOLDER; with --piece the file "
-                       "of the piece")
+                       "also write grains.json, data and figures to FOLDER; with --piece, the "
+                       "file of the piece")
             ->type_name("FOLDER");
-        add_jobs(app, o->jobs, "threads; results do not depend on them", 64);
+        add_jobs(app, o->jobs, "number of threads, without effect on the results", 64);
         app.add_option("--piece", o->piece,
-                       "make every N-th probe from the I-th on only, and write them to the file "
-                       "--output")
+                       "compute only probes I, I+N, I+2N, ... and write them to the file --output")
             ->type_name("I/N");
-        app.add_option("--merge", o->merge, "take the probes from these pieces")
+        app.add_option("--merge", o->merge,
+                       "use the probes of these pieces instead of computing them")
             ->type_name("FILE...");
         add_db(app, o->db);
         add_json(app, o->json);

@@ -21,7 +21,8 @@ namespace {
 void require(bool written) {
   if (!written && errno == EPIPE) throw ClosedPipe();
   if (!written)
-    throw lab::WorkFailed(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+    throw lab::WorkFailed(
+        fmt::format("standard output cannot be written: {}", std::strerror(errno)));
 }
 
 /// What passes bytes on and keeps none: nothing there to be replaced, nothing to appear whole.
@@ -36,8 +37,7 @@ void write_straight(const std::string& path, std::string_view bytes) {
   const bool written = descriptor >= 0 && lab::write_all(descriptor, bytes);
   const int error = errno;
   if (descriptor >= 0) ::close(descriptor);
-  if (!written)
-    throw lab::WorkFailed(fmt::format("{}: cannot be written: {}", path, std::strerror(error)));
+  if (!written) throw lab::WorkFailed(lab::describe_write_error(path, error));
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ void write_when_there_is_room(const std::function<void()>& write,
   bool waits = false;
   for (;; std::this_thread::sleep_for(250ms)) try {
       write();
-      if (waits) notify("the disk has room again; no file is lost");
+      if (waits) notify("disk space is available again; no file is lost");
       return;
     } catch (const lab::NoRoom& full) {
       if (stop && stop()) throw;
-      if (!waits) notify(std::string(full.what()) + "; the run waits until there is room");
+      if (!waits) notify(std::string(full.what()) + "; waiting for free disk space");
       waits = true;
     }
 }

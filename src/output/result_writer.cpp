@@ -153,7 +153,7 @@ class JsonWriter : public ResultWriter {
   };
   [[noreturn]] static void fail() {
     throw lab::WorkFailed(
-        fmt::format("a temporary file cannot be written: {}", std::strerror(errno)));
+        fmt::format("temporary file cannot be written: {}", std::strerror(errno)));
   }
   void wait(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), waiting_.get()) != text.size()) fail();

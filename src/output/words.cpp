@@ -55,8 +55,8 @@ std::string duration(std::optional<double> seconds) {
 std::string sign_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign) {
   if (!sign || status == db::TestStatus::complete) return {};
   return status == db::TestStatus::running
-             ? fmt::format(", last sign of life {} s ago", sign->silent_s)
-             : fmt::format(", no sign of life since {}", sign->at);
+             ? fmt::format(", last heartbeat {} s ago", sign->silent_s)
+             : fmt::format(", no heartbeat since {}", sign->at);
 }
 
 std::string status_in_words(db::TestStatus status, const std::optional<db::SignOfLife>& sign) {

@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/whole_file.hpp"
 #include "lab/wire/rig_file.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/cli/shared_options.hpp"
@@ -61,9 +62,7 @@ class EnteredLines {
 
 void check_database(const std::string& path) {
   if (std::filesystem::exists(path)) db::Store{path};
-  const auto folder = std::filesystem::path(path).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder))
-    throw lab::BadInput(path, 0, "there is no folder " + folder.string() + "; create it first");
+  lab::check_folder_of(path);
 }
 
 void run_open(const OpenOptions& o) {
@@ -90,8 +89,8 @@ void run_open(const OpenOptions& o) {
   laboratory.new_address = [&server] { return server.new_address(); };
   if (!o.listen.empty())
     notify(
-        "what browsers of other machines send and are given is not encrypted: listen in a "
-        "network that you trust");
+        "connections to other computers are not encrypted: use --listen only in a network that you "
+        "trust");
   print(fmt::format("{}\n", server.new_address()));
   constexpr std::chrono::milliseconds kLook{100};
   EnteredLines lines;
@@ -106,44 +105,42 @@ void run_open(const OpenOptions& o) {
 Command open_command() {
   return {
       .name = "open",
-      .purpose = "the laboratory in a browser: tests, running tests, trying one, stability",
+      .purpose = "Serve the web interface",
       .description =
-          {"Prints one address; a browser of this machine shows there the tests of the database, "
-           "takes in records that are dropped on it, runs programmes on the virtual apparatus and "
-           "draws them while they run. Everything is inside the program: no other server, nothing "
-           "from elsewhere.",
-           "The address works once, within an hour, and lets one browser in: until 12 hours "
-           "without "
-           "use, and for 7 days at most. That browser can ask for another address, and Enter in "
-           "the "
-           "terminal of `triax open` prints one. Who has neither is given nothing; but a browser "
-           "sends what lets it in to "
-           "every server of this machine that it visits, whatever its port: leave servers of other "
-           "people on this machine alone with that browser.",
-           "With RIG.toml programmes can be run on the instruments of that rig as `triax run` "
-           "does. A test that another triax records into the same database is shown while it "
-           "runs.",
-           "Ctrl-C ends it: tests that it runs are stopped in an orderly way and stored."},
+          {"Prints an address for the browser of this machine. The web interface shows the tests "
+           "of the database, imports records that are dropped on it, runs programmes on the "
+           "virtual apparatus and draws them while they run. Everything is part of the program: no "
+           "other server and no external content is needed.",
+           "The address works once, within an hour. It gives access to one browser, for at most 7 "
+           "days. The access ends earlier if that browser is not used for 12 hours. That browser "
+           "can request another address, and Enter in the terminal of `triax open` prints one. "
+           "Other clients have no access. However, a "
+           "browser sends its access cookie to every server on this machine that it visits, "
+           "whatever the port: do not visit servers of other people on this machine with that "
+           "browser.",
+           "With RIG.toml, programmes can be run on the instruments of that rig, as with `triax "
+           "run`. A test that another triax records in the same database is shown while it runs.",
+           "Ctrl-C stops it: running tests are stopped in an orderly way and stored."},
       .diagnostics = {{"cannot listen at ...",
-                       "another program has that port, or the address is not this "
-                       "machine's"},
-                      {"--listen 0.0.0.0: ...", "give the name by which browsers come"}},
-      .examples = {{"triax open", "the tests of triax.db in the current folder"},
+                       "choose another port or address: another program uses the port, or the "
+                       "address is not of this machine"},
+                      {"--listen 0.0.0.0: ...", "give the name or address that browsers use"}},
+      .examples = {{"triax open", "serve the tests of triax.db in the current folder"},
                    {"triax open --db sand.db --port 8080",
-                    "another database, always the same port"},
-                   {"triax open bench.toml", "with the rig on the bench"},
-                   {"triax open --listen lab-pc", "for browsers of the local network"}},
+                    "serve another database, always at the same port"},
+                   {"triax open bench.toml", "serve with the rig on the bench"},
+                   {"triax open --listen lab-pc", "serve to browsers of the local network"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<OpenOptions>();
-        app.add_option("RIG.toml", o->rig, "instruments that programmes may be run on")
+        app.add_option("RIG.toml", o->rig, "rig file, to run programmes on its instruments")
             ->type_name("");
         add_db(app, o->db);
-        app.add_option("--port", o->port, "port to listen at [any that is free]")
+        app.add_option("--port", o->port, "port to listen at [any free port]")
             ->check(CLI::Range(1, 65535).description(""))
             ->type_name("N");
         app.add_option("--listen", o->listen,
-                       "name or address of this machine by which browsers of others come; may be "
-                       "repeated [this machine only]")
+                       "name or address of this machine, for browsers of other machines "
+                       "(repeatable) [this machine only]")
             ->type_name("ADDRESS")
             ->allow_extra_args(false);
         return [o] { run_open(*o); };

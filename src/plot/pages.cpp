@@ -104,11 +104,11 @@ Pages::Pages(QIODevice& device, const std::string& title) : writer_(&device) {
   writer_.setResolution(kPointsPerInch);
   writer_.setTitle(QString::fromStdString(title));
   writer_.setCreator("triax");
-  if (!painter_.begin(&writer_)) throw lab::WorkFailed("a PDF document cannot be begun");
+  if (!painter_.begin(&writer_)) throw lab::WorkFailed("a PDF document cannot be started");
 }
 
 void Pages::turn_page() {
-  if (count_ > 0 && !writer_.newPage()) throw lab::WorkFailed("a PDF page cannot be begun");
+  if (count_ > 0 && !writer_.newPage()) throw lab::WorkFailed("a PDF page cannot be started");
   ++count_;
 }
 

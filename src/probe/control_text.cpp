@@ -31,7 +31,8 @@ const char* sense_words(sim::ControlSense sense) {
 }
 
 std::string lost_in_words(const study::Controllability& control) {
-  if (control.asked > 0 && control.unanswered == control.asked) return "unknown, no R was answered";
+  if (control.asked > 0 && control.unanswered == control.asked)
+    return "unknown, no result for any R";
   const auto beyond = [](bool isolated, double R, double end, const char* word) {
     if (isolated) return std::string();
     return R == end ? fmt::format(" (and {})", word) : fmt::format(" (no answer {})", word);
@@ -53,15 +54,16 @@ std::string lost_in_words(const study::Controllability& control) {
     words = fmt::format("held for R {} to {}, loading and unloading", unit_free(study::kLeastRatio),
                         unit_free(study::kLargestRatio));
   if (control.unanswered > 0)
-    words += fmt::format("; no answer to {} of {} controls", control.unanswered, control.asked);
+    words += fmt::format("; no result for {} of {} controls", control.unanswered, control.asked);
   return words;
 }
 
 std::string roots_in_words(const study::Controllability& control) {
-  if (control.asked > 0 && control.unanswered == control.asked) return "unknown, no R was answered";
+  if (control.asked > 0 && control.unanswered == control.asked)
+    return "unknown, no result for any R";
   const auto& roots = control.roots;
   const std::string among =
-      control.unanswered_directions > 0 ? " in the directions that the law answers" : "";
+      control.unanswered_directions > 0 ? " in the directions with a result" : "";
   if (roots.empty()) return "no real root" + among;
   const bool of_one = std::ranges::all_of(
       roots, [&](const auto& root) { return root.compliance == roots.front().compliance; });

@@ -25,7 +25,7 @@ namespace {
 
 void keep_what_is_read(const ProbeOptions& o, const std::string& prefix) {
   for (const char* ending : {".csv", ".json", ".svg", ".png", ".pdf"})
-    refuse_overwriting("--output", prefix + ending, files_read(o), "what the state is read from");
+    refuse_overwriting("--output", prefix + ending, files_read(o), "a file of the state");
 }
 
 /// The document, the table of all probes, and each figure with its data; nothing is written before
@@ -92,64 +92,54 @@ void run(const ProbeOptions& o) {
 Command probe_command() {
   return {
       .name = "probe",
-      .purpose = "second-order work of a state in every direction: cones of unstable directions",
+      .purpose = "Probe a state in all directions for negative second-order work",
       .description =
-          {"Takes one state of a law, applies small increments in every direction of a plane and "
-           "says in which of them second-order work is negative: the cones of unstable "
-           "directions, with edges isolated between the steps. Angles are measured from the axis "
-           "of "
-           "sqrt2 dsigma3 towards that of dsigma1 (Rendulic plane); isotropic unloading, the "
-           "increment of an "
-           "undrained test at its peak of q, is at 215.26 degrees.",
-           "The state is given by --p-kPa with --eta or --q-kPa, or by --stress-kPa; then the law "
-           "has no "
-           "memory of a reversal of shear. With --test it is that of a reading of a test in the "
-           "database, also without memory, and the direction of the test itself is given beside "
-           "the cones. With --path the law is driven along a path first, and "
-           "remembers it.",
+          {"Applies small increments in every direction of a plane to one state of a law and "
+           "reports the directions with negative second-order work: the cones of unstable "
+           "directions, with their edges located between the steps. Angles are measured from the "
+           "axis of sqrt2 dsigma3 towards the axis of dsigma1 (Rendulic plane). Isotropic "
+           "unloading, the increment of an undrained test at its peak of q, is at 215.26 degrees.",
+           "--p-kPa with --eta or --q-kPa, or --stress-kPa, gives the state; the law then has no "
+           "memory of a reversal of shear. --test takes the state of a reading of a stored test, "
+           "also without memory, and its own direction is reported next to the "
+           "cones. --path drives the law along a path first, and the memory of that path is kept.",
            "Controllability is reported too: the ratios R for which deps1 + 2R deps3 = 0 cannot be "
-           "held "
-           "while dsigma1 - dsigma3/R grows, the index of usual programmes, the roots of Eq. (34) "
-           "of "
-           "the paper. --strain-paths runs such paths from the isotropic state --p-kPa instead and "
-           "gives "
-           "their peaks.",
-           "All of it is computed from the law and called simulated."},
+           "maintained while dsigma1 - dsigma3/R grows, the index of common programmes, and the "
+           "roots of Eq. (34) of the paper. --strain-paths runs such paths from the isotropic "
+           "state --p-kPa instead and reports their peaks.",
+           "All results are computed from the law and are marked as simulated."},
       .diagnostics = {{"... is out of range for ...",
-                       "the state lies beyond the law's limit surface or void ratios"},
-                      {"test ... has no collapse: ...", "name another reading by --at"},
-                      {"test ... does not know its void ratio ...",
-                       "the record does not hold it: give it"}},
-      .examples =
-          {{"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.60 --void-ratio 1.086 "
-            "--json",
-            "cones of one state as a document"},
-           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.65 --void-ratio 1.086 "
-            "--conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
-            "Nova's index of any pair of conditions, here of an undrained test by load"},
-           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.5,0.6,0.7 --void-ratio "
-            "1.086 "
-            "--step 1 --output loose",
-            "several states in one table and one circular diagram, loose_circular.svg"},
-           {"triax probe --test 26 --at collapse --material inl2/S28-general",
-            "a test's own increment at collapse beside the cone of the law"},
-           {"triax probe --path samples/paths/icu_100.toml --every 10",
-            "cones along a path: the first unstable direction, and how they open"},
-           {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 --void-ratio 1.0 "
-            "--plane plane-strain --probes",
-            "plane strain, every direction printed"},
-           {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio 1.086 "
-            "--plane "
-            "3d "
-            "--step 5 --output sphere",
-            "all directions of principal increments, with a map of them"},
-           {"triax probe --material inl2/S28-general --p-kPa 100 --void-ratio 1.086 --strain-paths "
-            "0.7,0.8,0.9,1.0 --output fig16",
-            "proportional strain paths, with fig16.svg, .png, .pdf, .csv and .json"},
-           {"triax probe --material hypoplastic/S28-MT --p-kPa 70 --eta 0.6 --void-ratio 1.0 "
-            "--finite --norm-kPa 0.5 --output probes",
-            "increments of 0.5 kPa integrated; probes.csv, probes.json and figures with their data "
-            "beside them"}},
+                       "choose a state within the limit surface and the void ratios of the law"},
+                      {"test ... has no collapse: ...", "choose another reading with --at"},
+                      {"test ... has no void ratio at reading ...",
+                       "give --void-ratio: the record lacks it"}},
+      .examples = {{"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.60 --void-ratio "
+                    "1.086 --json",
+                    "print the cones of one state as a JSON document"},
+                   {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.65 --void-ratio "
+                    "1.086 --conditions \"q_kPa = 1, axial_strain + 2*radial_strain = 0\"",
+                    "compute Nova's index of a pair of conditions, here of a load-controlled "
+                    "undrained test"},
+                   {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.5,0.6,0.7 "
+                    "--void-ratio 1.086 --step 1 --output loose",
+                    "compare several states in one table and one circular diagram"},
+                   {"triax probe --test 26 --at collapse --material inl2/S28-general",
+                    "compare the increment of a test at collapse with the cone of the law"},
+                   {"triax probe --path samples/paths/icu_100.toml --every 10",
+                    "follow the cones along a path from the first unstable direction"},
+                   {"triax probe --material sanisand/S28-general --stress-kPa 110,80,50 "
+                    "--void-ratio 1.0 --plane plane-strain --probes",
+                    "print every direction in plane strain"},
+                   {"triax probe --material inl2/S28-general --p-kPa 70 --eta 0.6 --void-ratio "
+                    "1.086 --plane 3d --step 5 --output sphere",
+                    "probe all directions of principal increments and draw a map of them"},
+                   {"triax probe --material inl2/S28-general --p-kPa 100 --void-ratio 1.086 "
+                    "--strain-paths 0.7,0.8,0.9,1.0 --output fig16",
+                    "run proportional strain paths and write figures and data to folder fig16"},
+                   {"triax probe --material hypoplastic/S28-MT --p-kPa 70 --eta 0.6 --void-ratio "
+                    "1.0 --finite --norm-kPa 0.5 --output probes",
+                    "integrate increments of 0.5 kPa; write the results, figures and data to "
+                    "folder probes"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<ProbeOptions>();
         add_probe_options(app, *o);

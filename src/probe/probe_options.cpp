@@ -18,7 +18,7 @@
 namespace triax::src {
 namespace {
 
-constexpr double kSmallestStress_kPa = 1e-3, kLargestStress_kPa = 1e5;
+constexpr double kMinStress_kPa = 1e-3, kMaxStress_kPa = 1e5;
 constexpr double kSmallestNorm_kPa = 1e-6, kLargestNorm_kPa = 1e4;
 constexpr double kSmallestNormStrain = 1e-10, kLargestNormStrain = 0.1;
 constexpr double kSmallestRatio = 0.01, kLargestR = 100;
@@ -37,7 +37,7 @@ int directions_of(double step_deg) {
   const double whole = std::round(360 / step_deg);
   if (std::abs(whole * step_deg - 360) > 1e-6)
     throw lab::BadInput(
-        fmt::format("--step {:g}: not valid; 360 degrees must be a multiple of it, as of {:g}",
+        fmt::format("--step {:g}: not valid; it must divide 360 degrees, for example {:g}",
                     step_deg, 360 / whole));
   return static_cast<int>(whole);
 }
@@ -63,7 +63,7 @@ std::vector<double> numbers_of(const std::string& part) {
     if (part.empty() || !CLI::detail::lexical_cast(part, number))
       throw std::invalid_argument(
           lab::excerpt(part) +
-          " is not a number; expected numbers with commas between them, or a range "
+          " is not a number; expected numbers separated by commas, or a range "
           "FROM:TO:STEP or FROM:TO/COUNT");
     return {number};
   }
@@ -102,8 +102,8 @@ std::string trimmed(const std::string& text) {
 sim::NamedControl control_of_conditions(const std::string& text) {
   const auto parts = parts_of(text);
   if (parts.size() != 2)
-    throw lab::BadInput(fmt::format(
-        "--conditions {}: expected two conditions with a comma between them", lab::excerpt(text)));
+    throw lab::BadInput(fmt::format("--conditions {}: expected two conditions separated by a comma",
+                                    lab::excerpt(text)));
   sim::NamedControl control{.name = {}, .control = {}};
   for (std::size_t i = 0; i < 2; ++i) try {
       const auto row = static_cast<Eigen::Index>(i);
@@ -119,7 +119,7 @@ sim::NamedControl control_of_conditions(const std::string& text) {
     }
   if (control.control.increment.isZero(0))
     throw lab::BadInput(fmt::format(
-        "--conditions {}: one of them must prescribe something other than 0", lab::excerpt(text)));
+        "--conditions {}: one of them must prescribe a value other than 0", lab::excerpt(text)));
   return control;
 }
 
@@ -127,59 +127,62 @@ sim::NamedControl control_of_conditions(const std::string& text) {
 
 void add_probe_options(CLI::App& app, ProbeOptions& o) {
   add_material(app, o.material);
-  app.add_option("--p-kPa", o.p_kPa, "mean effective stress p' of the state, with --eta or --q-kPa")
+  app.add_option("--p-kPa", o.p_kPa,
+                 "mean effective stress p' of the state, in kPa, with --eta or --q-kPa")
       ->type_name("KPA");
-  add_numbers(
-      app, "--eta", o.eta, "ETA,...",
-      "stress ratios q/p', a state each: numbers with commas, FROM:TO:STEP or FROM:TO/COUNT");
+  add_numbers(app, "--eta", o.eta, "ETA,...",
+              "stress ratios q/p', one state each: numbers, FROM:TO:STEP or FROM:TO/COUNT");
   add_numbers(app, "--q-kPa", o.q_kPa, "KPA,...",
-              "deviator stresses instead of --eta, negative in extension");
-  add_numbers(app, "--stress-kPa", o.stress_kPa, "S1,S3 or S1,S2,S3",
-              "principal effective stresses of the state, axial one first");
+              "deviator stresses in kPa instead of --eta, negative in extension");
+  add_numbers(app, "--stress-kPa", o.stress_kPa, "S1[,S2],S3",
+              "principal effective stresses of the state in kPa, axial stress first");
   app.add_option("--test", o.tests,
-                 "the state measured in this test of the database, and where its own increment "
-                 "lies; may be repeated")
+                 "use the state of this stored test and also report the increment of the test "
+                 "itself (repeatable)")
       ->type_name("TEST")
       ->allow_extra_args(false);
-  app.add_option("--at", o.at, "where in the test: collapse, peak, end, or a reading [collapse]")
-      ->type_name("WHERE");
+  app.add_option("--at", o.at,
+                 "state of --test: at collapse, peak or end, or at reading N [collapse]")
+      ->type_name("collapse|peak|end|N");
   add_db(app, o.db);
   app.add_option("--path", o.path,
-                 "the state at the end of this path, with the memory that the path made")
+                 "use the state at the end of this path, with the internal variables of the law")
       ->type_name("PATH.toml");
-  app.add_option("--every", o.every, "along the path, at every N-th of its rows and the last")
+  app.add_option("--every", o.every, "probe every N-th row of --path and the last row [last row]")
       ->type_name("N");
   app.add_option("--plane", o.plane,
-                 "plane of the directions, or 3d: all directions of principal increments")
-      ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}))
+                 "plane of the directions; 3d: all directions of principal increments")
+      ->check(CLI::IsMember({"axisymmetric", "plane-strain", "3d"}).description(""))
       ->type_name("axisymmetric|plane-strain|3d")
       ->capture_default_str();
-  app.add_flag("--strain", o.strain, "impose strain increments instead of stress increments");
-  app.add_option("--norm-kPa", o.norm_kPa, "norm of stress increments [1]")->type_name("KPA");
+  app.add_flag("--strain", o.strain, "apply strain increments instead of stress increments");
+  app.add_option("--norm-kPa", o.norm_kPa, "norm of stress increments, in kPa [1]")
+      ->type_name("KPA");
   app.add_option("--norm-strain", o.norm_strain, "norm of strain increments [1e-5]")
       ->type_name("STRAIN");
-  app.add_option("--step", o.step_deg, "degrees between directions, refined at edges of cones [10]")
+  app.add_option("--step", o.step_deg,
+                 "angle between directions in degrees, refined at edges of cones [10]")
       ->type_name("DEG");
   app.add_flag("--finite", o.finite,
-               "integrate every increment of the norm instead of scaling the law's rate");
-  app.add_flag("--probes", o.probes, "print every direction too");
+               "integrate every increment instead of scaling the rate of the law");
+  app.add_flag("--probes", o.probes, "also print every direction");
   add_numbers(app, "--R", o.R, "R,...",
-              "ratios of deps1 + 2R deps3 = 0 at which control is looked at [0.1,0.2,...,3]");
-  app.add_flag("--control", o.control, "print controllability over R and under named controls too");
+              "ratios R of the control deps1 + 2R deps3 = 0 [0.1,0.2,...,3]");
+  app.add_flag("--control", o.control, "also print controllability over R and for named controls");
   app.add_option("--conditions", o.conditions,
-                 "control index under these two conditions, written as in path files, on "
-                 "effective stress; may be repeated")
+                 "compute the control index for these two conditions on effective stress, written "
+                 "as in path files (repeatable)")
       ->type_name("\"COND, COND\"")
       ->allow_extra_args(false);
   add_numbers(app, "--strain-paths", o.strain_paths, "R,...",
-              "instead of probes: proportional strain paths of these R from the isotropic state "
-              "--p-kPa");
+              "run proportional strain paths of these R from the isotropic state --p-kPa instead "
+              "of probes");
   app.add_option("--axial-strain", o.axial_strain,
-                 "to which the strain paths go, a plain number [0.05]")
+                 "axial strain at the end of --strain-paths, as a fraction [0.05]")
       ->type_name("STRAIN");
   app.add_option("--output", o.output,
                  "also write probe.csv, probe.json and the figures (SVG, PNG, PDF) with their data "
-                 "into FOLDER")
+                 "to FOLDER")
       ->type_name("FOLDER");
   add_json(app, o.json);
 }
@@ -191,7 +194,7 @@ study::Probing checked_probing(const ProbeOptions& o) {
   study::Probing probing;
   if (!o.R.empty()) probing.ratios = o.R;
   if (!o.conditions.empty() && o.plane != "axisymmetric")
-    throw lab::BadInput("--conditions is for the axisymmetric plane: leave out --plane");
+    throw lab::BadInput("--conditions needs the axisymmetric plane; leave --plane out");
   for (const auto& text : o.conditions) probing.conditions.push_back(control_of_conditions(text));
   probing.plane =
       o.plane == "plane-strain" ? sim::ProbePlane::plane_strain : sim::ProbePlane::axisymmetric;
@@ -217,8 +220,8 @@ study::SphereProbing checked_sphere(const ProbeOptions& o) {
     throw lab::BadInput("--plane 3d excludes --finite, --control, --R, --conditions and --probes");
   if (plane.directions % 2 != 0 || plane.directions < 12)
     throw lab::BadInput(
-        fmt::format("--step {:g}: not valid; with --plane 3d 180 degrees must be a multiple of it, "
-                    "at least 6 times",
+        fmt::format("--step {:g}: not valid; with --plane 3d it must divide 180 degrees into 6 "
+                    "parts or more",
                     o.step_deg.value_or(10)));
   return {.kind = plane.kind, .norm = plane.norm, .rings = plane.directions / 2};
 }
@@ -226,15 +229,15 @@ study::SphereProbing checked_sphere(const ProbeOptions& o) {
 void check_strain_path_options(const ProbeOptions& o) {
   if (!o.p_kPa)
     throw lab::BadInput("--strain-paths needs --p-kPa, the isotropic state to start from");
-  must_lie("--p-kPa", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+  must_lie("--p-kPa", *o.p_kPa, kMinStress_kPa, kMaxStress_kPa);
   for (const double R : o.strain_paths) must_lie("--strain-paths", R, kSmallestRatio, kLargestR);
   must_lie("--axial-strain", o.axial_strain.value_or(kUsualAxialStrain), kSmallestStrain,
            kLargestStrain);
   if (!o.eta.empty() || !o.q_kPa.empty() || !o.stress_kPa.empty() || !o.tests.empty() ||
       !o.path.empty() || o.strain || o.finite || o.plane != "axisymmetric")
     throw lab::BadInput(
-        "--strain-paths starts from the isotropic state --p-kPa alone, in axisymmetry: it excludes "
-        "other states, planes and probes");
+        "--strain-paths starts from the isotropic state --p-kPa in axisymmetry and excludes other "
+        "states, planes and probes");
   if (o.probes || o.control || !o.R.empty() || !o.conditions.empty() || o.step_deg || o.norm_kPa ||
       o.norm_strain || o.every || !o.at.empty())
     throw lab::BadInput(
@@ -258,19 +261,18 @@ void check_state_options(const ProbeOptions& o) {
   only_with(!o.at.empty(), "--at", !o.tests.empty(), "--test");
   only_with(o.every.has_value(), "--every", !o.path.empty(), "--path");
   if (o.p_kPa) {
-    must_lie("--p-kPa", *o.p_kPa, kSmallestStress_kPa, kLargestStress_kPa);
+    must_lie("--p-kPa", *o.p_kPa, kMinStress_kPa, kMaxStress_kPa);
     if (o.eta.empty() == o.q_kPa.empty())
       throw lab::BadInput(o.eta.empty()
                               ? "--p-kPa needs --eta or --q-kPa; --eta 0 is the isotropic state"
                               : "--eta and --q-kPa exclude each other");
     for (const double eta : o.eta) must_lie("--eta", eta, -3, 3);
-    for (const double q : o.q_kPa) must_lie("--q-kPa", q, -kLargestStress_kPa, kLargestStress_kPa);
+    for (const double q : o.q_kPa) must_lie("--q-kPa", q, -kMaxStress_kPa, kMaxStress_kPa);
   }
   if (o.stress_kPa.size() == 1 || o.stress_kPa.size() > 3)
     throw lab::BadInput(
         fmt::format("--stress-kPa has {} values; expected S1,S3 or S1,S2,S3", o.stress_kPa.size()));
-  for (const double s : o.stress_kPa)
-    must_lie("--stress-kPa", s, -kLargestStress_kPa, kLargestStress_kPa);
+  for (const double s : o.stress_kPa) must_lie("--stress-kPa", s, -kMaxStress_kPa, kMaxStress_kPa);
   if (o.stress_kPa.size() == 3 && o.stress_kPa[1] != o.stress_kPa[2] && o.plane == "axisymmetric")
     throw lab::BadInput(
         "--stress-kPa: a state in which S2 and S3 differ is not axisymmetric; use --plane "

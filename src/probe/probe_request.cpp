@@ -22,8 +22,9 @@ lab::PathDescription described(const ProbeOptions& o) {
   if (o.material.void_ratio)
     lab::change_setting(description, "void_ratio", fmt::format("{}", *o.material.void_ratio));
   if (o.plane == "axisymmetric" && !std::holds_alternative<lab::TriaxialPath>(description.path))
-    throw lab::BadInput(description.source, 0,
-                        "a path of the full tensor is no axisymmetric one: --plane plane-strain");
+    throw lab::BadInput(
+        description.source, 0,
+        "the path uses the full tensor and is not axisymmetric; use --plane plane-strain");
   return description;
 }
 

@@ -111,7 +111,7 @@ std::string first_words(const study::ProbeResult& result) {
   if (!first)
     return fmt::format("no unstable direction at any of these {}", on_path ? "rows" : "states");
   return fmt::format("unstable state {}: p′ {} kPa, q {} kPa, η {}, e {}{}, α {}°",
-                     on_path ? "of the path" : "of these by |η|", in_kPa(first->p, 2),
+                     on_path ? "of the path" : "(smallest |η|)", in_kPa(first->p, 2),
                      in_kPa(first->q, 2), number(first->eta(), 4), number(first->void_ratio, 4),
                      first->axial_strain ? ", ε₁ " + in_percent(first->axial_strain, 4) + " %" : "",
                      in_degrees(first->angle));
@@ -154,8 +154,7 @@ std::string probe_text(const study::ProbeResult& result, const ProbeDetails& det
   for (const study::ProbedState& state : result.states)
     if (state.test) {
       out += fact("test", test_words(*state.test));
-      out += fact("state",
-                  "σ′ and e as measured; the law's memory is that without a reversal of shear");
+      out += fact("state", "σ′ and e as measured; the law has no memory of a reversal of shear");
     }
   out += '\n' + indented(to_text(state_table(result)));
   out += fmt::format(
@@ -171,7 +170,7 @@ std::string probe_text(const study::ProbeResult& result, const ProbeDetails& det
       out += fact("closed form", (state.name.empty() ? "" : state.name + ": ") + "cones " +
                                      closed_form_words(*state.closed_form));
     if (!state.test || !state.test->increment) continue;
-    out += fact("own", own_words(state));
+    out += fact("increment", own_words(state));
     if (state.own && result.probing.kind == sim::ProbeKind::stress)
       out += fact("", place_words(state, result.probing.directions));
   }

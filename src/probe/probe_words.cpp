@@ -32,7 +32,7 @@ std::string cones_in_words(const std::vector<sim::Cone>& cones) {
 std::string cones_in_words(const sim::Circle& circle, int directions) {
   if (!circle.cones.empty() || circle.unanswered == 0) return cones_in_words(circle.cones);
   if (!circle.least.answered || circle.unanswered >= directions) return "unknown";
-  return fmt::format("none found in the {} answered", directions - circle.unanswered);
+  return fmt::format("none found in the {} with a result", directions - circle.unanswered);
 }
 
 std::string unanswered_words(const study::ProbedState& state, int directions) {
@@ -40,7 +40,7 @@ std::string unanswered_words(const study::ProbedState& state, int directions) {
   std::string words;
   if (beyond > 0) words = fmt::format("{} beyond the law's limit", beyond);
   if (refused > 0)
-    words += fmt::format("{}{} refused by the law{}{}", words.empty() ? "" : ", ", refused,
+    words += fmt::format("{}{} rejected by the law{}{}", words.empty() ? "" : ", ", refused,
                          state.refusal.empty() ? "" : ": ", state.refusal);
   return words.empty() ? words : fmt::format("of {} directions {}", directions, words);
 }

@@ -61,7 +61,7 @@ std::string sphere_text(const study::SphereResult& result) {
       "  directions of principal increments along the axes of the state; the last column is over\n"
       "  all six components, rotations of the axes included\n\n";
   for (const study::ProbedSphere& state : result.states)
-    if (state.own) out += fact("own", own_words(state));
+    if (state.own) out += fact("increment", own_words(state));
   std::vector<const study::StateHead*> heads;
   for (const study::ProbedSphere& state : result.states) heads.push_back(&state);
   for (const auto& warning : result.warnings) out += fact("warning", warning);

@@ -48,7 +48,7 @@ study::CalibrationRequest requested(const study::StartWish& wish, const std::str
                                     const TestNames& tests, int searches, std::uint64_t seed,
                                     double void_ratio_error, int threads) {
   must_lie("searches", searches, 1, 10000);
-  must_lie("seed", static_cast<double>(seed), 0, static_cast<double>(lab::kLargestSeed));
+  must_lie("seed", static_cast<double>(seed), 0, static_cast<double>(lab::kMaxSeed));
   must_lie("void_ratio_error", void_ratio_error, 0, 0.5);
   must_lie("threads", threads, 0, 4096);
   const py::gil_scoped_release free;
@@ -105,32 +105,34 @@ std::string set_toml(const Calibration& c) { return study::calibrated_toml(c.fou
 void bind_values(py::class_<Calibration, std::shared_ptr<Calibration>>& calibration) {
   calibration
       .def_property_readonly(
-          "law", [](const Calibration& c) { return c.found.material.law->name; }, "Its name.")
+          "law", [](const Calibration& c) { return c.found.material.law->name; },
+          "Name of the law.")
       .def_property_readonly(
           "material",
           [](const Calibration& c) { return std::make_shared<Material>(c.found.material); },
-          "The law with the best parameters, as probe, domain and Points take it (undrained, "
-          "where the law distinguishes).")
+          "Law with the best parameters, for probe, domain and Points (undrained, if the law "
+          "distinguishes drainage).")
       .def_property_readonly(
           "interrupted", [](const Calibration& c) { return c.found.interrupted; },
-          "Whether it was stopped: then it is the best so far.")
+          "True if the calibration was stopped early. The result is then the best so far.")
       .def_property_readonly(
           "cost", [](const Calibration& c) { return c.found.cost; },
-          "1 is off by 2 % of its span in every quantity of every test.")
+          "Misfit of the best parameters. 1 is a difference of 2 % of the span in every quantity "
+          "of every test.")
       .def_property_readonly(
           "start_cost", [](const Calibration& c) { return c.found.start_cost; },
-          "Of the set that it started from; None where that is out of the ranges.")
+          "Cost of the set from which the searches started; None if that set is out of the ranges.")
       .def_property_readonly(
           "names", [](const Calibration& c) { return keys_of(c, true); },
           "Keys of the parameters that were searched, in the order of `parameters` and "
           "`correlation`.")
       .def_property_readonly(
           "undetermined", [](const Calibration& c) { return keys_of(c, false); },
-          "Keys of those that the tests do not determine.")
+          "Keys of the searched parameters that the tests do not determine.")
       .def_property_readonly(
           "parameters", [](const Calibration& c) { return c.parameters; },
-          "A row a parameter: value, standard error, 95 % interval (NaN where the tests do not "
-          "determine it), determined, at_bound.")
+          "One row per parameter: value, standard error, 95 % interval, determined, at_bound.\n"
+          "The error and the interval are NaN if the tests do not determine the parameter.")
       .def_property_readonly(
           "correlation",
           [](const py::object& self) {
@@ -138,63 +140,67 @@ void bind_values(py::class_<Calibration, std::shared_ptr<Calibration>>& calibrat
             const auto count = static_cast<py::ssize_t>(c.found.correlation.rows());
             return read_only_view(c.correlation, self, {count, count});
           },
-          "Of the parameters, [names, names].");
+          "Correlation of the parameters, [names, names].");
 }
 
 }  // namespace
 
 void bind_calibrate(py::module_& module) {
   py::class_<Calibration, std::shared_ptr<Calibration>> calibration(
-      module, "Calibration", "Parameters of a law from tests, and how sure they are.");
+      module, "Calibration", "Parameters of a law from tests, with their uncertainty.");
   bind_values(calibration);
   calibration
       .def_property_readonly(
           "optima", [](const Calibration& c) { return c.optima; },
-          "The best and others that fit about as well: cost, how many searches found it, its "
-          "values by their keys.")
+          "The best optimum and others that fit about as well: cost, number of searches that found "
+          "it, values by key.")
       .def_property_readonly("tests", &tests_of_calibration,
                              "Names of the tests, in the order of `curves`.")
       .def_property_readonly(
           "curves", [](const Calibration& c) { return c.curves; },
-          "Each test as it was measured, and as the law has it (computed_...; NaN where it did "
-          "not come to).")
+          "Each test as measured, and as computed with the law (computed_...; NaN if the law did "
+          "not reach that state).")
       .def_property_readonly(
           "predictions", [](const Calibration& c) { return c.predictions; },
-          "A row a test that collapsed (`test` is its number): eta at collapse as measured and "
-          "predicted from the other tests, with a\n"
-          "90 % interval; NaN where the law does not collapse.")
-      .def_property_readonly("toml", &set_toml,
-                             "A parameter file with one set, 'calibrated' (of NorSand two).")
+          "One row per test that collapsed. `test` is the number of the test.\n"
+          "eta at collapse is given as measured, and as predicted from the other tests with a 90 % "
+          "interval.\n"
+          "The prediction and the interval are NaN if the law does not collapse.")
+      .def_property_readonly(
+          "toml", &set_toml,
+          "Text of a parameter file with one set, 'calibrated' (two sets for NorSand).")
       .def(
           "write",
           [](const Calibration& c, const Path& path) {
             write_text(path, study::calibrated_toml(c.found, study::set_name_from(path.string())));
           },
           py::arg("path"),
-          "Writes the parameter file of triax calibrate --output, over what is there; its set is "
-          "named after the file: my_sand.toml\n"
-          "holds LAW/my_sand, for triax.Material(name, file=), paths and programmes.")
+          "Write the parameter file (as triax calibrate --output). An existing file is "
+          "overwritten.\n"
+          "The set is named after the file: my_sand.toml contains LAW/my_sand.\n"
+          "Use the set with triax.Material(name, file=), in paths and in programmes.")
       .def_property_readonly(
           "report", [](const Calibration& c) { return document(calibration_json(c.found)); },
-          "The document of triax calibrate --json.")
+          "Document of triax calibrate --json.")
       .def("__repr__", [](const Calibration& c) {
         return fmt::format("<triax.Calibration of {} from {} tests, cost {:.4g}{}>",
                            c.found.material.law->name, c.found.measured.size(), c.found.cost,
                            c.found.interrupted ? ", interrupted" : "");
       });
-  module.def("calibrate", &calibrate, py::arg("db"), py::arg("law"), py::kw_only(),
-             py::arg("tests") = TestNames(), py::arg("start") = py::none(),
-             py::arg("free") = Names(), py::arg("fix") = Fixed(), py::arg("searches") = 3,
-             py::arg("seed") = 1, py::arg("void_ratio_error") = 0.0, py::arg("threads") = 0,
-             py::arg("progress") = py::none(),
-             "Finds the parameters of a law from tests of a database (all, or these numbers and "
-             "names): triax calibrate.\n"
-             "`start` is a set 'LAW/SET', a parameter file or what Soil.write wrote; `free` names "
-             "the parameters to search, `fix` those to\n"
-             "keep: {'poisson_ratio': 0.05}, or None for the value of the start. "
-             "progress(what, share) is called now and then; where it gives\n"
-             "False, the best so far is returned. Ctrl-C and what `progress` raises end it too, "
-             "and the exception has the best so far as `best`.");
+  module.def(
+      "calibrate", &calibrate, py::arg("db"), py::arg("law"), py::kw_only(),
+      py::arg("tests") = TestNames(), py::arg("start") = py::none(), py::arg("free") = Names(),
+      py::arg("fix") = Fixed(), py::arg("searches") = 3, py::arg("seed") = 1,
+      py::arg("void_ratio_error") = 0.0, py::arg("threads") = 0, py::arg("progress") = py::none(),
+      "Find the parameters of a law from tests of a database (as triax calibrate).\n"
+      "`tests` contains numbers and names of tests. If it is empty, all tests are used.\n"
+      "`start` is a set 'LAW/SET', a parameter file or a file written by Soil.write.\n"
+      "`free` names the parameters to search.\n"
+      "`fix` names those to keep: {'poisson_ratio': 0.05}, or None for the value of the start.\n"
+      "progress(what, fraction) is called now and then.\n"
+      "If it returns False, the best result so far is returned.\n"
+      "Ctrl-C or an exception in `progress` also ends the calibration.\n"
+      "The exception then has the best result so far as `best`.");
 }
 
 }  // namespace triax::python

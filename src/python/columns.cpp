@@ -39,7 +39,7 @@ py::array column(const py::object& self, const std::string& name, PyObject* erro
   const auto& table = self.cast<const Columns&>();
   const Columns::Values* values = table.find(name);
   if (values == nullptr) {
-    const std::string text = "no column '" + name + "'; there are " + listed(table);
+    const std::string text = "unknown column '" + name + "'; must be one of: " + listed(table);
     PyErr_SetString(error, text.c_str());
     throw py::error_already_set();
   }
@@ -51,10 +51,10 @@ py::array column(const py::object& self, const std::string& name, PyObject* erro
 void bind_columns(py::module_& module) {
   py::class_<Columns, std::shared_ptr<Columns>>(
       module, "Columns",
-      "A table by columns. table.q_kPa and table['q_kPa'] are numpy arrays that show the program's "
-      "own memory, without a\n"
-      "copy and not to be written to; a value that is unknown is NaN. dict(table) is what "
-      "pandas.DataFrame takes.")
+      "Table of columns.\n"
+      "table.q_kPa and table['q_kPa'] are read-only numpy arrays.\n"
+      "They refer to the program's own memory, without a copy. An unknown value is NaN.\n"
+      "For pandas, use pandas.DataFrame(dict(table)).")
       .def(
           "__getattr__",
           [](const py::object& self, const std::string& name) {
@@ -74,8 +74,8 @@ void bind_columns(py::module_& module) {
       .def("__iter__", [](const Columns& table) { return py::iter(py::cast(names_of(table))); })
       .def("__len__", [](const Columns& table) { return table.columns.size(); })
       .def("__dir__", &names_of)
-      .def("keys", &names_of, "Names of the columns, with their units.")
-      .def_property_readonly("rows", &Columns::rows, "Length of every column.")
+      .def("keys", &names_of, "List the names of the columns, with their units.")
+      .def_property_readonly("rows", &Columns::rows, "Number of rows, the length of every column.")
       .def("__repr__", [](const Columns& table) {
         return "<triax.Columns of " + std::to_string(table.rows()) + " rows: " + listed(table) +
                ">";

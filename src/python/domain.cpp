@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/results/reading.hpp"
 #include "sim/stability/domain_criteria.hpp"
 #include "src/python/bindings.hpp"
@@ -48,13 +49,20 @@ study::GridLine line_of(const Line& given, const study::GridLine& usual) {
   return line;
 }
 
+std::vector<std::string> criterion_names() {
+  std::vector<std::string> names;
+  for (const auto& kind : sim::domain_criterion_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
 void check_names(const std::string& plane, const std::vector<std::string>& criteria) {
   if (plane != "axisymmetric" && plane != "plane-strain")
-    throw lab::BadInput("plane '" + plane + "': not known; expected axisymmetric or plane-strain");
+    throw lab::BadInput("plane '" + plane +
+                        "' is not valid; must be one of: axisymmetric, plane-strain");
   for (const std::string& asked : criteria)
     if (std::ranges::find(sim::domain_criterion_kinds(), asked, &sim::DomainCriterionKind::name) ==
         sim::domain_criterion_kinds().end())
-      throw lab::BadInput(fmt::format("criterion '{}' is not known", asked));
+      throw lab::BadInput("criterion " + lab::invalid_value(asked, criterion_names()));
 }
 
 std::shared_ptr<Domain> domain(const py::object& material, double void_ratio, const Line& p_kPa,
@@ -85,8 +93,8 @@ std::shared_ptr<Domain> domain(const py::object& material, double void_ratio, co
 std::shared_ptr<Columns> boundary(const Domain& d, const std::string& criterion, bool extension) {
   const auto& keys = study::boundary_keys();
   if (std::ranges::find(keys, criterion) == keys.end())
-    throw lab::BadInput(
-        fmt::format("no criterion '{}'; there are {}", criterion, fmt::join(keys, ", ")));
+    throw lab::BadInput(fmt::format("criterion '{}' is not valid; must be one of: {}", criterion,
+                                    fmt::join(keys, ", ")));
   auto table = std::make_shared<Columns>();
   const auto add = [&](const char* name, auto of) {
     auto& values = table->add(name);
@@ -121,8 +129,8 @@ py::array grid_view(const py::object& self, const std::vector<Number>& values) {
 
 void bind_domain(py::module_& module) {
   module.attr("DOMAIN_KINDS") = kinds();
-  py::class_<Domain, std::shared_ptr<Domain>>(
-      module, "Domain", "The bifurcation domain of a material at one void ratio.")
+  py::class_<Domain, std::shared_ptr<Domain>>(module, "Domain",
+                                              "Bifurcation domain of a material at one void ratio.")
       .def_property_readonly(
           "p_kPa",
           [](const py::object& self) {
@@ -134,27 +142,27 @@ void bind_domain(py::module_& module) {
           [](const py::object& self) {
             return read_only_view(self.cast<const Domain&>().q_kPa, self);
           },
-          "Deviator stress of its rows, kPa.")
+          "Deviator stress of the rows of the grid, kPa.")
       .def_property_readonly(
           "kind",
           [](const py::object& self) { return grid_view(self, self.cast<const Domain&>().kind); },
-          "A place in triax.DOMAIN_KINDS for each state, [p, q].")
+          "Index into triax.DOMAIN_KINDS for each state, [p, q].")
       .def_property_readonly(
           "least_work",
           [](const py::object& self) {
             return grid_view(self, self.cast<const Domain&>().least_work);
           },
-          "Least normalised second-order work of each state, [p, q]; NaN where there is none.")
+          "Least normalised second-order work of each state, [p, q]; NaN if there is none.")
       .def("boundary", &boundary, py::arg("criterion") = "first_unstable", py::kw_only(),
            py::arg("extension") = false,
-           "Where a criterion is first met at each p': q_kPa, eta, alpha_deg of the direction; NaN "
-           "where it is not.")
+           "Find the state at which a criterion is first met, for each p'.\n"
+           "Returns q_kPa, eta and alpha_deg of the direction; NaN if the criterion is not met.")
       .def_property_readonly(
           "warnings", [](const Domain& d) { return d.domain.settings.warnings; },
-          "What a reader must know.")
+          "Warnings that a reader of the result must know.")
       .def_property_readonly(
           "report", [](const Domain& d) { return document(study::domain_json(d.domain)); },
-          "The document of triax domain --json.")
+          "Document of triax domain --json.")
       .def("__repr__", [](const Domain& d) {
         return fmt::format("<triax.Domain of {}: {} x {} states>", d.domain.settings.material.name,
                            d.p_kPa.size(), d.q_kPa.size());
@@ -163,8 +171,8 @@ void bind_domain(py::module_& module) {
              py::arg("p_kPa") = py::none(), py::arg("q_kPa") = py::none(),
              py::arg("plane") = "axisymmetric", py::arg("directions") = 360,
              py::arg("criteria") = std::vector<std::string>(), py::arg("threads") = 0,
-             "Probes every state of a grid of p' and q at one void ratio: triax domain. p_kPa and "
-             "q_kPa are (from, to, count).");
+             "Probe every state of a grid of p' and q at one void ratio (as triax domain).\n"
+             "p_kPa and q_kPa are (from, to, count).");
 }
 
 }  // namespace triax::python

@@ -50,21 +50,21 @@ std::shared_ptr<ElementRun> element(const std::filesystem::path& path, const py:
 
 void bind_element(py::module_& module) {
   py::class_<ElementRun, std::shared_ptr<ElementRun>>(module, "ElementRun",
-                                                      "What a path of one material point came to.")
+                                                      "Result of the path of one material point.")
       .def_property_readonly(
           "name", [](const ElementRun& r) { return r.result.name; }, "Name of the path.")
       .def_property_readonly(
           "completed", [](const ElementRun& r) { return r.result.went_to_the_end(); },
-          "Whether the path went to its end; if not, `message` says why and where it stopped.")
+          "True if the path reached its end. If not, `message` states why and where it stopped.")
       .def_property_readonly(
           "outcome", [](const ElementRun& r) { return src::word_of(r.result.outcome); },
           "'accepted', 'inaccurate', 'lost_control' or 'failed'.")
       .def_property_readonly(
           "message", [](const ElementRun& r) { return r.result.message; },
-          "Of an outcome that is not accepted, one sentence.")
+          "One sentence about the outcome, if it is not 'accepted'.")
       .def_property_readonly(
           "warnings", [](const ElementRun& r) { return r.result.warnings; },
-          "What a reader must know.")
+          "Warnings that a reader of the result must know.")
       .def_property_readonly(
           "rows", [](const ElementRun& r) { return r.rows; },
           "All rows as columns: progress, strains, stresses, second-order work, memory.")
@@ -78,7 +78,7 @@ void bind_element(py::module_& module) {
           "Name of the segment of each row.")
       .def_property_readonly(
           "report", [](const ElementRun& r) { return document(src::path_json(r.result)); },
-          "The document of triax element --json: start, events, peak, last, rows.")
+          "Document of triax element --json: start, events, peak, last, rows.")
       .def("__repr__", [](const ElementRun& r) {
         return "<triax.ElementRun '" + r.result.name + "', " + src::word_of(r.result.outcome) +
                ", " + std::to_string(r.result.rows.size()) + " rows>";
@@ -86,11 +86,10 @@ void bind_element(py::module_& module) {
   module.def(
       "element", &element, py::arg("path"), py::kw_only(), py::arg("sets") = py::dict(),
       py::arg("material") = py::none(),
-      "Takes one material point along the path of a file (.toml, or files of incrementalDriver): "
-      "triax element.\n"
-      "`sets` changes material, void_ratio, p_eff_kPa, tolerance or a parameter of the law; "
-      "`material` is a triax.Material "
-      "in place of the file's.");
+      "Run one material point along a path (as triax element).\n"
+      "`path` is a path file: .toml, or files of incrementalDriver.\n"
+      "`sets` changes material, void_ratio, p_eff_kPa, tolerance or a parameter of the law.\n"
+      "`material` is a triax.Material that replaces the material of the file.");
 }
 
 }  // namespace triax::python

@@ -8,11 +8,11 @@ namespace py = pybind11;
 
 void bind_errors(py::module_& module) {
   py::register_exception<lab::BadInput>(module, "BadInput", PyExc_ValueError).attr("__doc__") =
-      "Input that cannot be understood: what the program ends with status 2 for, in the same "
-      "words.";
+      "Invalid input. The program prints the same message and ends with status 2.";
   py::register_exception<lab::WorkFailed>(module, "WorkFailed", PyExc_RuntimeError)
       .attr("__doc__") =
-      "Work that was understood but failed on the way: status 1 of the program, in the same words.";
+      "Failure during a run with valid input. The program prints the same message and ends with "
+      "status 1.";
 }
 
 }  // namespace triax::python

@@ -73,30 +73,35 @@ std::optional<double> limit_of(const Material& m) {
 void bind_materials(py::module_& module) {
   py::class_<Material, std::shared_ptr<Material>>(
       module, "Material",
-      "A law with a set of parameters: 'sanisand/S28-general'; triax.materials() lists them.")
+      "Law with a set of parameters, for example 'sanisand/S28-general'. triax.materials() lists "
+      "the sets.")
       .def(py::init(&material), py::arg("name"), py::kw_only(), py::arg("file") = py::none(),
            py::arg("sets") = py::dict(),
-           "`file` has sets of your own (also of a UMAT), `sets` changes parameters by their keys.")
+           "Create a material from a parameter set.\n"
+           "`file` contains your own sets (also of a UMAT). `sets` changes parameters by key.")
       .def_property_readonly(
-          "name", [](const Material& m) { return m.set.name; }, "LAW/SET, with what was changed.")
+          "name", [](const Material& m) { return m.set.name; },
+          "Name of the set, LAW/SET, with the changed parameters.")
       .def_property_readonly(
-          "law", [](const Material& m) { return m.set.law->name; }, "The law's name.")
+          "law", [](const Material& m) { return m.set.law->name; }, "Name of the law.")
       .def_property_readonly(
-          "description", [](const Material& m) { return m.set.description; }, "What it describes.")
+          "description", [](const Material& m) { return m.set.description; },
+          "Description of the set.")
       .def_property_readonly(
-          "source", [](const Material& m) { return m.set.source; }, "Where the numbers come from.")
+          "source", [](const Material& m) { return m.set.source; }, "Source of the numbers.")
       .def_property_readonly(
-          "range", [](const Material& m) { return m.set.range; }, "How far they reach, in words.")
+          "range", [](const Material& m) { return m.set.range; },
+          "Range for which the numbers are valid, as text.")
       .def_property_readonly(
           "void_ratio_range", [](const Material& m) { return ends(m.set.void_ratio_range); },
-          "Void ratios that it is for; None where nobody says.")
+          "Void ratios for which the set is valid; None if not stated.")
       .def_property_readonly(
           "p_eff_range_kPa", [](const Material& m) { return ends(m.set.p_eff_range_kPa); },
-          "Mean effective stresses that it is for, kPa; None where nobody says.")
+          "Mean effective stresses for which the set is valid, kPa; None if not stated.")
       .def_property_readonly("parameters", &parameters_of,
-                             "Values by key; the unit is the end of the key.")
+                             "Values of the parameters by key. The key ends with the unit.")
       .def_property_readonly("limit_stress_ratio", &limit_of,
-                             "M in triaxial compression; None where the law has none.")
+                             "M in triaxial compression; None if the law has none.")
       .def("__repr__", [](const Material& m) { return "<triax.Material '" + m.set.name + "'>"; });
   module.def(
       "materials",
@@ -106,7 +111,7 @@ void bind_materials(py::module_& module) {
         return names;
       },
       py::arg("file") = py::none(),
-      "Names of the parameter sets that ship with the program, or of those in a file.");
+      "List the names of the parameter sets that ship with the program, or of the sets in a file.");
 }
 
 }  // namespace triax::python

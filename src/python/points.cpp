@@ -90,38 +90,39 @@ Array invariant_of(Points& points, double (*of)(const sim::Vector<Axisymmetric>&
 void bind_points(py::module_& module) {
   py::class_<Points, std::shared_ptr<Points>>(
       module, "Points",
-      "Points of one law. stress_kPa, void_ratio and memory are numpy arrays that show the states "
-      "themselves, without a copy:\n"
-      "what is written into them is what the next increment starts from. Components are axial, "
-      "radial or 11, 22, 33, 12, 13, 23.")
+      "Points of one law.\n"
+      "stress_kPa, void_ratio and memory are numpy arrays that refer to the states, without a "
+      "copy.\n"
+      "The next increment starts from the values that you write into them.\n"
+      "The components are axial, radial or 11, 22, 33, 12, 13, 23.")
       .def(py::init(&points_at), py::arg("material"), py::arg("stress_kPa"), py::arg("void_ratio"),
-           "A point for each row of stress_kPa (effective, compression positive), without memory "
-           "of shear.")
+           "Create a point for each row of stress_kPa (effective, compression positive), without "
+           "memory of shear.")
       .def_property_readonly(
-          "material", [](const Points& p) { return p.material; }, "Their material.")
+          "material", [](const Points& p) { return p.material; }, "Material of the points.")
       .def_property_readonly(
           "stress_kPa",
           [](const py::object& self) {
             const auto& a = self.cast<const Points&>().arrays;
             return view(a.stress_kPa, self, shape(a.count, a.components));
           },
-          "Effective stress, kPa, a row a point.")
+          "Effective stress, kPa, one row per point.")
       .def_property_readonly(
           "void_ratio",
           [](const py::object& self) {
             return view(self.cast<const Points&>().arrays.void_ratio, self);
           },
-          "Void ratio.")
+          "Void ratio of each point.")
       .def_property_readonly(
           "memory",
           [](const py::object& self) {
             const auto& a = self.cast<const Points&>().arrays;
             return view(a.memory, self, shape(a.count, a.memories));
           },
-          "What the law remembers, a row a point, in the order of memory_names.")
+          "Memory of the law, one row per point, in the order of memory_names.")
       .def_property_readonly(
           "memory_names", [](const Points& p) { return p.memory_names; },
-          "Names of the columns of memory; those in _root2 hold sqrt(2) times the component.")
+          "Names of the columns of memory. Columns in _root2 contain sqrt(2) times the component.")
       .def_property_readonly(
           "p_kPa",
           [](Points& p) {
@@ -134,17 +135,17 @@ void bind_points(py::module_& module) {
             return invariant_of(p, &sim::deviator_stress<Axisymmetric>,
                                 &sim::deviator_stress<Tensor>);
           },
-          "Deviator stress of each point, kPa: sigma1 - sigma3, of a tensor sqrt(3/2)|s|.")
+          "Deviator stress of each point, kPa: sigma1 - sigma3, or sqrt(3/2)|s| for a tensor.")
       .def("advance", &advance, py::arg("strain") = py::none(), py::kw_only(),
            py::arg("stress_kPa") = py::none(), py::arg("control") = py::none(),
            py::arg("increment") = py::none(), py::arg("tolerance") = 1e-10,
-           "Takes every point an increment further, in place: of strain, of effective stress, or "
-           "of conditions\n"
-           "S dsigma' + E depsilon = increment with control=(S, E). An increment is a row for all "
-           "points, or a row a point.\n"
-           "A point of which the increment cannot be done to its end stays where it came to, and "
-           "its outcome says so.")
-      .def("copy", &copy, "The same states once more, in memory of their own.")
+           "Apply one increment to every point, in place: of strain, of effective stress, or of "
+           "conditions\n"
+           "S dsigma' + E depsilon = increment with control=(S, E).\n"
+           "An increment is one row for all points, or one row per point.\n"
+           "If an increment cannot be completed, the point stays at the state that it reached.\n"
+           "Its outcome reports this.")
+      .def("copy", &copy, "Copy the states to separate memory.")
       .def("__len__", [](const Points& p) { return p.arrays.count; })
       .def("__repr__", [](const Points& p) {
         return fmt::format("<triax.Points: {} of {}>", p.arrays.count, p.material->set.name);

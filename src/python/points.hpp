@@ -45,8 +45,9 @@ const sim::Law<Space>& law_of(const Material& material) {
                     Space::kSize == 2 ? "axisymmetry" : "the full tensor",
                     Space::kSize == 2 ? "" : ": " + material.set.material.no_tensor));
   if (law->self_driven() != nullptr)
-    throw lab::BadInput(material.set.name +
-                        " drives its points itself and has no place in arrays; use triax.simulate");
+    throw lab::BadInput(
+        material.set.name +
+        " integrates its points itself and cannot be used in arrays; use triax.simulate");
   return *law;
 }
 

@@ -38,9 +38,10 @@ struct Probed {
 study::Probing probing_of(const std::string& plane, const std::string& kind,
                           std::optional<double> norm, int directions, bool finite) {
   if (plane != "axisymmetric" && plane != "plane-strain")
-    throw lab::BadInput("plane '" + plane + "': not known; expected axisymmetric or plane-strain");
+    throw lab::BadInput("plane '" + plane +
+                        "' is not valid; must be one of: axisymmetric, plane-strain");
   if (kind != "stress" && kind != "strain")
-    throw lab::BadInput("kind '" + kind + "': not known; expected stress or strain");
+    throw lab::BadInput("kind '" + kind + "' is not valid; must be one of: stress, strain");
   must_lie("directions", directions, 8, 36000);
   const bool stress = kind == "stress";
   const double given = norm.value_or(stress ? 1 : 1e-5);
@@ -63,7 +64,7 @@ study::GivenStates given_states(double p_kPa, const std::optional<Array>& q,
                                 const std::optional<Array>& eta, std::optional<double> void_ratio) {
   must_lie("p_kPa", p_kPa, 1e-3, 1e5);
   if (q.has_value() == eta.has_value())
-    throw lab::BadInput("p_kPa needs q_kPa or eta, one of them; eta=0 is the isotropic state");
+    throw lab::BadInput("p_kPa needs either q_kPa or eta; eta=0 is the isotropic state");
   if (!void_ratio) throw lab::BadInput("missing void_ratio of the states");
   study::GivenStates states{.stress_kPa = {}, .void_ratio = checked_void_ratio(*void_ratio)};
   for (const double one : numbers(q ? *q : *eta)) {
@@ -149,7 +150,7 @@ py::list cones_of(const Probed& state) {
 
 void bind_probed(py::module_& module) {
   py::class_<Probed>(module, "ProbedState",
-                     "One state of a law, probed in every direction of a plane.")
+                     "State of a law with probes in every direction of a plane.")
       .def_property_readonly(
           "p_kPa", [](const Probed& s) { return s->p / 1e3; }, "Mean effective stress, kPa.")
       .def_property_readonly(
@@ -157,33 +158,35 @@ void bind_probed(py::module_& module) {
       .def_property_readonly(
           "eta", [](const Probed& s) { return s->eta(); }, "Stress ratio q/p'.")
       .def_property_readonly(
-          "void_ratio", [](const Probed& s) { return s->void_ratio; }, "Void ratio.")
+          "void_ratio", [](const Probed& s) { return s->void_ratio; }, "Void ratio of the state.")
       .def_property_readonly(
           "unstable", [](const Probed& s) { return s->circle.unstable(); },
-          "Whether second-order work is negative in some direction.")
+          "True if the second-order work is negative in at least one direction.")
       .def_property_readonly("cones_deg", &cones_of,
                              "Cones of unstable directions, (from, to) in degrees from the axis of "
-                             "sqrt2 dsigma3 towards that of dsigma1.")
+                             "sqrt2 dsigma3 towards the axis of dsigma1.")
       .def_property_readonly(
           "least", [](const Probed& s) { return s->circle.least.normalised; },
           "Least normalised second-order work of all directions.")
       .def_property_readonly(
           "least_deg", [](const Probed& s) { return sim::degrees(s->circle.least.angle); },
-          "Its direction.")
+          "Direction of the least normalised second-order work, degrees.")
       .def_property_readonly(
-          "warnings", [](const Probed& s) { return s->all_warnings(); }, "What a reader must know.")
-      .def_property_readonly("probes", &probes_of, "All probes, a row a direction.");
+          "warnings", [](const Probed& s) { return s->all_warnings(); },
+          "Warnings that a reader of the result must know.")
+      .def_property_readonly("probes", &probes_of, "All probes, one row per direction.");
 }
 
 }  // namespace
 
 void bind_probe(py::module_& module) {
   bind_probed(module);
-  py::class_<ProbeRun, std::shared_ptr<ProbeRun>>(module, "ProbeRun", "Probes of states of a law.")
-      .def_property_readonly("states", &states_of, "The states that were probed.")
+  py::class_<ProbeRun, std::shared_ptr<ProbeRun>>(module, "ProbeRun",
+                                                  "Directional probes of states of a law.")
+      .def_property_readonly("states", &states_of, "States that were probed.")
       .def_property_readonly(
           "report", [](const ProbeRun& r) { return document(src::probe_json(r.result)); },
-          "The document of triax probe --json, with controllability.")
+          "Document of triax probe --json, with controllability.")
       .def("__repr__", [](const ProbeRun& r) {
         return fmt::format("<triax.ProbeRun: {} states of {}>", r.result.states.size(),
                            r.result.material.name);
@@ -195,10 +198,10 @@ void bind_probe(py::module_& module) {
       py::arg("db") = "triax.db", py::arg("at") = "collapse", py::arg("path") = py::none(),
       py::arg("every") = py::none(), py::arg("plane") = "axisymmetric", py::arg("kind") = "stress",
       py::arg("norm") = py::none(), py::arg("directions") = 36, py::arg("finite") = false,
-      "Second-order work of states in every direction of a plane: triax probe. States are given by "
-      "p_kPa with q_kPa or eta\n"
-      "(one or many), are those of `tests` in a database, or those that the path of a file leads "
-      "to, with the memory that it makes.\n"
+      "Compute the second-order work of states in every direction of a plane (as triax probe).\n"
+      "Give the states by p_kPa with q_kPa or eta (one or many), by `tests` of a database, or by "
+      "`path`.\n"
+      "`path` is a path file. Its states have the memory that the path produces.\n"
       "`norm` of the increments is in kPa for stress probes, a strain for strain probes.");
 }
 

@@ -32,7 +32,7 @@ lab::MembraneCorrection membrane_of(const std::string& word) {
   if (word == "none") return lab::MembraneCorrection::none;
   if (word == "astm") return lab::MembraneCorrection::astm;
   if (word == "iso") return lab::MembraneCorrection::iso;
-  throw lab::BadInput("membrane '" + word + "': not known; expected none, astm or iso");
+  throw lab::BadInput("membrane '" + word + "' is not valid; must be one of: none, astm, iso");
 }
 
 StoredTest replay(const Path& record, const Path& db, const std::string& dialect,
@@ -40,7 +40,8 @@ StoredTest replay(const Path& record, const Path& db, const std::string& dialect
   const lab::RecordOptions options{.dialect = dialect, .sets = key_values(sets)};
   const lab::ReductionOptions reduction{.membrane = membrane_of(membrane)};
   const py::gil_scoped_release free;
-  if (!std::filesystem::exists(record)) throw lab::BadInput(record.string(), 0, "no such file");
+  if (!std::filesystem::exists(record))
+    throw lab::BadInput(record.string(), 0, "file does not exist");
   const auto rig = lab::open_record(record.string(), options);
   const lab::EarlierTests told = study::earlier_tests(db.string(), earlier);
   Signals signals;
@@ -88,20 +89,23 @@ StoredTest simulate(const Path& programme_file, const Path& db, std::optional<st
 }  // namespace
 
 void bind_runs(py::module_& module) {
-  module.def("replay", &replay, py::arg("record"), py::arg("db") = "triax.db", py::kw_only(),
-             py::arg("dialect") = "", py::arg("sets") = py::dict(), py::arg("membrane") = "none",
-             py::arg("earlier") = Names(),
-             "Reduces a recorded test, computes its second-order work, stores it in the database "
-             "and gives it: triax replay.\n"
-             "`sets` says what the file does not hold: {'specimen.height_mm': 140}; `earlier` "
-             "names tests of the same sand for the alarm.");
+  module.def(
+      "replay", &replay, py::arg("record"), py::arg("db") = "triax.db", py::kw_only(),
+      py::arg("dialect") = "", py::arg("sets") = py::dict(), py::arg("membrane") = "none",
+      py::arg("earlier") = Names(),
+      "Reduce a recorded test, compute its second-order work and store it in the database (as "
+      "triax replay).\n"
+      "Returns the stored test.\n"
+      "`sets` gives the values that the file does not contain: {'specimen.height_mm': 140}.\n"
+      "`earlier` names tests of the same sand for the alarm.");
   module.def("simulate", &simulate, py::arg("programme"), py::arg("db") = "triax.db", py::kw_only(),
              py::arg("seed") = py::none(), py::arg("sets") = py::dict(),
              py::arg("record") = py::none(), py::arg("earlier") = Names(),
-             "Runs a programme on the virtual apparatus, stores the test in the database and gives "
-             "it: triax simulate.\n"
-             "`sets` changes keys of the programme; `record` is a file that gets the readings as a "
-             "logger would write them.");
+             "Run a programme on the virtual apparatus and store the test in the database (as "
+             "triax simulate).\n"
+             "Returns the stored test.\n"
+             "`sets` changes keys of the programme.\n"
+             "`record` is a file to which the readings are written as a logger would write them.");
 }
 
 }  // namespace triax::python

@@ -73,7 +73,8 @@ py::dict soils(const std::string& group, const Path& db, const TestNames& tests,
                const std::string& where, const std::string& criterion, double failure_strain,
                std::optional<double> exponent, double stress_error_kPa, bool keep_odd) {
   if (group.empty())
-    throw lab::BadInput("missing group, as in 'material'; triax.soil is for one result of all");
+    throw lab::BadInput(
+        "missing group, as in 'material'; use triax.soil for one result of all tests");
   py::dict all;
   for (auto& one :
        studied({.tests = as_words(tests), .where = where, .group = group, .db = db.string()},
@@ -100,44 +101,48 @@ std::vector<std::string> tests_of_soil(const Soil& s) {
 std::string soil_toml(const Soil& s) { return study::toml_document(study::soil_json(s.soil)); }
 
 void bind_class(py::module_& module) {
-  py::class_<Soil, std::shared_ptr<Soil>>(module, "Soil",
-                                          "What many tests of one soil say together.")
+  py::class_<Soil, std::shared_ptr<Soil>>(module, "Soil", "Properties of one soil from many tests.")
       .def_property_readonly(
           "group", [](const Soil& s) { return s.soil.group; },
-          "The material, or the value that the tests have in common.")
+          "Material, or the value that the tests have in common.")
       .def_property_readonly(
           "notes", [](const Soil& s) { return s.soil.notes; },
-          "What the tests do not give and why; which of them are odd.")
+          "Properties that the tests do not determine, with the reason, and tests that are "
+          "outliers.")
       .def_property_readonly("names", &tests_of_soil,
                              "Names of the tests, in the order of `tests`.")
       .def_property_readonly(
           "tests", [](const Soil& s) { return s.tests; },
-          "A row a test: state at the start of shear, peaks, onset of collapse; q and eta of "
-          "extension positive.")
+          "One row per test: state at the start of shear, peaks, onset of collapse.\n"
+          "q and eta are positive also in extension.")
       .def_property_readonly(
           "critical_states", [](const Soil& s) { return s.critical_states; },
-          "A row a test that came to its critical state, or near it (reached 0), with standard "
-          "errors; `test` is its number.")
+          "One row per test that reached its critical state, or came near it (reached 0), with "
+          "standard errors.\n"
+          "`test` is the number of the test.")
       .def_property_readonly(
           "circles", [](const Soil& s) { return s.circles; },
-          "Largest and smallest effective stress at failure of the tests that c' and phi' rest "
-          "on; `test` is its number.")
+          "Largest and smallest effective stress at failure of the tests that determine c' and "
+          "phi'.\n"
+          "`test` is the number of the test.")
       .def_property_readonly(
           "paths", [](const Soil& s) { return s.paths; },
-          "Shear of each test, in the order of `tests`, averaged over steps of its axial strain.")
+          "Shear of each test, in the order of `tests`, averaged over steps of axial strain.")
       .def("critical_line", &critical_line, py::arg("p_kPa"),
-           "Void ratio of the critical state line at these p', by the form that fits better, with "
-           "the interval (95 %) of the line.\n"
-           "Raises BadInput where the tests give none.")
-      .def_property_readonly("toml", &soil_toml,
-                             "soil.toml of triax soil --output, which calibrate starts from.")
+           "Compute the void ratio of the critical state line at these p', with the 95 % interval "
+           "of the line.\n"
+           "The form that fits better is used. Raises BadInput if the tests do not determine the "
+           "line.")
+      .def_property_readonly(
+          "toml", &soil_toml,
+          "Text of soil.toml (as triax soil --output), from which calibrate can start.")
       .def(
           "write", [](const Soil& s, const Path& path) { write_text(path, soil_toml(s)); },
-          py::arg("path"), "Writes `toml` into a file, over what is there.")
+          py::arg("path"), "Write `toml` to a file. An existing file is overwritten.")
       .def_property_readonly(
           "report",
           [](const Soil& s) { return document(study::json_document(study::soil_json(s.soil))); },
-          "The document of triax soil --json. What the tests do not give is None.")
+          "Document of triax soil --json. A value that the tests do not determine is None.")
       .def("__repr__", [](const Soil& s) {
         return fmt::format("<triax.Soil '{}': {} tests>", s.soil.group, s.soil.tests.size());
       });
@@ -147,24 +152,26 @@ void bind_class(py::module_& module) {
 
 void bind_soil(py::module_& module) {
   bind_class(module);
-  module.def(
-      "soil", &soil, py::arg("db") = "triax.db", py::kw_only(), py::arg("tests") = TestNames(),
-      py::arg("where") = "", py::arg("criterion") = "peak-q", py::arg("failure_strain") = 0.15,
-      py::arg("exponent") = py::none(), py::arg("stress_error_kPa") = 1.0,
-      py::arg("keep_odd") = false,
-      "What the tests of a database (all, or these numbers and names) say of one soil, with "
-      "intervals: triax soil.\n"
-      "`where` is a condition of SQL, as in \"material = 'Hostun S28'\". `criterion` says "
-      "when a specimen counts as failed for\n"
-      "c' and phi': 'peak-q', 'peak-ratio', 'strain' at failure_strain, or 'critical-state'. "
-      "`exponent` holds that of the power form of\n"
-      "the critical state line. Odd tests are left out of the fits unless keep_odd is true.");
-  module.def("soils", &soils, py::arg("group"), py::arg("db") = "triax.db", py::kw_only(),
+  module.def("soil", &soil, py::arg("db") = "triax.db", py::kw_only(),
              py::arg("tests") = TestNames(), py::arg("where") = "", py::arg("criterion") = "peak-q",
              py::arg("failure_strain") = 0.15, py::arg("exponent") = py::none(),
              py::arg("stress_error_kPa") = 1.0, py::arg("keep_odd") = false,
-             "A triax.Soil for each value of a column, such as 'material', by that value: triax "
-             "soil --group; the rest as in soil.");
+             "Estimate the properties of one soil, with intervals, from tests of a database (as "
+             "triax soil).\n"
+             "`tests` contains numbers and names of tests. If it is empty, all tests are used.\n"
+             "`where` is an SQL condition, as in \"material = 'Hostun S28'\".\n"
+             "`criterion` defines when a specimen counts as failed for c' and phi':\n"
+             "'peak-q', 'peak-ratio', 'strain' at failure_strain, or 'critical-state'.\n"
+             "`exponent` fixes the exponent of the power form of the critical state line.\n"
+             "Outliers are excluded from the fits unless keep_odd is true.");
+  module.def(
+      "soils", &soils, py::arg("group"), py::arg("db") = "triax.db", py::kw_only(),
+      py::arg("tests") = TestNames(), py::arg("where") = "", py::arg("criterion") = "peak-q",
+      py::arg("failure_strain") = 0.15, py::arg("exponent") = py::none(),
+      py::arg("stress_error_kPa") = 1.0, py::arg("keep_odd") = false,
+      "Estimate soil properties for each value of a column, such as 'material' (as triax soil "
+      "--group).\n"
+      "Returns a dict from each value to its triax.Soil. The other arguments are as in soil.");
 }
 
 }  // namespace triax::python

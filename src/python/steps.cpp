@@ -29,35 +29,36 @@ auto of_steps(Member member, bool row) {
 
 void bind_steps(py::module_& module) {
   module.attr("OUTCOMES") = py::make_tuple("accepted", "inaccurate", "lost_control", "failed");
-  py::class_<Steps, std::shared_ptr<Steps>>(
-      module, "Steps", "What became of points that were taken an increment further.")
+  py::class_<Steps, std::shared_ptr<Steps>>(module, "Steps",
+                                            "Result of one increment for each point.")
       .def_property_readonly(
           "outcome",
           [](const py::object& self) {
             return read_only_view(self.cast<const Steps&>().arrays.outcome, self);
           },
-          "A place in triax.OUTCOMES for each point.")
+          "Index into triax.OUTCOMES for each point.")
       .def_property_readonly(
           "accepted",
           [](const Steps& s) {
             return std::ranges::all_of(s.arrays.outcome,
                                        [](std::uint8_t outcome) { return outcome == 0; });
           },
-          "Whether every point went to the end of its increment within the tolerance.")
+          "True if every point completed its increment within the tolerance.")
       .def_property_readonly(
           "done", of_steps(&study::StepArrays::done, false),
-          "Fraction of the increment; less than 1 where control was lost or the law failed.")
+          "Completed fraction of the increment; less than 1 if control was lost or the law failed.")
       .def_property_readonly("error", of_steps(&study::StepArrays::error, false),
-                             "Largest estimated error, relative.")
-      .def_property_readonly("stress_kPa", of_steps(&study::StepArrays::stress_kPa, true),
-                             "Increments of effective stress of the part done, a row a point.")
+                             "Largest estimated relative error.")
+      .def_property_readonly(
+          "stress_kPa", of_steps(&study::StepArrays::stress_kPa, true),
+          "Increments of effective stress over the completed part, kPa, one row per point.")
       .def_property_readonly("strain", of_steps(&study::StepArrays::strain, true),
-                             "Increments of strain of the part done, a row a point.")
+                             "Increments of strain over the completed part, one row per point.")
       .def_property_readonly("work_kPa", of_steps(&study::StepArrays::work_kPa, false),
-                             "Second-order work of the part done, kPa.")
-      .def_property_readonly("work_normalised",
-                             of_steps(&study::StepArrays::work_normalised, false),
-                             "The same over the norms of both increments, in [-1, 1].")
+                             "Second-order work of the completed part, kPa.")
+      .def_property_readonly(
+          "work_normalised", of_steps(&study::StepArrays::work_normalised, false),
+          "Second-order work divided by the norms of both increments, in [-1, 1].")
       .def_property_readonly(
           "messages",
           [](const Steps& s) {
@@ -65,7 +66,7 @@ void bind_steps(py::module_& module) {
             for (const auto& [place, text] : s.arrays.messages) all[py::int_(place)] = text;
             return all;
           },
-          "Why, by the place of the point; of the first hundred that were not accepted.");
+          "Reasons by index of the point, for the first hundred points that were not accepted.");
 }
 
 }  // namespace triax::python

@@ -114,25 +114,26 @@ std::string words_of(const StoredTest& test) {
 }
 
 void bind_test(py::module_& module) {
-  py::class_<StoredTest>(module, "Test", "A test as it is stored in a database.")
+  py::class_<StoredTest>(module, "Test", "Test that is stored in a database.")
       .def_property_readonly(
-          "id", [](const StoredTest& t) { return t.stored.id; }, "Its number in the database.")
+          "id", [](const StoredTest& t) { return t.stored.id; },
+          "Number of the test in the database.")
       .def_property_readonly(
-          "name", [](const StoredTest& t) { return t.stored.header.name; }, "Its name.")
+          "name", [](const StoredTest& t) { return t.stored.header.name; }, "Name of the test.")
       .def_property_readonly(
           "origin", [](const StoredTest& t) { return lab::to_string(t.stored.header.origin); },
-          "'recorded' or 'simulated'.")
+          "Origin of the test: 'recorded' or 'simulated'.")
       .def_property_readonly(
           "status", [](const StoredTest& t) { return db::to_string(t.stored.status); },
-          "'running', 'complete' or 'interrupted', when it was asked for.")
+          "Status of the test when it was loaded: 'running', 'complete' or 'interrupted'.")
       .def_property_readonly(
-          "tags", [](const StoredTest& t) { return t.stored.tags; }, "Its tags.")
+          "tags", [](const StoredTest& t) { return t.stored.tags; }, "Tags of the test.")
       .def_property_readonly(
-          "db", [](const StoredTest& t) { return t.from->path; }, "File of the database.")
+          "db", [](const StoredTest& t) { return t.from->path; }, "Path of the database file.")
       .def_property_readonly("report", &report_of,
-                             "The document of triax report --format json: specimen, consolidation, "
+                             "Document of triax report --format json: specimen, consolidation, "
                              "peak, collapse, events, checks,\n"
-                             "warnings. Units are in the names; what is unknown is None.")
+                             "warnings. Units are part of the names. An unknown value is None.")
       .def_property_readonly(
           "states",
           [](StoredTest& test) {
@@ -140,8 +141,8 @@ void bind_test(py::module_& module) {
               return table_of_states(store, test.stored.id);
             });
           },
-          "Stresses and strains of every reading, compression positive. Read from the file once, "
-          "then kept.")
+          "Stresses and strains of every reading, compression positive. Read from the database "
+          "once, then kept.")
       .def_property_readonly(
           "readings",
           [](StoredTest& test) {
@@ -149,7 +150,8 @@ void bind_test(py::module_& module) {
               return table_of_readings(store, test.stored);
             });
           },
-          "Every scan as the instruments or the file gave it. Read from the file once, then kept.")
+          "Every reading as it came from the instruments or the file. Read from the database once, "
+          "then kept.")
       .def_property_readonly(
           "second_order_work",
           [](StoredTest& test) {
@@ -157,8 +159,8 @@ void bind_test(py::module_& module) {
               return table_of_work(store, test.stored.id);
             });
           },
-          "Second-order work along the measured path: Eqs. (23), (10), (7) of the paper and the "
-          "normalised one, in [-1, 1].")
+          "Second-order work along the measured path: by Eqs. (23), (10), (7) of the paper, and "
+          "normalised, in [-1, 1].")
       .def("__repr__", &words_of);
 }
 
@@ -166,10 +168,9 @@ void bind_test(py::module_& module) {
 
 void bind_tests(py::module_& module) {
   bind_test(module);
-  py::class_<Database, std::shared_ptr<Database>>(
-      module, "Database",
-      "A database of tests, read only. database['CSU 26'] and database[3] are tests by name and by "
-      "number.")
+  py::class_<Database, std::shared_ptr<Database>>(module, "Database",
+                                                  "Read-only database of tests. database['CSU 26'] "
+                                                  "selects a test by name, database[3] by number.")
       .def(py::init([](const Path& path) {
              const py::gil_scoped_release free;
              auto database = std::make_shared<Database>(path.string());
@@ -178,7 +179,7 @@ void bind_tests(py::module_& module) {
            }),
            py::arg("path") = "triax.db")
       .def_property_readonly(
-          "path", [](const Database& d) { return d.path; }, "Its file.")
+          "path", [](const Database& d) { return d.path; }, "Path of the database file.")
       .def("__getitem__", &numbered, py::arg("test"))
       .def("__getitem__", &found, py::arg("test"))
       .def("__len__",
@@ -187,15 +188,18 @@ void bind_tests(py::module_& module) {
            })
       .def("__iter__",
            [](const std::shared_ptr<Database>& d) { return py::iter(py::cast(all_of(d))); })
-      .def("tests", &all_of, "All tests, oldest first; those of a sweep together.")
+      .def("tests", &all_of,
+           "List all tests, oldest first. The tests of a sweep are next to each other.")
       .def(
           "query",
           [](const Database& d, const std::string& sql, double time_limit_s) {
             return rows_of(d.path, sql, time_limit_s);
           },
           py::arg("name_or_sql"), py::arg("time_limit_s") = db::kQueryLimit_s,
-          "Rows of a named query (triax query --list) or of one statement of SQL, as dicts; "
-          "nothing can be changed. WorkFailed where it computes for longer than time_limit_s.")
+          "Return the rows of a named query (triax query --list) or of one SQL statement, as "
+          "dicts.\n"
+          "The statement cannot change the database.\n"
+          "Raises WorkFailed if it computes for longer than time_limit_s.")
       .def("__repr__", [](const Database& d) { return "<triax.Database '" + d.path + "'>"; });
 }
 

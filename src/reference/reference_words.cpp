@@ -17,7 +17,7 @@ std::string depth(std::optional<double> metres) {
 
 std::string what_it_is(const lab::AgsResults& file) {
   const std::size_t count = file.results.size();
-  return fmt::format("AGS4 results: no readings in it, nothing to judge; {} triaxial result{}",
+  return fmt::format("AGS4 results without readings, nothing to assess; {} triaxial result{}",
                      count, count == 1 ? "" : "s");
 }
 

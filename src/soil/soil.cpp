@@ -57,43 +57,37 @@ void run(const SoilCommandOptions& o) {
 }
 
 void add_options(CLI::App& app, SoilCommandOptions& o) {
-  app.add_option("TEST", o.choice.tests, "numbers or names of tests; all if none is given")
-      ->type_name("");
-  app.add_option(
-         "--where", o.choice.where,
-         "only tests for which this is true: a condition of SQL on test_id, test, origin, "
-         "programme, status, source, tags, material, void_ratio, p0_eff_kPa, kind, eta, csr, "
-         "sweep")
+  app.add_option("TEST", o.choice.tests, "tests, by number or name [all]")->type_name("");
+  app.add_option("--where", o.choice.where,
+                 "only tests that match this SQL condition on test_id, test, origin, programme, "
+                 "status, source, tags, material, void_ratio, p0_eff_kPa, kind, eta, csr, sweep")
       ->type_name("SQL");
   app.add_option("--group", o.choice.group,
-                 "a result for each value of one of these columns, or of an expression of them")
+                 "estimate for each value of a column of --where, or of an expression")
       ->type_name("COLUMN");
-  app.add_option(
-         "--criterion", o.criterion,
-         "when a specimen counts as failed for c' and phi': at the largest q, at the "
-         "largest s1'/s3', at --failure-strain, or at the critical state where it was reached")
+  app.add_option("--criterion", o.criterion,
+                 "failure criterion for c' and phi': largest q, largest s1'/s3', strain of "
+                 "--failure-strain, or the critical state if it was reached")
       ->type_name("peak-q|peak-ratio|strain|critical-state")
       ->check(CLI::IsMember({"peak-q", "peak-ratio", "strain", "critical-state"}).description(""))
       ->capture_default_str();
-  app.add_option("--failure-strain", o.failure_strain_pct, "axial strain of --criterion strain")
+  app.add_option("--failure-strain", o.failure_strain_pct,
+                 "axial strain of --criterion strain, in percent")
       ->type_name("PERCENT")
       ->check(CLI::Range(0.1, 50.0).description(""))
       ->capture_default_str();
   app.add_option("--exponent", o.exponent,
-                 "holds the exponent of the power form of the critical state line; otherwise it is "
-                 "fitted")
+                 "exponent of the power form of the critical state line [fitted]")
       ->type_name("X")
       ->check(CLI::Range(0.01, 3.0).description(""));
-  app.add_option(
-         "--stress-error", o.stress_error_kPa,
-         "standard error of q and p' by zeros and calibrations, which the readings of a test "
-         "do not show; critical states at small stresses weigh by it")
-      ->type_name("kPa")
+  app.add_option("--stress-error", o.stress_error_kPa,
+                 "standard error of q and p' from zero offsets and calibration, in kPa; reduces "
+                 "the weight of critical states at small stresses")
+      ->type_name("KPA")
       ->check(CLI::Range(0.0, 100.0).description(""))
       ->capture_default_str();
-  app.add_flag("--keep-odd", o.keep_odd,
-               "tests that do not fit the others stay in, named all the same");
-  app.add_option("--output", o.output, "folder for soil.toml and the figures with their numbers")
+  app.add_flag("--keep-odd", o.keep_odd, "keep outliers in the fits; they are still listed");
+  app.add_option("--output", o.output, "write soil.toml and the figures with their data to FOLDER")
       ->type_name("FOLDER");
   add_db(app, o.choice.db);
   add_json(app, o.json);
@@ -104,36 +98,32 @@ void add_options(CLI::App& app, SoilCommandOptions& o) {
 Command soil_command() {
   return {
       .name = "soil",
-      .purpose =
-          "what many tests say of one soil: critical state, strength, collapse, with intervals",
+      .purpose = "Estimate soil properties from tests",
       .description =
-          {"From each test: critical state (reached, or extrapolated and marked), phase "
-           "transformation, peak, dilatancy at the peak, brittleness, onset of collapse. From all "
-           "of "
-           "them: critical state line, M in compression and in extension, friction angles, c' and "
-           "phi' of the set with Mohr circles, state parameters, stress ratio at collapse over "
-           "state, "
-           "stress-dilatancy, undrained strength and cyclic resistance, each with the interval "
-           "that "
-           "holds the truth with 95 %.",
-           "A test that lies where chance puts one fit of a hundred is named with the reason and "
-           "left "
-           "out of that fit, unless --keep-odd is given. A file that was read twice counts once. "
-           "What the tests do not give is said under the table, with what is missing.",
-           "--output writes soil.toml, from which parameters are calibrated, and each figure as "
-           "SVG, "
-           "PNG and PDF with its numbers as CSV and JSON."},
+          {"Each test gives its critical state (reached, or extrapolated and marked), phase "
+           "transformation, peak, dilatancy at the peak, brittleness and onset of collapse. All "
+           "tests together give the critical state line, M in compression and in extension, "
+           "friction angles, c' and phi' of the set with Mohr circles, state parameters, stress "
+           "ratio at collapse against state, stress-dilatancy, undrained strength and cyclic "
+           "resistance, each with a 95 % confidence interval.",
+           "A test is an outlier if chance explains its deviation from a fit in only one of a "
+           "hundred fits. It is listed with the reason and left out of that fit, unless "
+           "--keep-odd is given. A file that was replayed twice counts once. Properties that the "
+           "tests cannot determine are listed below the table with the reason.",
+           "--output writes soil.toml, from which triax calibrate can start, and each figure as "
+           "SVG, PNG and PDF with its data as CSV and JSON."},
       .diagnostics =
           {{"the tests are of N materials: ...",
-            "choose one with --where \"material = '...'\", or --group material for a result each"},
-           {"there are only N tests ...", "choose more tests: trends and intervals need three"},
-           {"SQL: no such column: ...", "the help of --where lists the columns"}},
-      .examples = {{"triax soil", "all tests of triax.db, as text"},
+            "choose one with --where \"material = '...'\", or estimate each with --group material"},
+           {"there are only N tests; ...",
+            "choose more tests: trends and intervals need at least three"},
+           {"SQL: no such column: ...", "use the columns listed in the help of --where"}},
+      .examples = {{"triax soil", "estimate from all tests of triax.db"},
                    {"triax soil --where \"material = 'Hostun S28'\" --output hostun",
-                    "one sand, with soil.toml and figures"},
+                    "estimate for one sand and write soil.toml and figures"},
                    {"triax soil 1 2 3 --criterion peak-ratio --json",
-                    "a set of three specimens at the largest stress ratio, as JSON"},
-                   {"triax soil --group material", "a result for each material"}},
+                    "estimate from three specimens at the largest stress ratio, as JSON"},
+                   {"triax soil --group material", "estimate for each material separately"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<SoilCommandOptions>();
         add_options(app, *o);

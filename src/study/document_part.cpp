@@ -40,7 +40,7 @@ std::int64_t DocumentPart::whole(const char* key, std::int64_t lowest, std::int6
   const Json& value = (*this)[key];
   const double found = value.is_number_integer() ? value.get<double>() : std::nan("");
   if (!(found >= static_cast<double>(lowest) && found <= static_cast<double>(highest)))
-    fail(fmt::format("{} must be a whole number, {} to {}", key, lowest, highest));
+    fail(fmt::format("{} must be an integer, {} to {}", key, lowest, highest));
   return value.get<std::int64_t>();
 }
 
@@ -75,7 +75,8 @@ Json parsed_document(std::string_view text, const std::string& file, const char*
                      const std::string& otherwise) {
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded())
-    throw lab::BadInput(file, 0, "is not a complete JSON document; run an interrupted piece again");
+    throw lab::BadInput(
+        file, 0, "is not a complete JSON document; if the piece was interrupted, run it again");
   if (!document.is_object() || !document.contains("format") || document["format"] != format)
     throw lab::BadInput(file, 0, otherwise);
   return document;

@@ -36,8 +36,9 @@ void check_together(const std::vector<PieceName>& pieces, const std::string& who
     const PieceName& piece = pieces[k];
     const auto refuse = [&](const std::string& why) { throw lab::BadInput(piece.file, 0, why); };
     if (piece.count != first.count)
-      refuse(fmt::format("is a piece of {}, {} one of {}; all pieces must be of one division",
-                         piece.count, first.file, first.count));
+      refuse(
+          fmt::format("is one of {} pieces, {} one of {}; all pieces must be of the same division",
+                      piece.count, first.file, first.count));
     if (const std::string other = difference(k); !other.empty())
       refuse(fmt::format("is a piece of another {}: {}", whole, other));
     if (piece.program != first.program)
@@ -45,13 +46,13 @@ void check_together(const std::vector<PieceName>& pieces, const std::string& who
                          piece.program, first.file, first.program));
     const PieceName*& place = of[static_cast<std::size_t>(piece.index - 1)];
     if (place != nullptr)
-      refuse(fmt::format("is piece {} of {} as {} is; give each piece once", piece.index,
+      refuse(fmt::format("is piece {} of {}, like {}; give each piece once", piece.index,
                          piece.count, place->file));
     place = &piece;
   }
   const auto missing = std::ranges::find(of, nullptr);
   if (missing == of.end()) return;
-  throw lab::BadInput(fmt::format("--merge: piece {} of {} is missing ({} of them are given)",
+  throw lab::BadInput(fmt::format("--merge: piece {} of {} is missing ({} given)",
                                   missing - of.begin() + 1, first.count, pieces.size()));
 }
 
@@ -64,20 +65,22 @@ void check_seal(const std::string& text, const std::string& file) {
   const auto start = text.rfind(kSeal);
   if (start == std::string::npos)
     throw lab::BadInput(file, 0,
-                        "has no checksum: an older triax wrote it, or another program wrote it "
-                        "anew; compute the piece again");
+                        "has no checksum: it was written by an older triax or changed by another "
+                        "program; compute the piece again");
   const std::string document = text.substr(0, start);
   if (text.substr(start) != seal_of(document))
     throw lab::BadInput(file, 0,
-                        "was changed since it was written: its checksum (SHA-256) does not fit; "
-                        "copy it again, or compute the piece again");
+                        "was changed since it was written: wrong checksum (SHA-256); copy it "
+                        "again, or compute the piece again");
 }
 
 std::string piece_text(const std::string& path, const std::string& writer,
                        const std::string& whole) {
   std::error_code none;
+  if (!std::filesystem::exists(path, none))
+    throw lab::BadInput(path, 0, "file does not exist; expected a file written by " + writer);
   if (!std::filesystem::is_regular_file(path, none))
-    throw lab::BadInput(path, 0, "cannot be read; expected a file written by " + writer);
+    throw lab::BadInput(path, 0, "is not a regular file; expected a file written by " + writer);
   if (std::filesystem::file_size(path, none) > kLargestFile)
     throw lab::BadInput(path, 0, "is larger than 1 GB; cut the " + whole + " into more pieces");
   std::ifstream file(path, std::ios::binary);

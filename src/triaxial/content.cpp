@@ -33,10 +33,10 @@ std::string banner(const db::StoredTest& test) {
   if (test.header.origin == Origin::simulated) parts.emplace_back("SIMULATED, not measured");
   const std::string sign = sign_in_words(test.status, test.sign_of_life);
   if (test.status == db::TestStatus::interrupted)
-    parts.push_back(fmt::format("INTERRUPTED: the test was cut off{}, there is no verdict", sign));
+    parts.push_back(fmt::format("INTERRUPTED: the test was cut off{}; not assessed", sign));
   if (test.status == db::TestStatus::running)
     parts.push_back(
-        fmt::format("RUNNING: the test is still being recorded{}, there is no verdict yet", sign));
+        fmt::format("RUNNING: the test is still being recorded{}; not assessed yet", sign));
   return fmt::format("{}", fmt::join(parts, ". "));
 }
 
@@ -107,7 +107,7 @@ std::vector<std::string> guess_lines(const std::vector<lab::Guess>& guesses) {
   std::vector<std::string> lines;
   lines.reserve(guesses.size());
   for (const auto& guess : guesses)
-    lines.push_back(fmt::format("{} taken as {}: {}; else {}", guess.what, guess.taken,
+    lines.push_back(fmt::format("{} assumed to be {}: {}; otherwise {}", guess.what, guess.taken,
                                 guess.evidence, guess.remedy));
   return lines;
 }
@@ -115,7 +115,7 @@ std::vector<std::string> guess_lines(const std::vector<lab::Guess>& guesses) {
 std::string membrane_line(const db::StoredTest& test) {
   const auto& applied = test.summary.membrane_correction;
   const auto& specimen = test.header.specimen;
-  if (applied.empty()) return "not known: the record was reduced before";
+  if (applied.empty()) return "unknown: the record was already reduced";
   if (applied == "none") return "none";
   return fmt::format("{}, thickness {} mm, modulus {} kPa",
                      applied == "astm" ? "ASTM D4767" : "ISO 17892-9",
@@ -123,7 +123,7 @@ std::string membrane_line(const db::StoredTest& test) {
 }
 
 std::string detected_word(const lab::Criterion& criterion) {
-  if (!criterion.detected) return "not judged";
+  if (!criterion.detected) return "not assessed";
   return *criterion.detected ? "yes" : "no";
 }
 
@@ -133,7 +133,7 @@ Table criteria_table(const db::StoredTest& test) {
                {"Reading", Align::right},
                {"Time", Align::right},
                {"η", Align::right},
-               {"Noticed at", Align::right},
+               {"Detected at", Align::right},
                {"Evidence"}},
               {}};
   for (const auto& criterion : test.summary.collapse.criteria)
@@ -151,8 +151,8 @@ Table events_table(const db::StoredTest& test) {
   Table table{{{"Event"},
                {"Reading", Align::right},
                {"Time", Align::right},
-               {"Noticed at", Align::right},
-               {"then", Align::right},
+               {"Detected at", Align::right},
+               {"at time", Align::right},
                {"What"}},
               {}};
   for (const lab::Event& event : test.events) {
@@ -167,8 +167,8 @@ Table events_table(const db::StoredTest& test) {
 }
 
 Table checks_table(const db::StoredTest& test) {
-  Table table{
-      {{"Check"}, {"Measured", Align::right}, {"Limit", Align::right}, {"Verdict"}, {"Why"}}, {}};
+  Table table{{{"Check"}, {"Measured", Align::right}, {"Limit", Align::right}, {"Result"}, {"Why"}},
+              {}};
   const auto plain = [](std::optional<double> value) {
     return value ? fmt::format("{:.4g}", *value) : std::string(kUnknown);
   };
@@ -240,7 +240,7 @@ TestContent test_content(const study::TestResult& reported) {
   if (auto list = note_lines(test.header.notes); !list.empty())
     facts.push_back({"From the file", std::move(list)});
   if (auto list = guess_lines(test.header.guesses); !list.empty())
-    facts.push_back({"Guessed", std::move(list)});
+    facts.push_back({"Assumed", std::move(list)});
   if (auto list = study::warnings(test); !list.empty())
     facts.push_back({"Warnings", std::move(list)});
   content.criteria = criteria_table(test);

@@ -17,10 +17,10 @@ void tell_of_gaps(const std::string& db) {
         left.test.empty()
             ? "something"
             : fmt::format("{} with {} readings", lab::excerpt(left.test), left.readings);
-    notify(on_one_line(
-        fmt::format("{}: {} that a program which has ended left here waits outside of the "
-                    "database and of what is told; `triax tests repair` takes it in",
-                    left.spool, what)));
+    notify(
+        on_one_line(fmt::format("{}: {} of a program that has ended is not in the database and not "
+                                "in this result; `triax tests repair` stores it",
+                                left.spool, what)));
   }
   for (const db::MissingReadings& missing : db::missing_readings(db))
     notify(on_one_line(fmt::format("{}: test {} {}: {}", db, missing.test,

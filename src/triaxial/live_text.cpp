@@ -26,7 +26,7 @@ std::string said_word(const study::LiveRow& row) {
     case lab::EventKind::failure:
       return "failure";
     case lab::EventKind::warning_withdrawn:
-      return "taken back";
+      return "withdrawn";
     default:
       return spaced(std::string(to_string(row.event->kind)));
   }
@@ -54,18 +54,18 @@ std::string sentence(const study::LiveRow& row) {
   if (event.kind == lab::EventKind::warning_withdrawn)
     return row.forecast ? std::string() : event.detail;
   const bool of_another = !row.said || row.said->reading != event.reading;
-  return of_another ? fmt::format("of reading {}: {}", event.reading, event.detail) : event.detail;
+  return of_another ? fmt::format("at reading {}: {}", event.reading, event.detail) : event.detail;
 }
 
 Table rows_table(const std::vector<study::LiveRow>& rows) {
   Table table{{{"Reading", Align::right},
                {"Time", Align::right},
                {"Stage", Align::right},
-               {"Said"},
+               {"Event"},
                {"η now", Align::right},
                {"η at onset", Align::right},
                {"with 90 %", Align::right},
-               {"left until then", Align::right},
+               {"left until onset", Align::right},
                {"at this rate", Align::right},
                {"Words"}},
               {}};
@@ -107,11 +107,12 @@ std::string level_line(lab::EventKind kind, const std::optional<lab::Outlook>& s
                        const std::optional<study::LiveLead>& lead, const db::StoredTest& test) {
   if (lead) return lead_line(*lead, *test.summary.collapse.onset);
   if (stands)
-    return fmt::format("said at reading {} and not taken back; no onset was found",
+    return fmt::format("issued at reading {} and not withdrawn; no onset was found",
                        stands->reading);
   const auto said = std::ranges::count(test.events, kind, &lab::Event::kind);
-  if (said == 0) return "never said";
-  return said == 1 ? "said once and taken back" : fmt::format("said {} times and taken back", said);
+  if (said == 0) return "never issued";
+  return said == 1 ? "issued once and withdrawn"
+                   : fmt::format("issued {} times and withdrawn", said);
 }
 
 std::string onset_line(const study::LiveAccount& account) {
@@ -123,11 +124,11 @@ std::string onset_line(const study::LiveAccount& account) {
 }
 
 std::string lost_line(const lab::Collapse& collapse, const lab::Instant& onset) {
-  if (!collapse.noticed) return "not known before the record ended";
+  if (!collapse.noticed) return "not detected before the end of the record";
   const lab::Moment& at = *collapse.noticed;
   std::optional<double> time_s;
   if (at.time_s && onset.time_s) time_s = *onset.time_s - *at.time_s;
-  return fmt::format("known at reading {}, {}", at.reading,
+  return fmt::format("detected at reading {}, {}", at.reading,
                      before_onset(onset.reading - at.reading, time_s));
 }
 
@@ -147,7 +148,7 @@ std::vector<Fact> compared(const db::StoredTest& test, const study::LiveAccount&
 
 std::string live_text(const db::StoredTest& test, const study::LiveAccount& account) {
   TestContent head;
-  head.title = fmt::format("Test {}: {}, as it was told while it ran", test.id, test.header.name);
+  head.title = fmt::format("Test {}: {}, reports while it ran", test.id, test.header.name);
   if (test.header.origin == lab::Origin::simulated) head.banner = "SIMULATED, not measured";
   std::string text = text_of(head) + '\n' + text_with_sentences(rows_table(account.rows));
   text += account.forecasts == 0 ? "\nNo onset was forecast at any point of second-order work.\n"

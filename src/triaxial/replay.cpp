@@ -67,8 +67,8 @@ class BadRecords {
 struct Stopped : lab::WorkFailed {
   Stopped()
       : WorkFailed(
-            "stopped by the operator; what was read of this record is stored as interrupted, "
-            "records behind it were not read") {}
+            "stopped by the operator; this record is stored as interrupted, the records after it "
+            "were not read") {}
 };
 
 /// A record that was looked at: opened, so that whatever can be seen in its head is told before the
@@ -85,7 +85,7 @@ std::vector<Looked> look_at_all(const ReplayOptions& o, const lab::RecordOptions
   std::vector<Looked> good;
   for (const auto& path : o.records) {
     try {
-      if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "no such file");
+      if (!std::filesystem::exists(path)) throw lab::BadInput(path, 0, "file does not exist");
       if (o.dialect.empty() && references.take(path)) continue;
       auto rig = lab::open_record(path, options);
       const lab::Reduction can_be_reduced(rig->header(), reduction);
@@ -153,47 +153,49 @@ void run_replay(const ReplayOptions& o) {
 Command replay_command() {
   return {
       .name = "replay",
-      .purpose = "reduce recorded tests, compute their second-order work, store and report them",
-      .description =
-          {"Reads records as loggers write them: triax's own CSV, GDSLab .gds, the Karlsruhe "
-           "tables and others. The dialect is recognised from the content; --dialect names one or "
-           "gives the description of a new one. Readings go one at a time through reduction and "
-           "collapse monitor into the database; the report is then read back from there.",
-           "What a file does not hold is given with --set: specimen.height_mm, "
-           "specimen.diameter_mm, "
-           "specimen.void_ratio, specimen.limit_friction_angle_deg, stages.N.role and so on.",
-           "With --live it tells, reading by reading, what would have been said while the test "
-           "ran: "
-           "events, the onset as it was forecast, what was left until then, and how that compares "
-           "with the result.",
-           "An AGS4 file has no readings of triaxial tests but their results: these are stored as "
-           "reference values, which `triax query reference_results` lists. The same file read "
-           "again replaces them."},
-      .diagnostics =
-          {{"... does not say the height of the specimen ...", "give --set specimen.height_mm=..."},
-           {"... AGS4 without a triaxial result ...",
-            "the file has none of the groups TREG, TRET, TRIG and TRIT, or no row in them"},
-           {"FILE:LINE: ...",
-            "the file is not valid at this line; nothing of it is stored. Of several "
-            "records the others are stored and reported, and the status at the end is 2"}},
+      .purpose = "Replay recorded tests: reduce, assess and store them",
+      .description = {"Reads records in the formats of loggers: the CSV format of triax, GDSLab "
+                      ".gds, the Karlsruhe tables and others. The dialect is recognised from the "
+                      "content. --dialect names a dialect or the file that describes a new one. "
+                      "Readings pass one at a time through data reduction and the collapse monitor "
+                      "into the database, and the report is read from the database.",
+                      "Use --set to give values that the file lacks: specimen.height_mm, "
+                      "specimen.diameter_mm, specimen.void_ratio, "
+                      "specimen.limit_friction_angle_deg, stages.N.role and others.",
+                      "--live lists, reading by reading, what was reported during the test: "
+                      "events, the forecast onset, the distance and time left until the onset, "
+                      "and how the forecast compares with the result.",
+                      "An AGS4 file contains results of triaxial tests but no readings. The "
+                      "results are stored as reference values, which `triax query "
+                      "reference_results` lists. Reading the same file again replaces them."},
+      .diagnostics = {{"... the height of the specimen is missing ...",
+                       "give --set specimen.height_mm=..."},
+                      {"... AGS4 without a triaxial result ...",
+                       "use a file with rows in one of the groups TREG, TRET, TRIG and TRIT"},
+                      {"FILE:LINE: ...",
+                       "correct this line; nothing of this file is stored. Other records are "
+                       "stored and reported, and the exit status is 2"}},
       .examples =
-          {{"triax replay test.csv", "a record in triax's own form"},
-           {"triax replay delivery.ags", "results of AGS4, as reference values"},
-           {"triax replay test.csv --live", "what would have been said when"},
-           {"triax replay *.gds --json", "several files, as one JSON document"},
+          {{"triax replay test.csv", "replay a record in the format of triax"},
+           {"triax replay delivery.ags", "store results of an AGS4 file as reference values"},
+           {"triax replay test.csv --live", "list what was reported during the test, and when"},
+           {"triax replay *.gds --json", "replay several files and print one JSON document"},
            {"triax replay raw.csv --set specimen.height_mm=140 --set specimen.diameter_mm=70",
-            "the file lacks the specimen"},
-           {"triax replay lab.txt --dialect my_lab.toml", "your own logger"}},
+            "give the dimensions that the file lacks"},
+           {"triax replay lab.txt --dialect my_lab.toml", "read the files of your own logger"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<ReplayOptions>();
         app.add_option("RECORD", o->records, "record files")->required()->type_name("");
-        app.add_option("--dialect", o->dialect, "name of a dialect, or file that describes one")
+        app.add_option("--dialect", o->dialect,
+                       "dialect of the records: a name, or a file that describes it [recognised "
+                       "from the content]")
             ->type_name("NAME|FILE.toml");
         app.add_option("--sheet", o->sheet,
-                       "sheet of a workbook; the first that is recognised if not given")
+                       "worksheet to read from a workbook [first that is recognised]")
             ->type_name("NAME");
         app.add_option("--set", o->sets,
-                       "what the file does not hold, or holds wrongly; may be repeated")
+                       "value that the file lacks or has wrong, such as specimen.height_mm=140 "
+                       "(repeatable)")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         const std::map<std::string, lab::MembraneCorrection> membranes = {
@@ -201,7 +203,7 @@ Command replay_command() {
             {"astm", lab::MembraneCorrection::astm},
             {"iso", lab::MembraneCorrection::iso}};
         app.add_option("--membrane", o->membrane,
-                       "membrane correction: none, astm (D4767) or iso (17892-9) [none]")
+                       "membrane correction: astm (D4767) or iso (17892-9) [none]")
             ->transform(CLI::CheckedTransformer(membranes).description(""))
             ->type_name("none|astm|iso");
         add_db(app, o->db);

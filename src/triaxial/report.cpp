@@ -12,6 +12,7 @@
 #include "db/grain_store.hpp"
 #include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
 #include "src/grains/grain_figure_folder.hpp"
@@ -63,10 +64,10 @@ std::string chosen_format(const ReportOptions& o) {
   const std::string ending = format_of_ending(o.output);
   if (o.format.empty()) return ending.empty() ? "text" : ending;
   if (!ending.empty() && ending != o.format)
-    throw lab::BadInput(fmt::format(
-        "--output {} would hold {}, which its ending does not say: leave --format away, or give "
-        "the file another ending",
-        o.output, o.format));
+    throw lab::BadInput(
+        fmt::format("--output {} would contain {}, which does not match its extension: leave "
+                    "--format out, or give the file another extension",
+                    o.output, o.format));
   return o.format;
 }
 
@@ -91,8 +92,10 @@ std::vector<std::int64_t> filtered(const ReportOptions& o, const std::vector<std
     if (chosen.contains(id)) left.push_back(id);
   if (left.empty())
     throw lab::BadInput(
-        "no test is left that --where, --type and --sweep hold for; `triax tests list` shows what "
-        "there is");
+        fmt::format("no test matches {}; `triax tests list` shows all tests",
+                    lab::joined({o.where.empty() ? "" : "--where", o.type.empty() ? "" : "--type",
+                                 o.sweep.empty() ? "" : "--sweep"},
+                                " and ")));
   return left;
 }
 
@@ -178,7 +181,7 @@ void write_figures(const db::Store& store, const std::vector<std::int64_t>& ids,
 void write_pages(const std::string& format, const ReportSheets& sheets,
                  const std::vector<db::StoredGrainRun>& runs, const std::string& output) {
   if (!sheets.has_page_of_each())
-    notify(fmt::format("{} tests: only sets of them have pages; --each gives one of each test too",
+    notify(fmt::format("{} tests: only pages of sets; use --each for a page of each test",
                        sheets.tests.size()));
   if (format == "pdf")
     pdf_report(sheets, output, grain_pages(runs));
@@ -194,7 +197,7 @@ void run_report(const ReportOptions& o) {
   const db::Store store(o.db);
   tell_of_gaps(o.db);
   if (o.live) {
-    if (drawn) throw lab::BadInput("--live is told as text or JSON, not as " + format);
+    if (drawn) throw lab::BadInput("--live needs --format text or json, not " + format);
     return write_file(output, live_document(o.db, store.find(o.tests), format == "json"));
   }
   const db::GrainStore grains(o.db);
@@ -221,32 +224,33 @@ void run_report(const ReportOptions& o) {
 
 void add_choice(CLI::App& app, ReportOptions& o) {
   app.add_option("--where", o.where,
-                 "only tests for which this is true: a condition of SQL on the columns that `triax "
-                 "soil --where` has")
+                 "only tests that match this SQL condition; columns as in triax soil --where")
       ->type_name("SQL");
-  app.add_option("--type", o.type, "only tests of this type: ICU, CSD, ...")->type_name("TYPE");
+  app.add_option("--type", o.type, "only tests of this type, such as ICU or CSD")
+      ->type_name("TYPE");
   app.add_option("--sweep", o.sweep, "only tests of this sweep")->type_name("NAME");
 }
 
 void add_sheet_options(CLI::App& app, ReportOptions& o) {
   app.add_option("--failure", o.failure,
-                 "when a specimen counts as failed in sheets: at the largest q, at the largest "
-                 "s1'/s3', at --failure-strain, or at the critical state where it was reached")
+                 "failure criterion of test reports: largest q, largest s1'/s3', strain of "
+                 "--failure-strain, or the critical state if it was reached")
       ->type_name("peak-q|peak-ratio|strain|critical-state")
       ->check(CLI::IsMember({"peak-q", "peak-ratio", "strain", "critical-state"}).description(""))
       ->capture_default_str();
-  app.add_option("--failure-strain", o.failure_strain_pct, "axial strain of --failure strain")
+  app.add_option("--failure-strain", o.failure_strain_pct,
+                 "axial strain of --failure strain, in percent")
       ->type_name("PERCENT")
       ->check(CLI::Range(0.1, 50.0).description(""))
       ->capture_default_str();
   app.add_option("--set", o.sets,
-                 "a word of the sheet that the record does not hold: project, borehole, depth, "
-                 "operator, drained_at, side_drains, load_cell, remarks, ...; TEST/KEY=VALUE is of "
-                 "one test; may be repeated")
+                 "field of the test report that the record lacks: project, borehole, depth, "
+                 "operator, drained_at, side_drains, load_cell, remarks, ...; TEST/KEY=VALUE for "
+                 "one test (repeatable)")
       ->type_name("KEY=VALUE");
-  app.add_flag("--each", o.each, "a page of each test, however many there are");
+  app.add_flag("--each", o.each, "write a page for each test, however many there are");
   app.add_flag("--evidence", o.evidence,
-               "behind the page of a test its criteria, events, checks and histories");
+               "add criteria, events, checks and histories to the page of each test");
 }
 
 }  // namespace
@@ -254,56 +258,58 @@ void add_sheet_options(CLI::App& app, ReportOptions& o) {
 Command report_command() {
   return {
       .name = "report",
-      .purpose = "say when, why and at what stress ratio tests collapsed: text, JSON, HTML or PDF",
+      .purpose = "Report tests as text, JSON, HTML or PDF",
       .description =
-          {"Reports the named tests and runs of grains, or all, from the database. A test is named "
-           "by its number or its name, a run of grains by its name or by grains:NUMBER; of several "
-           "with one name it is the latest.",
-           "HTML and PDF are sheets: a page of A4 for each test, and one for each set of tests of "
-           "one soil: head, specimen, saturation, consolidation with t100 and c_v, rate, failure, "
-           "corrections, the verdict on collapse, deviations from ISO 17892-9, ASTM D4767 and "
-           "D7181 and BS 1377-8, figures; of a set Mohr circles with c' and phi'. Of more than 24 "
-           "tests only the sets have pages. What nobody says stays a blank to be filled in by "
-           "hand; --set says it. A test whose type is UU, UUM or UNC has a sheet of total stresses "
-           "after ISO 17892-8, with c_u = q_f/2. JSON has a member \"sheet\" with these values "
-           "where "
-           "--failure, --failure-strain or --set is given. The ending of --output says the format "
-           "unless --format does. "
-           "Without --output they are written to triax_report.html or triax_report.pdf in the "
-           "current folder; text and JSON go to standard output.",
-           "--figures writes each figure of a report, and those that compare all tests of a type, "
-           "as SVG, PNG and PDF into a folder, those of runs of grains with the numbers behind "
-           "them; without --format and --output nothing else."},
-      .diagnostics = {{"FILE: ... no such database; ...",
-                       "there is no database yet, or --db names another file"},
-                      {"no test is left ...", "the filters hold for none of the tests named"}},
-      .examples = {{"triax report", "all tests and runs of grains as text"},
-                   {"triax report csu_26 --output csu_26.html", "the sheet of one test"},
+          {"Reports the named tests and grain runs of the database, or all of them. A test is "
+           "named by its number or its name, a grain run by its name or by grains:NUMBER. If "
+           "several have the same name, the latest is used.",
+           "HTML and PDF are test reports: one A4 page for each test, and one for each set of "
+           "tests on the same soil. They contain the heading, specimen, saturation, consolidation "
+           "with t100 and c_v, rate, failure, corrections, the assessment of collapse, deviations "
+           "from ISO 17892-9, ASTM D4767 and D7181 and BS 1377-8, and figures. The page of a set "
+           "has Mohr circles with c' and phi'. With more than 24 tests, only the sets have pages. "
+           "Fields without a value are left empty for filling in by hand; --set fills them.",
+           "A test of type UU, UUM or UNC has a test report in total stresses after ISO 17892-8, "
+           "with c_u = q_f/2. JSON contains the values of the test report as member \"sheet\" if "
+           "--failure, --failure-strain or --set is given.",
+           "The extension of --output selects the format unless --format is given. Without "
+           "--output, HTML and PDF are written to triax_report.html or triax_report.pdf in the "
+           "current folder, and text and JSON to standard output.",
+           "--figures writes each figure of a report, and the figures that compare all tests of a "
+           "type, to a folder as SVG, PNG and PDF. Figures of grain runs include their data. "
+           "Nothing else is written without --format and --output."},
+      .diagnostics = {{"FILE: database does not exist; ...",
+                       "correct --db, or create the database with triax simulate, run or replay"},
+                      {"no test matches ...",
+                       "correct --where, --type or --sweep, or name other tests"}},
+      .examples = {{"triax report", "report all tests and grain runs as text"},
+                   {"triax report csu_26 --output csu_26.html",
+                    "write the test report of one test"},
                    {"triax report 1 2 3 --output set.pdf --failure peak-ratio --set borehole=B3",
-                    "the sheets of a set and of its tests"},
+                    "write the test reports of a set and of its tests"},
                    {"triax report --sweep densities --output sweep.pdf",
-                    "all tests of a sweep on one page"},
-                   {"triax report csu_26 --live", "what was said while the test ran, and when"},
-                   {"triax report 1 2 3 --format json", "three tests as one JSON document"},
-                   {"triax report grains:1 --format html", "a run of grains with its figures"},
+                    "report all tests of a sweep on one page"},
+                   {"triax report csu_26 --live",
+                    "list what was reported during the test, and when"},
+                   {"triax report 1 2 3 --format json", "print three tests as one JSON document"},
+                   {"triax report grains:1 --format html", "report a grain run with its figures"},
                    {"triax report --figures pictures",
-                    "the figures of all tests and runs of grains as files"}},
+                    "write the figures of all tests and grain runs to a folder"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<ReportOptions>();
         app.add_option("TEST", o->tests,
-                       "numbers or names of tests, grains:1 a run of grains; all if none is given")
+                       "tests, by number or name; grain runs as grains:NUMBER [all]")
             ->type_name("");
         add_db(app, o->db);
         add_format(app, o->format, {"text", "json", "html", "pdf"});
         o->format.clear();
         app.add_option("--output", o->output,
-                       "file to write; .json, .html or .pdf at its end says the format")
+                       "file to write; its extension .json, .html or .pdf selects the format")
             ->type_name("FILE");
         add_choice(app, *o);
         add_sheet_options(app, *o);
         add_live(app, o->live);
-        app.add_option("--figures", o->figures, "folder to write the figures to")
-            ->type_name("FOLDER");
+        app.add_option("--figures", o->figures, "write the figures to FOLDER")->type_name("FOLDER");
         return [o, &app] {
           for (const char* option : {"--failure", "--failure-strain", "--set"})
             o->has_sheet_words = o->has_sheet_words || app.count(option) > 0;

@@ -14,10 +14,8 @@ constexpr std::string_view kGrains = "grains:";
 std::int64_t run_after_prefix(const db::GrainStore& runs, const std::string& name) {
   const std::string asked = name.substr(kGrains.size());
   if (const auto id = runs.find(asked)) return *id;
-  throw lab::BadInput(
-      fmt::format("there is no run of grains with the id or name '{}'; `triax "
-                  "query grain_runs` lists them",
-                  asked));
+  throw lab::BadInput(fmt::format(
+      "grain run '{}' does not exist; `triax query grain_runs` lists all grain runs", asked));
 }
 
 /// A number alone is that of a test.
@@ -43,10 +41,9 @@ void choose(ReportChoice& choice, const db::Store& tests, const db::GrainStore& 
     // No test, or several, none of which has the whole name: the run has it.
   }
   if (test && tests.load(*test).header.name == name)
-    throw lab::BadInput(
-        fmt::format("'{0}' is test {1} and run of grains {2}; give {1} for the "
-                    "test, grains:{2} for the run",
-                    name, *test, *run));
+    throw lab::BadInput(fmt::format(
+        "'{0}' is both test {1} and grain run {2}; give {1} for the test, grains:{2} for the run",
+        name, *test, *run));
   choice.runs.push_back(*run);
 }
 

@@ -54,9 +54,9 @@ lab::Programme changed_programme(const SimulateOptions& o) {
 
 void run_test_of(const SimulateOptions& o) {
   const lab::Programme programme = changed_programme(o);
-  refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
+  refuse_overwriting("--record", o.record, programme.files, "part of the programme");
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
-  refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
+  refuse_overwriting("--db", o.db, programme.files, "part of the programme");
   const lab::EarlierTests earlier = study::earlier_tests(o.db, o.earlier);
   lab::VirtualRig rig(programme, o.seed);
   const WrittenFile file(o.record);
@@ -77,7 +77,8 @@ void run_test_of(const SimulateOptions& o) {
   print_tests(db, {id}, o.json);
   if (!unwritten.empty()) throw lab::WorkFailed(unwritten);
   if (interruption.requested())
-    throw lab::WorkFailed("the test was aborted by the operator; it is stored up to there");
+    throw lab::WorkFailed(
+        "the test was aborted by the operator; the test is stored up to its last reading");
 }
 
 void run_simulate(const SimulateOptions& o) {
@@ -90,17 +91,18 @@ void run_simulate(const SimulateOptions& o) {
         fmt::format("--seed and --sweep exclude each other: write --sweep seed={}", *o.seed));
   if (!o.record.empty())
     throw lab::BadInput(
-        "--record and --sweep exclude each other: the tests of a sweep are in the database");
+        "--record and --sweep exclude each other: the tests of a sweep are stored in the database "
+        "only");
   if (!o.earlier.empty())
-    throw lab::BadInput("--earlier and --sweep exclude each other: it is for one test at a time");
+    throw lab::BadInput("--earlier and --sweep exclude each other: --earlier is for one test");
   run_sweep_command({o.programme, edits_of(o.sets), o.sweeps, o.db, o.speed, o.jobs, o.json});
 }
 
 // The conversion to a number alone would take -1 for the largest seed there is.
 std::string refusal_of_seed(const std::string& text) {
   const auto seed = lab::whole_text_as<std::uint64_t>(text);
-  if (seed && *seed <= lab::kLargestSeed) return {};
-  return fmt::format("'{}' is not a whole number from 0 to {}", text, lab::kLargestSeed);
+  if (seed && *seed <= lab::kMaxSeed) return {};
+  return fmt::format("'{}' is not an integer from 0 to {}", text, lab::kMaxSeed);
 }
 
 }  // namespace
@@ -108,62 +110,64 @@ std::string refusal_of_seed(const std::string& text) {
 Command simulate_command() {
   return {
       .name = "simulate",
-      .purpose = "run a programme on the virtual apparatus, store and report the test",
+      .purpose = "Simulate a test on the virtual apparatus",
       .description =
-          {"The specimen, its pore water, the frame, the pressure controllers and noisy "
-           "transducers of limited resolution are simulated as the programme says; readings then "
-           "are processed like real ones. The test is marked as simulated wherever it appears, "
-           "and the report adds the true onset (model): when the specimen itself became unstable.",
-           "The same programme and seed give the same readings, to the bit. --record also writes "
-           "them as a logger would; replaying that file gives the same states and the same "
-           "verdict.",
-           "A programme may have a guard, which acts on what the alarm says; where it did, the "
-           "test is run once more without it, and the report tells what was gained.",
-           "--set changes keys of the programme for this run, as "
-           "--set specimen.void_ratio=1.12; the name of the test and a warning say so. --seed "
-           "overrides "
-           "the seed of the programme and of --set.",
-           "--sweep runs the programme with every combination of the values given for some of its "
-           "keys, several tests at a time, and stores all of them. KEY is written as in the file: "
-           "seed, specimen.void_ratio, rig.transducers.axial_force.noise_N, "
-           "stages.4.axial_rate_mm_per_min (the fourth stage). VALUES are separated by commas; "
-           "a range is FROM:TO:STEP (1:200:1, 1.0:1.2:0.02) or FROM:TO/COUNT (1.0:1.2/11). A test "
+          {"Simulates the specimen, its pore water, the load frame, the pressure controllers and "
+           "noisy transducers of limited resolution as PROGRAMME.toml describes them. The readings "
+           "are processed like those of a real test. The test is marked as simulated everywhere, "
+           "and the report adds the true onset (model): the time at which the specimen itself "
+           "became unstable.",
+           "The same programme and seed give bit-identical readings. --record also writes them in "
+           "the format of a logger. Replaying that file gives the same states and the same "
+           "assessment.",
+           "A programme can have an intervention ([guard]), which acts at a warning level of the "
+           "alarm. If it acted, the test is simulated again without it, and the report compares "
+           "both.",
+           "--set changes keys of the programme for this run, for example --set "
+           "specimen.void_ratio=1.12. The change becomes part of the name of the test and is "
+           "reported in a warning. --seed overrides the seed of the programme and of --set.",
+           "--sweep runs the programme with every combination of the given values, several tests "
+           "in parallel, and stores all of them. KEY is written as in the file: seed, "
+           "specimen.void_ratio, rig.transducers.axial_force.noise_N, "
+           "stages.4.axial_rate_mm_per_min (the fourth stage). VALUES are separated by commas. A "
+           "range is FROM:TO:STEP (1:200:1, 1.0:1.2:0.02) or FROM:TO/COUNT (1.0:1.2/11). A test "
            "that fails is reported with its values, and the others continue. Results and their "
-           "order "
-           "do not depend on --jobs.",
-           "Ctrl-C stops a test in an orderly way: it is stored and judged as far as it went, "
-           "and its record is written. Of a sweep the completed tests are stored. Another Ctrl-C "
-           "more than five seconds later kills the program."},
-      .diagnostics = {{"FILE:LINE: ...", "the programme is not valid at this line"},
-                      {"--sweep [KEY VALUE, ...]: ...",
-                       "with these values the programme is not valid, or the test failed"}},
-      .examples = {{"triax simulate samples/programmes/csu_26.toml", "test 26 of Table 2"},
+           "order do not depend on --jobs.",
+           "Ctrl-C stops a test in an orderly way: the test is stored and assessed up to that "
+           "point, and its record is written. For a sweep, the completed tests are stored. A "
+           "second Ctrl-C more than five seconds later kills the program."},
+      .diagnostics =
+          {{"FILE:LINE: ...", "correct this line of the programme"},
+           {"--sweep [KEY VALUE, ...]: ...",
+            "correct these values: the programme is not valid with them, or the test failed"}},
+      .examples = {{"triax simulate samples/programmes/csu_26.toml",
+                    "simulate test 26 of Table 2 of Darve et al. (2007)"},
                    {"triax simulate csu_26.toml --seed 7 --record csu_26.csv",
-                    "other noise, and the record as a file"},
+                    "use another seed and write the record"},
                    {"triax simulate csu_26.toml --set specimen.void_ratio=1.12",
-                    "a denser or looser specimen"},
-                   {"triax simulate csu_26.toml --speed 60", "an hour of test in a minute"},
+                    "change the void ratio of the specimen"},
+                   {"triax simulate csu_26.toml --speed 60", "run one hour of test in one minute"},
                    {"triax simulate csu_26.toml --sweep seed=1:50:1 --sweep "
                     "specimen.void_ratio=1.05:1.15:0.05",
-                    "150 tests; triax query sweep then gives eta at collapse by seed and void "
-                    "ratio"}},
+                    "simulate 150 tests; triax query sweep then lists eta at collapse by seed and "
+                    "void ratio"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<SimulateOptions>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--seed", o->seed, "seed of the noise; overrides the programme's")
+        app.add_option("--seed", o->seed, "seed of the noise [seed of the programme]")
             ->check(CLI::Validator(refusal_of_seed, ""))
             ->type_name("N");
-        app.add_option("--set", o->sets,
-                       "another value for a key of the programme; may be repeated")
+        app.add_option("--set", o->sets, "set a key of the programme (repeatable)")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
-        app.add_option("--record", o->record, "also write the readings as a record")
+        app.add_option("--record", o->record, "also write the readings to a record")
             ->type_name("OUT.csv");
         app.add_option("--sweep", o->sweeps,
-                       "run with each of these values; may be repeated for every combination")
+                       "run with each of these values and with all combinations of several sweeps "
+                       "(repeatable)")
             ->type_name("KEY=VALUES")
             ->allow_extra_args(false);
-        add_jobs(app, o->jobs, "tests of a sweep that run at a time");
+        add_jobs(app, o->jobs, "number of tests of a sweep that run in parallel");
         add_db(app, o->db);
         add_speed(app, o->speed);
         add_earlier(app, o->earlier);

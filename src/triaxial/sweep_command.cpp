@@ -78,7 +78,7 @@ void run_sweep_command(const SweepOptions& o) {
   const lab::Sweep sweep = read_sweep(o.sweeps);
   const std::string text = lab::read_text_file(o.programme);
   const lab::Programme programme = first_readable(sweep, o, text);
-  refuse_overwriting("--db", o.db, programme.files, "what the programme is read from");
+  refuse_overwriting("--db", o.db, programme.files, "part of the programme");
   const auto members = run_all({.file = o.programme,
                                 .text = text,
                                 .edits = o.edits,

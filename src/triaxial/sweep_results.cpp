@@ -22,7 +22,7 @@ constexpr std::size_t kMostFailures = 10;
 std::string finding(const study::SweepMember& m) {
   if (!m.failure.empty()) return "failed";
   if (!m.id) return "not run";
-  return m.judged ? std::string(lab::to_string(m.kind)) : "not judged";
+  return m.judged ? std::string(lab::to_string(m.kind)) : "not assessed";
 }
 
 Table lines(const lab::Sweep& sweep, const std::vector<study::SweepMember>& members) {
@@ -53,12 +53,12 @@ std::string counts_text(const study::SweepSummary& sum) {
   std::string text = fmt::format("{} tests", sum.tests);
   if (sum.failed > 0) text += fmt::format(", {} failed", sum.failed);
   if (sum.not_run > 0) text += fmt::format(", {} not run", sum.not_run);
-  return text + fmt::format(", {} judged, {} collapses detected\n", sum.judged, sum.detected);
+  return text + fmt::format(", {} assessed, {} collapses detected\n", sum.judged, sum.detected);
 }
 
 std::string truth_text(const study::SweepSummary& sum) {
   return fmt::format(
-      "true onset (model): {} became unstable, {} of them detected; {} detected that remained "
+      "true onset (model): {} became unstable, {} of them detected; {} detected although "
       "stable\n"
       "η at the true onset: {}\nη found minus true η: {}\n",
       sum.truly_lost, sum.truly_lost_detected, sum.false_alarms, spread_text(sum.true_eta),

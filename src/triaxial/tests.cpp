@@ -37,9 +37,8 @@ struct TestsOptions {
 /// A name could be that of a test with another number: what changes a test asks for its number.
 std::int64_t id_of(const std::string& word) {
   if (const auto id = lab::whole_text_as<std::int64_t>(word)) return *id;
-  throw lab::BadInput(
-      fmt::format("{} is not the number of a test; `triax tests` lists them in its first column",
-                  lab::excerpt(word)));
+  throw lab::BadInput(fmt::format("{} is not the number of a test; `triax tests` lists all tests",
+                                  lab::excerpt(word)));
 }
 
 std::vector<db::ListedTest> only(const TestsOptions& o, std::int64_t id) {
@@ -119,9 +118,8 @@ void run_repair(const TestsOptions& o) {
   for (const auto& test : repaired.tests)
     sentences += fmt::format("{}: {}, {} readings\n", test_in_words(test),
                              status_in_words(test.status, test.sign_of_life), test.readings);
-  for (const auto& run : repaired.runs)
-    sentences += fmt::format("{} of grains: interrupted\n", run);
-  print(sentences.empty() ? "Nothing to repair: what runs gives signs of life.\n" : sentences);
+  for (const auto& run : repaired.runs) sentences += fmt::format("grain {}: interrupted\n", run);
+  print(sentences.empty() ? "Nothing to repair: all running tests have a heartbeat.\n" : sentences);
 }
 
 struct Action {
@@ -133,13 +131,13 @@ struct Action {
 
 constexpr std::size_t kAny = 1000000;
 constexpr auto kActions = std::to_array<Action>({
-    {"list", "nothing; --tag TAG chooses", 0, 0, run_list},
-    {"show", "ID", 1, 1, run_show},
-    {"rename", "ID NAME, a name of several words in quotes", 2, 2, run_rename},
-    {"tag", "ID TAG...", 2, kAny, run_tag},
-    {"untag", "ID TAG...", 2, kAny, run_untag},
-    {"remove", "ID...", 1, kAny, run_remove},
-    {"repair", "nothing", 0, 0, run_repair},
+    {"list", "no ID; use --tag TAG to select tests", 0, 0, run_list},
+    {"show", "ID, the number of one test", 1, 1, run_show},
+    {"rename", "ID NAME; put a name of several words in quotes", 2, 2, run_rename},
+    {"tag", "ID TAG..., the number of one test and its new tags", 2, kAny, run_tag},
+    {"untag", "ID TAG..., the number of one test and the tags to remove", 2, kAny, run_untag},
+    {"remove", "ID..., the numbers of one or more tests", 1, kAny, run_remove},
+    {"repair", "no ID; it repairs all tests", 0, 0, run_repair},
 });
 
 std::vector<std::string> action_names() {
@@ -154,7 +152,8 @@ void run_tests(const TestsOptions& o) {
   if (o.words.size() < action.least || o.words.size() > action.most)
     throw lab::BadInput(fmt::format("tests {} takes {}", action.name, action.takes));
   if (!o.tag.empty() && o.action != "list")
-    throw lab::BadInput("--tag goes with list; `triax tests tag ID TAG` gives a test a tag");
+    throw lab::BadInput(
+        "--tag needs the action list; `triax tests tag ID TAG` adds a tag to a test");
   action.run(o);
   tell_of_gaps(o.db);
 }
@@ -164,48 +163,47 @@ void run_tests(const TestsOptions& o) {
 Command tests_command() {
   return {
       .name = "tests",
-      .purpose = "list the tests of the database; show, rename, tag, remove or repair them",
+      .purpose = "List, show, rename, tag, remove or repair stored tests",
       .description =
-          {"Without an action the tests are listed: number, name, origin, type of test, verdict, "
-           "readings, when they were stored, tags. show ID says in short what is stored about one: "
-           "its file with its digest (SHA-256), tags, specimen, verdict, warnings.",
-           "rename ID NAME gives a test another name. tag ID TAG... and untag ID TAG... give it "
-           "tags "
-           "and take them away; --tag lists the tests that have one. remove ID... takes tests out "
-           "of "
-           "the database with all of their readings, without a question, all or none of them; a "
-           "test that is still being recorded stays.",
-           "A test that is being recorded gives a sign of life every two seconds. After 20 s "
-           "without one it is told as interrupted, though nothing is written. repair marks tests "
-           "and runs of grains as interrupted whose program gives no sign, takes in the readings "
-           "that it left beside the database, and brings the schema of an older database up to "
-           "date. repair and remove look for up to 6 s whether a sign comes: they need no clock. A "
-           "program that was only held up takes its test up again.",
-           "Tests are named by their number here, since several may have one name. A file that is "
-           "replayed again is stored as a new test with a warning; statistics (query "
-           "collapse_points, instability_line, figures of several tests) count it once, by its "
-           "latest complete reading."},
-      .diagnostics = {{"FILE: there is no test N; ...",
-                       "triax tests lists the numbers; nothing was changed"},
+          {"Without an action, the tests are listed: number, name, origin, type of test, "
+           "assessment, number of readings, time of storage and tags. show ID prints a summary of "
+           "one test: its file with the SHA-256 digest, tags, specimen, assessment and warnings.",
+           "rename ID NAME renames a test. tag ID TAG... and untag ID TAG... add and remove tags, "
+           "and --tag lists the tests with a tag. remove ID... deletes tests with all of their "
+           "readings, without asking for confirmation, either all of them or none. A test that is "
+           "still being recorded is not removed.",
+           "A test that is being recorded has a heartbeat every two seconds. After 20 s without a "
+           "heartbeat the list shows it as interrupted, but the database does not change. repair "
+           "marks tests and grain runs as interrupted if their program has no heartbeat, imports "
+           "readings from "
+           "spool files beside the database, and migrates an older database to the current schema. "
+           "repair and remove wait up to 6 s for a heartbeat and do not depend on the clock. A "
+           "program that was only delayed resumes its test.",
+           "Tests are identified by their number here, because several can have the same name. A "
+           "file that is replayed again is stored as a new test, with a warning. Statistics (query "
+           "collapse_points, instability_line, figures of several tests) count it once, with its "
+           "latest complete replay."},
+      .diagnostics = {{"FILE: test N does not exist; ...",
+                       "list the numbers with triax tests; nothing was changed"},
                       {"... is still being recorded; ...",
-                       "end the program that records it first, or wait; nothing was removed"}},
-      .examples = {{"triax tests", "all tests, a line each"},
-                   {"triax tests --tag loose --json", "those with a tag, for a script"},
-                   {"triax tests rename 3 \"CSU 26\"", "another name for test 3"},
-                   {"triax tests tag 3 loose thesis", "two tags for it"},
-                   {"triax tests remove 1 2", "takes two tests out of the database"},
-                   {"triax tests repair", "marks tests whose program was killed"}},
+                       "stop the program that records it, or wait; nothing was removed"}},
+      .examples = {{"triax tests", "list all tests, one per line"},
+                   {"triax tests --tag loose --json", "list the tests with a tag, for a script"},
+                   {"triax tests rename 3 \"CSU 26\"", "rename test 3"},
+                   {"triax tests tag 3 loose thesis", "add two tags to test 3"},
+                   {"triax tests remove 1 2", "delete two tests from the database"},
+                   {"triax tests repair", "mark tests whose program was killed"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<TestsOptions>();
         const auto actions = action_names();
-        app.add_option("ACTION", o->action, "what is to be done [list]")
+        app.add_option("ACTION", o->action, "action [list]")
             ->check(CLI::IsMember(actions).description(""))
             ->type_name(lab::joined(actions, "|"));
         app.add_option("ID", o->words,
-                       "number of a test, for remove of several; for rename then its NAME, for tag "
-                       "and untag then each TAG")
+                       "number of the test (remove: one or more; rename: ID NAME; tag, untag: ID "
+                       "TAG...)")
             ->type_name("");
-        app.add_option("--tag", o->tag, "list only the tests that have this tag")->type_name("TAG");
+        app.add_option("--tag", o->tag, "list only tests with this tag")->type_name("TAG");
         add_db(app, o->db);
         add_json(app, o->json);
         return [o] { run_tests(*o); };

@@ -48,7 +48,7 @@ void run_record(const RecordOptions& o) {
                                  fmt::join(logged.silent, "; from ")));
   if (logged.stopped && (o.minutes > 0 || o.readings > 0))
     throw EndedEarly(EarlyEnd::aborted,
-                     fmt::format("{}: ended by the operator before {} was over", o.record,
+                     fmt::format("{}: ended by the operator before the end of {}", o.record,
                                  o.minutes > 0 ? "--for" : "--readings"));
 }
 
@@ -57,38 +57,44 @@ void run_record(const RecordOptions& o) {
 Command record_command() {
   return {
       .name = "record",
-      .purpose = "read the instruments of a rig and keep what they say, while others control",
+      .purpose = "Record the readings of a rig without controlling it",
       .description =
-          {"All channels of RIG.toml are read at one instant, again and again, and written as rows "
-           "of a record that `triax replay` reads. A channel that is none of a triaxial test, the "
-           "temperature of the room say, stands in a column of its own behind the others. Nothing "
-           "is set.",
-           "A row is in the file as soon as it was read. What does not come is an empty cell, and "
-           "its cause is told; a link that was lost is taken up again. Instants that pass while "
-           "an answer is awaited, or while triax stands still, are reported and not made up for.",
-           "Without --for and --readings it goes on until Ctrl-C. What the specimen is, the record "
-           "does not know: replay asks for it (--set specimen.height_mm=140)."},
-      .diagnostics = {{"FILE: is there already: ...", "a log never writes over what is there"},
-                      {"FILE: no instrument is there: ...", "none of the rig answered"}},
+          {"Reads all channels of RIG.toml at the same time, at regular intervals, and writes them "
+           "as rows of a record that `triax replay` reads. A channel that does not belong to a "
+           "triaxial test, such as the room temperature, has a column of its own after the others. "
+           "No setpoint is changed.",
+           "Each row is written to the file as soon as it has been read. A missing value is an "
+           "empty cell, and its cause is reported. A lost connection is opened again. Readings "
+           "that are missed while triax waits for a response or is suspended are reported and not "
+           "replaced.",
+           "Without --for and --readings, recording continues until Ctrl-C. The record has no "
+           "description of the specimen: give it to triax replay (--set specimen.height_mm=140)."},
+      .diagnostics = {{"FILE: file exists already; ...",
+                       "choose another file: an existing file is never overwritten"},
+                      {"FILE: no instrument responded; ...",
+                       "check power, connections and addresses with `triax rig check RIG.toml`"}},
       .examples = {{"triax record bench.toml --record today.csv --interval 10 --for 480",
-                    "eight hours, a row in ten seconds"}},
-      .statuses = {{"3", "the record is kept; an instrument gave no readings when it ended"},
-                   {"4", "the record is kept; the operator ended it before --for or --readings"}},
+                    "record for eight hours, one row every ten seconds"}},
+      .statuses =
+          {{"3", "the record is saved; an instrument gave no readings at the end"},
+           {"4",
+            "the record is saved; the operator stopped it before --for or --readings was reached"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<RecordOptions>();
-        app.add_option("RIG.toml", o->rig, "the rig's file")->required()->type_name("");
-        app.add_option("--record", o->record, "the file to write")
+        app.add_option("RIG.toml", o->rig, "rig file")->required()->type_name("");
+        app.add_option("--record", o->record, "record file to write")
             ->required()
             ->type_name("OUT.csv");
-        app.add_option("--interval", o->interval_s,
-                       "seconds between readings [the file's scan_interval_s]")
-            ->check(CLI::Range(0.01, 86400.0))
+        app.add_option(
+               "--interval", o->interval_s,
+               "time between readings in seconds, 0.01 to 86400 [scan_interval_s of the rig file]")
+            ->check(CLI::Range(0.01, 86400.0).description(""))
             ->type_name("S");
-        app.add_option("--for", o->minutes, "how long, minutes")
-            ->check(CLI::PositiveNumber)
+        app.add_option("--for", o->minutes, "duration in minutes [until Ctrl-C]")
+            ->check(CLI::PositiveNumber.description(""))
             ->type_name("MIN");
-        app.add_option("--readings", o->readings, "how many readings")
-            ->check(CLI::PositiveNumber)
+        app.add_option("--readings", o->readings, "number of readings [until Ctrl-C]")
+            ->check(CLI::PositiveNumber.description(""))
             ->type_name("N");
         return [o] { run_record(*o); };
       }};

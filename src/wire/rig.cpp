@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
 #include "lab/wire/remote/rig_check.hpp"
 #include "src/cli/interruption.hpp"
 #include "src/output/table.hpp"
@@ -27,9 +29,9 @@ std::string or_dash(double value, const char* format) {
 Table instrument_table(const std::vector<lab::InstrumentCheck>& checks) {
   Table table{.columns = {{"Instrument"},
                           {"Link"},
-                          {"Who it is"},
-                          {"Answer (ms)", Align::right},
-                          {"What is wrong"}},
+                          {"Identity"},
+                          {"Response (ms)", Align::right},
+                          {"Fault"}},
               .rows = {}};
   for (const auto& one : checks)
     table.rows.push_back({one.name, one.link, one.identity.empty() ? "–" : one.identity,
@@ -43,13 +45,34 @@ Table channel_table(const std::vector<lab::InstrumentCheck>& checks) {
                           {"Value", Align::right},
                           {"Noise", Align::right},
                           {"Unit"},
-                          {"What is wrong"}},
+                          {"Fault"}},
               .rows = {}};
   for (const auto& one : checks)
     for (const auto& channel : one.channels)
       table.rows.push_back({channel.name, one.name, or_dash(channel.value, "{:.6g}"),
                             or_dash(channel.noise, "{:.2g}"), channel.unit, channel.trouble});
   return table;
+}
+
+/// "4 of 4 instruments did not respond", "2 of 4 instruments have faults, ...", or both.
+std::string faults_found(const std::vector<lab::InstrumentCheck>& checks) {
+  std::size_t silent = 0, faulty = 0;
+  for (const auto& one : checks) {
+    const bool has_fault =
+        !one.trouble.empty() || std::ranges::any_of(one.channels, [](const auto& channel) {
+          return !channel.trouble.empty();
+        });
+    if (std::isnan(one.answer_s))
+      ++silent;
+    else if (has_fault)
+      ++faulty;
+  }
+  const auto count = [&](std::size_t some) {
+    return fmt::format("{} of {} instruments", some, checks.size());
+  };
+  return lab::joined({silent > 0 ? count(silent) + " did not respond" : "",
+                      faulty > 0 ? count(faulty) + " have faults, listed on standard output" : ""},
+                     "; ");
 }
 
 void run_rig(const RigOptions& o) {
@@ -60,7 +83,7 @@ void run_rig(const RigOptions& o) {
   fmt::print("{}\n\n{}\n{}", rig.name, to_text(instrument_table(checks)),
              to_text(channel_table(checks)));
   if (!lab::all_well(checks))
-    throw lab::WorkFailed(fmt::format("{}: not all is well with the rig, see above", o.rig));
+    throw lab::WorkFailed(fmt::format("{}: rig check failed: {}", o.rig, faults_found(checks)));
 }
 
 }  // namespace
@@ -68,25 +91,26 @@ void run_rig(const RigOptions& o) {
 Command rig_command() {
   return {
       .name = "rig",
-      .purpose = "check a rig: who answers, what each channel says, what is wrong",
+      .purpose = "Check the instruments of a rig",
       .description =
-          {"Asks every instrument of RIG.toml who it is, reads every channel eight times within "
-           "four seconds and prints the first value, the noise (standard deviation) and the time "
-           "that an answer takes. What is wrong is said in words: an instrument that does not "
-           "answer or is another one, a channel without a value or beyond its calibrated range, a "
-           "value that no triaxial apparatus measures, a calibration without a date, a drive that "
-           "stands. Nothing is set.",
-           "The status is 0 where all is well, else 1."},
-      .diagnostics = {{"FILE:LINE: ...", "the rig's file is not valid at this line"}},
+          {"Queries the identity of every instrument of RIG.toml, reads every channel eight times "
+           "within four seconds and prints the first value, the noise (standard deviation) and the "
+           "response time. The faults that it can report are: an instrument that does not respond "
+           "or has another identity, a channel without a value or beyond its calibrated range, a "
+           "value outside the range of triaxial apparatus, a calibration without a date, and a "
+           "drive at the end of its travel. No setpoint is changed.",
+           "The exit status is 0 if no fault was found, otherwise 1."},
+      .diagnostics = {{"FILE:LINE: ...", "correct this line of the rig file"}},
       .examples = {{"triax rig check samples/rigs/csu_26.toml",
-                    "the rig that `triax serve samples/rigs/csu_26.toml` puts on the wire"}},
+                    "check the rig that `triax serve samples/rigs/csu_26.toml` serves"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<RigOptions>();
-        app.add_option("ACTION", o->action, "what is to be done")
+        app.add_option("ACTION", o->action,
+                       "check: identify the instruments, read their channels and list faults")
             ->required()
             ->check(CLI::IsMember({"check"}).description(""))
             ->type_name("check");
-        app.add_option("RIG.toml", o->rig, "the rig's file")->required()->type_name("");
+        app.add_option("RIG.toml", o->rig, "rig file")->required()->type_name("");
         return [o] { run_rig(*o); };
       }};
 }

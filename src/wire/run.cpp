@@ -33,13 +33,13 @@ struct RunOptions {
 void throw_if_ended_early(const lab::TestEnding& ending) {
   using Kind = lab::TestEnding::Kind;
   const auto stored = [&ending](const char* what) {
-    return fmt::format("{}; it is stored up to there: {}", what, ending.reason);
+    return fmt::format("{}; the test is stored up to its last reading ({})", what, ending.reason);
   };
   switch (ending.kind) {
     case Kind::completed:
       return;
     case Kind::safe_state:
-      throw EndedEarly(EarlyEnd::failed_rig, stored("the test ended in the rig's safe state"));
+      throw EndedEarly(EarlyEnd::failed_rig, stored("the test ended in the safe state of the rig"));
     case Kind::aborted:
       throw EndedEarly(EarlyEnd::aborted, stored("the test was aborted by the operator"));
     case Kind::unfinished:
@@ -50,7 +50,7 @@ void throw_if_ended_early(const lab::TestEnding& ending) {
 void run_programme(const RunOptions& o) {
   const lab::Programme programme = lab::load_programme(o.programme);
   const lab::RigFile rig_file = lab::load_rig_file(o.rig);
-  refuse_overwriting("--record", o.record, programme.files, "what the programme is read from");
+  refuse_overwriting("--record", o.record, programme.files, "part of the programme");
   refuse_overwriting("--record", o.record, {o.rig}, "the rig's file");
   refuse_overwriting("--record", o.record, database_files(o.db), "the database");
   const lab::EarlierTests earlier = study::earlier_tests(o.db, o.earlier);
@@ -76,37 +76,39 @@ void run_programme(const RunOptions& o) {
 Command run_command() {
   return {
       .name = "run",
-      .purpose = "run a programme on instruments, store and report the test",
+      .purpose = "Run a test on the instruments of a rig",
       .description =
-          {"The stages, control loops, supervision and guard of the virtual apparatus on the "
-           "instruments of RIG.toml, over TCP and serial lines: real ones, or those of `triax "
-           "serve`. All are asked at the same instant; what does not come is a missing cell, with "
-           "an event that tells its cause. A channel that the test needs and that stays away for "
-           "3 s leads to the safe state: crosshead locked, pressures held. The same happens after "
-           "triax itself stood still for 3 s (Ctrl-Z, a paused machine); a shorter stall is "
-           "reported as a gap.",
-           "Every instrument says who it is before the test begins and when its link is taken up "
-           "again; identity and calibration are kept in the record. Where an instrument says that "
-           "what it measures is simulated, so does the test.",
-           "Ctrl-C stops the test in an orderly way: the rig is brought to rest, the test is "
-           "stored and judged as far as it went."},
-      .diagnostics = {{"FILE:LINE: ...", "the programme or the rig's file is not valid there"},
-                      {"FILE: the rig lacks ...",
-                       "no instrument of the rig measures or drives what every test needs"},
-                      {"FILE: not all instruments are there: ...",
-                       "each that does not answer or is another one, and why"}},
-      .examples = {{"triax run samples/programmes/csu_26.toml --rig samples/rigs/csu_26.toml",
-                    "on the rig that `triax serve samples/rigs/csu_26.toml` puts on the wire"}},
+          {"Runs the stages, control loops, supervision and intervention of the virtual apparatus "
+           "on the instruments of RIG.toml, over TCP and serial lines. The instruments are real "
+           "ones, or those of `triax serve`. All of them are queried at the same time. A missing "
+           "response becomes a missing value, and an event reports its cause. If a channel that "
+           "the test needs is missing for 3 s, the rig goes to its safe state: crosshead locked, "
+           "pressures kept. The same happens if triax itself was suspended for 3 s (Ctrl-Z, a "
+           "paused machine). A shorter stall is reported as a gap.",
+           "Every instrument is identified before the test begins and whenever it is connected "
+           "again. Identity and calibration are stored in the record. If an instrument reports "
+           "that its measurements are simulated, the test is marked as simulated.",
+           "Ctrl-C stops the test in an orderly way: the drives stop, and the test is stored and "
+           "assessed up to that point."},
+      .diagnostics =
+          {{"FILE:LINE: ...", "correct this line of the programme or of the rig file"},
+           {"FILE: missing in the rig: ...",
+            "add an instrument that measures or drives the missing quantity: every test needs it"},
+           {"FILE: not all instruments responded; ...",
+            "connect the instruments that are listed, or correct their links in the rig file"}},
+      .examples =
+          {{"triax run samples/programmes/csu_26.toml --rig samples/rigs/csu_26.toml",
+            "run the programme on the rig that `triax serve samples/rigs/csu_26.toml` serves"}},
       .statuses = {{"3",
-                    "the test is stored; the rig is in its safe state: an instrument, a drive or "
-                    "triax failed"},
-                   {"4", "the test is stored; the operator ended it (Ctrl-C, SIGTERM)"},
+                    "the test is stored; the rig is in its safe state because an instrument, a "
+                    "drive or triax failed"},
+                   {"4", "the test is stored; the operator stopped it (Ctrl-C, SIGTERM)"},
                    {"5", "the test is stored; a stage did not reach its end (time limit, travel)"}},
       .set_up = [](CLI::App& app) -> std::function<void()> {
         const auto o = std::make_shared<RunOptions>();
         app.add_option("PROGRAMME.toml", o->programme, "programme file")->required()->type_name("");
-        app.add_option("--rig", o->rig, "the rig's file")->required()->type_name("RIG.toml");
-        app.add_option("--record", o->record, "also write the readings as a record")
+        app.add_option("--rig", o->rig, "rig file")->required()->type_name("RIG.toml");
+        app.add_option("--record", o->record, "also write the readings to a record")
             ->type_name("OUT.csv");
         add_db(app, o->db);
         add_earlier(app, o->earlier);

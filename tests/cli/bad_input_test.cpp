@@ -42,7 +42,7 @@ TEST_CASE("each kind of bad record is one clear line, status 2, and leaves nothi
   };
   const Bad all[] = {
       {"empty", "", "empty"},
-      {"header only", kHeadings, "headings without a row of readings; nothing was recorded"},
+      {"header only", kHeadings, "headings without a row of readings; the record is empty"},
       {"semicolons", replaced(good, ",", ";"), "comma"},
       {"bars", replaced(good, ",", "|"), "only one column"},
       {"missing channel", replaced(good, "axial_force_kN", "something_else"), "axial_force_kN"},

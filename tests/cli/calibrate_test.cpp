@@ -55,7 +55,7 @@ TEST_CASE("calibrate refuses what cannot be with one clear line") {
               "tests of two soils: quartz is of \"quartz\", lime of \"lime\"");
   is_one_line(here.triax("calibrate hypoplastic quartz"), "8 free parameters from 1 test");
   replay(here, "pascal", drained_record(150, 1e3), of + "quartz");
-  is_one_line(here.triax("calibrate mohr_coulomb pascal"), "is the unit of its stresses right?");
+  is_one_line(here.triax("calibrate mohr_coulomb pascal"), "check the unit of its stresses");
   is_one_line(here.triax("calibrate coulomb quartz"), "unknown law 'coulomb'");
   is_one_line(here.triax("calibrate mohr_coulomb quartz --free cohesion"), "--free 'cohesion'");
   is_one_line(here.triax("calibrate mohr_coulomb quartz --piece 1/2"), "--piece needs --output");

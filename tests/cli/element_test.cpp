@@ -120,7 +120,7 @@ TEST_CASE("bad paths and settings are one line and status 2, and nothing is prin
       {with(kSmallPath, "= 0.01", "= 1e99"), "",
        "the total 1e+99 is out of range (a strain of 2, a stress of 100000 kPa)"},
       {with(kSmallPath, "void_ratio = 1.0", "void_ratio = 19"), "", "out of range for"},
-      {with(kSmallPath, "rows = 5", "table = \"gone.csv\""), "", "leave conditions out"},
+      {with(kSmallPath, "rows = 5", "table = \"gone.csv\""), "", "give either table or conditions"},
       {with(kSmallPath, "sanisand/", "sandy/"), "", "unknown material"},
       {kSmallPath, "--set void_ratio", "expected KEY=VALUE"},
       {kSmallPath, "--set viod_ratio=1", "did you mean 'void_ratio'?"},

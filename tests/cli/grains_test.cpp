@@ -86,7 +86,7 @@ TEST_CASE("grains: report tells a run from the database as grains told it") {
   CHECK_THAT(content(here / "r.pdf"), Catch::StartsWith("%PDF"));
   const Outcome none = here.triax("report grains:2");
   CHECK(none.status == 2);
-  CHECK_THAT(none.err, Catch::Contains("no run of grains with the id or name '2'"));
+  CHECK_THAT(none.err, Catch::Contains("grain run '2' does not exist"));
 }
 
 TEST_CASE("grains: a saved state goes on in another programme; --set changes a value") {
@@ -122,7 +122,7 @@ TEST_CASE("grains: bad input is one line and status 2, and leaves nothing behind
   refused("none.toml", "none.toml");
   refused("g.toml", "--output FOLDER");
   refused("g.toml --output out --set specimen.grains=many", "grains");
-  refused("g.toml --output g.toml", "--output g.toml: this is a file; expected a folder");
+  refused("g.toml --output g.toml", "--output g.toml: is a file; expected a folder");
   refused("g.toml --output out --db g.toml", "would be overwritten");
   write(here / "empty.toml", "");
   refused("empty.toml", "run");
@@ -157,6 +157,6 @@ TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, th
   }
   silence(here / "triax.db");
   CHECK(count_of(here, "seen_grain_runs WHERE status = 'interrupted'") == 2);
-  CHECK(here.triax("tests repair").out.find("run 2 ") == 0);
+  CHECK(here.triax("tests repair").out.find("grain run 2 ") == 0);
   CHECK(count_of(here, "grain_runs WHERE status = 'interrupted'") == 2);
 }

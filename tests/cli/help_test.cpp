@@ -2,6 +2,7 @@
 // What the program says of itself: golden help texts, and man pages and completion that know every
 // option.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <regex>
 #include <set>
 
@@ -101,22 +102,22 @@ TEST_CASE("a wrong command line is told in our words, with the nearest right one
   };
   const Workplace here;
   for (const Wrong& wrong :
-       {Wrong{"", "missing command; known: simulate, replay"},
+       {Wrong{"", "missing command; must be one of: simulate, replay"},
         Wrong{"simluate p.toml", "unknown command 'simluate'; did you mean 'simulate'?"},
-        Wrong{"simulate", "missing PROGRAMME.toml; expected triax simulate PROGRAMME.toml"},
+        Wrong{"simulate", "missing PROGRAMME.toml ("},
         Wrong{"simulate p.toml --sede 3", "unknown option --sede; did you mean --seed?"},
         Wrong{"simulate p.toml --seed", "--seed: expected one value, --seed N"},
         Wrong{"simulate p.toml q.toml", "unexpected argument 'q.toml'"},
         Wrong{"simulate p.toml --jobs 0", "--jobs: '0' is out of range; expected 1 to 1024"},
         Wrong{"serve r.toml --speed 0.001",
               "--speed: '0.001' is out of range; expected 0.01 to 10000"},
-        Wrong{"simulate p.toml --jobs x", "--jobs: 'x' is not a number; expected --jobs N"},
+        Wrong{"simulate p.toml --jobs x", "--jobs: 'x' is not valid; expected --jobs N"},
         Wrong{"report --format docx",
-              "--format: 'docx' is not valid; known: text, json, html, pdf"},
+              "--format: 'docx' is not valid; must be one of: text, json, html, pdf"},
         Wrong{"report --format pfd", "did you mean 'pdf'?"},
         Wrong{"report --format pdf --json", "--json: excludes --format pdf"},
         Wrong{"tests shwo 3", "ACTION: 'shwo' is not valid; did you mean 'show'?"},
-        Wrong{"probe --norm-kPa x", "--norm-kPa: 'x' is not a number; expected --norm-kPa KPA"}}) {
+        Wrong{"probe --norm-kPa x", "--norm-kPa: 'x' is not valid; expected --norm-kPa KPA"}}) {
     const Outcome outcome = here.triax(wrong.arguments);
     INFO(wrong.arguments << ": " << outcome.err);
     CHECK(outcome.status == 2);
@@ -154,6 +155,42 @@ TEST_CASE("completion offers materials, queries and the tests of a database, and
       TRIAX_PROGRAM " report --db a.db CS); COMP_CWORD=4; _triax; echo $COMPREPLY' >got";
   CHECK(std::system(completion.c_str()) == 0);
   CHECK(content(here / "got") == "CSU_26\n");
+}
+
+TEST_CASE("bash completion: keeps words with hyphens whole and evaluates no name", "[cli]") {
+  const Workplace here;
+  REQUIRE(here.triax("--write-manual manual").status == 0);
+  write(here / "csd-58.csv",
+        "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n");
+  REQUIRE(here.triax("replay csd-58.csv --db a.db").status == 0);
+  REQUIRE(here.triax("tests rename 1 'csd-58$(>evaluated)' --db a.db").status == 0);
+  const auto completed = [&](const std::string& words, int index) {
+    const std::string script = "source manual/triax.bash; COMP_WORDS=(" TRIAX_PROGRAM " " + words +
+                               "); COMP_CWORD=" + std::to_string(index) +
+                               "; _triax; printf '%s\\n' \"${COMPREPLY[@]}\"";
+    write(here / "complete.bash", script);
+    REQUIRE(std::system(("cd '" + (here / "").string() + "' && bash complete.bash >got").c_str()) ==
+            0);
+    return content(here / "got");
+  };
+  CHECK(completed("report --db a.db csd-5", 4) == "csd-58$(>evaluated)\n");
+  CHECK_FALSE(std::filesystem::exists(here / "evaluated"));
+  CHECK(completed("run --dry-r", 2) == "\n");
+  CHECK(completed("domain --void-r", 2) == "--void-ratio\n");
+  CHECK(completed("domain --plane plane-", 3) == "plane-strain\n");
+  CHECK(completed("domain --plane = plane-", 4) == "plane-strain\n");
+  CHECK(completed("probe --plane 3", 3) == "3d\n");
+  CHECK(completed("soil --criterion =", 3) == "peak-q\npeak-ratio\nstrain\ncritical-state\n");
+}
+
+TEST_CASE("help: shows placeholders and defaults, no types of the option parser", "[cli]") {
+  const Workplace here;
+  for (const std::string command : kCommands) {
+    const std::string help = here.triax(command + " --help").out;
+    INFO(command);
+    for (const char* parser_text : {"FLOAT", "INT", "POSITIVE", "Excludes", "=triax.db", "{"})
+      CHECK(help.substr(0, help.find("Examples:")).find(parser_text) == std::string::npos);
+  }
 }
 
 TEST_CASE("wrong usage is one line and status 2") {

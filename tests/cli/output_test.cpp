@@ -41,7 +41,7 @@ TEST_CASE("output that cannot be written is status 1 and one line, never a signa
         "--version", "replay --help"}) {
     INFO(command);
     CHECK(here.shell("$triax " + command + " >/dev/full 2>err") == 1);
-    CHECK(content(here / "err").rfind("triax: cannot write to standard output: ", 0) == 0);
+    CHECK(content(here / "err").rfind("triax: standard output cannot be written: ", 0) == 0);
     CHECK(here.shell("$triax " + command + " >/dev/full 2>/dev/full") == 1);
     CHECK(here.shell("$triax " + command + " >&- 2>&-") == 1);
   }
@@ -217,7 +217,7 @@ TEST_CASE("a record that cannot be written costs neither the test nor its report
   REQUIRE(test.reaches("a.db", "scans", 100));
   std::filesystem::remove(here / "gone");
   CHECK(test.end_by(0) == 1);
-  CHECK(test.err().find("gone/x.csv: cannot write: ") != std::string::npos);
+  CHECK(test.err().find("gone/x.csv: cannot be written: ") != std::string::npos);
   CHECK(test.err().find("; the test itself is stored") != std::string::npos);
   CHECK(nlohmann::json::parse(test.out())["test"]["status"] == "complete");
 }

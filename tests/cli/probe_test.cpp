@@ -116,9 +116,9 @@ TEST_CASE("a test's own increment at collapse is isotropic unloading, at the edg
   CHECK(here.triax(probe + "--plane 3d --step 15").out.find(law) != std::string::npos);
 
   for (const auto& [arguments, says] : std::vector<std::pair<std::string, std::string>>{
-           {"--at 99999999", "they go from 0 to"},
+           {"--at 99999999", "must be 0 to"},
            {"--at there", "collapse, peak, end or the number of a reading"},
-           {"--at end --db none.db", "no such database"}}) {
+           {"--at end --db none.db", "database does not exist"}}) {
     const Outcome outcome = here.triax(probe + arguments);
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find(says) != std::string::npos);

@@ -45,7 +45,7 @@ TEST_CASE("an AGS4 file as JSON, alone and beside a record") {
         "axial_strain_pct,deviator_stress_kPa,mean_effective_stress_kPa\n0,0,100\n0.1,5,101\n0.2,9,"
         "103\n");
   const json alone = json::parse(here.triax("replay results.ags --json").out);
-  CHECK(alone["what"] == "AGS4 results: no readings in it, nothing to judge; 5 triaxial results");
+  CHECK(alone["what"] == "AGS4 results without readings, nothing to assess; 5 triaxial results");
   CHECK(alone["reference_results"][3]["at_failure"]["s_eff_kPa"] == 395.0);
   const Outcome both = here.triax("replay results.ags bare.csv --json --db both.db");
   INFO(both.err);

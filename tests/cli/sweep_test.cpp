@@ -26,7 +26,7 @@ TEST_CASE("a sweep gives the same table and documents with one job and with two"
   CHECK(one.out == two.out);
   CHECK(one.err.empty());
   CHECK(one.out.find("SIMULATED") != std::string::npos);
-  CHECK(one.out.find("6 tests, 6 judged, 6 collapses detected") != std::string::npos);
+  CHECK(one.out.find("6 tests, 6 assessed, 6 collapses detected") != std::string::npos);
 
   const Outcome documents = here.triax(sweep + " --jobs 2 --db three.db --json");
   REQUIRE(documents.status == 0);
@@ -61,7 +61,7 @@ TEST_CASE("--set changes the programme of one test and of a sweep, and the test 
   const std::string set = "simulate " + kIcu6 + " --set specimen.void_ratio=1.12 ";
   const json one = json::parse(here.triax(set + "--seed 2 --db one.db --json").out);
   CHECK(one["test"]["name"].get<std::string>().ends_with("[void_ratio 1.12]"));
-  CHECK(one["warnings"].dump().find("specimen.void_ratio = 1.12 by --set") != std::string::npos);
+  CHECK(one["warnings"].dump().find("specimen.void_ratio = 1.12 from --set") != std::string::npos);
   const json by_sweep =
       json::parse(here.triax("simulate " + kIcu6 +
                              " --sweep specimen.void_ratio=1.12 --sweep seed=2 --db two.db --json")
@@ -69,7 +69,7 @@ TEST_CASE("--set changes the programme of one test and of a sweep, and the test 
   CHECK(one["collapse"] == by_sweep[0]["collapse"]);
   const json swept = json::parse(here.triax(set + "--sweep seed=2 --db three.db --json").out);
   CHECK(swept[0]["collapse"] == one["collapse"]);
-  CHECK(swept[0]["warnings"].dump().find("by --set") != std::string::npos);
+  CHECK(swept[0]["warnings"].dump().find("from --set") != std::string::npos);
   for (const std::string wrong : {"--set specimen.viod_ratio=1", "--set specimen.void_ratio",
                                   "--set seed=x", "--sweep seed=1:2:1 --set seed=3"}) {
     INFO(wrong);

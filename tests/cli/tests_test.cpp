@@ -148,7 +148,7 @@ TEST_CASE("a test that waits beside the database for a repair is told by every r
     CHECK(told.status == 0);
     CHECK(told.err.find("triax.db.waiting-0123456789abcdef: 'tiny' with 2 readings") !=
           std::string::npos);
-    CHECK(told.err.find("`triax tests repair` takes it in") != std::string::npos);
+    CHECK(told.err.find("`triax tests repair` stores it") != std::string::npos);
   }
   CHECK(here.triax("tests repair").out.find("tiny") != std::string::npos);
   for (const std::string& reader : readers) CHECK(here.triax(reader).err.empty());
@@ -162,7 +162,7 @@ TEST_CASE("triax tests makes no database where there is none") {
     const Outcome outcome = here.triax(command);
     INFO(command);
     CHECK(outcome.status == 2);
-    CHECK(outcome.err.find("no such database") != std::string::npos);
+    CHECK(outcome.err.find("database does not exist") != std::string::npos);
   }
   CHECK_FALSE(here.has("triax.db"));
 }

@@ -127,7 +127,7 @@ TEST_CASE("a test gets another name; it must be a line of text, and the test be 
   for (const char* name : {"", "  ", "two\nlines", "\x1b[31m", "\xff"})
     CHECK_THROWS_AS(db::rename_test(path, 1, name), lab::BadInput);
   CHECK_THROWS_WITH(db::rename_test(path, 1, " "), Contains("the name is empty"));
-  CHECK_THROWS_WITH(db::rename_test(path, 7, "b"), Contains("there is no test 7"));
+  CHECK_THROWS_WITH(db::rename_test(path, 7, "b"), Contains("test 7 does not exist"));
   CHECK(names_in(db::list_tests(path)) == Words{"CSU 26"});
 }
 
@@ -149,8 +149,8 @@ TEST_CASE("tags come once, in order, choose tests, and go") {
   CHECK_THROWS_WITH(db::untag_test(path, 1, {"loose", "lose"}),
                     Contains("test 1 has no tag 'lose'; did you mean 'loose'?"));
   CHECK_THROWS_WITH(db::tag_test(path, 1, {"good", ""}), Contains("the tag is empty"));
-  CHECK_THROWS_WITH(db::tag_test(path, 3, {"good"}), Contains("there is no test 3"));
-  CHECK_THROWS_WITH(db::untag_test(path, 3, {"good"}), Contains("there is no test 3"));
+  CHECK_THROWS_WITH(db::tag_test(path, 3, {"good"}), Contains("test 3 does not exist"));
+  CHECK_THROWS_WITH(db::untag_test(path, 3, {"good"}), Contains("test 3 does not exist"));
   CHECK(db::list_tests(path)[0].tags == Words{"loose"});
   db::untag_test(path, 1, {"loose"});
   CHECK_THROWS_WITH(db::untag_test(path, 1, {"loose"}), Contains("it has none"));
@@ -182,7 +182,7 @@ TEST_CASE("several tests are removed all or none") {
   for (const char* name : {"a", "b", "c"}) record(path, name);
   mark_running(path, 3);
   const std::int64_t before = rows_in(path);
-  CHECK_THROWS_WITH(db::remove_tests(path, {1, 9, 2, 8}), Contains("there are no tests 8, 9;"));
+  CHECK_THROWS_WITH(db::remove_tests(path, {1, 9, 2, 8}), Contains("tests 8, 9 do not exist;"));
   CHECK(rows_in(path) == before);
   CHECK_THROWS_WITH(db::remove_tests(path, {1, 3}), Contains("test 3 'c' is still being recorded"));
   CHECK(rows_in(path) == before);
@@ -193,8 +193,8 @@ TEST_CASE("several tests are removed all or none") {
 TEST_CASE("no database is made where there is none, nor out of an empty file") {
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
-  CHECK_THROWS_WITH(db::list_tests(path), Contains("no such database"));
-  CHECK_THROWS_WITH(db::rename_test(path, 1, "a"), Contains("no such database"));
-  CHECK_THROWS_WITH(db::remove_tests(path, {1}), Contains("no such database"));
+  CHECK_THROWS_WITH(db::list_tests(path), Contains("database does not exist"));
+  CHECK_THROWS_WITH(db::rename_test(path, 1, "a"), Contains("database does not exist"));
+  CHECK_THROWS_WITH(db::remove_tests(path, {1}), Contains("database does not exist"));
   CHECK_FALSE(std::filesystem::exists(path));
 }

@@ -301,7 +301,7 @@ TEST_CASE("open_for_writing: a device, pipe or socket is refused at once, nothin
     CHECK_THROWS_WITH(db::check_there(path), Contains("regular file"));
   }
   for (const char* path : {"", ":memory:"})
-    CHECK_THROWS_WITH(db::open_for_writing(path), Contains("has to be a file"));
+    CHECK_THROWS_WITH(db::open_for_writing(path), Contains("must be a file"));
   CHECK(std::ranges::distance(std::filesystem::directory_iterator(folder.file(""))) == 2);
 }
 
@@ -310,7 +310,7 @@ TEST_CASE("paths that cannot be a database say why") {
   const std::string directory = folder.file("d"), nowhere = folder.file("no/t.db");
   std::filesystem::create_directory(directory);
   CHECK_THROWS_WITH(db::open_for_writing(directory), Contains("is a folder"));
-  CHECK_THROWS_WITH(db::open_for_writing(nowhere), Contains("there is no folder"));
+  CHECK_THROWS_WITH(db::open_for_writing(nowhere), Contains("does not exist; create it first"));
   CHECK_THROWS_WITH(db::open_for_reading(directory), Contains("is a folder"));
   CHECK_THROWS_AS(db::open_for_reading(nowhere), lab::BadInput);
   std::ofstream(folder.file("empty.db")).flush();

@@ -120,7 +120,7 @@ TEST_CASE("a copy that cannot be made says where it was to be, why not, and the 
         return readings_in(here.path());
       } catch (const lab::WorkFailed& error) {
         const std::string words = error.what();
-        const bool all = words.find("is read by way of a copy") != std::string::npos &&
+        const bool all = words.find("is read through a temporary copy") != std::string::npos &&
                          words.find("TMPDIR") != std::string::npos &&
                          words.find(word) != std::string::npos;
         return all ? 1 : 2;
@@ -128,7 +128,7 @@ TEST_CASE("a copy that cannot be made says where it was to be, why not, and the 
     });
   };
   CHECK(said("/no/such/folder", false) == 1);
-  CHECK(said("copy.db does not take it", true) == 1);
+  CHECK(said("copy.db cannot be written", true) == 1);
 }
 
 TEST_CASE(

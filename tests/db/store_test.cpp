@@ -269,7 +269,7 @@ TEST_CASE("a short name is enough where it can mean one test only") {
   const db::Store store(folder.file("t.db"));
   CHECK(store.find({"csu_26", "26", "Icu 42", "A B"}) == std::vector<std::int64_t>{3, 3, 1, 5});
   CHECK(store.find({"2"}) == std::vector<std::int64_t>{2});  // an id goes first
-  CHECK_THROWS_WITH(store.find({"42"}), Catch::Contains("fits the tests 'CSU 42' and 'ICU 42'"));
+  CHECK_THROWS_WITH(store.find({"42"}), Catch::Contains("is ambiguous: 'CSU 42' or 'ICU 42'"));
   for (const char* nothing : {"6", "CSU", "SU 26", "%", ""})
     CHECK_THROWS_AS(store.find({nothing}), lab::BadInput);
 }

@@ -17,5 +17,5 @@ with tempfile.TemporaryDirectory() as made:
     ended = triax(folder, "export", "--format", "xlsx", "--output", "out")
     expect(ended.returncode, 2, ended.stderr)
     expect(ended.stderr.count("\n"), 1, ended.stderr)
-    expect("ends at row 1048576" in ended.stderr, True, ended.stderr)
+    expect("at most 1048576 rows" in ended.stderr, True, ended.stderr)
     expect(list((folder / "out").iterdir()), [], "files")

@@ -50,7 +50,7 @@ def export_all(folder):
     for number in (1, 2, 3, 4):
         for arguments in (["--format", "xlsx", "--output", f"{number}.xlsx"], ["--format", "csv", "--states", "--output", f"{number}.csv"]):
             ended = triax(folder, "export", number, *arguments)
-            expect((ended.returncode, "stand as numbers" in ended.stderr), (0, False), ended.stderr)
+            expect((ended.returncode, "of states are numbers" in ended.stderr), (0, False), ended.stderr)
         with open(folder / f"{number}.csv", newline="") as file:
             tests[folder / f"{number}.xlsx"] = list(csv.DictReader(file))
     return tests

@@ -222,7 +222,7 @@ TEST_CASE("the page of grains prints a programme, and names every action") {
 }
 
 TEST_CASE("the page of personalities prints two, and has every key and every shipped one") {
-  const std::string page = "docs/how-to/instrument-profiles.md";
+  const std::string page = "docs/how-to/instruments.md";
   const auto old =
       parse_personality(joined(printed(page, "title = \"old controller\""), "\n"), page);
   CHECK(old.points.size() == 4);

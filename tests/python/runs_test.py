@@ -29,7 +29,7 @@ class Runs(InAFolder):
         self.assertEqual(test.report["specimen"]["height_mm"], 141.5)
 
     def test_the_membrane_is_corrected_for(self):
-        with self.assertRaisesRegex(triax.BadInput, "membrane 'latex': not known; expected none, astm or iso"):
+        with self.assertRaisesRegex(triax.BadInput, "membrane 'latex' is not valid; must be one of: none, astm, iso"):
             triax.replay(SAMPLES / "records/icu_6.csv", self.db, membrane="latex")
 
     def test_a_simulation_and_its_record_have_the_same_states(self):

@@ -98,7 +98,7 @@ class Soils(ASand):
         self.refuses(lambda: triax.soil(self.sand, tests=[1, 2]), "soil", 1, 2, "--db", self.sand)
         self.refuses(lambda: triax.soil(self.sand, where="colour = 1"), "soil", "--where", "colour = 1", "--db", self.sand)
         self.refuses(lambda: triax.soil(self.sand, where="eta > 9"), "soil", "--where", "eta > 9", "--db", self.sand)
-        for wrong, words in (({"criterion": "first"}, "criterion 'first': not known; expected peak-q, peak-ratio, strain or critical-state"),
+        for wrong, words in (({"criterion": "first"}, "criterion 'first' is not valid; must be one of: peak-q, peak-ratio, strain, critical-state"),
                              ({"failure_strain": 5}, "failure_strain 5: out of range; expected a number from 0.001 to 0.5"),
                              ({"exponent": np.nan}, "exponent nan: out of range"), ({"stress_error_kPa": -1}, "stress_error_kPa -1: out")):
             with self.assertRaisesRegex(triax.BadInput, words):

@@ -42,10 +42,10 @@ class Probes(InAFolder):
         np.testing.assert_allclose(np.hypot(probes.axial_strain, probes.radial_strain), 1e-5, rtol=1e-9)
 
     def test_what_is_no_state(self):
-        for given, words in ((dict(), "give one of p_kPa"), (dict(p_kPa=70), "p_kPa needs q_kPa or eta"),
+        for given, words in ((dict(), "give one of p_kPa"), (dict(p_kPa=70), "p_kPa needs either q_kPa or eta"),
                              (dict(p_kPa=70, eta=0.5), "missing void_ratio"),
                              (dict(p_kPa=70, eta=9, void_ratio=1), "eta 9: out of range; expected a number from -3 to 3"),
-                             (dict(p_kPa=70, eta=0.5, void_ratio=1, kind="heat"), "kind 'heat': not known")):
+                             (dict(p_kPa=70, eta=0.5, void_ratio=1, kind="heat"), "kind 'heat' is not valid")):
             with self.subTest(given=given), self.assertRaisesRegex(triax.BadInput, words):
                 triax.probe(LOOSE, **given)
         status, line = refusal("probe", "--material", LOOSE, "--p-kPa", 70, "--eta", 2, "--void-ratio", 1.086)
@@ -72,8 +72,8 @@ class Domains(unittest.TestCase):
 
     def test_what_is_no_domain(self):
         for call, words in ((lambda: triax.domain(LOOSE, 1.0, p_kPa=(300, 50, 6)), "the grid: p' from 300 to 50 kPa"),
-                            (lambda: triax.domain(LOOSE, 1.0, plane="3d"), "plane '3d': not known"),
-                            (lambda: triax.domain(LOOSE, 1.0, p_kPa=(50, 60, 2), q_kPa=(0, 1, 2), criteria=["x"]), "criterion 'x' is not known"),
+                            (lambda: triax.domain(LOOSE, 1.0, plane="3d"), "plane '3d' is not valid"),
+                            (lambda: triax.domain(LOOSE, 1.0, p_kPa=(50, 60, 2), q_kPa=(0, 1, 2), criteria=["x"]), "criterion 'x' is not valid"),
                             (lambda: triax.domain("norsand/S28-MT", 0.9, criteria=["localisation"]),
                              "criterion localisation needs the full tensor, and norsand/S28-MT is not formulated for it"),
                             (lambda: triax.domain("norsand/S28-MT", 0.9, plane="plane-strain"),
@@ -81,7 +81,7 @@ class Domains(unittest.TestCase):
             with self.assertRaisesRegex(triax.BadInput, words):
                 call()
         small = triax.domain(LOOSE, 1.0, p_kPa=(50, 60, 2), q_kPa=(0, 1, 2), directions=8)
-        with self.assertRaisesRegex(triax.BadInput, "no criterion 'x'; there are first_unstable, isotropic_unloading"):
+        with self.assertRaisesRegex(triax.BadInput, "criterion 'x' is not valid; must be one of: first_unstable, isotropic_unloading"):
             small.boundary("x")
 
 

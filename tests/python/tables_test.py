@@ -64,7 +64,7 @@ class Tables(InAFolder):
             self.test.readings.cell_pressure_kPa[0] = 0
 
     def test_a_column_that_is_not_there(self):
-        with self.assertRaisesRegex(AttributeError, "no column 'q'; there are reading, stage, time_s"):
+        with self.assertRaisesRegex(AttributeError, "unknown column 'q'; must be one of: reading, stage, time_s"):
             self.test.states.q
         with self.assertRaises(KeyError):
             self.test.states["q"]

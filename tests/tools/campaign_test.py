@@ -23,7 +23,7 @@ begin = time.monotonic()
 if not sound:
     {fault}
 if time.monotonic() - begin > 1:  # the fault itself had to wait for a lock, which is not what is looked for
-    done.stderr += b"waits until the database takes it\\nnothing is lost\\n"
+    done.stderr += b"until the database can be written\\nnothing is lost\\n"
 sys.stdout.buffer.write(done.stdout)
 sys.stderr.buffer.write(done.stderr)
 sys.exit(done.returncode)

@@ -99,6 +99,13 @@ class Pages(unittest.TestCase):
         done = self.pages("--check", "page")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
+    def test_results_of_benchmarks_are_pages_and_names_are_unique(self):
+        (self.root / "bench/results").mkdir()
+        (self.root / "docs/page.md").rename(self.root / "bench/results/page.md")
+        self.assertEqual(self.pages("--check", "page").returncode, 0)
+        self.write("docs/page.md", PAGE)
+        self.assertIn("have 2 pages of that name", self.pages("--check", "page").stderr)
+
     def test_each_difference_is_shown_and_made_anew(self):
         for right, wrong in (("    eta 0.58", "    eta 0.59"), ("It is 42.", "It is 41."), ("    one\n    ...", "    two\n    ..."),
                              ("    control is lost\n", "    control is kept\n")):

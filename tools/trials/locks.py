@@ -10,7 +10,7 @@ from .trial import Trial
 from .works import check_complete, database_in_use, undisturbed, work
 
 PARTS = ("simulate", "replay", "sweep", "long", "grains", "merge")
-SAYS, SAYS_END = "waits until the database takes it", "nothing is lost"
+SAYS, SAYS_END = "until the database can be written", "nothing is lost"
 # A work has something to store sooner, and is silent for two seconds (db::Patience::quiet) after that.
 CERTAINLY_S = 8
 

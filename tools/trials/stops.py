@@ -181,9 +181,9 @@ class Rig:
         for text in sentences:
             if found := re.search(r"readings are missed from (\S+) s to (\S+) s:", text):
                 missed.append([float(found[1]), float(found[2])])
-            elif found := re.search(r"readings are missed again and again from (\S+) s on", text):
+            elif found := re.search(r"readings are missed repeatedly from (\S+) s on", text):
                 missed.append([float(found[1]), math.inf])
-            elif (found := re.search(r"readings are in time again from (\S+) s on", text)) and missed:
+            elif (found := re.search(r"readings are on time again from (\S+) s on", text)) and missed:
                 missed[-1][1] = float(found[1])
         for before, after in itertools.pairwise(times):
             self.must(after > before, f"time runs back: {before} s, {after} s")

@@ -85,11 +85,11 @@ bool VirtualApparatus::survived(const sim::SpecimenStep& step, const Tick& tick,
     return false;
   }
   if (step.outcome == sim::StepOutcome::inaccurate)
-    warn_once(accuracy_warned_,
-              fmt::format("from {:.6g} s on the integration of the law is less "
-                          "accurate than specified",
-                          tick.time_s),
-              done);
+    warn_once(
+        accuracy_warned_,
+        fmt::format("from {:.6g} s on, the integration of the law is less accurate than specified",
+                    tick.time_s),
+        done);
   if (step.outcome == sim::StepOutcome::lost_control) {
     done.end = Ticked::End::cut;
     done.why = control_lost(tick.stage, tick.time_s, step);

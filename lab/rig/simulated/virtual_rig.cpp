@@ -15,7 +15,8 @@ RecordHeader header_of(const Programme& given, const Programme& used, std::uint6
   for (const auto& row : raw_channels())
     if (given.fitted[index(row.quantity)] && !used.fitted[index(row.quantity)])
       header.warnings.push_back(
-          {0, fmt::format("{} is not recorded: the virtual specimen does not have it", row.name)});
+          {0,
+           fmt::format("{} is not recorded: the virtual specimen has no such channel", row.name)});
   return header;
 }
 

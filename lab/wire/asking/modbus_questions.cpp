@@ -104,7 +104,7 @@ class ModbusQuestions : public Questions {
     std::vector<FramePart> parts;
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const auto& point = by_modbus(asked[i].point);
-      if (!point.readable) throw BadInput(fmt::format("{} is only set", point.name));
+      if (!point.readable) throw BadInput(fmt::format("{} is write-only", point.name));
       parts.push_back({point.registers.front(), i});
     }
     std::ranges::stable_sort(parts, {}, [](const FramePart& part) {
@@ -126,12 +126,12 @@ class ModbusQuestions : public Questions {
     std::vector<FramePart> parts;
     for (const PointSetting& one : settings) {
       const auto& point = by_modbus(one.point);
-      if (!point.writable) throw BadInput(fmt::format("{} is only read", point.name));
+      if (!point.writable) throw BadInput(fmt::format("{} is read-only", point.name));
       const auto order = static_cast<std::size_t>(&point - personality_.points.data());
       parts.push_back({point.registers.front(), order, one.value});
       if (!can_hold(parts.back().place, one.value))
         throw BadInput(
-            fmt::format("{} = {} is more than its registers can hold", point.name, one.value));
+            fmt::format("{} = {} is too large for its registers", point.name, one.value));
     }
     std::ranges::stable_sort(parts, {}, &FramePart::index);
     std::vector<Exchange> exchanges;

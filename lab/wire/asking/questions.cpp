@@ -11,11 +11,11 @@ namespace triax::lab {
 std::unique_ptr<Questions> questions_for(const Personality& personality, const LinkAddress& link) {
   const bool text = personality.speaks(Protocol::scpi) || personality.speaks(Protocol::lines);
   if (link.is_modbus() && !personality.speaks(Protocol::modbus))
-    throw BadInput(fmt::format("{}: a {} does not speak Modbus; expected tcp:// or serial://",
+    throw BadInput(fmt::format("{}: a {} has no Modbus interface; expected tcp:// or serial://",
                                to_text(link), personality.title));
   if (!link.is_modbus() && !text)
     throw BadInput(
-        fmt::format("{}: a {} speaks Modbus only; expected modbus-tcp:// or modbus-rtu://",
+        fmt::format("{}: a {} has a Modbus interface only; expected modbus-tcp:// or modbus-rtu://",
                     to_text(link), personality.title));
   if (!link.is_modbus()) return text_questions(personality);
   const bool tcp = link.kind == LinkAddress::Kind::modbus_tcp;

@@ -51,7 +51,7 @@ constexpr std::size_t kStampFields = 6;
 double calendar_s(const double* fields, std::string_view text) {
   const auto whole = [&](std::size_t i, double least, double most) {
     if (!(fields[i] >= least && fields[i] <= most) || std::floor(fields[i]) != fields[i])
-      throw Malformed(fmt::format("no instant of a calendar: {}", excerpt(text)));
+      throw Malformed(fmt::format("not a date and time: {}", excerpt(text)));
     return static_cast<unsigned>(fields[i]);
   };
   using namespace std::chrono;
@@ -59,7 +59,7 @@ double calendar_s(const double* fields, std::string_view text) {
                             day(whole(2, 1, 31))};
   const double minutes = whole(3, 0, 23) * 60 + whole(4, 0, 59);
   if (!date.ok() || !(fields[5] >= 0 && fields[5] < 61))
-    throw Malformed(fmt::format("no instant of a calendar: {}", excerpt(text)));
+    throw Malformed(fmt::format("not a date and time: {}", excerpt(text)));
   return duration<double>(sys_days(date).time_since_epoch()).count() + minutes * 60 + fields[5];
 }
 
@@ -85,7 +85,7 @@ std::size_t whole_lines(std::string_view received, int lines, char end) {
     const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
     if (control && c != '\r' && c != '\n' && c != '\t')
       throw Malformed(
-          fmt::format("a byte that is no text: {:#04x}", static_cast<unsigned char>(c)));
+          fmt::format("a byte that is not text: {:#04x}", static_cast<unsigned char>(c)));
     if (c == end && --lines == 0) return i + 1;
   }
   if (received.size() > kLongest) throw Malformed("64 KB without the end of a line");

@@ -73,7 +73,7 @@ class TextQuestions : public Questions {
     const auto ordered = in_order(settings);
     for (const PointSetting& one : ordered) {
       const auto& point = by_scpi(one.point);
-      if (!point.writable) throw BadInput(fmt::format("{} is only read", point.name));
+      if (!point.writable) throw BadInput(fmt::format("{} is read-only", point.name));
       // IEEE 488.2 goes on behind a refusal: the last, by which the others take effect, waits for
       // the answer to those.
       if (checked && &one == &ordered.back()) send();
@@ -115,7 +115,7 @@ class TextQuestions : public Questions {
   const PersonalityPoint& by_scpi(const std::string& name) const {
     const auto& point = personality_.at(name);
     if (point.scpi.empty())
-      throw BadInput(fmt::format("{} has {} by Modbus only", personality_.title, name));
+      throw BadInput(fmt::format("{} has {} over Modbus only", personality_.title, name));
     return point;
   }
 
@@ -156,7 +156,7 @@ class TextQuestions : public Questions {
     std::string text;
     for (const std::size_t place : places) {
       const auto& point = by_scpi(asked[place].point);
-      if (!point.readable) throw BadInput(fmt::format("{} is only set", point.name));
+      if (!point.readable) throw BadInput(fmt::format("{} is write-only", point.name));
       if (!text.empty()) text += ';';
       text += short_header(point.scpi) + '?';
     }
@@ -172,7 +172,7 @@ class TextQuestions : public Questions {
     exchange.values = [](std::string_view answer) {
       const auto error = answer.substr(0, answer.find_last_not_of("\r\n") + 1);
       if (spoken_number(error.substr(0, error.find(','))) != 0)
-        throw Malformed(fmt::format("it refuses: {}", error));
+        throw Malformed(fmt::format("it reports: {}", error));
       return std::vector<double>();
     };
     return exchange;
@@ -180,7 +180,7 @@ class TextQuestions : public Questions {
 
   Question scan(const std::vector<AskedValue>& asked, std::vector<std::size_t> places) const {
     if (!personality_.scan)
-      throw BadInput(fmt::format("{} has no channels by number; expected the name of a value",
+      throw BadInput(fmt::format("{} has no numbered channels; expected the name of a value",
                                  personality_.title));
     const PersonalityScan& scan = *personality_.scan;
     const auto channels = channels_of(asked);

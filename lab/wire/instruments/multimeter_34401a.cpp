@@ -29,7 +29,7 @@ Multimeter34401A::Multimeter34401A(const WireDevice& device) : device_(device) {
   table_.add("INITiate[:IMMediate]", 0, "takes a reading into the memory",
              [this](ScpiCall&) { taken_V_ = volts(); });
   table_.add("FETCh?", 0, "the reading in the memory, V", [this](ScpiCall& call) {
-    if (!taken_V_) throw ScpiError(-230, "no reading was taken, INIT takes one");
+    if (!taken_V_) throw ScpiError(-230, "no reading in the memory; send INIT first");
     call.reply = meter_number(*taken_V_);
   });
   table_.add("DATA:POINts?", 0, "readings in the memory",

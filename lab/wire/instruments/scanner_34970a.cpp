@@ -57,7 +57,7 @@ void Scanner34970A::add_settings() {
                const std::string word = call.parameters.word();
                for (const auto& [name, source] : kTriggerSources)
                  if (word == name) return void(source_ = static_cast<Source>(source));
-               throw ScpiError(-224, "known: IMM, TIM, BUS");
+               throw ScpiError(-224, "must be one of: IMM, TIM, BUS");
              });
   table_.add("TRIGger:SOURce?", 0, "what starts a scan", [this](ScpiCall& call) {
     call.reply = kTriggerSources[source_ == Source::immediate ? 0
@@ -105,7 +105,7 @@ void Scanner34970A::add_formats() {
              [this](ScpiCall& call) {
                const std::string word = call.parameters.word();
                if (!word.starts_with("ABS") && !word.starts_with("REL"))
-                 throw ScpiError(-224, "known: ABS, REL");
+                 throw ScpiError(-224, "must be one of: ABS, REL");
                absolute_ = word.starts_with("ABS");
              });
   table_.add("FORMat:READing:TIME:TYPE?", 0, "ABS or REL",
@@ -113,23 +113,23 @@ void Scanner34970A::add_formats() {
 }
 
 void Scanner34970A::add_readings() {
-  table_.add("INITiate", 0, "clears the memory and scans as TRIG says",
+  table_.add("INITiate", 0, "clear the memory and scan as configured with TRIG",
              [this](ScpiCall&) { start(); });
   table_.add("ABORt", 0, "ends scanning", [this](ScpiCall&) { stop(); });
   table_.add("*TRG", 0, "a scan, where TRIG:SOUR is BUS", [this](ScpiCall&) {
     if (source_ != Source::bus || scans_left_ == 0)
-      throw ScpiError(-221, "nothing waits for *TRG: TRIG:SOUR BUS and INIT come before");
+      throw ScpiError(-221, "no scan waits for *TRG; send TRIG:SOUR BUS and INIT first");
     scan();
   });
   table_.add("READ?", 0, "INIT of one scan, and its readings", [this](ScpiCall& call) {
     if (source_ != Source::immediate || count_ != 1)
-      throw ScpiError(-221,
-                      "READ? is for TRIG:SOUR IMM and TRIG:COUN 1, else INIT and FETC? or R?");
+      throw ScpiError(
+          -221, "READ? needs TRIG:SOUR IMM and TRIG:COUN 1; otherwise use INIT and FETC? or R?");
     start();
     take(memory_.size(), call, true, false);
   });
   table_.add("FETCh?", 0, "all readings in the memory, which keeps them", [this](ScpiCall& call) {
-    if (memory_.empty()) throw ScpiError(-230, "no reading was taken");
+    if (memory_.empty()) throw ScpiError(-230, "no reading in the memory");
     take(memory_.size(), call, true, false);
   });
   table_.add("R?", 1, "takes so many of the oldest readings, or all, as a block",
@@ -167,7 +167,7 @@ const Point& Scanner34970A::point(int channel) const {
 }
 
 void Scanner34970A::start() {
-  if (list_.empty()) throw ScpiError(-221, "no channels: ROUT:SCAN comes before");
+  if (list_.empty()) throw ScpiError(-221, "no channels; send ROUT:SCAN first");
   memory_.clear();
   overflow_ = false;
   started_s_ = now_s_;

@@ -10,7 +10,7 @@
 
 namespace triax::lab {
 namespace {
-constexpr std::size_t kLongestAnswer = std::size_t{8} << 20;
+constexpr std::size_t kMaxResponse = std::size_t{8} << 20;
 constexpr double kLatency_s = 0.02;  ///< of a serial adapter that gathers bytes; 16 ms are usual
 constexpr std::size_t kMostUnasked = std::size_t{64} << 10;
 }  // namespace
@@ -20,7 +20,7 @@ Line::Line(LineLoop& loop, LinkAddress link, const LineTimes& times)
 Line::~Line() = default;
 
 void Line::open(double deadline_s, std::function<void(const std::string&)> opened) {
-  close("opened anew");
+  close("reopened");
   opened_ = std::move(opened);
   if (link_.is_serial()) {
     std::string why;
@@ -117,7 +117,7 @@ void Line::heard(std::string_view bytes) {
 std::size_t Line::whole(const Exchange& exchange) {
   try {
     const std::size_t length = exchange.whole(received_);
-    if (length == 0 && received_.size() > kLongestAnswer) throw Malformed("an answer without end");
+    if (length == 0 && received_.size() > kMaxResponse) throw Malformed("a response without end");
     return std::min(length, received_.size());
   } catch (const Malformed& malformed) {
     unreadable(malformed.what());
@@ -156,7 +156,7 @@ void Line::read_answer() {
   if (result.answered_s > entry->deadline_s) {
     // Nobody knows when it came: this process may have stood still meanwhile.
     rest(State::pauses, times_.pause_s);
-    return entry->done({.kind = Asked::Kind::late, .why = "no answer", .sent_s = entry->sent_s});
+    return entry->done({.kind = Asked::Kind::late, .why = "no response", .sent_s = entry->sent_s});
   }
   try {
     if (entry->exchange.values) result.values = entry->exchange.values(answer);
@@ -198,14 +198,14 @@ void Line::rest(State state, double seconds) {
 void Line::at_deadline(const Entry& entry) {
   const auto place = std::ranges::find(queue_, entry);
   if (!entry || place == queue_.end()) return;
-  Asked result{.kind = Asked::Kind::late, .why = "no answer", .sent_s = entry->sent_s};
+  Asked result{.kind = Asked::Kind::late, .why = "no response", .sent_s = entry->sent_s};
   if (!line_) {
     result.kind = Asked::Kind::closed;
-    result.why = "the line is not open";
+    result.why = "the connection is not open";
   } else if (state_ != State::asked || place != queue_.begin()) {
-    result.why = "the line was busy until the deadline";
+    result.why = "the connection was busy until the deadline";
   } else if (!received_.empty()) {
-    result.why = "an answer without its end";
+    result.why = "a response without its end";
   }
   const bool under_way = line_ && state_ == State::asked && place == queue_.begin();
   queue_.erase(place);
@@ -221,7 +221,7 @@ void Line::owe(Exchange exchange) {
 }
 
 void Line::give_up_owed() {
-  if (!link_.is_serial()) return lose("no answer");
+  if (!link_.is_serial()) return lose("no response");
   state_ = State::idle;
   next();
 }

@@ -87,7 +87,8 @@ TcpListener::TcpListener(LineLoop& loop, const LinkAddress& link,
     state_->endpoint = *resolver.resolve(link.host, std::to_string(link.port)).begin();
     state_->open();
   } catch (const boost::system::system_error& error) {
-    throw WorkFailed("cannot listen at " + to_text(link) + ": " + error.code().message());
+    throw WorkFailed("cannot listen at " + to_text(link) + ": " + error.code().message() +
+                     "; expected a free address of this computer");
   }
 }
 

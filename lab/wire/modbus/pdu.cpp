@@ -16,7 +16,7 @@ std::string exception_text(unsigned code) {
                                          "memory parity error",
                                          "",
                                          "no path to the unit",
-                                         "no answer of the unit"};
+                                         "no response of the unit"};
   const bool known = code >= 1 && code <= std::size(kWords) && !kWords[code - 1].empty();
   return known ? fmt::format("exception {} ({})", code, kWords[code - 1])
                : fmt::format("exception {}", code);

@@ -13,7 +13,7 @@ std::vector<std::string> Absences::news(double now_s) {
     const std::string& name = one->described().name;
     if (gap.why.empty()) {
       if (!gap.told.empty())
-        news.push_back(fmt::format("{} answers again after {:.1f} s", name, now_s - gap.since_s));
+        news.push_back(fmt::format("{} responds again after {:.1f} s", name, now_s - gap.since_s));
       gap.told.clear();
       continue;
     }

@@ -32,10 +32,10 @@ ControlLine::ControlLine(LineLoop& loop, const LinkAddress& link) : loop_(loop),
   const auto opened = std::make_shared<std::optional<std::string>>();
   line_.open(loop.now_s() + kPatience_s, [opened](const std::string& why) { *opened = why; });
   loop.run_until([&opened] { return opened->has_value(); }, loop.now_s() + kPatience_s + 1);
-  const std::string why = opened->value_or("no answer");
+  const std::string why = opened->value_or("no response");
   if (!why.empty())
     throw WorkFailed(
-        fmt::format("the rig's control at {} cannot be reached: {}", to_text(link), why));
+        fmt::format("the rig control at {} cannot be reached: {}", to_text(link), why));
 }
 
 std::string ControlLine::ask(const std::string& question) {
@@ -48,7 +48,7 @@ std::string ControlLine::ask(const std::string& question) {
   });
   loop_.run_until([&over] { return *over; }, loop_.now_s() + kPatience_s + 1);
   if (asked->kind == Asked::Kind::answered) return asked->text;
-  throw WorkFailed(fmt::format("the rig's control at {} does not answer {}: {}",
+  throw WorkFailed(fmt::format("the rig control at {} did not respond to {}: {}",
                                to_text(line_.link()), question, asked->why));
 }
 
@@ -57,7 +57,7 @@ RigTime ControlLine::ask_time() {
   if (mode == "LOCK") return {.speed = 1, .lock_step = true};
   const auto speed = whole_text_as<double>(mode.substr(std::min(mode.size(), sizeof("REAL,") - 1)));
   if (!speed || !(*speed > 0))
-    throw WorkFailed(fmt::format("the rig's control says {} of its clock", excerpt(mode)));
+    throw WorkFailed(fmt::format("the rig control sent {} as its clock", excerpt(mode)));
   return {.speed = *speed};
 }
 
@@ -65,7 +65,7 @@ FrameState ControlLine::step(double dt_s) {
   const std::string answer = ask(fmt::format("CLOCk:STEP? {}", dt_s));
   const auto state = whole_text_as<int>(answer.substr(answer.find(',') + 1));
   if (!state || *state < 0 || *state > static_cast<int>(FrameState::cannot_follow))
-    throw WorkFailed(fmt::format("the rig's control answers {} to a step", excerpt(answer)));
+    throw WorkFailed(fmt::format("the rig control responded {} to a step", excerpt(answer)));
   return static_cast<FrameState>(*state);
 }
 

@@ -28,7 +28,7 @@ void InstrumentClocks::take(const std::string& instrument, double stamp_s, doubl
   const double step_s = moved_s(before.least_s, before.most_s, now.least_s, now.most_s);
   if (std::fabs(step_s) > tolerance_s_) {
     news_.push_back(
-        fmt::format("{} has a clock that jumped by {:+.1f} s; readings keep this machine's time",
+        fmt::format("{} clock jumped by {:+.1f} s; readings use the time of this computer",
                     instrument, step_s));
     clock = {now, now, asked_s, 0};
     return;
@@ -37,12 +37,12 @@ void InstrumentClocks::take(const std::string& instrument, double stamp_s, doubl
   // Each doubling once: a clock that is slow for days is not told every second.
   if (std::fabs(drift_s) < std::max(tolerance_s_, 2 * clock.told_s)) return;
   clock.told_s = std::fabs(drift_s);
-  news_.push_back(fmt::format(
-      "{} has a clock that runs {}: {:.1f} s {} after {:.0f} s ({:+.2g} %); readings keep this "
-      "machine's time",
-      instrument, drift_s > 0 ? "fast" : "slow", std::fabs(drift_s),
-      drift_s > 0 ? "ahead" : "behind", answered_s - clock.start_s,
-      100 * drift_s / (answered_s - clock.start_s)));
+  news_.push_back(
+      fmt::format("{} clock runs {}: {:.1f} s {} after {:.0f} s ({:+.2g} %); readings use the time "
+                  "of this computer",
+                  instrument, drift_s > 0 ? "fast" : "slow", std::fabs(drift_s),
+                  drift_s > 0 ? "ahead" : "behind", answered_s - clock.start_s,
+                  100 * drift_s / (answered_s - clock.start_s)));
 }
 
 }  // namespace triax::lab

@@ -33,8 +33,8 @@ void check_complete(const RigFile& rig, const Programme& programme) {
       missing += fmt::format(", an instrument with role = \"{}\"", to_text(role));
   for (const auto& row : raw_channels())
     if (programme.fitted[index(row.quantity)] && !rig.channel(row.quantity))
-      missing += fmt::format(", a channel that measures {}", row.name);
-  if (!missing.empty()) throw BadInput(rig.file, 0, "the rig lacks " + missing.substr(2));
+      missing += fmt::format(", a channel for {}", row.name);
+  if (!missing.empty()) throw BadInput(rig.file, 0, "missing in the rig: " + missing.substr(2));
 }
 
 /// A frame that cannot go on, as a tick ends with it.
@@ -65,7 +65,7 @@ void RemoteApparatus::await(const std::function<bool()>& done, double within_s) 
 void RemoteApparatus::connect(double within_s) {
   const std::string missing = instruments_.connect(within_s, stop_);
   if (!missing.empty())
-    throw WorkFailed(fmt::format("{}: not all instruments are there:{}", rig_.file, missing));
+    throw WorkFailed(fmt::format("{}: not all instruments responded{}", rig_.file, missing));
   if (rig_.plant && rig_.plant->control) {
     control_ = std::make_unique<ControlLine>(loop_, *rig_.plant->control);
     time_ = control_->ask_time();
@@ -109,9 +109,9 @@ void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said)
     if (!std::isnan(said[0])) frame_state_ = static_cast<FrameState>(static_cast<int>(said[0]));
     if (!std::isnan(said[1])) devices_.piston_force_n = said[1];
     if (frame_state_ == FrameState::emergency_stop)
-      devices_.fault = "emergency stop: the frame says so";
+      devices_.fault = "emergency stop: reported by the frame";
     if (frame_state_ == FrameState::watchdog)
-      devices_.fault = "the frame stopped by its watchdog: it had heard nothing for too long";
+      devices_.fault = "the watchdog stopped the frame: no command received for too long";
     return;
   }
   auto& one = role == RigRole::cell ? devices_.cell : devices_.back;
@@ -125,14 +125,15 @@ void RemoteApparatus::take_states(RigRole role, const std::vector<double>& said)
     one.empty = said[1] == 2;
   }
   if (said[2] == 1)
-    devices_.fault = fmt::format("the {}-pressure controller held by its watchdog", to_text(role));
+    devices_.fault =
+        fmt::format("the watchdog of the {}-pressure controller holds the pressure", to_text(role));
 }
 
 void RemoteApparatus::look(Reading& reading) {
   devices_.fault.clear();
   for (const auto& [role, times] : refusals_)
     if (times >= kRefusals)
-      devices_.fault = fmt::format("{} does not take what it is told: {}",
+      devices_.fault = fmt::format("{} rejects commands: {}",
                                    instruments_.with(role)->described().name, refused_);
   const double nominal_s = reading.time_s;
   const double asked_s = instruments_.scan(
@@ -153,7 +154,8 @@ void RemoteApparatus::look(Reading& reading) {
 void RemoteApparatus::look_for_stall(double stall_s) {
   if (time_.lock_step || stall_s < Supervision::kDeaf_s || !devices_.fault.empty()) return;
   devices_.fault = fmt::format(
-      "this program stood still for {:.1f} s: it read nothing and controlled nothing", stall_s);
+      "this program was suspended for {:.1f} s: no readings and no control during this time",
+      stall_s);
 }
 
 /// An instrument whose deadline is long is not waited for beyond the time after which it is deaf:
@@ -172,7 +174,7 @@ void RemoteApparatus::look_for_deaf_drives() {
     const std::string& why = absences_.why(one);
     const double since_s = std::max(heard_s_[&one], *start_s_);
     if (why.empty() || (loop_.now_s() - since_s) * time_.speed < Supervision::kDeaf_s) continue;
-    devices_.fault = fmt::format("{} has not answered rightly for {:g} s: {}", one.described().name,
+    devices_.fault = fmt::format("{} sent no valid response for {:g} s: {}", one.described().name,
                                  Supervision::kDeaf_s, why);
   }
 }
@@ -238,8 +240,8 @@ void RemoteApparatus::end_by_state(const Tick& tick, Ticked& done) {
   if (end == Ticked::End::cut) {
     done.passed_s = 0;
     done.why = fmt::format(
-        "stage \"{}\" ended at {:.6g} s: the frame says that the specimen cannot follow what is "
-        "prescribed",
+        "stage \"{}\" ended at {:.6g} s: the frame reported that the specimen cannot follow the "
+        "prescribed path",
         tick.stage.name, tick.time_s);
   } else {
     done.why = travel_reached(tick.stage, time_s, programme_.frame.travel_m, displaced_m_);

@@ -31,7 +31,7 @@ bool ReplyCheck::has_odd_form(const Reply& reply) const {
 bool ReplyCheck::is_possible(const Channel& channel, double value) {
   if (std::isnan(value) || std::isinf(value) || is_within(channel.place.possible, value))
     return true;
-  why_ = fmt::format("reply rejected: {} {:.10g} is outside of {:g} to {:g}", channel.place.name,
+  why_ = fmt::format("response rejected: {} {:.10g} is outside {:g} to {:g}", channel.place.name,
                      value, channel.place.possible.first, channel.place.possible.second);
   return false;
 }
@@ -46,7 +46,7 @@ bool ReplyCheck::add(Reply reply) {
   if (!reply.trouble.empty())
     why_ = reply.trouble;
   else if (has_odd_form(reply))
-    why_ = fmt::format("reply rejected: {} bytes{} instead of {}", reply.length,
+    why_ = fmt::format("response rejected: {} bytes{} instead of {}", reply.length,
                        reply.trailing ? " and more" : "", length_);
   else
     started_ ? evaluate(reply) : begin(reply);
@@ -100,8 +100,8 @@ void ReplyCheck::evaluate(const Reply& reply) {
       channel.accepted = value;
       continue;
     }
-    why_ = fmt::format("reply rejected: {} {:.10g}{}, expected about {:.10g}", channel.place.name,
-                       value, replies_ > 1 ? " when asked again" : "",
+    why_ = fmt::format("response rejected: {} {:.10g}{}, expected about {:.10g}",
+                       channel.place.name, value, replies_ > 1 ? " when queried again" : "",
                        channel.trend.value().value_or(kNoValue));
   }
 }

@@ -44,16 +44,16 @@ ChannelCheck check_channel(const RigChannel& channel, std::size_t place, const S
   if (!values.empty()) check.value = values.front();
   check.noise = standard_deviation(values);
   if (!in_range)
-    check.trouble = "outside the range of its calibration, or at the end of the instrument's";
+    check.trouble = "outside the calibrated range, or at the end of the instrument's range";
   else if (values.size() < said.channels.size())
-    check.trouble = fmt::format("{} of {} answers without a value",
+    check.trouble = fmt::format("{} of {} responses without a value",
                                 said.channels.size() - values.size(), said.channels.size());
   else if (channel.quantity && info(*channel.quantity).raw.absurd <
                                    std::fabs(check.value * channel.scale /
                                              sim::find_unit(info(*channel.quantity).unit)->scale))
-    check.trouble = "no triaxial apparatus measures that: unit, gain or offset is wrong";
+    check.trouble = "impossible in a triaxial apparatus: unit, gain or offset is wrong";
   if (check.trouble.empty() && channel.calibration.date.empty() && channel.quantity)
-    check.trouble = "no date of calibration in the file";
+    check.trouble = "no calibration date in the file";
   return check;
 }
 
@@ -63,9 +63,9 @@ std::string trouble_of_drive(RigRole role, double state) {
     return fmt::format("its cylinder is {}", state == 1 ? "full" : "empty");
   switch (static_cast<FrameState>(static_cast<int>(state))) {
     case FrameState::on_stop:
-      return "the cap lies on the stop";
+      return "the cap rests on the stop";
     case FrameState::end_of_travel:
-      return "it stands at the end of its travel";
+      return "it is at the end of its travel";
     case FrameState::emergency_stop:
       return "its emergency stop is on";
     case FrameState::cannot_follow:
@@ -94,7 +94,7 @@ InstrumentCheck check_instrument(const WireInstrument& one, const std::vector<Ri
       .answer_s = median(said.answers_s),
       .trouble = one.ready() ? trouble_of_drive(one.described().role, said.state) : one.trouble(),
       .channels = {}};
-  if (check.trouble.empty() && !one.ready()) check.trouble = "does not answer";
+  if (check.trouble.empty() && !one.ready()) check.trouble = "did not respond";
   for (std::size_t i = 0; i < channels.size(); ++i)
     check.channels.push_back(check_channel(channels[i], i, said));
   return check;

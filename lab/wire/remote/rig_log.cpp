@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,7 +33,8 @@ class GrowingFile {
       : path_(path),
         descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND, 0666)) {
     if (descriptor_ < 0 && errno == EEXIST)
-      throw BadInput(path, 0, "is there already: a log begins a file of its own");
+      throw BadInput(path, 0, "file exists already; give the name of a new file");
+    if (descriptor_ < 0 && errno == ENOENT) check_folder_of(path);
     if (descriptor_ < 0) fail();
   }
   ~GrowingFile() { ::close(descriptor_); }
@@ -46,9 +46,7 @@ class GrowingFile {
   }
 
  private:
-  [[noreturn]] void fail() const {
-    throw WorkFailed(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
-  }
+  [[noreturn]] void fail() const { throw WorkFailed(describe_write_error(path_, errno)); }
   std::string path_;
   int descriptor_;
 };
@@ -95,10 +93,10 @@ class RigLogRun {
       : options_(options),
         columns_(columns_of(rig)),
         instruments_(loop_, rig, [](const auto&) { return std::vector<std::string>(); }) {
-    if (columns_.empty()) throw BadInput(rig.file, 0, "the rig has no channel that could be read");
+    if (columns_.empty()) throw BadInput(rig.file, 0, "the rig has no readable channel");
     const std::string missing = instruments_.connect(kConnect_s, options.stop);
     if (std::ranges::none_of(instruments_.all(), [](const auto& one) { return one->ready(); }))
-      throw WorkFailed(fmt::format("{}: no instrument is there:{}", rig.file, missing));
+      throw WorkFailed(fmt::format("{}: no instrument responded{}", rig.file, missing));
     file_.emplace(path);
     file_->write(head_of(rig, instruments_, columns_));
     logged_.simulated = instruments_.simulated();

@@ -25,11 +25,11 @@ std::string trouble_of(const Asked& asked, double deadline_s) {
     case Asked::Kind::answered:
       return {};
     case Asked::Kind::late:
-      return fmt::format("no answer within {:g} s", deadline_s);
+      return fmt::format("no response within {:g} s", deadline_s);
     case Asked::Kind::malformed:
-      return "answered wrongly: " + asked.why;
+      return "invalid response: " + asked.why;
     case Asked::Kind::closed:
-      return "the link is down: " + asked.why;
+      return "the connection is down: " + asked.why;
   }
   return {};
 }
@@ -63,7 +63,7 @@ WireInstrument::WireInstrument(LineLoop& loop, const RigInstrument& described,
     if (question.stamped) places.push_back({.name = "the instrument's clock"});
     checks_.emplace_back(std::move(places), !question.exchange.request.empty());
   }
-  line_.on_lost([this](const std::string& why) { fail("the link is down: " + why); });
+  line_.on_lost([this](const std::string& why) { fail("the connection is down: " + why); });
 }
 
 void WireInstrument::start() { open(); }
@@ -84,8 +84,8 @@ void WireInstrument::greet() {
     if (a.kind != Asked::Kind::answered) return fail(trouble_of(a, deadline_s));
     std::string complaint = described_.personality.complaint_about(a.text);
     if (complaint.empty() && !identity_.empty() && identity_ != a.text)
-      complaint = fmt::format("is another instrument than before: {} instead of {}",
-                              excerpt(a.text), excerpt(identity_));
+      complaint = fmt::format("has another identity than before: {} instead of {}", excerpt(a.text),
+                              excerpt(identity_));
     if (!complaint.empty()) return fail(complaint);
     identity_ = a.text;
     prepare(questions_->prepare(asked_));
@@ -130,7 +130,7 @@ void WireInstrument::scan(std::function<void(const Scan&)> done, double asked_s,
   round->done = std::move(done);
   if (!ready() || round_.empty()) {
     round->scan.also.assign(asked_.size() - channels_, kNothing);
-    if (!ready()) round->scan.why = trouble_.empty() ? "it is not linked yet" : trouble_;
+    if (!ready()) round->scan.why = trouble_.empty() ? "not connected yet" : trouble_;
     if (ready()) wrong_s_.reset();
     for (ReplyCheck& check : checks_) check.end();
     loop_.soon([round] { round->done(round->scan); });
@@ -191,7 +191,7 @@ void WireInstrument::set(const std::vector<PointSetting>& settings,
                          std::function<void(const std::string&)> done) {
   if (!ready()) {
     loop_.soon(
-        [done = std::move(done), why = trouble_] { done(why.empty() ? "not linked" : why); });
+        [done = std::move(done), why = trouble_] { done(why.empty() ? "not connected" : why); });
     return;
   }
   set_next(questions_->set(settings), std::move(done));

@@ -57,8 +57,8 @@ std::string WireInstruments::connect(double within_s, const std::function<bool()
   for (const auto& one : all_)
     if (!one->ready())
       missing +=
-          fmt::format("\n  {} at {}: {}", one->described().name, to_text(one->described().link),
-                      one->trouble().empty() ? "does not answer" : one->trouble());
+          fmt::format("; {} at {}: {}", one->described().name, to_text(one->described().link),
+                      one->trouble().empty() ? "did not respond" : one->trouble());
   return missing;
 }
 
@@ -92,9 +92,9 @@ std::vector<Note> WireInstruments::identities() const {
     std::vector<std::pair<std::string, Calibration>> channels;
     for (const RigChannel& channel : one->described().channels)
       channels.emplace_back(channel.name, channel.calibration);
-    std::string text = fmt::format(
-        "{} at {}", one->identity().empty() ? "does not say who it is" : one->identity(),
-        to_text(one->described().link));
+    std::string text =
+        fmt::format("{} at {}", one->identity().empty() ? "gives no identity" : one->identity(),
+                    to_text(one->described().link));
     for (const auto& [name, calibration] : channels)
       text += fmt::format("; {}: {}", name, calibration.text());
     text +=

@@ -29,7 +29,7 @@ std::size_t item_length(std::string_view text) {
       i = text.find(c, i + 1);
       if (i == std::string_view::npos) throw ScpiError(-151, "no closing quote");
     } else if (const std::size_t block = c == '#' ? block_length(text.substr(i)) : 0) {
-      if (block > text.size() - i) throw ScpiError(-161, "shorter than it says");
+      if (block > text.size() - i) throw ScpiError(-161, "shorter than its stated length");
       i += block - 1;
     }
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
@@ -50,11 +50,11 @@ ScpiParameters::ScpiParameters(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = item_length(text);
     const std::string_view item = trimmed(text.substr(0, length));
-    if (item.empty()) throw ScpiError(-102, "nothing before a comma");
+    if (item.empty()) throw ScpiError(-102, "no parameter before a comma");
     items_.emplace_back(item);
     if (length == text.size()) return;
     text = trimmed(text.substr(length + 1));
-    if (text.empty()) throw ScpiError(-102, "nothing behind the last comma");
+    if (text.empty()) throw ScpiError(-102, "no parameter after the last comma");
   }
 }
 
@@ -84,8 +84,8 @@ double ScpiParameters::number(std::string_view unit) {
 int ScpiParameters::integer(int lowest, int highest) {
   const double value = number();
   if (!(value >= lowest && value <= highest) || value != std::floor(value))
-    throw ScpiError(
-        -222, fmt::format("{:.10g} is no whole number from {} to {}", value, lowest, highest));
+    throw ScpiError(-222,
+                    fmt::format("{:.10g} is not an integer from {} to {}", value, lowest, highest));
   return static_cast<int>(value);
 }
 

@@ -31,7 +31,7 @@ Point set_point(const std::string& name, double scale, Limits limits, double& me
                   return;
                 }
                 throw Refused(Refused::Why::out_of_range,
-                              fmt::format("{} takes {:g} to {:g}", name, limits.low / scale,
+                              fmt::format("{} must be {:g} to {:g}", name, limits.low / scale,
                                           limits.high / scale));
               }};
 }
@@ -40,7 +40,7 @@ Point set_point(const std::string& name, double scale, Limits limits, double& me
 int number_below(int count, double value, std::string_view name) {
   const int number = value >= 0 && value < count ? static_cast<int>(value) : -1;
   if (number != value)
-    throw Refused(Refused::Why::out_of_range, fmt::format("{} takes 0 to {}", name, count - 1));
+    throw Refused(Refused::Why::out_of_range, fmt::format("{} must be 0 to {}", name, count - 1));
   return number;
 }
 

@@ -39,8 +39,8 @@ std::size_t place_of(const RigInstrument& one, const RigChannel& channel) {
   const int first = one.personality.name == "34970A" ? kFirstOfScanner : 1;
   const int at = channel.asked.at.value_or(first);
   if (at < first || at >= first + 20)
-    throw BadInput(
-        fmt::format("{}: channel {} is none of {} to {}", one.name, at, first, first + 19));
+    throw BadInput(fmt::format("{}: channel {} is out of range; expected {} to {}", one.name, at,
+                               first, first + 19));
   return static_cast<std::size_t>(at - first);
 }
 
@@ -134,9 +134,10 @@ void ServedInstrument::make_conversation(bool modbus) {
   } else if (personality.name == "number-a-line") {
     talk_ = [&device] { return std::make_unique<NumberLogger>(device, 1); };
   } else {
-    throw BadInput(fmt::format(
-        "{}: {} is not served: 34401A, 34970A, pad and number-a-line are, and what drives the rig",
-        described_.name, personality.name));
+    throw BadInput(
+        fmt::format("{}: instrument profile {} cannot be simulated; must be one of: 34401A, "
+                    "34970A, pad, number-a-line, or a profile with a role in the rig",
+                    described_.name, personality.name));
   }
 }
 
@@ -154,7 +155,8 @@ void ServedInstrument::set_clock(double rate, double jump_s) {
   if (!shift_calendar_)
     throw Refused(Refused::Why::conflict, described_.name + " has no clock of its own");
   if (!(rate > 0 && rate <= 1000 && std::fabs(jump_s) <= 1e9))
-    throw Refused(Refused::Why::out_of_range, "a clock runs above 0 and up to 1000 times as fast");
+    throw Refused(Refused::Why::out_of_range,
+                  "the rate of a clock must be above 0 and at most 1000");
   rate_ = rate;
   shift_calendar_(jump_s);
 }

@@ -39,7 +39,7 @@ auto kind_of(const std::string& word, const Kinds& kinds) {
     if (word == name) return kind;
   std::string known;
   for (const auto& [name, kind] : kinds) known += fmt::format(", {}", name);
-  throw Refused(Refused::Why::out_of_range, fmt::format("it is one of {}", known.substr(2)));
+  throw Refused(Refused::Why::out_of_range, fmt::format("must be one of: {}", known.substr(2)));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ struct ServedRig::Impl {
   ServedInstrument& instrument(const std::string& name) {
     for (const auto& one : instruments)
       if (one->described().name == name) return *one;
-    throw Refused(Refused::Why::out_of_range, fmt::format("no instrument is called {}", name));
+    throw Refused(Refused::Why::out_of_range, fmt::format("no instrument has the name {}", name));
   }
   const LinkAddress& link_of(const std::string& name) {
     instrument(name);
@@ -138,20 +138,22 @@ void ServedRig::Impl::add_clock() {
             });
   table.add("CLOCk:TIME?", 0, "test time, s",
             [this](ScpiCall& call) { call.reply = fmt::format("{}", plant.time_s()); });
-  table.add(
-      "CLOCk:STEP?", 1,
-      "in lock step: lets so many seconds of the test pass; answers the time and the state "
-      "of the frame",
-      [this](ScpiCall& call) {
-        const double dt_s = call.parameters.number("s");
-        if (!options.lock_step) throw Refused(Refused::Why::conflict, "the clock runs by itself");
-        if (!(dt_s > 0) || dt_s > RigSoftware::kTick_s)
-          throw Refused(Refused::Why::out_of_range,
-                        fmt::format("a step is above 0 and up to {} s", RigSoftware::kTick_s));
-        tick(dt_s);
-        call.reply = fmt::format("{},{}", plant.time_s(), static_cast<int>(plant.frame_state()));
-      });
-  table.add("PLANt:STATe?", 0, "state of the frame, and why it stands", [this](ScpiCall& call) {
+  table.add("CLOCk:STEP?", 1,
+            "in lock step: advances the test by so many seconds; returns the time and the state "
+            "of the frame",
+            [this](ScpiCall& call) {
+              const double dt_s = call.parameters.number("s");
+              if (!options.lock_step)
+                throw Refused(Refused::Why::conflict, "the clock runs by itself");
+              if (!(dt_s > 0) || dt_s > RigSoftware::kTick_s)
+                throw Refused(
+                    Refused::Why::out_of_range,
+                    fmt::format("a step must be above 0 and at most {} s", RigSoftware::kTick_s));
+              tick(dt_s);
+              call.reply =
+                  fmt::format("{},{}", plant.time_s(), static_cast<int>(plant.frame_state()));
+            });
+  table.add("PLANt:STATe?", 0, "state of the frame, and why it stopped", [this](ScpiCall& call) {
     call.reply =
         fmt::format("{},\"{}\"", static_cast<int>(plant.frame_state()), plant.stands_because());
   });
@@ -171,8 +173,8 @@ void ServedRig::Impl::add_faults() {
                 throw Refused(Refused::Why::out_of_range, error.what());
               }
             });
-  table.add("FAULt:CLEar", 0, "no fault any more", [this](ScpiCall&) { plant.clear_faults(); });
-  table.add("FAULt:COUNt?", 0, "how many there are",
+  table.add("FAULt:CLEar", 0, "ends all faults", [this](ScpiCall&) { plant.clear_faults(); });
+  table.add("FAULt:COUNt?", 0, "number of faults",
             [this](ScpiCall& call) { call.reply = fmt::to_string(plant.faults().size()); });
 }
 
@@ -199,8 +201,8 @@ void ServedRig::Impl::add_line_faults() {
               one.set_clock(rate, jump_s);
             });
   table.add("LINE:PRETend", 2,
-            "\"NAME\",ON|TWIN|OFF: it says that it is of another make, another one of its make, or "
-            "itself",
+            "\"NAME\",ON|TWIN|OFF: report another make (ON), another instrument of the same make "
+            "(TWIN), or its own identity (OFF)",
             [this](ScpiCall& call) {
               ServedInstrument& one = instrument(call.parameters.text());
               one.pretend(kind_of(call.parameters.word(), kPretences));

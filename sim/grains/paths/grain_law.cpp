@@ -57,9 +57,9 @@ std::string objection_to(const GrainState& grains) {
   const double p = (s[0] + s[1] + s[2]) / 3;
   if (!(p > 0)) return "the grains carry no stress; compress them first";
   if (!(m.unbalanced <= GrainLaw::kMostUnbalanced))
-    return "the grains are not at rest: the mean resultant is " + percent(m.unbalanced) +
+    return "the grains are not in equilibrium: the mean resultant is " + percent(m.unbalanced) +
            " of the mean contact force, at most " + percent(GrainLaw::kMostUnbalanced) +
-           " would do; let them rest first";
+           " is allowed; add a hold stage first";
   for (const double stress : s)
     if (!(std::abs(stress - p) <= GrainLaw::kMostOff * p))
       return "the stress is not isotropic: " + short_number(stress / 1e3) + " kPa on one axis, " +
@@ -102,7 +102,7 @@ int limiting_variable(const PreparedControl<Axisymmetric>& control, const Square
 
 GrainLaw::GrainLaw(const GrainState& state, const GrainDriving& how) : how_(how) {
   if (!(how.inertial_number > 0) || !(how.relative_tolerance > 0) || !(how.least_share > 0))
-    throw std::invalid_argument("inertial number, tolerance and least share must be above 0");
+    throw std::invalid_argument("inertial number, tolerance and least fraction must be above 0");
   if (const std::string why = objection_to(state); !why.empty()) throw std::invalid_argument(why);
   Grains grains(state);
   const AxisDrive rests = strain_rate_drive(0);
@@ -121,8 +121,9 @@ GrainLaw::GrainLaw(const GrainState& state, const GrainDriving& how) : how_(how)
       Control::stresses(sim::isotropic<Axisymmetric>(pressure_pa_) - carried), modulus_pa_);
   const Shot shot = meet(grains.state(), secant, to_isotropic, 1, limits);
   if (!shot.met)
-    throw std::invalid_argument("the grains do not come to rest under an isotropic stress of " +
-                                short_number(pressure_pa_ / 1e3) + " kPa");
+    throw std::invalid_argument(
+        "the grains do not reach equilibrium under an isotropic stress of " +
+        short_number(pressure_pa_ / 1e3) + " kPa");
   auto found = std::make_shared<Inside>();
   found->grains = shot.grains;
   found->secant = secant;
@@ -144,9 +145,8 @@ GrainLaw::State GrainLaw::start(const Pair& stress, double void_ratio) const {
 
 std::optional<std::string> GrainLaw::objection(const State& state) const {
   if (state.interior == nullptr)
-    return "the grains stand at p' = " + short_number(pressure_pa_ / 1e3) +
-           " kPa with e = " + short_number(start_.void_ratio) +
-           "; they cannot be put anywhere else";
+    return "the grains are at p' = " + short_number(pressure_pa_ / 1e3) +
+           " kPa with e = " + short_number(start_.void_ratio) + "; another state is not possible";
   return Law::objection(state);
 }
 

@@ -206,10 +206,10 @@ SomeProbes some_probes(const GrainState& state, const std::vector<double>& angle
                        const std::vector<int>& numbers, const GrainProbing& how, int threads,
                        const GrainProgress& progress) {
   check(how);
-  if (threads < 1) throw std::invalid_argument("probe rose: at least one thread is needed");
+  if (threads < 1) throw std::invalid_argument("directional probes: at least one thread is needed");
   for (const int number : numbers)
     if (number < 0 || static_cast<std::size_t>(number) > angles.size())
-      throw std::invalid_argument("probe rose: it has no probe of that number");
+      throw std::invalid_argument("directional probes: no probe has that number");
   SomeProbes result;
   GrainProbe not_made;
   not_made.stopped = true;

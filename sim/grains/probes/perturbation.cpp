@@ -24,7 +24,8 @@ void check(const Perturbation& how) {
   if (!(how.kinetic_energy_j >= 0))
     throw std::invalid_argument("perturbation: the energy must not be below 0");
   if (!(how.floating_share > 0 && how.floating_share <= 1))
-    throw std::invalid_argument("perturbation: the floating share must be above 0, at most 1");
+    throw std::invalid_argument(
+        "perturbation: the floating fraction must be above 0 and at most 1");
   if (!positive(how.longest_s) || how.samples < 3 || how.check_every < 1)
     throw std::invalid_argument(
         "perturbation: a time above 0, three samples and a step between checks are needed");

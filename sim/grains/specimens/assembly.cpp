@@ -24,7 +24,7 @@ void check(const Compaction& how) {
   if (!positive(how.pressure_pa) || !positive(how.wall_speed_m_per_s) ||
       !positive(how.unbalanced) || !positive(how.pressure_share))
     throw std::invalid_argument(
-        "compaction: pressure, wall speed, unbalanced limit and share must be above 0");
+        "compaction: pressure, wall speed, unbalanced limit and fraction must be above 0");
 }
 
 bool calm_now(const GrainState& state, const Compaction& how) {

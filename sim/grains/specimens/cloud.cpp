@@ -77,7 +77,8 @@ Sphere placed(double radius, double length, const Places& places, Random& random
     for (double& x : s.centre_m) x = random.uniform(radius, length - radius);
     if (places.free(s)) return s;
   }
-  throw std::invalid_argument("cloud: no place is left for a grain; fill a smaller share");
+  throw std::invalid_argument(
+      "cloud: no place is left for a grain; choose a smaller solid fraction");
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ Sphere placed(double radius, double length, const Places& places, Random& random
 Cloud make_cloud(const std::vector<double>& diameters_m, std::uint64_t seed, double solid_share) {
   if (diameters_m.empty()) throw std::invalid_argument("cloud: at least one grain is needed");
   if (!(solid_share > 0 && solid_share <= kMostSolid))
-    throw std::invalid_argument("cloud: the solid share must be above 0 and at most 0.45");
+    throw std::invalid_argument("cloud: the solid fraction must be above 0 and at most 0.45");
   const double length = std::cbrt(solid_volume(diameters_m) / solid_share);
   const double widest = *std::max_element(diameters_m.begin(), diameters_m.end());
 

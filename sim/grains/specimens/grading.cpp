@@ -36,9 +36,9 @@ void check(const GradingCurve& curve) {
       throw std::invalid_argument("grading: a diameter must be above 0");
     if (k > 0 && !(d[k] > d[k - 1])) throw std::invalid_argument("grading: diameters must ascend");
     if (!(s[k] >= (k > 0 ? s[k - 1] : 0)))
-      throw std::invalid_argument("grading: shares must ascend from 0 to 1");
+      throw std::invalid_argument("grading: fractions must ascend from 0 to 1");
   }
-  if (s.back() != 1) throw std::invalid_argument("grading: the last share must be 1");
+  if (s.back() != 1) throw std::invalid_argument("grading: the last fraction must be 1");
 }
 
 double diameter_at(const GradingCurve& curve, double share) {

@@ -67,7 +67,7 @@ class Reader {
   void operator()(std::vector<T, A>& values) {
     std::uint64_t size = 0;
     (*this)(size);
-    if (size > bytes_.size() / sizeof(T)) throw std::invalid_argument("grain state is cut short");
+    if (size > bytes_.size() / sizeof(T)) throw std::invalid_argument("grain state is truncated");
     values.resize(size);
     take(values.data(), size * sizeof(T));
   }
@@ -75,7 +75,7 @@ class Reader {
 
  private:
   void take(void* to, std::size_t size) {
-    if (size > bytes_.size()) throw std::invalid_argument("grain state is cut short");
+    if (size > bytes_.size()) throw std::invalid_argument("grain state is truncated");
     if (size > 0) std::memcpy(to, bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
   }
@@ -135,10 +135,10 @@ GrainState load_grains(std::span<const std::byte> bytes) {
                                 ", this program reads version " + std::to_string(kVersion));
   reader(sum);
   if (checksum(bytes.subspan(kHead)) != sum)
-    throw std::invalid_argument("grain state is damaged or cut short");
+    throw std::invalid_argument("grain state is damaged or truncated");
   GrainState state;
   visit_state(reader, state);
-  if (!reader.at_end()) throw std::invalid_argument("grain state goes on after its end");
+  if (!reader.at_end()) throw std::invalid_argument("grain state has data after its end");
   check(state);
   return state;
 }

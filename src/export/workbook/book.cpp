@@ -48,7 +48,7 @@ std::time_t time_from(const std::string& iso) {
 }
 
 [[noreturn]] void no_room(const char* what) {
-  throw lab::WorkFailed(fmt::format("the workbook cannot be written: {}: {}", what,
+  throw lab::WorkFailed(fmt::format("workbook cannot be written: {}: {}", what,
                                     errno != 0 ? std::strerror(errno) : "unknown"));
 }
 
@@ -139,7 +139,7 @@ void Book::finish(const std::string& path) {
       no_room("temporary files");
   }
   if (const auto error = workbook_close(std::exchange(book_, nullptr)); error != LXW_NO_ERROR)
-    throw lab::WorkFailed(std::string("the workbook cannot be written: ") + lxw_strerror(error));
+    throw lab::WorkFailed(std::string("workbook cannot be written: ") + lxw_strerror(error));
   std::rewind(file_.get());
   std::string block(std::size_t{1} << 16, '\0');
   while (const auto count = std::fread(block.data(), 1, block.size(), file_.get()))

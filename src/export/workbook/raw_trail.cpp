@@ -74,7 +74,7 @@ ReferenceRow RawTrail::start_of_shear() const {
   } else if (shortening_.value == 0 && outflow_.value != 0) {
     const double share = row.volume_m3.value / specimen_.volume_m3.value;
     row.height_m = {specimen_.height_m.value * std::cbrt(share), "", false};
-    row.how = "the transducer did not move: isotropic strain, H (V/V as built)^(1/3)";
+    row.how = "no displacement: isotropic strain, H (V/V as built)^(1/3)";
   }
   row.void_ratio = specimen_.consolidated_void_ratio.known() ? specimen_.consolidated_void_ratio
                                                              : void_ratio_at(row.volume_m3);

@@ -25,7 +25,7 @@ class NumberRows {
       term = cell(on_sheet(kSpecimenSheet, 1, row_), field);
       if (unit.scale != 1) term = times(term, constant(unit.scale));
     } else {
-      sheet_.text(row_, 1, "not said");
+      sheet_.text(row_, 1, "not given");
     }
     sheet_.text(row_++, 2, unit_name);
     return term;

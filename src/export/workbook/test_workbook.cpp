@@ -166,10 +166,10 @@ std::vector<Fact> facts_of_record(const TestContent& content) {
 void refuse_longer_than_a_sheet(const db::Store& store, const db::StoredTest& test) {
   const auto readings = static_cast<std::size_t>(store.scan_count(test.id));
   if (readings > ReadingsSheet(test).room())
-    throw lab::BadInput(fmt::format(
-        "test {} has {} readings, a sheet of a workbook ends at row {}: nothing is written; "
-        "--format csv has no end",
-        test.id, readings, kRowsOfSheet));
+    throw lab::BadInput(
+        fmt::format("test {} has {} readings, but a worksheet has at most {} rows; nothing was "
+                    "written: use --format csv",
+                    test.id, readings, kRowsOfSheet));
 }
 
 std::size_t export_workbook(const db::Store& store, const study::TestResult& result,

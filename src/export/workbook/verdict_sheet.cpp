@@ -62,8 +62,8 @@ std::optional<double> plain_number(const std::optional<std::int64_t>& number) {
 }
 
 std::string answer(const db::StoredTest& test) {
-  if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
-  if (!study::has_verdict(test)) return "not judged";
+  if (test.status != db::TestStatus::complete) return "not assessed: the test is not complete";
+  if (!study::has_verdict(test)) return "not assessed";
   return test.summary.collapse.detected() ? "collapse" : "none";
 }
 
@@ -85,7 +85,7 @@ void add_instant(VerdictRows& rows, const lab::Instant& at) {
 bool is_of_verdict(const Fact& fact) {
   constexpr std::array<std::string_view, 9> kOthers{
       "Type of test",        "Data",          "Tags",    "Specimen", "Start of shear",
-      "Membrane correction", "From the file", "Guessed", "Warnings"};
+      "Membrane correction", "From the file", "Assumed", "Warnings"};
   return std::ranges::find(kOthers, fact.label) == kOthers.end();
 }
 
@@ -94,21 +94,21 @@ void write_verdict(Sheet& sheet, const db::StoredTest& test, const TestContent& 
   sheet.widths(1, 6, 18);
   const lab::Collapse& c = test.summary.collapse;
   VerdictRows rows(sheet);
-  rows.heading("Verdict");
+  rows.heading("Assessment");
   rows.text("answer", answer(test));
   const bool judged = study::has_verdict(test);
   if (judged && c.detected()) rows.text("kind", std::string(to_string(c.kind)));
-  rows.number("judged from reading", plain_number(c.judged_from));
-  rows.number("judged until reading", plain_number(c.judged_until));
-  rows.text("why not further", c.judged_until_reason);
+  rows.number("assessed from reading", plain_number(c.judged_from));
+  rows.number("assessed until reading", plain_number(c.judged_until));
+  rows.text("reason for the end", c.judged_until_reason);
   if (judged) {
     if (c.detected()) rows.text("limit surface", inside_limit_surface(c));
     rows.number("limit_stress_ratio_M", c.limit_stress_ratio);
     rows.text("limit from", c.limit_source);
     rows.number("second_order_work_normalised", c.second_order_work_normalised);
     rows.number("second_order_work_error", c.second_order_work_error);
-    rows.number("share of strength lost", c.strength_lost);
-    if (c.noticed) rows.number("known at reading", static_cast<double>(c.noticed->reading));
+    rows.number("fraction of strength lost", c.strength_lost);
+    if (c.noticed) rows.number("detection reading", static_cast<double>(c.noticed->reading));
     if (c.nearest && !c.detected()) {
       rows.number("least second_order_work_normalised", c.nearest->normalised);
       rows.number("at reading", static_cast<double>(c.nearest->reading));

@@ -15,7 +15,7 @@ namespace triax::src {
 namespace {
 
 constexpr int kPanelWidth = 480, kPanelHeight = 360, kLegendHeight = 30;
-constexpr int kMostColumns = 3;
+constexpr int kMaxColumns = 3;
 /// χ of a state at rest moves by less; a range so narrow would show noise only.
 constexpr double kLeastChi = 0.005;
 
@@ -86,7 +86,7 @@ Drawing grain_perturbations_figure(const std::vector<DrawnPerturbation>& all,
   std::ranges::copy_if(all, std::back_inserter(drawn),
                        [](const auto& one) { return !one.points.empty(); });
   if (drawn.empty()) return {};
-  const int count = static_cast<int>(drawn.size()), columns = std::min(count, kMostColumns),
+  const int count = static_cast<int>(drawn.size()), columns = std::min(count, kMaxColumns),
             rows = (count + columns - 1) / columns;
   auto plot = make_plot(columns * kPanelWidth, rows * kPanelHeight + kLegendHeight + kOriginHeight);
   const auto panels = add_axes_in_rows(*plot, count, columns);

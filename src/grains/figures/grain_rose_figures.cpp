@@ -135,8 +135,9 @@ double kinetic(const sim::GrainProbe& p) { return p.most_kinetic_j; }
 
 std::string not_at_rest_words(const Probes& probes) {
   const auto count = std::ranges::count(probes, false, &sim::GrainProbe::at_rest);
-  return count > 0 ? fmt::format(" {} of {} probes did not come to rest.", count, probes.size())
-                   : std::string();
+  return count > 0
+             ? fmt::format(" {} of {} probes did not reach equilibrium.", count, probes.size())
+             : std::string();
 }
 
 }  // namespace
@@ -145,7 +146,7 @@ Drawing grain_envelope_figure(const sim::ProbeRose& rose, double norm, const Sub
   const Probes probes = made(rose);
   Drawing drawing = response_envelope(study::circle_of(rose, subject.kind, norm), norm, subject);
   if (drawing.plot && !not_at_rest_words(probes).empty())
-    drawing.caption += not_at_rest_words(probes) + " They are left out.";
+    drawing.caption += not_at_rest_words(probes) + " They are not used.";
   return drawing;
 }
 
@@ -185,7 +186,7 @@ Drawing grain_work_figure(const sim::ProbeRose& rose, const Subject& subject) {
   if (!found.negative.empty()) name_shade(*left, kVermilion, "W₂ < 0");
   if (!found.agreeing.empty())
     name_shade(*right, kGreen, fmt::format("micro = macro within {:g} %", 100 * study::kAgreement));
-  if (!found.not_at_rest.empty()) name_shade(*left, kGrey, "not at rest, left out");
+  if (!found.not_at_rest.empty()) name_shade(*left, kGrey, "not in equilibrium, not used");
   legend_below(*plot, 4);
   origin_below(*plot, subject);
   left->axis(QCPAxis::atLeft)->setRange(range_of(probes, macro));
@@ -211,8 +212,8 @@ Drawing grain_contacts_figure(const sim::ProbeRose& rose, const Subject& subject
       {"non-permanent", [](const auto& p) { return 100 * p.work.non_permanent_share(); },
        line(kVermilion, 1.8, Qt::DashLine), true}};
   const std::vector<Series> energy = {{"kinetic energy", kinetic, line(kInk, 1.8), true}};
-  auto [plot, left, right] =
-      two_panels(subject, "share of the contacts at the start (%)", "largest kinetic energy (J)");
+  auto [plot, left, right] = two_panels(subject, "fraction of the contacts at the start (%)",
+                                        "largest kinetic energy (J)");
   name_series(*left, contacts);
   name_series(*right, energy);
   const double null_energy = rose.null_probe.stopped ? 0 : rose.null_probe.most_kinetic_j;

@@ -30,7 +30,7 @@ MemoryBudget::Share ColumnCache::room_for(std::size_t bytes, const Kept* but) {
       return kept.get() != but && kept.use_count() == 1;
     });
     if (last == all_.rend())
-      throw Refused(503, "there is not enough memory left to draw this test now; ask again");
+      throw Refused(503, "not enough memory to draw this test now; try again");
     all_.erase(std::next(last).base());
   }
 }
@@ -42,9 +42,9 @@ void ColumnCache::with(std::int64_t test, const std::string& version,
   const std::lock_guard lock(kept->mutex);
   const std::size_t needed = bytes(kept->columns);
   if (needed > budget_.most())
-    throw Refused(413,
-                  "this test has too many readings to be drawn here; `triax report` "
-                  "draws tests of any length");
+    throw Refused(
+        413,
+        "this test has too many readings to be drawn here; use `triax report`, which has no limit");
   if (needed > kept->bytes) {
     // What is held already stays paid for where there is no room for more.
     kept->share.add(room_for(needed - kept->bytes, kept.get()));

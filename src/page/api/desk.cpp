@@ -12,8 +12,8 @@ std::string Desk::ask(std::function<std::string()> work) {
   std::future<std::string> done;
   {
     const std::lock_guard lock(mutex_);
-    if (closed_) throw Refused(503, "triax open is about to end");
-    if (waiting_.size() >= kMost) throw Refused(503, "too many reports are being drawn; ask again");
+    if (closed_) throw Refused(503, "triax open is shutting down");
+    if (waiting_.size() >= kMost) throw Refused(503, "too many reports are being drawn; try again");
     std::packaged_task<std::string()> task(std::move(work));
     done = task.get_future();
     waiting_.push_back(std::move(task));
@@ -22,7 +22,7 @@ std::string Desk::ask(std::function<std::string()> work) {
   try {
     return done.get();
   } catch (const std::future_error&) {
-    throw Refused(503, "triax open is about to end");
+    throw Refused(503, "triax open is shutting down");
   }
 }
 

@@ -35,7 +35,7 @@ class PassingFolder {
  public:
   PassingFolder() : path_((fs::temp_directory_path() / "triax-XXXXXX").string()) {
     if (::mkdtemp(path_.data()) == nullptr)
-      throw lab::WorkFailed(path_ + ": no folder can be made for what is to be sent");
+      throw lab::WorkFailed(path_ + ": no folder can be created for the download");
   }
   ~PassingFolder() {
     std::error_code ignored;
@@ -54,7 +54,7 @@ MemoryBudget::Share share_of(PageLaboratory& laboratory, std::size_t bytes) {
   if (bytes > laboratory.budget.most())
     throw Refused(413, "this test is too long to be downloaded here; `triax export` has no limit");
   auto share = laboratory.budget.take(bytes);
-  if (!share) throw Refused(503, "too much is downloaded at once; ask again in a while");
+  if (!share) throw Refused(503, "too many downloads at once; try again later");
   return share;
 }
 
@@ -64,7 +64,7 @@ std::string content_of(const std::string& path) {
   std::size_t done = 0;
   while (done < bytes.size()) {
     const auto come = file->read({bytes.data() + done, bytes.size() - done});
-    if (come == 0) throw lab::WorkFailed(path + ": cannot be read back");
+    if (come == 0) throw lab::WorkFailed(path + ": cannot be read");
     done += come;
   }
   return bytes;

@@ -37,7 +37,7 @@ bool goes_too_deep(const std::string& text) {
 
 Json json_body(const std::string& body) {
   Json json = goes_too_deep(body) ? Json() : Json::parse(body, nullptr, false);
-  if (!json.is_object()) throw Refused(400, "the body of the request has to be an object of JSON");
+  if (!json.is_object()) throw Refused(400, "the body of the request must be a JSON object");
   return json;
 }
 

@@ -156,8 +156,8 @@ void refuse_files(const std::string& text, const std::string& name,
                   const std::vector<lab::TomlEdit>& edits) {
   if (const auto key = lab::find_file_key(lab::TomlTable::parse(text, name, 1, edits)))
     throw Refused(400, *key +
-                           ": a programme of the page names no files of this machine; `triax "
-                           "simulate` runs it");
+                           ": a programme in the web interface cannot use files of this computer; "
+                           "run it with `triax simulate`");
 }
 
 }  // namespace
@@ -186,7 +186,7 @@ lab::Programme programme_of(const std::string& name_or_text,
                             const std::vector<lab::TomlEdit>& edits) {
   const auto sample = sample_programme(name_or_text);
   if (!sample && name_or_text.find('\n') == std::string::npos)
-    throw Refused(400, "there is no sample programme " + lab::excerpt(name_or_text) +
+    throw Refused(400, "unknown sample programme " + lab::excerpt(name_or_text) +
                            "; give one of those listed, or the text of a programme");
   const std::string text(sample.value_or(name_or_text));
   const std::string name = (sample ? name_or_text : std::string("programme")) + ".toml";

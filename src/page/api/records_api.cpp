@@ -39,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> sets_of(const Target& target) {
 
 PageAnswer take_record(PageLaboratory& laboratory, const PageRequest& request) {
   const auto share = laboratory.budget.take(kMemoryOfReader);
-  if (!share) throw Refused(503, "too many records are read at once; send it again in a while");
+  if (!share) throw Refused(503, "too many records are read at once; try again later");
   const RecordToRead record{laboratory.db, name_of(request.target), sets_of(request.target), {}};
   return json_answer(laboratory.read_record(
       record, *request.upload, [&] { return laboratory.ending || request.is_cancelled(); }));

@@ -27,7 +27,7 @@ PageAnswer live_of(PageLaboratory& laboratory, const PageRequest& request, std::
   auto after = request.last_event ? request.last_event : request.target.value("after");
   if (after && !live_position(*after))
     throw Refused(400,
-                  lab::excerpt(*after) + " is no place in a test: expected a reading's number");
+                  lab::excerpt(*after) + " is not a reading; expected the number of a reading");
   return {.live = LiveStart{laboratory.live.feed_of(test), std::move(after)}};
 }
 
@@ -95,7 +95,7 @@ std::string_view type_of(std::string_view name) {
 
 PageAnswer file_called(std::string_view name) {
   const auto found = std::ranges::find(lab::kPageFiles, name, &lab::EmbeddedFile::name);
-  if (found == lab::kPageFiles.end()) throw Refused(404, "there is no such page");
+  if (found == lab::kPageFiles.end()) throw Refused(404, "page does not exist");
   return {.type = std::string(type_of(name)),
           .body = std::string(found->text),
           .fields = {{"Cache-Control", "no-cache"}}};
@@ -125,8 +125,8 @@ PageAnswer answer(PageLaboratory& laboratory, const PageRequest& request) {
     other_method = true;
   }
   if (other_method)
-    throw Refused(405, request.post ? "this is asked for by GET" : "this is changed by POST");
-  throw Refused(404, "there is nothing at this address");
+    throw Refused(405, request.post ? "use GET for this address" : "use POST for this address");
+  throw Refused(404, "address does not exist");
 }
 
 }  // namespace triax::src

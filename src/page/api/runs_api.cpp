@@ -38,7 +38,7 @@ std::string who_of(const Json& body) {
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
   if (who.empty() || who.size() > kMost || !lab::is_utf8(who) ||
       std::ranges::any_of(who, is_control))
-    throw Refused(400, "who: say in one line of at most 100 bytes who asks for it");
+    throw Refused(400, "who: expected the operator, one line of at most 100 bytes");
   return who;
 }
 
@@ -50,12 +50,12 @@ PageAnswer begin_run(PageLaboratory& laboratory, const std::string& body) {
   run.programme = programme_of(text_in(asked, "programme"), edits_of(asked));
   if (const auto seed = number_in(asked, "seed")) {
     if (*seed < 0 || *seed > 9e15 || *seed != std::floor(*seed))
-      throw Refused(400, "seed: expected a whole number from 0");
+      throw Refused(400, "seed: expected an integer, 0 or more");
     run.seed = static_cast<std::uint64_t>(*seed);
   }
   run.speed = number_in(asked, "speed").value_or(0);
   if (!(run.speed >= 0) || !(run.speed <= 1e9))
-    throw Refused(400, "speed: expected how many times faster than the clock, or 0 for any");
+    throw Refused(400, "speed: expected a factor of real time, or 0 for no limit");
   if (flag_in(asked, "rig")) {
     if (laboratory.rig.empty())
       throw Refused(409, "triax open was started without a rig: `triax open RIG.toml`");

@@ -52,7 +52,7 @@ int count_in(const Json& body, const char* key, int usual, int most) {
 /// Progress that ends the computation by an exception.
 study::Progress until_stopped(const PageRequest& request, const std::atomic<bool>& ending) {
   return [&request, &ending](const std::string&, double) {
-    if (ending) throw lab::WorkFailed("triax open was ended while this was computed");
+    if (ending) throw lab::WorkFailed("triax open was stopped during this computation");
     throw_if_cancelled(request);
   };
 }
@@ -73,10 +73,9 @@ PageAnswer probe(const PageRequest& request, const std::atomic<bool>& ending) {
   const double directions =
       360 / o.step_deg.value_or(1) * static_cast<double>(std::max(o.eta.size(), o.q_kPa.size()));
   if (directions > kMaxDirections)
-    throw Refused(400,
-                  fmt::format("{:.0f} directions in all; expected at most {}: fewer states, or "
-                              "a larger step_deg",
-                              directions, kMaxDirections));
+    throw Refused(400, fmt::format("{:.0f} directions in total; expected at most {}: use fewer "
+                                   "states or a larger step_deg",
+                                   directions, kMaxDirections));
   return json_answer(
       probe_json(study::run_probe(probe_request(o), until_stopped(request, ending))));
 }
@@ -95,7 +94,7 @@ PageAnswer domain(const PageRequest& request, const std::atomic<bool>& ending) {
   grid.columns = columns;
   grid.rows = rows;
   const std::unique_lock lock(one_at_a_time, std::try_to_lock);
-  if (!lock) throw Refused(503, "another domain is being computed; ask again in a while");
+  if (!lock) throw Refused(503, "another domain is being computed; try again later");
   return json_answer(study::domain_json(
       study::run_domain({.material = material, .grid = grid, .threads = 1, .piece = 1, .pieces = 1},
                         until_stopped(request, ending))));

@@ -61,20 +61,19 @@ PageAnswer text_answer(unsigned status, const std::string& text) {
 PageAnswer turned_away(Gate::Ruling ruling) {
   switch (ruling) {
     case Gate::Ruling::foreign_host:
-      return text_answer(403,
-                         "This address is none of triax open's: open the one that it printed.");
+      return text_answer(
+          403, "This address does not belong to triax open. Open the address that it printed.");
     case Gate::Ruling::foreign_origin:
-      return text_answer(403, "A page of another site asked for this; it is not answered.");
+      return text_answer(403, "This request comes from a page of another site and is rejected.");
     case Gate::Ruling::no_field:
       return text_answer(403, "Changes need the header X-Triax: 1.");
     default:
       return text_answer(
           401,
-          "This browser has no access, or its access has ended: after 12 hours without use, 7 days "
-          "after its entry, or with the triax open that gave it.\n"
-          "Open a new address; each works once, within an hour. A browser that has access makes "
-          "one: \"Address for another browser\", at the foot of the page. triax open prints one "
-          "when Enter is pressed in its terminal.");
+          "This browser has no access, or its access has expired: after 12 hours without use, "
+          "after 7 days, or at the end of triax open.\nOpen a new address; each works once, within "
+          "an hour. A browser that has access makes one: \"Address for another browser\", at the "
+          "foot of the page. triax open prints one when Enter is pressed in its terminal.");
   }
 }
 
@@ -84,7 +83,7 @@ Refused json_too_long(const PageLimits& limits) {
 
 Refused record_too_long(const PageLimits& limits) {
   return {413, "the file is longer than the " + std::to_string(limits.record_bytes >> 20) +
-                   " MB that are taken in here; `triax replay` reads files of any length"};
+                   " MB accepted here; use `triax replay`, which has no limit"};
 }
 
 /// Returns true if the parser of HTTP reports the error, not the connection.
@@ -103,12 +102,12 @@ bool is_http_error(const boost::system::error_code& error) {
 std::optional<PageAnswer> fault_of(const http::request_parser<http::empty_body>& parser) {
   const http::request<http::empty_body>& head = parser.get();
   if (head.method() == http::verb::unknown)
-    return error_answer(501, "unknown method; only GET and POST are answered");
+    return error_answer(501, "unknown method; must be one of: GET, POST");
   if (head.version() == 11 && head.count(http::field::host) != 1)
-    return error_answer(400, "a request of HTTP/1.1 has one Host");
+    return error_answer(400, "a request of HTTP/1.1 must have one Host");
   const auto length = head[http::field::content_length];
   if (head.count(http::field::content_length) > 1 || length.find(',') != std::string_view::npos)
-    return error_answer(400, "a request has at most one Content-Length");
+    return error_answer(400, "a request must have at most one Content-Length");
   if (head.count(http::field::transfer_encoding) > 0) {
     if (head.version() < 11 || head.count(http::field::content_length) > 0)
       return error_answer(400, "Transfer-Encoding is not allowed with Content-Length or HTTP/1.0");
@@ -168,7 +167,7 @@ asio::awaitable<bool> PageConnection::serve_one() {
   if (error && (error == http::error::end_of_stream || !is_http_error(error))) co_return false;
   if (error == http::error::bad_version)
     co_return co_await send(error_answer(505, "only HTTP/1.0 and HTTP/1.1 are supported"), false);
-  if (error) co_return co_await send(error_answer(400, "this is no request of HTTP/1.1"), false);
+  if (error) co_return co_await send(error_answer(400, "this is not a request of HTTP/1.1"), false);
   body_left_ = has_body(head);
   if (auto fault = fault_of(head)) {
     body_left_ = true;  // its end is unknown
@@ -202,7 +201,7 @@ asio::awaitable<PageAnswer> PageConnection::answer(Head& head) {
   if (!target) co_return error_answer(400, "the address of the request is not valid");
   const auto method = head.get().method();
   if (method != http::verb::get && method != http::verb::post) {
-    PageAnswer other = error_answer(405, "only GET and POST are answered");
+    PageAnswer other = error_answer(405, "only GET and POST are supported");
     other.fields = {{"Allow", "GET, POST"}};
     co_return other;
   }
@@ -226,7 +225,8 @@ asio::awaitable<PageAnswer> PageConnection::admitted_answer(Head& head, const Ta
   PageRequest request{.post = head.get().method() == http::verb::post, .target = target};
   if (const auto last = field(head.get(), "Last-Event-ID"); !last.empty())
     request.last_event = std::string(last);
-  if (!request.post && has_body(head)) co_return error_answer(400, "a GET has no body");
+  if (!request.post && has_body(head))
+    co_return error_answer(400, "a GET request must not have a body");
   const auto& queue_of = house_.options.queue_of;
   const WorkQueue which = queue_of ? queue_of(request) : WorkQueue::light;
   QueueThreads& queue = house_.queue(which);
@@ -234,7 +234,7 @@ asio::awaitable<PageAnswer> PageConnection::admitted_answer(Head& head, const Ta
     co_return co_await answer_to_record(head, std::move(request), queue);
   if (request.post) co_await read_json(head, request);
   if (which != WorkQueue::orders && queue.requests >= house_.options.limits.waiting_answers)
-    throw Refused(503, "too much is asked for at once; ask again in a while");
+    throw Refused(503, "too many requests at once; try again later");
   const Counted counted(queue.requests);
   co_return co_await compute(std::move(request), queue, house_.options.limits.answer_time);
 }
@@ -244,7 +244,7 @@ asio::awaitable<PageAnswer> PageConnection::answer_to_record(Head& head, PageReq
                                                              QueueThreads& queue) {
   const PageLimits& limits = house_.options.limits;
   if (queue.requests >= limits.records)
-    throw Refused(503, "too many records are sent at once; send it again in a while");
+    throw Refused(503, "too many records are sent at once; try again later");
   const Counted counted(queue.requests);
   co_await read_record(head, request, queue);
   const auto time = limits.time_to_read(request.upload->size());
@@ -286,7 +286,7 @@ asio::awaitable<void> PageConnection::read_record(Head& head, PageRequest& reque
   std::vector<char> part(std::size_t{256} << 10);
   const auto until = Clock::now() + limits.record_time;
   while (!parts.is_done()) {
-    if (Clock::now() > until) throw Refused(408, "the file took too long to come");
+    if (Clock::now() > until) throw Refused(408, "the upload took too long");
     stream_.expires_after(limits.record_quiet);
     parts.get().body().data = part.data();
     parts.get().body().size = part.size();
@@ -312,7 +312,7 @@ asio::awaitable<PageAnswer> PageConnection::computed(const PageHouse& house,
   } catch (const lab::BadInput& error) {
     co_return error_answer(400, error.what());
   } catch (const std::bad_alloc&) {
-    co_return error_answer(503, "there is not enough memory for this");
+    co_return error_answer(503, "not enough memory for this request");
   } catch (const std::exception& error) {
     co_return error_answer(500, error.what());
   }
@@ -348,9 +348,9 @@ asio::awaitable<PageAnswer> PageConnection::compute(PageRequest request, QueueTh
   if (*cancelled == Cancelled::client_gone) throw boost::system::system_error(asio::error::eof);
   if (*cancelled == Cancelled::too_late && answer.status != 200)
     co_return error_answer(
-        503, "this was stopped after " +
+        503, "the request was stopped after " +
                  std::to_string(std::chrono::ceil<std::chrono::seconds>(time).count()) +
-                 " s, the time limit of the page; the commands of triax have none");
+                 " s, the time limit of the web interface; the commands of triax have no limit");
   co_return answer;
 }
 

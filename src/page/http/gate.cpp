@@ -28,7 +28,7 @@ bool same_name(std::string_view a, std::string_view b) {
 std::string random_word() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw lab::WorkFailed("the system gives no random numbers");
+    throw lab::WorkFailed("the system provides no random numbers");
   std::string word;
   for (const unsigned char byte : bytes) word += fmt::format("{:02x}", byte);
   return word;

@@ -63,10 +63,10 @@ void check_reached(const std::vector<PlacesOfName>& all) {
     boost::system::error_code is_name;
     asio::ip::make_address(places.name, is_name);
     if (!is_name || places.name == "localhost") continue;
-    throw lab::BadInput(fmt::format(
-        "--listen {}: on this machine that name stands for the machine itself only ({}), where no "
-        "other comes; give the address by which others reach it",
-        places.name, places.addresses.front().to_string()));
+    throw lab::BadInput(
+        fmt::format("--listen {}: on this computer this name is the computer itself ({}), which "
+                    "others cannot reach; give the address that others use",
+                    places.name, places.addresses.front().to_string()));
   }
 }
 
@@ -122,15 +122,15 @@ PlacesOfName PageServer::Impl::places_of(const std::string& name) {
   const auto found = resolver.resolve(name, std::to_string(port), error);
   if (error)
     throw lab::BadInput(
-        fmt::format("--listen {}: no such name; give a name or an address of this machine",
+        fmt::format("--listen {}: unknown name; give a name or an address of this computer",
                     lab::excerpt(name)));
   PlacesOfName places{name, {}};
   for (const auto& entry : found) {
     if (entry.endpoint().address().is_unspecified())
-      throw lab::BadInput(fmt::format(
-          "--listen {}: give the name or the address by which browsers reach this machine; any "
-          "other name in their requests is refused",
-          name));
+      throw lab::BadInput(
+          fmt::format("--listen {}: give the name or the address that browsers use for this "
+                      "computer; requests with any other name are rejected",
+                      name));
     places.addresses.push_back(entry.endpoint().address());
   }
   return places;
@@ -148,8 +148,8 @@ void PageServer::Impl::open_at(const PlacesOfName& places) {
       open_at(endpoint);
     } catch (const boost::system::system_error& failure) {
       throw lab::BadInput(
-          fmt::format("cannot listen at {} port {}: {}; give another --port, or "
-                      "an address of this machine by --listen",
+          fmt::format("cannot listen at {} port {}: {}; give another --port, or an address of this "
+                      "computer with --listen",
                       places.name, port, failure.code().message()));
     }
   }

@@ -46,12 +46,13 @@ std::int64_t LiveRun::test() {
 }
 
 void LiveRun::order(const RunOrder& order) {
-  if (over_) throw Refused(409, "the test is over");
+  if (over_) throw Refused(409, "the test has ended");
   if (order.kind == RunOrder::Kind::hold && held_) throw Refused(409, "the test is held already");
   if (order.kind == RunOrder::Kind::resume && !held_) throw Refused(409, "the test is not held");
   const std::lock_guard lock(mutex_);
   constexpr std::size_t kMost = 16;
-  if (orders_.size() >= kMost) throw Refused(503, "many orders wait for the rig; wait for them");
+  if (orders_.size() >= kMost)
+    throw Refused(503, "too many commands are waiting for the rig; try again later");
   orders_.push_back(order);
   changed_.notify_all();
 }

@@ -37,17 +37,17 @@ std::int64_t LiveTests::run(RunAsked asked) {
   std::shared_ptr<LiveRun> run;
   {
     const std::lock_guard lock(mutex_);
-    if (ended_) throw Refused(503, "triax open is about to end");
+    if (ended_) throw Refused(503, "triax open is shutting down");
     forget_those_over(runs_, forgotten);
     const auto running = std::ranges::count_if(runs_, [](const auto& e) { return at_work(e); }) +
                          std::ssize(beginning_);
     if (running >= kMostAtWork)
-      throw Refused(409, "eight tests run already; wait for the end of one, or stop it");
+      throw Refused(409, "eight tests are running already; wait for the end of one or stop it");
     if (!asked.rig.empty()) {
       const auto on_rig = [](const auto& one) { return !one->is_over() && one->is_on_rig(); };
       if (std::ranges::any_of(beginning_, on_rig) ||
           std::ranges::any_of(runs_, [&](const auto& entry) { return on_rig(entry.second); }))
-        throw Refused(409, "a test runs on the rig already");
+        throw Refused(409, "a test is running on the rig already");
     }
     run = std::make_shared<LiveRun>(db_, std::move(asked));
     beginning_.push_back(run);
@@ -73,7 +73,7 @@ void LiveTests::order(std::int64_t test, const RunOrder& order) {
     const std::lock_guard lock(mutex_);
     const auto found = runs_.find(test);
     if (found == runs_.end())
-      throw Refused(409, "this test is not run by this triax open; whoever runs it can stop it");
+      throw Refused(409, "this test is run by another program; stop it there");
     run = found->second;
   }
   run->order(order);
@@ -95,9 +95,9 @@ std::shared_ptr<LiveFeed> LiveTests::known_feed(std::int64_t test) const {
 
 /// Inside the lock.
 void LiveTests::check_room_to_watch() const {
-  if (ended_) throw Refused(503, "triax open is about to end");
+  if (ended_) throw Refused(503, "triax open is shutting down");
   if (std::ranges::count_if(watches_, [](const auto& e) { return at_work(e); }) >= kMostAtWork)
-    throw Refused(503, "eight tests of other programs are watched already");
+    throw Refused(503, "eight tests of other programs are shown already");
 }
 
 std::shared_ptr<LiveFeed> LiveTests::watched_feed(std::int64_t test) {

@@ -45,7 +45,7 @@ constexpr std::uint64_t kMinDatabaseGrowth_bytes = std::uint64_t{1} << 30;
 constexpr std::size_t kMaxResult_bytes = std::size_t{16} << 20;
 
 std::string system_error(const char* what) {
-  return fmt::format("no process can be started to read the record ({}): {}", what,
+  return fmt::format("the process that reads the record cannot be started ({}): {}", what,
                      strerrordesc_np(errno));
 }
 
@@ -191,12 +191,12 @@ std::optional<Result> parse_result(const std::string& line) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGKILL)
     throw Refused(413,
-                  "the record takes too much time or memory to read here; `triax replay` has no "
-                  "such limits");
+                  "the record needs too much time or memory to be read here; use `triax replay`, "
+                  "which has no limit");
   if (signal == SIGXFSZ)
     throw Refused(413,
-                  "the record would make the database too large for the page; `triax replay` "
-                  "has no such limit");
+                  "the record would make the database too large for the web interface; use `triax "
+                  "replay`, which has no limit");
   throw lab::WorkFailed("the process that read the record ended without a result" +
                         (signal == 0 ? std::string() : fmt::format(" (signal {})", signal)));
 }
@@ -244,7 +244,7 @@ std::string read_record_apart(RecordToRead record, const Upload& upload, std::ui
   if (result && result->ok) return result->text;
   db::discard_left_test(record.db, record.writer, was_there);
   if (result) throw lab::WorkFailed(result->text);
-  if (stop()) throw Refused(503, "the reading of the record was stopped; nothing of it is stored");
+  if (stop()) throw Refused(503, "reading the record was stopped; nothing is stored");
   throw_for_end(status);
 }
 

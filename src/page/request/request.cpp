@@ -14,7 +14,7 @@ PageAnswer error_answer(unsigned status, const std::string& what) {
 
 void throw_if_cancelled(const PageRequest& request) {
   if (request.is_cancelled())
-    throw Refused(503, "the work was stopped; nobody waits for its result");
+    throw Refused(503, "the request was cancelled: the browser disconnected");
 }
 
 }  // namespace triax::src

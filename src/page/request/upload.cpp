@@ -28,7 +28,7 @@ class UploadSource : public lab::ByteSource {
     do {
       count = ::pread(descriptor_, into.data(), into.size(), static_cast<off_t>(at_));
     } while (count < 0 && errno == EINTR);
-    if (count < 0) throw lab::WorkFailed(name_ + ": cannot read: " + std::strerror(errno));
+    if (count < 0) throw lab::WorkFailed(name_ + ": cannot be read: " + std::strerror(errno));
     at_ += static_cast<std::uint64_t>(count);
     return static_cast<std::size_t>(count);
   }
@@ -51,13 +51,13 @@ Upload::Upload(const std::string& folder) {
     if (descriptor_ >= 0) ::unlink(path.c_str());
   }
   if (descriptor_ < 0)
-    throw lab::WorkFailed(where + ": no record can be taken in: " + std::strerror(errno));
+    throw lab::WorkFailed(where + ": the record cannot be stored: " + std::strerror(errno));
 }
 
 Upload::Upload(int descriptor) : descriptor_(descriptor) {
   struct stat file {};
   if (::fstat(descriptor, &file) != 0)
-    throw lab::WorkFailed(std::string("no record to read: ") + std::strerror(errno));
+    throw lab::WorkFailed(std::string("the record cannot be read: ") + std::strerror(errno));
   size_ = static_cast<std::uint64_t>(file.st_size);
 }
 
@@ -67,7 +67,7 @@ Upload::~Upload() {
 
 void Upload::write(std::string_view bytes) {
   if (!lab::write_all(descriptor_, bytes))
-    throw lab::WorkFailed(std::string("the record cannot be kept: ") + std::strerror(errno));
+    throw lab::WorkFailed(std::string("the record cannot be written: ") + std::strerror(errno));
   size_ += bytes.size();
 }
 

@@ -141,7 +141,7 @@ NamedFigure critical_line_figure(const study::Soil& soil) {
   if (!odd.empty())
     draw_markers(rect, odd,
                  QCPScatterStyle(QCPScatterStyle::ssCross, line(kVermilion, 2), QBrush(), 11),
-                 "left out: does not fit the others");
+                 "not used: does not fit the others");
   legend_below(*plot, 2);
   note_below(*plot, soil_note(soil));
   const std::string caption = fmt::format(

@@ -123,7 +123,7 @@ NamedFigure trend_figure(const study::Soil& soil, const study::Trend& trend,
   if (!odd.empty())
     draw_markers(rect, odd,
                  QCPScatterStyle(QCPScatterStyle::ssCross, src::line(kVermilion, 2), QBrush(), 9),
-                 "left out: does not fit the others");
+                 "not used: does not fit the others");
   std::vector<PointLabel> labels;
   for (std::size_t i = 0; i < points.size(); ++i)
     labels.push_back({points[i].x(), points[i].y(), soil.tests[trend.tests[i]].name, kInk});

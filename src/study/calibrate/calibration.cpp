@@ -217,7 +217,7 @@ Calibration conclude(const CalibrationRequest& request, const std::vector<Search
   const Misfit fine(space, request.paths, request.threads, kFine);
   std::vector<Optimum> all;
   for (const SearchEnd& end : ends) all.insert(all.end(), end.optima.begin(), end.optima.end());
-  if (all.empty()) throw lab::WorkFailed("stopped before anything was found");
+  if (all.empty()) throw lab::WorkFailed("stopped before a result was found");
   std::ranges::stable_sort(all, {}, &Optimum::cost);
   const Unknowns x = space.possible_near(point_of(space, all.front()));
 

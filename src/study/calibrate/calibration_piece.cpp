@@ -74,7 +74,9 @@ SearchEnd read_end(const DocumentPart& part, std::size_t unknowns) {
 
 CalibrationPiece load(const std::string& file, std::size_t unknowns) {
   const std::string text = piece_text(file, "triax calibrate --piece", "calibration");
-  const Json document = parsed_document(text, file, kFormat, "a file of triax calibrate --piece");
+  const Json document = parsed_document(
+      text, file, kFormat,
+      "is not a piece of a calibration; triax calibrate --piece I/N --output FILE writes one");
   const DocumentPart root(document, file);
   require_version(root, kFormatVersion);
   check_seal(text, file);
@@ -119,7 +121,7 @@ std::vector<SearchEnd> merged_searches(const CalibrationRequest& request,
   check_together(names, "calibration", [&](std::size_t k) -> std::string {
     return pieces[k].settings == settings
                ? ""
-               : "its law, start, ranges, tests or seed differ from what is asked here";
+               : "its law, start, ranges, tests or seed differ from those requested here";
   });
   std::vector<SearchEnd> ends;
   for (CalibrationPiece& piece : pieces) std::ranges::move(piece.ends, std::back_inserter(ends));

@@ -28,7 +28,7 @@ lab::MaterialSet first_shipped(const std::string& law) {
   for (const auto& set : lab::shipped_materials())
     if (set.law->name == law) return set;
   throw lab::BadInput(
-      fmt::format("no set of {} ships with the program: give one with --start FILE.toml", law));
+      fmt::format("the program has no parameter set of {}; give one with --start FILE.toml", law));
 }
 
 /// Of a file of sets, "FILE.toml" or "FILE.toml:SET".
@@ -38,9 +38,11 @@ CalibrationStart from_file(const std::string& law, const std::string& file,
   const auto found = std::ranges::find_if(sets, [&](const lab::MaterialSet& set) {
     return set_name.empty() || set.name == fmt::format("{}/{}", set.law->name, set_name);
   });
-  if (found == sets.end()) throw lab::BadInput(file, 0, "has no set " + lab::excerpt(set_name));
+  if (found == sets.end())
+    throw lab::BadInput(file, 0, "no parameter set " + lab::excerpt(set_name));
   if (found->law->name != law)
-    throw lab::BadInput(file, 0, fmt::format("holds sets of {}, not of {}", found->law->name, law));
+    throw lab::BadInput(
+        file, 0, fmt::format("contains parameter sets of {}, not of {}", found->law->name, law));
   return {*found, lab::read_search(text, file), {}};
 }
 
@@ -51,7 +53,7 @@ CalibrationStart begin_with(const StartWish& wish) {
   if (end == std::string::npos) {
     CalibrationStart found{lab::find_material(start), {}, {}};
     if (found.set.law->name != wish.law)
-      throw lab::BadInput(fmt::format("--start {}: is a set of {}, not of {}", start,
+      throw lab::BadInput(fmt::format("--start {}: is a parameter set of {}, not of {}", start,
                                       found.set.law->name, wish.law));
     return found;
   }
@@ -73,10 +75,10 @@ void keep_only(std::vector<lab::SearchRange>& free, const std::vector<std::strin
   for (const std::string& key : wanted) {
     const auto found = std::ranges::find(free, key, &lab::SearchRange::key);
     if (found == free.end())
-      throw lab::BadInput(fmt::format(
-          "--free {}: has no range to be searched; {}, or give one under [search] in the file of "
-          "--start",
-          lab::excerpt(key), lab::suggestion(key, known)));
+      throw lab::BadInput(
+          fmt::format("--free {}: has no search range; {}, or give a range under [search] in the "
+                      "file of --start",
+                      lab::excerpt(key), lab::suggestion(key, known)));
     kept.push_back(*found);
   }
   free = std::move(kept);
@@ -88,7 +90,7 @@ void fix(CalibrationStart& start, const std::string& key, const std::optional<do
     start.set = lab::with_parameter(start.set, key, fmt::format("{}", *value));
     start.set.name = name;
   } else if (!value_of(start.set, key)) {
-    throw lab::BadInput(fmt::format("--fix {}: {} has no such number", key, start.set.name));
+    throw lab::BadInput(fmt::format("--fix {}: unknown parameter of {}", key, start.set.name));
   }
   std::erase_if(start.free, [&](const auto& range) { return range.key == key; });
 }
@@ -100,10 +102,10 @@ CalibrationStart calibration_start(const StartWish& wish) {
   CalibrationStart start = begin_with(wish);
   if (start.free.empty()) start.free = lab::shipped_search(wish.law);
   if (start.free.empty())
-    throw lab::BadInput(fmt::format(
-        "{} has no ranges to be searched: give them under [search] in the file of --start, as "
-        "\"properties.1\" = [0.1, 0.6]",
-        wish.law));
+    throw lab::BadInput(
+        fmt::format("{} has no search ranges; give them under [search] in the file of --start, as "
+                    "\"properties.1\" = [0.1, 0.6]",
+                    wish.law));
   if (!wish.free.empty()) keep_only(start.free, wish.free);
   for (const auto& [key, value] : wish.fixed) fix(start, key, value);
   return start;

@@ -153,10 +153,10 @@ class Gathering {
 
   std::string why_none() const {
     if (!best_.refusal.empty())
-      return "the law does not answer all directions, so that no domain can be told: " +
+      return "the law gives no result in some directions, so that the domain is unknown: " +
              best_.refusal;
     if (const std::string words = refused_everywhere(); !words.empty())
-      return "the law refuses these states: " + words;
+      return "the law rejects these states: " + words;
     double least = 0, most = 0;
     for (const auto* side : {&out_.compression, &out_.extension})
       for (const ImpliedBoundary& at : *side) {

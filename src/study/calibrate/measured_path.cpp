@@ -171,7 +171,7 @@ void lay_knots(MeasuredPath& path, const std::vector<ShearReading>& readings,
                const PathOptions& options) {
   const auto kept = onward(path, readings);
   if (kept.size() < kFewestKnots)
-    throw std::invalid_argument("shear has too few readings that go on");
+    throw std::invalid_argument("shear has too few readings with increasing strain");
   const auto quantities = compared_in(path.imposed);
   for (std::size_t k = 0; k < 2; ++k) {
     const auto value = [&](const ShearReading& r) { return knot_of(r).value(quantities[k]); };
@@ -182,7 +182,7 @@ void lay_knots(MeasuredPath& path, const std::vector<ShearReading>& readings,
   const auto lengths = arc_lengths(path, kept, options.knots);
   const auto chosen = even_steps(lengths, options.knots);
   if (chosen.size() < kFewestKnots)
-    throw std::invalid_argument("shear has too few readings apart from each other");
+    throw std::invalid_argument("shear has too few different readings");
   path.knots.clear();
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     const double before = k == 0 ? 0 : lengths[chosen[k - 1]];

@@ -32,7 +32,7 @@ class Laws {
 ComputedPath nowhere(const MeasuredPath& path) {
   ComputedPath none;
   none.last = path.start;
-  none.refusal = "the law refuses the parameters";
+  none.refusal = "the law rejects the parameters";
   return none;
 }
 

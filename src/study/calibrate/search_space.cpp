@@ -86,10 +86,10 @@ SearchSpace::SearchSpace(lab::MaterialSet start, std::vector<lab::SearchRange> r
     // The start may lie outside the ranges, and its nearest point within them beyond the law.
     anchor_.setConstant(0.5);
     if (!possible(anchor_))
-      throw lab::BadInput(fmt::format(
-          "neither {} within the ranges of the search nor their middle is possible for the law: "
-          "give other ranges",
-          start_.name));
+      throw lab::BadInput(
+          fmt::format("neither {} within the search ranges nor their middle is valid for the law; "
+                      "give other ranges",
+                      start_.name));
   }
 }
 

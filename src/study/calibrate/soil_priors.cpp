@@ -68,7 +68,7 @@ bool same_pressure(CalibrationStart& start, const lab::TomlTable& root) {
     if (own == *measured) continue;
     if (start.set.law->name == "sanisand" || !parameter->range.holds(*measured)) {
       start.notes.push_back(fmt::format(
-          "the critical state line of triax soil is not taken: its pressure is {:g} kPa, {} {:g}",
+          "the critical state line of triax soil is not used: its pressure is {:g} kPa, {} {:g}",
           *measured, source.key, own));
       return false;
     }
@@ -81,10 +81,9 @@ bool same_pressure(CalibrationStart& start, const lab::TomlTable& root) {
 void take(CalibrationStart& start, const Source& source, const sim::Range& possible, double value,
           double error) {
   if (!possible.holds(value)) {
-    start.notes.push_back(
-        fmt::format("{} {:.4g} ± {:.2g}, measured by triax soil, is not taken: "
-                    "the law takes a number {}",
-                    source.key, value, error, possible.words()));
+    start.notes.push_back(fmt::format(
+        "{} {:.4g} ± {:.2g}, measured by triax soil, is not used: the law needs a number {}",
+        source.key, value, error, possible.words()));
     return;
   }
   start.set.parameters.numbers[source.key] = value;

@@ -58,24 +58,27 @@ Imposed imposed_on(const db::StoredTest& test, const Shear& shear) {
 void check_units(const db::StoredTest& test, const MeasuredPath& path, const Shear& shear) {
   const double p = path.start.p_eff;
   if (!(p >= kLeastPressure_Pa && p <= kMostPressure_Pa))
-    refuse(test, fmt::format("starts at p' {:g} kPa; expected 0.1 kPa to 100 MPa: is the unit of "
-                             "its stresses right?",
-                             p / 1e3));
+    refuse(test,
+           fmt::format(
+               "starts at p' {:g} kPa; expected 0.1 kPa to 100 MPa: check the unit of its stresses",
+               p / 1e3));
   if (!(path.void_ratio >= kLeastVoidRatio && path.void_ratio <= kMostVoidRatio))
     refuse(test, fmt::format("has a void ratio of {:g}; expected {:g} to {:g}", path.void_ratio,
                              kLeastVoidRatio, kMostVoidRatio));
   for (const auto& s : shear.states) {
     if (std::abs(s.strain.axial) > kMostStrain)
-      refuse(test, fmt::format("reaches an axial strain of {:.0f} %; is it in per cent where a "
-                               "plain number is expected?",
-                               100 * s.strain.axial));
+      refuse(
+          test,
+          fmt::format(
+              "reaches an axial strain of {:.0f} %; check the unit: expected a number without unit",
+              100 * s.strain.axial));
     if (path.imposed != Imposed::undrained && std::abs(s.volumetric_strain) > kMostVolumetricStrain)
-      refuse(test, fmt::format("reaches a volumetric strain of {:.0f} %; is it in per cent where a "
-                               "plain number is expected?",
+      refuse(test, fmt::format("reaches a volumetric strain of {:.0f} %; check the unit: expected "
+                               "a number without unit",
                                100 * s.volumetric_strain));
     if (s.p_eff > kMostPressure_Pa)
       refuse(test,
-             fmt::format("reaches p' {:g} kPa; is the unit of its stresses right?", s.p_eff / 1e3));
+             fmt::format("reaches p' {:g} kPa; check the unit of its stresses", s.p_eff / 1e3));
   }
 }
 
@@ -132,8 +135,7 @@ void note_onset(const db::StoredTest& test, MeasuredPath& path) {
 
 MeasuredPath path_of_test(const db::Store& store, std::int64_t id, const PathOptions& options) {
   const db::StoredTest test = store.load(id);
-  if (test.summary.cyclic)
-    refuse(test, "is cyclic; calibrate on tests of monotonic loading, leave it out");
+  if (test.summary.cyclic) refuse(test, "is cyclic; expected monotonic loading: leave it out");
   const auto e = void_ratio(test);
   if (!e)
     refuse(test, "has no void ratio: replay it with --set specimen.void_ratio=E, or leave it out");
@@ -146,7 +148,7 @@ MeasuredPath path_of_test(const db::Store& store, std::int64_t id, const PathOpt
                     .imposed = imposed_on(test, shear),
                     .void_ratio = *e};
   if (path.imposed != Imposed::undrained && !has_volume(shear))
-    refuse(test, "is drained but has no change of volume; leave it out");
+    refuse(test, "is drained but has no volume change; leave it out");
   const auto readings = readings_of(test, path, shear);
   path.start = {readings.front().axial_strain, readings.front().volumetric_strain,
                 readings.front().p_eff, readings.front().q, 0};
@@ -181,14 +183,13 @@ std::vector<MeasuredPath> paths_of_tests(const db::Store& store,
 }
 
 void check_enough(std::size_t unknowns, const std::vector<MeasuredPath>& paths) {
-  if (paths.empty())
-    throw lab::BadInput("there is no test to calibrate on; name some of the database");
-  if (unknowns == 0) throw lab::BadInput("no parameter is free; name some with --free");
+  if (paths.empty()) throw lab::BadInput("no test to calibrate on; give tests of the database");
+  if (unknowns == 0) throw lab::BadInput("no parameter is free; give some with --free");
   const std::size_t most = kNumbersOfATest * paths.size();
   if (unknowns <= most) return;
   throw lab::BadInput(fmt::format(
-      "{} free parameters from {} test{}: at most {} can be told from {}; give {} tests or more, "
-      "or fix some with --fix",
+      "{} free parameters from {} test{}: at most {} can be determined from {}; give {} tests or "
+      "more, or fix some with --fix",
       unknowns, paths.size(), paths.size() == 1 ? "" : "s", most, paths.size() == 1 ? "it" : "them",
       (unknowns + kNumbersOfATest - 1) / kNumbersOfATest));
 }

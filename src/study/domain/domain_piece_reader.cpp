@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Part = DocumentPart;
 
-constexpr double kLargestStress_kPa = 1e5, kSmallestStress_kPa = 1e-3;
+constexpr double kMaxStress_kPa = 1e5, kMinStress_kPa = 1e-3;
 constexpr int kMostLines = 10000, kMostStates = 4000000, kMostDirections = 36000;
 
 int count(const Part& part, const char* key, int lowest, int highest) {
@@ -89,7 +89,7 @@ ReportedDomainState read_state(const Part& part, double q_kPa, int directions) {
                             .least_work = part.known("w2_normalised_least"),
                             .least_angle_deg = part.known("alpha_deg"),
                             .refused_directions = count(part, "refused_directions", 0, directions)};
-  if (state.q_kPa != q_kPa) part.fail(fmt::format("q_kPa must be {}, as the grid says", q_kPa));
+  if (state.q_kPa != q_kPa) part.fail(fmt::format("q_kPa must be {}, as in the grid", q_kPa));
   for (const Json& cone : part.array("cones")) {
     const Part sector = part.in(cone, "cones");
     state.cones_deg.emplace_back(sector.number("from_deg", 0, 720),
@@ -105,9 +105,9 @@ ReportedColumn read_column(const Part& part, const sim::DomainGrid& grid, int co
                      .extension = read_boundary(part.part("extension")),
                      .refusal = part.text("refusal")};
   if (part.whole("column", 0, grid.columns - 1) != column)
-    part.fail(fmt::format("column must be {}, as the piece says", column));
+    part.fail(fmt::format("column must be {}, as in the piece", column));
   if (out.p_eff_kPa != grid.p(column) / 1e3)
-    part.fail(fmt::format("p_eff_kPa must be {}, as the grid says", grid.p(column) / 1e3));
+    part.fail(fmt::format("p_eff_kPa must be {}, as in the grid", grid.p(column) / 1e3));
   const Json& states = part.array("states");
   if (states.size() != static_cast<std::size_t>(grid.rows))
     part.fail(fmt::format("has {} states, the grid {} rows", states.size(), grid.rows));
@@ -128,15 +128,14 @@ void check_grid(const DomainSettings::Grid& g, const std::string& subject) {
               g.columns * static_cast<double>(g.rows) <= kMostStates,
           fmt::format("{} x {} states; 1 to {} each way and at most {} in all are possible",
                       g.columns, g.rows, kMostLines, kMostStates));
-  require(g.p_from_kPa >= kSmallestStress_kPa && g.p_to_kPa <= kLargestStress_kPa &&
+  require(g.p_from_kPa >= kMinStress_kPa && g.p_to_kPa <= kMaxStress_kPa &&
               (g.p_from_kPa < g.p_to_kPa || (g.columns == 1 && g.p_from_kPa == g.p_to_kPa)),
-          fmt::format("p' from {:g} to {:g} kPa; must rise within {:g} to {:g}", g.p_from_kPa,
-                      g.p_to_kPa, kSmallestStress_kPa, kLargestStress_kPa));
-  require(std::abs(g.q_from_kPa) <= kLargestStress_kPa &&
-              std::abs(g.q_to_kPa) <= kLargestStress_kPa &&
+          fmt::format("p' from {:g} to {:g} kPa; must increase, within {:g} to {:g} kPa",
+                      g.p_from_kPa, g.p_to_kPa, kMinStress_kPa, kMaxStress_kPa));
+  require(std::abs(g.q_from_kPa) <= kMaxStress_kPa && std::abs(g.q_to_kPa) <= kMaxStress_kPa &&
               (g.q_from_kPa < g.q_to_kPa || (g.rows == 1 && g.q_from_kPa == g.q_to_kPa)),
-          fmt::format("q from {:g} to {:g} kPa; must rise within {:g} to {:g}", g.q_from_kPa,
-                      g.q_to_kPa, -kLargestStress_kPa, kLargestStress_kPa));
+          fmt::format("q from {:g} to {:g} kPa; must increase, within {:g} to {:g} kPa",
+                      g.q_from_kPa, g.q_to_kPa, -kMaxStress_kPa, kMaxStress_kPa));
   require(g.void_ratio >= lab::kSmallestVoidRatio && g.void_ratio <= lab::kLargestVoidRatio,
           fmt::format("void ratio {:g}; must be {:g} to {:g}", g.void_ratio,
                       lab::kSmallestVoidRatio, lab::kLargestVoidRatio));

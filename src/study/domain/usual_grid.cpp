@@ -26,8 +26,9 @@ void check_law(const lab::MaterialSet& material, const std::string& plane,
 std::string no_tangents(const lab::MaterialSet& material, const std::string& criterion) {
   const auto& law = material.material;
   if (law.tensor != nullptr)
-    return fmt::format("{}: {} is a law of finite increments, without the tangents that it needs",
-                       criterion, material.name);
+    return fmt::format(
+        "{}: {} is a law of finite increments without tangents, which are needed here", criterion,
+        material.name);
   return fmt::format("{} needs the full tensor, and {} is not formulated for it{}", criterion,
                      material.name, law.no_tensor.empty() ? "" : ", " + law.no_tensor);
 }

@@ -57,9 +57,8 @@ std::optional<ClosedCycle> least_closed_cycle(const sim::PathResult<Space>& resu
 std::optional<std::string> gain_in_words(const ClosedCycle& cycle, const std::string& segment) {
   if (-cycle.work <= kNegligibleGain * cycle.exchanged) return std::nullopt;
   return fmt::format(
-      "the closed cycle of stress that ends with segment {} gives {:.4g} J/m³ more than it takes: "
-      "the law's elastic stiffness has no energy behind it (hyperelastic = 1 where the law has "
-      "that parameter)",
+      "the closed cycle of stress that ends with segment {} gains {:.4g} J/m³: the elastic "
+      "stiffness of the law has no potential (if the law has this parameter, use hyperelastic = 1)",
       segment, -cycle.work);
 }
 

@@ -30,11 +30,11 @@ std::string verdict(const PathResult& path, const std::string& message) {
     return fmt::format("{}: estimated error {:.1e}, tolerance {:.1e}", message, path.error,
                        path.tolerance);
   const std::string where =
-      fmt::format("segment {} at {} % of it, {}", path.last.segment,
+      fmt::format("segment {}, {} % completed, {}", path.last.segment,
                   number_text(100 * path.value(path.last, "progress").value_or(0), 2),
                   state_in_words(path, path.last));
   if (path.outcome == sim::StepOutcome::lost_control)
-    return fmt::format("control of {} is lost, {}: {}", path.limiting_variable, message, where);
+    return fmt::format("control of {} is lost ({}): {}", path.limiting_variable, message, where);
   return fmt::format("{}: {}", message, where);
 }
 

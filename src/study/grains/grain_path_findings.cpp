@@ -67,7 +67,7 @@ GrainPathFindings path_findings(const sim::GrainPath& path, const Points& points
   if (!points.empty())
     found.eta = peak_of(
         points, sense, [](const auto& at) { return at.stress_ratio(); },
-        kLeastP * points.front().p_pa);
+        kMinP * points.front().p_pa);
   if (path.kind == sim::GrainPathKind::strain_path)
     found.path_stress = peak_of(points, sense, [](const auto& at) { return at.path_stress_pa; });
   return found;

@@ -29,7 +29,7 @@ struct GrainPeak {
 struct GrainPathFindings {
   /// Empty: an isotropic path, or no point.
   std::optional<GrainPeak> q;
-  std::optional<GrainPeak> eta;          ///< of the points with p above kLeastP of the first one's
+  std::optional<GrainPeak> eta;          ///< of the points with p above kMinP of the first one's
   std::optional<GrainPeak> path_stress;  ///< σ₁ − σ₃/R; of strain paths only
   /// Where W₂ of the increment over work_window() points is first negative and stays so for as many
   /// increments of that length more (half as many at the end): the point in its middle. Empty too
@@ -44,7 +44,7 @@ constexpr std::size_t work_window(int samples) {
 }
 inline constexpr double kFallen = 0.01;
 /// η of a specimen that has all but lost its stress is the ratio of two noises.
-inline constexpr double kLeastP = 0.1;
+inline constexpr double kMinP = 0.1;
 
 GrainPathFindings path_findings(const sim::GrainPath& path,
                                 const std::vector<sim::GrainPathPoint>& points);

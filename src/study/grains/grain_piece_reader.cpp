@@ -79,7 +79,7 @@ sim::GrainProbe read_probe(const DocumentPart& part, const ProbedGrains& of, int
   FromJson from(part);
   visit_probe(from, probe);
   if (part.whole("number", 0, kMostDirections) != number)
-    part.fail(fmt::format("number must be {}, as the piece says", number));
+    part.fail(fmt::format("number must be {}, as in the piece", number));
   const bool by_stress = of.probing.kind == sim::ProbeKind::stress;
   const double norm = number == 0 || !by_stress ? 0 : of.probing.norm_pa;
   const double norm_strain = number == 0 || by_stress ? 0 : of.probing.norm_strain;
@@ -107,7 +107,7 @@ GrainPiece read_grain_piece(std::string_view text, const std::string& file) {
   const auto numbers = sim::numbers_of_piece(piece.specimen.directions, piece.index, piece.count);
   const Json& found = root.array("probes");
   if (found.size() != numbers.size())
-    root.fail(fmt::format("has {} probes, piece {} of {} of this rose {}", found.size(),
+    root.fail(fmt::format("has {0} probes; piece {1} of {2} must have {3}", found.size(),
                           piece.index, piece.count, numbers.size()));
   for (std::size_t k = 0; k < numbers.size(); ++k)
     piece.probes.push_back(

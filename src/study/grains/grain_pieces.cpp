@@ -14,8 +14,8 @@ const lab::GrainStage& stage_for_pieces(const lab::GrainProgramme& programme) {
       !std::holds_alternative<lab::GrainProbeStage>(programme.stages[0].work))
     throw lab::BadInput(
         programme.source, 0,
-        "pieces are of a programme with one stage, of probes, of a specimen from a file: let "
-        "another programme save the state (save = true), and name it by state = \"...\"");
+        "pieces need a programme with one stage, of probes, and a specimen from a file: save the "
+        "state with another programme (save = true) and give it as state = \"...\"");
   return programme.stages[0];
 }
 
@@ -36,8 +36,8 @@ std::optional<GrainPiece> make_grain_piece(const lab::GrainProgramme& programme,
   const auto& how = std::get<lab::GrainProbeStage>(stage.work);
   const auto numbers = sim::numbers_of_piece(how.directions, index, count);
   if (numbers.empty())
-    throw lab::BadInput(fmt::format("--piece {}/{}: there are only {} probes to share", index,
-                                    count, how.directions + 1));
+    throw lab::BadInput(
+        fmt::format("--piece {}/{}: only {} probes", index, count, how.directions + 1));
   const sim::GrainState state = specimen_alone(programme, threads).state;
   sim::SomeProbes some;
   try {

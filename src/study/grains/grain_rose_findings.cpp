@@ -32,8 +32,8 @@ void raise(std::optional<double>& most, double value) {
 void find_gaps(const Probes& made, GrainRoseFindings& found) {
   double all = 0, left = 0, grains = 0;
   for (const auto& probe : made) {
-    raise(found.most_boundary, probe.work.boundary_part);
-    raise(found.most_ledger_error, probe.ledger.energy_error_share());
+    raise(found.max_boundary_term, probe.work.boundary_part);
+    raise(found.max_energy_error, probe.ledger.energy_error_share());
     if (!probe.at_rest) continue;
     all += std::abs(probe.work.gap());
     left += std::abs(probe.work.gap_left());

@@ -51,8 +51,8 @@ struct GrainRoseFindings {
   /// grains and of contacts and the lack of balance leave unexplained of it, and what the grains'
   /// turning alone makes up. Empty where parts of the gap are not known, or there is none.
   std::optional<double> gap_left, gap_of_grains;
-  std::optional<double> most_boundary;      ///< largest |boundary term of Eq. (22)|, J/m³
-  std::optional<double> most_ledger_error;  ///< largest share of energy that a ledger misses
+  std::optional<double> max_boundary_term;  ///< largest |boundary term of Eq. (22)|, J/m³
+  std::optional<double> max_energy_error;   ///< largest error of an energy balance, relative
 
   /// The null probe strains so much of the smallest probe's strain that signs of W₂ are in doubt.
   bool drifts() const { return drift && *drift > kMuchDrift; }

@@ -34,7 +34,7 @@ const std::vector<AgsUserHeading>& ags_user_headings() {
                      "Stress ratio q/p' at which second-order work vanished (onset of collapse)"});
       all.push_back({group,
                      {.heading = group + "_KIND", .type = "X"},
-                     "Collapse: flow, partial, limited, cyclic_mobility, none, or not judged"});
+                     "Collapse: flow, partial, limited, cyclic_mobility, none, or not assessed"});
     }
     return all;
   }();

@@ -127,7 +127,7 @@ void hold_to_rules(const lab::AgsDocument& document) {
   if (check.findings.empty()) return;
   const auto more = check.findings.size() - 1;
   throw lab::BadInput(fmt::format(
-      "the AGS4 file would break {}{}; say it otherwise with --set HEADING=VALUE, nothing was "
+      "the AGS4 file would violate {}{}; give another value with --set HEADING=VALUE; nothing was "
       "written",
       in_words(check.findings.front()), more > 0 ? fmt::format(" (and {} more)", more) : ""));
 }

@@ -75,9 +75,10 @@ AgsSaid ags_said(const std::string& key, const std::string& value) {
       if (std::ranges::find(known, one.heading) == known.end()) known.push_back(one.heading);
   }
   const auto near = lab::nearest(said.heading, known);
-  throw lab::BadInput(fmt::format(
-      "--set {}: no heading of PROJ, TRAN, LOCA, SAMP or the triaxial groups of AGS4 4.1.1{}", key,
-      near.empty() ? "" : "; did you mean '" + near + "'?"));
+  throw lab::BadInput(
+      fmt::format("--set {}: unknown key; expected a heading of PROJ, TRAN, LOCA, SAMP or the "
+                  "triaxial groups of AGS4 4.1.1{}",
+                  key, near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
 bool is_of(const AgsSaid& said, const db::StoredTest& test) {

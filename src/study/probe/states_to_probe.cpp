@@ -62,8 +62,8 @@ sim::Path<Space> path_in(const lab::PathDescription& description) {
     const auto& triaxial = std::get<lab::TriaxialPath>(description.path);
     if (!triaxial.memory.empty())
       throw lab::BadInput(description.source, 0,
-                          "its start has a memory in triaxial components, which a path in plane "
-                          "strain cannot take: leave memory out");
+                          "its start has a memory in triaxial components, which is not possible in "
+                          "plane strain; leave memory out");
     sim::Path<sim::Tensor> path{.stress = sim::as_tensor(triaxial.stress),
                                 .void_ratio = triaxial.void_ratio,
                                 .pore_pressure = triaxial.pore_pressure,
@@ -73,9 +73,9 @@ sim::Path<Space> path_in(const lab::PathDescription& description) {
       path.segments.push_back(sim::as_tensor_segment(segment));
     return path;
   } else {
-    throw lab::BadInput(description.source, 0,
-                        "a path of the full tensor is no axisymmetric one: probe it in plane "
-                        "strain");
+    throw lab::BadInput(
+        description.source, 0,
+        "the path uses the full tensor and is not axisymmetric; probe it in plane strain");
   }
 }
 
@@ -113,7 +113,7 @@ void put_rows(const sim::Law<Space>& law, const std::vector<sim::PathPoint<Space
   }
   if (refused > 0)
     found.warnings.push_back(
-        fmt::format("{} rows of the path are left out: the law has no meaning at them", refused));
+        fmt::format("{} rows of the path are ignored: the law is not defined there", refused));
 }
 
 template <class Space>
@@ -155,7 +155,7 @@ StatesToProbe<Space> states_to_probe(const lab::MaterialSet& material, const Sta
   if (laws.law<Space>() == nullptr)
     throw lab::BadInput(
         fmt::format("{} cannot be probed in this plane: {}", material.name,
-                    laws.no_tensor.empty() ? "it has no form for it" : laws.no_tensor));
+                    laws.no_tensor.empty() ? "the law is not formulated for it" : laws.no_tensor));
   return std::visit([&](const auto& states) { return of<Space>(material, states, progress); },
                     wanted);
 }

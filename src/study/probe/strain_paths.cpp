@@ -32,7 +32,7 @@ StrainPathsResult strain_paths(const StrainPathsRequest& request) {
     if (path.vanished && !path.peak)
       result.warnings.push_back(
           fmt::format("R {:g}: p' falls below {:g} kPa at an axial strain of {:.4g} % without a "
-                      "peak; none is looked for beyond",
+                      "peak; the search ends there",
                       one, options.least_p / 1e3, 100 * path.vanished->axial_strain));
     if (!path.message.empty())
       result.warnings.push_back(fmt::format("R {:g}: {}", one, path.message));

@@ -24,8 +24,7 @@ std::optional<std::int64_t> reading_of(const db::StoredTest& test, const std::st
   if (at == "end") return std::nullopt;
   if (at == "peak") {
     if (test.summary.peak) return test.summary.peak->reading;
-    throw lab::BadInput(fmt::format(
-        "{} has no peak of q; use --at end, or --at with the number of a reading", name));
+    throw lab::BadInput(fmt::format("{} has no peak of q; use --at end or --at READING", name));
   }
   if (at == "collapse") {
     if (const auto onset = collapse_onset(test)) return onset->reading;
@@ -35,8 +34,8 @@ std::optional<std::int64_t> reading_of(const db::StoredTest& test, const std::st
                                      on_limit ? "on the limit surface" : "with the drainage open"));
       return onset->reading;
     }
-    throw lab::BadInput(fmt::format(
-        "{} has no collapse; use --at peak, --at end, or --at with the number of a reading", name));
+    throw lab::BadInput(
+        fmt::format("{} has no collapse; use --at peak, --at end or --at READING", name));
   }
   const auto reading = lab::whole_text_as<std::int64_t>(at);
   if (!reading || *reading < 0)
@@ -77,8 +76,8 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
   });
   if (!found)
     throw lab::BadInput(wanted && readings.any()
-                            ? fmt::format("{} has no reading {}: they go from {} to {}", name,
-                                          *wanted, readings.first, readings.last)
+                            ? fmt::format("{} has no reading {}; must be {} to {}", name, *wanted,
+                                          readings.first, readings.last)
                             : fmt::format("{} has no reading with known effective stresses", name));
   if (!known(result.state))
     throw lab::BadInput(
@@ -99,8 +98,8 @@ TestedState tested_state(const db::Store& store, const std::string& test, const 
   }
   if (result.increment && result.increment->has_direction()) return result;
   result.warnings.push_back(
-      fmt::format("the increment of {} at reading {} is not known: {}", name, result.state.reading,
-                  result.increment ? "its direction cannot be told from the noise"
+      fmt::format("the increment of {} at reading {} is unknown: {}", name, result.state.reading,
+                  result.increment ? "its direction is within the noise"
                                    : "no window of shear readings includes it"));
   result.increment.reset();
   return result;
@@ -110,6 +109,7 @@ std::vector<TestedState> tested_states(const std::string& db, const std::vector<
                                        const std::string& at,
                                        const std::optional<double>& void_ratio) {
   std::vector<TestedState> states;
+  states.reserve(tests.size());
   const db::Store store(db);
   for (const auto& name : tests) states.push_back(tested_state(store, name, at, void_ratio));
   return states;

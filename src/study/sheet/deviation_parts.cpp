@@ -28,7 +28,7 @@ void add_dimension_deviations(std::vector<std::string>& out, const lab::Specimen
   }
   const double slender = *specimen.height_m / *specimen.diameter_m;
   if (slender < kLeastSlender || slender > kMostSlender)
-    out.push_back(fmt::format("H/D = {:.2f}; ISO 17892-{} asks for 1.8 to 2.5, ASTM for 2 to 2.5",
+    out.push_back(fmt::format("H/D = {:.2f}; ISO 17892-{} requires 1.8 to 2.5, ASTM 2 to 2.5",
                               slender, part));
   if (*specimen.diameter_m < kLeastDiameter_m)
     out.push_back(fmt::format("diameter {:.1f} mm, below 34 mm (ISO 17892-{})",
@@ -41,7 +41,7 @@ void add_load_deviations(std::vector<std::string>& out, const SheetValues& value
   const double q = std::abs(values.failure->state.q);
   const auto add = [&](const char* what, double stress, double limit, const char* standard) {
     if (std::abs(stress) > limit * q)
-      out.push_back(fmt::format("{} {:.1f} % of q_f, not taken off; {}", what,
+      out.push_back(fmt::format("{} {:.1f} % of q_f, not subtracted; {}", what,
                                 std::abs(stress) / q * 100, standard));
   };
   if (corrections.side_drains)

@@ -28,23 +28,25 @@ void add_shear(Sentences& out, const db::StoredTest& test, const SheetValues& va
   }
   const auto& type = test.header.programme;
   if (type == "CSD" || type == "CSU" || constant_q)
-    out.push_back(fmt::format(
-        "{}shear at constant q is none of the standards' tests, which prescribe a rate of axial "
-        "strain",
-        type.empty() ? "" : type + ": "));
+    out.push_back(
+        fmt::format("{}shear at constant q is not a test of these standards, which prescribe a "
+                    "rate of axial strain",
+                    type.empty() ? "" : type + ": "));
   if (test.summary.cyclic)
-    out.emplace_back("cyclic load: none of these standards' tests (ASTM D5311)");
+    out.emplace_back("cyclic load is not covered by these standards (see ASTM D5311)");
   else if (load)
     out.emplace_back("sheared under load control; the standards prescribe a rate of axial strain");
-  if (strain_path) out.emplace_back("a strain path was prescribed, drainage neither open nor shut");
-  if (!said) out.emplace_back("the record does not say how the axis was driven");
-  if (values.extension) out.emplace_back("sheared in extension; the standards are of compression");
+  if (strain_path)
+    out.emplace_back("a strain path was prescribed, drainage neither open nor closed");
+  if (!said) out.emplace_back("the control of the axis is not in the record");
+  if (values.extension) out.emplace_back("sheared in extension; the standards cover compression");
   if (values.start) {
     const auto& s = values.start->state;
     if (std::abs(s.q) > kAnisotropic * s.p_eff)
-      out.push_back(fmt::format(
-          "q = {:.1f} kPa at the start of shear: BS 1377-8 and ASTM know isotropic consolidation",
-          s.q * 1e-3));
+      out.push_back(
+          fmt::format("q = {:.1f} kPa at the start of shear: BS 1377-8 and ASTM require isotropic "
+                      "consolidation",
+                      s.q * 1e-3));
   }
 }
 
@@ -57,9 +59,9 @@ void add_saturation(Sentences& out, const db::StoredTest& test) {
 }
 
 void add_rate(Sentences& out, const SheetValues& values) {
-  if (!values.rate_per_s) out.emplace_back("no time in the record: the rate is not known");
+  if (!values.rate_per_s) out.emplace_back("no time in the record: the rate is unknown");
   if (!values.consolidation)
-    out.emplace_back("no consolidation in the record: t_100 and the rate it allows are not known");
+    out.emplace_back("no consolidation in the record: t_100 and the allowed rate are unknown");
   else if (!values.consolidation->fit)
     out.push_back("no t_100: " + values.consolidation->why_no_fit);
   if (values.rate_per_s && values.allowed_rate_per_s &&

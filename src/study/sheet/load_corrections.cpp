@@ -36,21 +36,21 @@ void find_side_drains(LoadCorrections& found, const db::StoredTest& test, const 
   const bool sides =
       values.options.boundary_is_said && values.options.drained_at >= DrainageBoundary::sides;
   if (!sides && !says_yes(words, "side_drains") && said != "spiral" && said != "vertical") {
-    found.why_no_side_drains = "none are said";
+    found.why_no_side_drains = "none given";
     return;
   }
   if (said == "spiral") {
-    found.why_no_side_drains = "spirals carry nothing";
+    found.why_no_side_drains = "spirals carry no load";
     return;
   }
   if (values.failure->state.q < 0) {
-    found.why_no_side_drains = "strips carry nothing in extension";
+    found.why_no_side_drains = "strips carry no load in extension";
     return;
   }
   const auto& diameter = test.summary.consolidation.diameter_m;
   if (!diameter || !(*diameter > 0)) {
     found.why_no_side_drains =
-        "drains are said, but the diameter at the start of shear is not known";
+        "side drains are given, but the diameter at the start of shear is unknown";
     return;
   }
   SideDrains drains{.diameter_m = *diameter};
@@ -69,12 +69,12 @@ void find_piston(LoadCorrections& found, const SheetValues& values, const SheetW
   const auto friction = number_of(words, "piston_friction_N");
   const auto diameter = number_in(words, "piston_diameter_mm", 1e-3);
   if (!outside && !friction) {
-    found.why_no_piston = "F is taken as that of a load cell inside the cell";
+    found.why_no_piston = "assumed: load cell inside the cell";
     return;
   }
   const auto& failure = *values.failure;
   if (outside && !diameter) {
-    found.why_no_piston = "a load cell outside is said, but no piston_diameter_mm";
+    found.why_no_piston = "load cell outside the cell, but piston_diameter_mm is missing";
     return;
   }
   Piston piston{.friction_n = friction.value_or(0), .specimen_area_m2 = failure.state.area_m2};
@@ -93,7 +93,7 @@ void find_piston(LoadCorrections& found, const SheetValues& values, const SheetW
   if (std::isfinite(piston.taken_off_pa))
     found.piston = piston;
   else
-    found.why_no_piston = "the cell pressure or the area at failure is not known";
+    found.why_no_piston = "the cell pressure or the area at failure is unknown";
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ LoadCorrections load_corrections(const db::StoredTest& test, const SheetValues& 
                                  const SheetWords& words) {
   LoadCorrections found;
   if (!test.header.is_raw()) {
-    found.why_no_side_drains = found.why_no_piston = "not known: the record was reduced before";
+    found.why_no_side_drains = found.why_no_piston = "unknown: the record was already reduced";
     return found;
   }
   if (!values.failure || !values.start) {

@@ -133,11 +133,11 @@ void SheetReader::finish_consolidation() {
     return;
   curve.fit = root_time(curve.points);
   if (!curve.fit)
-    curve.why_no_fit = "too little water came out, or too few readings of its first half";
+    curve.why_no_fit = "too little water flowed out, or too few readings in the first half";
   else if (!(curve.fit->final > curve.fit->zero))
-    curve.why_no_fit = "the specimen took water in";
+    curve.why_no_fit = "water flowed into the specimen";
   else if (raised_meanwhile(curve, mean_stress))
-    curve.why_no_fit = "the stress was still being raised when a fifth of the water was out";
+    curve.why_no_fit = "the stress was still increasing when a fifth of the water had flowed out";
   if (!curve.why_no_fit.empty()) curve.fit.reset();
   found_.consolidation = std::move(curve);
 }
@@ -175,8 +175,8 @@ bool SheetReader::is_largest_q(const lab::State& state) const {
 void SheetReader::fail_at_strain() {
   found_.failure = at_strain_;
   if (!at_strain_)
-    found_.failure_reason = fmt::format("the axial strain did not come to {:.4g} %",
-                                        found_.options.failure_strain * 100);
+    found_.failure_reason =
+        fmt::format("the axial strain did not reach {:.4g} %", found_.options.failure_strain * 100);
 }
 
 void SheetReader::find_total_stress_failure() {
@@ -184,7 +184,7 @@ void SheetReader::find_total_stress_failure() {
     case FailureCriterion::peak_deviator_stress:
       found_.failure = largest_q_;
       if (largest_q_ && beyond_q_ > std::abs(largest_q_->state.q))
-        found_.failure_reason = "q still rose at 20 %, where ISO 17892-8 takes it";
+        found_.failure_reason = "q was still rising at 20 %, the failure strain of ISO 17892-8";
       break;
     case FailureCriterion::axial_strain:
       fail_at_strain();
@@ -192,7 +192,7 @@ void SheetReader::find_total_stress_failure() {
     case FailureCriterion::peak_stress_ratio:
     case FailureCriterion::critical_state:
       found_.failure_reason =
-          "of total stresses there is no such state: --failure peak-q or --failure strain";
+          "not defined in total stresses; use --failure peak-q or --failure strain";
       break;
   }
   found_.extension = found_.failure && found_.failure->state.q < 0;
@@ -236,7 +236,7 @@ void SheetReader::find_failure() {
     }
   }
   if (!found_.failure && found_.failure_reason.empty())
-    found_.failure_reason = "no such state in what can be believed of shear";
+    found_.failure_reason = "no such state in the reliable part of shear";
 }
 
 void SheetReader::find_rates() {

@@ -125,17 +125,16 @@ std::string what_is_wrong(const SaidWord& said) {
     return std::ranges::find(words, lab::folded(said.value)) != words.end();
   };
   if (said.key == "drained_at" && !drainage_boundary_from(said.value))
-    return "where the specimen drained is one of one end, both ends, sides, sides and one end, "
-           "sides and both ends";
+    return "must be one of: one end, both ends, sides, sides and one end, sides and both ends";
   if (said.key == "load_cell" && !is_one_of({"inside", "outside"}))
-    return "the load cell is inside the cell or outside of it";
+    return "must be one of: inside, outside";
   if (said.key == "side_drains" && !is_one_of({"yes", "no", "y", "n", "vertical", "spiral"}))
-    return "side drains are yes, no, vertical or spiral";
+    return "must be one of: yes, no, vertical, spiral";
   for (const auto& bound : kBounds) {
     if (said.key != bound.key) continue;
     const auto number = number_of({{said.key, said.value}}, said.key);
     if (!number || !(*number >= bound.least && *number <= bound.most))
-      return fmt::format("a number from {:g} to {:g} is wanted", bound.least, bound.most);
+      return fmt::format("expected a number from {:g} to {:g}", bound.least, bound.most);
   }
   return {};
 }
@@ -153,7 +152,7 @@ SaidWord said_word(const std::string& key, const std::string& value) {
   for (const auto& word : kWords) known.emplace_back(word.key);
   if (std::ranges::find(known, said.key) == known.end())
     throw lab::BadInput(
-        fmt::format("--set {}: a sheet has no such word; it has {}", key, fmt::join(known, ", ")));
+        fmt::format("--set {}: unknown key; {}", key, lab::suggestion(said.key, known)));
   if (const auto wrong = what_is_wrong(said); !wrong.empty())
     throw lab::BadInput(fmt::format("--set {}={}: {}", key, value, wrong));
   return said;

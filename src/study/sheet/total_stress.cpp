@@ -20,7 +20,7 @@ constexpr double kRounding = 1.05;
 void add_total_stress_rate(std::vector<std::string>& out, const SheetValues& values) {
   const auto& rate = values.rate_per_s;
   if (!rate) {
-    out.emplace_back("no time in the record: the rate is not known");
+    out.emplace_back("no time in the record: the rate is unknown");
     return;
   }
   if (*rate > kRounding * kFastest || kRounding * *rate < kSlowest)
@@ -34,15 +34,16 @@ void add_total_stress_failure(std::vector<std::string>& out, const SheetValues& 
   const double last = std::abs(values.end->state.strain.axial);
   const bool rising = values.failure->state.reading == values.end->state.reading;
   if (values.options.failure != FailureCriterion::peak_deviator_stress)
-    out.emplace_back("failure is not at the largest q, as ISO 17892-8 and ASTM D2850 have it");
+    out.emplace_back("failure is not at the largest q, as required by ISO 17892-8 and ASTM D2850");
   else if (rising && last < kLastTotalStrain)
     out.push_back(
-        fmt::format("q had not fallen when shear ended at {:.1f} %: ISO 17892-8 goes on to 20 %, "
-                    "ASTM D2850 to 15 %",
+        fmt::format("q had not fallen when shear ended at {:.1f} %; ISO 17892-8 requires shear to "
+                    "20 %, ASTM D2850 to 15 %",
                     last * 100));
   if (strain > kAstmStrain && values.at_15_pct)
-    out.push_back(fmt::format("failure beyond 15 %, where ASTM D2850 takes q: c_u {:.1f} kPa",
-                              *undrained_strength(values.at_15_pct) * 1e-3));
+    out.push_back(
+        fmt::format("failure beyond 15 %, the failure strain of ASTM D2850: c_u {:.1f} kPa",
+                    *undrained_strength(values.at_15_pct) * 1e-3));
 }
 
 }  // namespace
@@ -72,21 +73,21 @@ std::vector<std::string> total_stress_deviations(const db::StoredTest& test,
   const auto& header = test.header;
   if (header.has(lab::Quantity::pore_pressure))
     out.emplace_back(
-        "the pore pressure was read: ISO 17892-8 does not cover it, nothing here uses it");
+        "the pore pressure was measured: not covered by ISO 17892-8 and not used here");
   for (const auto& stage : header.stages)
     if (stage.role == lab::StageRole::consolidation) {
-      out.emplace_back("the record has a stage of consolidation, which no UU test has");
+      out.emplace_back("the record has a consolidation stage, which is not part of a UU test");
       break;
     }
   for (const auto& stage : header.stages)
     if (stage.role == lab::StageRole::shear && stage.drainage == lab::Drainage::open) {
-      out.emplace_back("sheared with the drainage open, which no UU test is");
+      out.emplace_back("sheared with the drainage open, which is not a UU test");
       break;
     }
-  if (values.extension) out.emplace_back("sheared in extension; the standards are of compression");
-  if (test.summary.cyclic) out.emplace_back("cyclic load: none of these standards' tests");
+  if (values.extension) out.emplace_back("sheared in extension; the standards cover compression");
+  if (test.summary.cyclic) out.emplace_back("cyclic load is not covered by these standards");
   if (values.start && !std::isfinite(values.start->cell_pressure))
-    out.emplace_back("the record does not give the cell pressure");
+    out.emplace_back("the cell pressure is not in the record");
   add_dimension_deviations(out, header.specimen, 8);
   add_total_stress_rate(out, values);
   add_total_stress_failure(out, values);

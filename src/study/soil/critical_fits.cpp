@@ -34,9 +34,8 @@ std::vector<bool> with_stress(Soil& soil) {
     with.push_back(any && c.log_p.error <= kLargestLogError);
     if (any && !with.back())
       soil.notes.push_back(
-          fmt::format("{}: p′ at the critical state is {:.1f} kPa, no more than its error: it has "
-                      "no part in the "
-                      "critical state line and in M",
+          fmt::format("{}: p′ at the critical state is {:.1f} kPa, not above its error: not used "
+                      "for the critical state line and M",
                       test.name, std::exp(c.log_p.value)));
   }
   return with;
@@ -143,14 +142,14 @@ void fit_lines(Soil& soil, const SoilOptions& options, const std::vector<bool>& 
   if (!soil.critical_line) return;
   if (soil.critical_line->line.b > 0)
     soil.notes.emplace_back(
-        "the critical state line rises with p′, which no sand does: the tests are too few, lie too "
-        "close together, or are not of one sand");
+        "the critical state line rises with p′, which is impossible for sand: the tests are too "
+        "few, too close together, or not of one sand");
   soil.critical_power = fit_power_line(soil.critical_line->points, options.exponent);
   if (soil.critical_power->exponent_held && !options.exponent)
-    soil.notes.push_back(fmt::format(
-        "the tests do not determine the exponent of the power form, which is held at {:g}: the "
-        "intervals of the other two hold for that exponent only",
-        kUsualExponent));
+    soil.notes.push_back(
+        fmt::format("the tests do not determine the exponent of the power form, which is fixed at "
+                    "{:g}: the intervals of the other two are for this exponent only",
+                    kUsualExponent));
   // With one scatter allowed for, the form that needs less of it is the better one.
   soil.power_is_better = soil.critical_power->line.scatter < 0.8 * soil.critical_line->line.scatter;
 }

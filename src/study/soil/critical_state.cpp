@@ -141,7 +141,7 @@ CriticalState extrapolated(const std::vector<Window>& windows, bool with_e) {
   const double p_way = std::abs(lp->value - last.log_p.at);
   const double e_way = e ? std::abs(e->value - last.void_ratio->at) : 0;
   if (eta_way > kFarEta || p_way > kFarLogP || e_way > kFarE || eta->value <= 0)
-    return none("too far from rest at its end to say where it would come to rest", last.rate.slope);
+    return none("too far from the critical state at its end to extrapolate", last.rate.slope);
   if (eta_way < kNearEta && p_way < kNearLogP && e_way < kNearE)
     state.kind = CriticalKind::reached;
   else
@@ -154,7 +154,7 @@ CriticalState extrapolated(const std::vector<Window>& windows, bool with_e) {
 
 CriticalState of_windows(const ShearCurve& curve, bool drained) {
   if (curve.points.empty() || curve.points.back().axial_strain < kLeastStrain)
-    return none(fmt::format("sheared to {:.1f} % only; {:.0f} % are the least",
+    return none(fmt::format("sheared to {:.1f} % only; at least {:.0f} % are needed",
                             curve.points.empty() ? 0 : 100 * curve.points.back().axial_strain,
                             100 * kLeastStrain));
   const auto windows = windows_of(last_part(curve), drained);

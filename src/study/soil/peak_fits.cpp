@@ -145,13 +145,12 @@ void fit_strength(Soil& soil, const SoilOptions& options) {
   soil.strength = strength_set(std::move(circles), options.criterion);
   if (soil.strength && range > kOneDensity)
     soil.notes.push_back(
-        fmt::format("c′ and φ′ are those of specimens of e = {:.3f} to {:.3f} together, though "
-                    "strength goes by "
-                    "density: choose a set of one density with --where",
+        fmt::format("c′ and φ′ are from specimens of e = {:.3f} to {:.3f} together, but strength "
+                    "depends on density: choose tests of one density with --where",
                     *soil.densest, *soil.loosest));
   if (!soil.strength && count > 0)
     soil.notes.push_back(fmt::format(
-        "c′ and φ′ need three specimens that failed at different σ₃′, and there are {}", count));
+        "c′ and φ′ need three specimens that failed at different σ₃′; found {}", count));
 }
 
 }  // namespace triax::study

@@ -27,11 +27,10 @@ void note_missing_void_ratios(Soil& soil) {
   for (const auto& test : soil.tests)
     if (test.used && !test.void_ratio) names += (count++ > 0 ? ", " : "") + test.name;
   if (count > 0)
-    soil.notes.push_back(
-        fmt::format("no void ratio is known of {}: {} no part in the critical state line and in "
-                    "what goes by ψ; give it with `triax replay --set "
-                    "specimen.consolidated_void_ratio=...`",
-                    names, count == 1 ? "it has" : "they have"));
+    soil.notes.push_back(fmt::format(
+        "the void ratio of {} is unknown: {} not used for the critical state line and trends over "
+        "ψ; give it with `triax replay --set specimen.consolidated_void_ratio=...`",
+        names, count == 1 ? "it is" : "they are"));
 }
 
 void set_state_parameters(Soil& soil) {
@@ -62,10 +61,10 @@ Soil study_soil(const std::vector<ShearedTest>& tests, const std::string& group,
   for (const auto& test : tests) soil.tests.push_back(test_points(test, options.stress_error_kPa));
   leave_out_twice(tests, soil.tests);
   if (std::ranges::none_of(soil.tests, &TestPoints::used))
-    throw lab::BadInput(fmt::format(
-        "{}of {} test{} none has a shear in which stresses and strains are known; `triax query "
-        "tests` lists what there is",
-        group.empty() ? "" : group + ": ", tests.size(), tests.size() == 1 ? "" : "s"));
+    throw lab::BadInput(
+        fmt::format("{}none of {} test{} has a shear stage with known stresses and strains; `triax "
+                    "query tests` lists all tests",
+                    group.empty() ? "" : group + ": ", tests.size(), tests.size() == 1 ? "" : "s"));
   set_limits(soil);
   note_missing_void_ratios(soil);
   fit_critical_states(soil, options);

@@ -24,16 +24,16 @@ void refuse_several_materials(const SoilGroup& group) {
   std::string list;
   for (const auto& [name, count] : materials)
     list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
-  throw lab::BadInput(fmt::format(
-      "the tests are of {} materials: {}; choose one with --where \"material = '{}'\", or give "
-      "--group material for a result each",
-      materials.size(), list, materials.begin()->first));
+  throw lab::BadInput(
+      fmt::format("the tests are of {} materials: {}; choose one with --where \"material = '{}'\", "
+                  "or use --group material for one result per material",
+                  materials.size(), list, materials.begin()->first));
 }
 
 void refuse_too_few(const SoilGroup& group) {
   if (group.tests.size() >= kFewest) return;
   throw lab::BadInput(fmt::format(
-      "there {} only {} test{}{}; trends and intervals need {} at least",
+      "there {} only {} test{}{}; trends and intervals need at least {}",
       group.tests.size() == 1 ? "is" : "are", group.tests.size(),
       group.tests.size() == 1 ? "" : "s", group.name.empty() ? "" : " of " + group.name, kFewest));
 }
@@ -53,11 +53,11 @@ std::vector<SoilGroup> chosen_groups(const SoilChoice& choice, const std::functi
     group.tests.push_back(load_sheared_test(store, id));
   }
   if (groups.empty())
-    throw lab::BadInput("no test is left" +
-                        (choice.where.empty()
-                             ? std::string(": the database has none")
-                             : " for which --where is true; `triax query specimens` "
-                               "shows what the tests have"));
+    throw lab::BadInput(
+        "no test " +
+        (choice.where.empty()
+             ? std::string("in the database")
+             : "matches --where; `triax query specimens` lists the columns of all tests"));
   std::vector<SoilGroup> all;
   for (auto& [name, group] : groups) {
     refuse_several_materials(group);

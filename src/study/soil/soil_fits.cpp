@@ -12,12 +12,12 @@ namespace {
 void say_odd(Soil& soil, const OddTest& odd, std::size_t test, const FitWords& words, bool kept) {
   auto& of = soil.tests[test];
   const std::string why =
-      fmt::format("{} lies {:.3g} {} what the others give for {} ({:.1f} standard deviations)",
+      fmt::format("{} is {:.3g} {} the value of the others for {} ({:.1f} standard deviations)",
                   words.value, std::abs(odd.residual), odd.residual > 0 ? "above" : "below",
                   words.what, std::abs(odd.deviations));
   of.reason += (of.reason.empty() ? "" : "; ") + why;
   soil.notes.push_back(fmt::format("{}: {}; it is {}", of.name, why,
-                                   kept ? "kept in the fit" : "left out of that fit"));
+                                   kept ? "kept in the fit" : "not used in this fit"));
 }
 
 }  // namespace
@@ -96,8 +96,8 @@ std::optional<Trend> trend_through(Soil& soil, const Gathered& left, const Gathe
   if (say_missing)
     soil.notes.push_back(
         left.points.size() < 3
-            ? fmt::format("{} needs three tests and has {}", words.what, left.points.size())
-            : fmt::format("{} needs tests that differ: all {} lie at one place", words.what,
+            ? fmt::format("{} needs three tests; found {}", words.what, left.points.size())
+            : fmt::format("{} needs different tests; all {} are at one point", words.what,
                           left.points.size()));
   return std::nullopt;
 }
@@ -120,7 +120,7 @@ std::optional<Level> level_of(Soil& soil, const SoilOptions& options, const Gath
   const Gathered left = without_odd(soil, options, all, forms, words);
   if (const auto fit = fit_mean(left.points)) return Level{*fit, left.tests};
   if (!left.points.empty())
-    soil.notes.push_back(fmt::format("{} needs two tests and has one", words.what));
+    soil.notes.push_back(fmt::format("{} needs two tests; found one", words.what));
   return std::nullopt;
 }
 

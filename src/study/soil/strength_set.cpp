@@ -68,7 +68,7 @@ FailureCriterion failure_criterion(const std::string& word) {
   if (word == "strain") return FailureCriterion::axial_strain;
   if (word == "critical-state") return FailureCriterion::critical_state;
   throw lab::BadInput("criterion '" + word +
-                      "': not known; expected peak-q, peak-ratio, strain or critical-state");
+                      "' is not valid; must be one of: peak-q, peak-ratio, strain, critical-state");
 }
 
 std::optional<TestPoint> failure_of(const TestPoints& test, FailureCriterion criterion,

@@ -115,7 +115,7 @@ TestPoints test_points(const ShearedTest& test, double stress_error_kPa) {
   add_onset(points, test);
   if (curve.points.size() < 5) {
     points.used = false;
-    points.reason = "no shear of five steps of strain in which stresses are known";
+    points.reason = "no shear stage with at least five strain steps of known stresses";
     return points;
   }
   if (!points.p_eff_kPa) points.p_eff_kPa = curve.points.front().p_eff_kPa;

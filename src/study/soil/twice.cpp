@@ -40,7 +40,7 @@ void leave_out_twice(const std::vector<ShearedTest>& tests, std::vector<TestPoin
       if (!counts_before(tests[j], tests[i]) && !(tests[i].id == tests[j].id && j < i)) continue;
       points[i].used = false;
       points[i].reason =
-          fmt::format("the same test as {} ({}), which counts", tests[j].id, tests[j].name);
+          fmt::format("the same test as {} ({}), which replaces it", tests[j].id, tests[j].name);
     }
 }
 

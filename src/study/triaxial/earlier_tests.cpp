@@ -18,11 +18,11 @@ lab::EarlierTests earlier_tests(const std::string& db, const std::vector<std::st
                           ? lab::earlier_test(test.header, test.summary, store.forecasts(id))
                           : std::nullopt;
     if (!said)
-      throw lab::BadInput(fmt::format(
-          "--earlier {}: it says nothing of an onset to come, because it was not judged to the end "
-          "of shear, failed on the limit surface, or was sheared drained by displacement; leave it "
-          "out",
-          test.header.name));
+      throw lab::BadInput(
+          fmt::format("--earlier {}: not usable for the onset forecast: the test was not assessed "
+                      "to the end of shear, failed on the limit surface, or was sheared drained "
+                      "with prescribed displacement; leave it out",
+                      test.header.name));
     all.add(*said);
   }
   return all;

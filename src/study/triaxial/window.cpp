@@ -56,9 +56,9 @@ void append_breaks(const TestColumns& test, std::string& json) {
   json += ",\"faults\":[";
   for (const auto& [span, columns] : test.faults()) {
     if (json.back() != '[') json += ',';
-    json += "{\"channel\":\"" + lab::heading(span.channel) +
-            "\",\"from\":" + std::to_string(span.from) +
-            ",\"to\":" + (span.lasts ? "null" : std::to_string(span.until)) + ",\"columns\":[";
+    json += R"({"channel":")" + lab::heading(span.channel) + R"(","from":)" +
+            std::to_string(span.from) + R"(,"to":)" +
+            (span.lasts ? "null" : std::to_string(span.until)) + R"(,"columns":[)";
     for (const std::size_t column : columns) {
       if (json.back() != '[') json += ',';
       json += '"' + db::read_columns()[column].name + '"';

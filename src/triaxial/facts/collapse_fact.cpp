@@ -75,7 +75,7 @@ std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Inst
   std::vector<std::string> lines = {instant(onset)};
   if (onset.interval) lines.push_back(interval_line(*onset.interval));
   if (test.state_at_onset)
-    lines.push_back("that reading itself: " +
+    lines.push_back("values of that reading: " +
                     stress_and_strain(lab::instant_of(*test.state_at_onset, false)));
   return lines;
 }
@@ -103,12 +103,12 @@ std::string truth_line(const lab::Truth& truth) {
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   facts.push_back({"Collapse", {verdict_line(test)}});
-  if (test.summary.guard) facts.push_back({"Guard", guard_lines(*test.summary.guard)});
+  if (test.summary.guard) facts.push_back({"Intervention", guard_lines(*test.summary.guard)});
   if (!study::has_verdict(test)) return;
   if (const auto onset = study::collapse_onset(test))
     facts.push_back({"Onset", onset_lines(test, *onset)});
   if (const auto lines = warning_lines(collapse); !lines.empty()) facts.push_back({"Alarm", lines});
-  if (collapse.detected()) facts.push_back({"Noticed", {noticed_line(test)}});
+  if (collapse.detected()) facts.push_back({"Detected", {noticed_line(test)}});
   if (const auto failure = study::failure_onset(test))
     facts.push_back({"Failure", onset_lines(test, *failure)});
   facts.push_back(

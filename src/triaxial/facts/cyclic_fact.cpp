@@ -9,7 +9,7 @@ namespace {
 std::string reached(const char* what, const std::optional<lab::CycleInstant>& at,
                     const std::string& most) {
   if (at) return fmt::format("{} in cycle {}, at reading {}", what, at->cycle, at->instant.reading);
-  return fmt::format("{} not reached, {} at most", what, most);
+  return fmt::format("{} not reached, maximum {}", what, most);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace triax::src {
 
-/// "on imminent: handed over to displacement at 0.05 mm/min; axial strain 0.283 %, ... at reading
+/// "on imminent: switched to displacement at 0.05 mm/min; axial strain 0.283 %, ... at reading
 /// 1522, 50.7 min"; the axial strain at the end of the test with and without the guard.
 std::vector<std::string> guard_lines(const lab::GuardOutcome& guard);
 

@@ -16,13 +16,13 @@ std::string collapse_word(lab::CollapseKind kind) {
     case lab::CollapseKind::none:
       return "none";
     case lab::CollapseKind::limited:
-      return "limited: strength is lost and recovers";
+      return "limited: strength is lost and recovered";
     case lab::CollapseKind::partial:
-      return "partial: a part of the strength is lost for good";
+      return "partial: part of the strength is lost permanently";
     case lab::CollapseKind::flow:
-      return "flow: strength is lost and does not return";
+      return "flow: strength is lost and not recovered";
     case lab::CollapseKind::cyclic_mobility:
-      return "cyclic mobility: cycles liquefied the specimen, each was carried all the same";
+      return "cyclic mobility: the specimen liquefied, but carried every cycle";
   }
   return kUnknown;
 }
@@ -36,20 +36,21 @@ std::string loss_words(const lab::Collapse& collapse) {
 
 std::string judged_words(const db::StoredTest& test) {
   const lab::Collapse& c = test.summary.collapse;
-  std::string words = "shear was judged to its end";
+  std::string words = "shear was assessed to its end";
   if (c.judged_from) words += fmt::format(", from reading {}", *c.judged_from);
   if (c.nearest)
-    words += fmt::format("; second-order work was least at reading {} ({:.3f} ± {:.3f})",
+    words += fmt::format("; second-order work was smallest at reading {} ({:.3f} ± {:.3f})",
                          c.nearest->reading, c.nearest->normalised, c.nearest->error);
   return words;
 }
 
 std::string not_judged_line(const lab::Collapse& c) {
   if (c.judged_until)
-    return fmt::format("not judged after reading {}: {}; until then no collapse", *c.judged_until,
+    return fmt::format("not assessed after reading {}: {}; no collapse until then", *c.judged_until,
                        c.judged_until_reason);
-  return "not judged: " + (c.judged_until_reason.empty() ? std::string("too few readings in shear")
-                                                         : c.judged_until_reason);
+  return "not assessed: " + (c.judged_until_reason.empty()
+                                 ? std::string("too few readings in shear")
+                                 : c.judged_until_reason);
 }
 
 std::string failure_line(const lab::Collapse& c) {
@@ -67,15 +68,16 @@ std::string none_line(const db::StoredTest& test) {
   const std::string found =
       leap == criteria.end()
           ? "none found: the specimen stayed controllable"
-          : fmt::format("none for good: a burst at reading {}, and the load was carried on",
-                        *leap->reading);
+          : fmt::format(
+                "none lasting: a runaway at reading {}, and the load was carried afterwards",
+                *leap->reading);
   return found + "; " + judged_words(test);
 }
 
 }  // namespace
 
 std::string verdict_line(const db::StoredTest& test) {
-  if (test.status != db::TestStatus::complete) return "no verdict: the test is not complete";
+  if (test.status != db::TestStatus::complete) return "not assessed: the test is not complete";
   const auto& collapse = test.summary.collapse;
   if (!study::has_verdict(test)) return not_judged_line(collapse);
   if (study::failure_onset(test)) return failure_line(collapse);
@@ -91,7 +93,7 @@ std::string verdict_line(const db::StoredTest& test) {
 
 std::string verdict_word(db::TestStatus status, std::optional<lab::CollapseKind> kind) {
   if (status != db::TestStatus::complete) return std::string(db::to_string(status));
-  return kind ? std::string(lab::to_string(*kind)) : "not judged";
+  return kind ? std::string(lab::to_string(*kind)) : "not assessed";
 }
 
 }  // namespace triax::src

@@ -27,7 +27,7 @@ Mark mark_of_warning(const study::WarningMark& mark) {
     case imminent:
       return {mark.at, "imminent", line(kPurple, 1.3, Qt::DashLine)};
     case taken_back:
-      return {mark.at, "taken back", line(kGrey, 1.3, Qt::DashLine)};
+      return {mark.at, "withdrawn", line(kGrey, 1.3, Qt::DashLine)};
     case lost:
       return {mark.at, "lost: known", line(kGreen, 1.3, Qt::DashLine)};
     case onset:
@@ -122,8 +122,8 @@ Drawing warning_figure(const study::WarningHistory& history) {
   note_below(*plot, origin_note(history.origin));
   draw_marks(*plot, marks);
   return {std::move(plot),
-          fmt::format("The stress ratio of test {} and what was forecast for its onset while it "
-                      "ran, with the 90 % interval; broken lines stand where the alarm spoke.",
+          fmt::format("The stress ratio of test {} and the forecasts of its onset while it ran, "
+                      "with the 90 % interval; broken lines mark warnings.",
                       history.test)};
 }
 

@@ -25,12 +25,12 @@ std::string membrane_words(const SheetTest& test) {
   const auto& specimen = stored.header.specimen;
   const auto& applied = stored.summary.membrane_correction;
   const auto& start = stored.summary.consolidation;
-  if (applied.empty()) return "not known: the record was reduced before";
+  if (applied.empty()) return "unknown: the record was already reduced";
   if (!specimen.membrane_modulus_pa || !specimen.membrane_thickness_m) return "none applied";
   const bool iso = applied == "iso", none = applied == "none";
   const auto& d = iso ? specimen.diameter_m : start.diameter_m;
   const double e = *specimen.membrane_modulus_pa, t = *specimen.membrane_thickness_m;
-  std::string text = none ? "none applied; ASTM D4767 would take off Δq = 4 E t ε₁/D_c"
+  std::string text = none ? "none applied; ASTM D4767 would subtract Δq = 4 E t ε₁/D_c"
                      : iso ? "ISO 17892-9: Δσ₁ = (4 E t/D)(ε₁ + ε_v/3), Δσ₃ = (4 E t/D) ε_v/3"
                            : "ASTM D4767: Δq = 4 E t ε₁/D_c";
   if (test.values.failure && d) {
@@ -43,7 +43,7 @@ std::string membrane_words(const SheetTest& test) {
   }
   text += fmt::format(" (E = {:.0f} kPa, t = {:.2f} mm", e * 1e-3, t * 1e3);
   if (d) text += fmt::format(", D = {:.1f} mm", *d * 1e3);
-  return text + (none ? ")" : "); taken off");
+  return text + (none ? ")" : "); subtracted");
 }
 
 std::string side_drain_words(const study::LoadCorrections& corrections) {
@@ -83,16 +83,16 @@ SheetBox corrections_box(const SheetTest& test) {
   const auto add = [&](const char* label, const std::string& value) {
     if (!value.empty()) box.facts.push_back({label, {value}});
   };
-  add("area", stored.header.is_raw() ? area_words(test) : "as whoever reduced the record chose it");
+  add("area",
+      stored.header.is_raw() ? area_words(test) : "as in the record, which was already reduced");
   add("membrane", membrane_words(test));
   add("side drains", side_drain_words(corrections));
   add("piston", piston_words(corrections));
   if (const auto left = corrections.q_left_pa(test.values))
-    add("q_f without them",
-        fmt::format("{:.1f} − {:.2f} = {:.1f} kPa: side drains and piston are NOT taken off in any "
-                    "other value and figure",
-                    test.values.failure->state.q * 1e-3, corrections.taken_off_pa() * 1e-3,
-                    *left * 1e-3));
+    add("q_f without them", fmt::format("{:.1f} − {:.2f} = {:.1f} kPa: side drains and piston are "
+                                        "NOT subtracted in any other value and figure",
+                                        test.values.failure->state.q * 1e-3,
+                                        corrections.taken_off_pa() * 1e-3, *left * 1e-3));
   return box;
 }
 

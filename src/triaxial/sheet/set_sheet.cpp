@@ -20,8 +20,8 @@
 namespace triax::src {
 namespace {
 
-constexpr std::size_t kFewestCircles = 3;
-constexpr double kLeastSpread = 1.5;  // of σ₃′ at failure, largest over least
+constexpr std::size_t kMinCircles = 3;
+constexpr double kMinSpread = 1.5;  // of σ₃′ at failure, largest over least
 
 std::string kind_word(const db::StoredTest& test) {
   return spaced(verdict_word(test.status, study::has_verdict(test)
@@ -169,8 +169,7 @@ Strength strength_of(const TestSet& set) {
   }
   const auto [least, most] =
       std::ranges::minmax_element(strength.circles, {}, &study::MohrCircle::minor_kPa);
-  if (strength.circles.size() >= kFewestCircles &&
-      most->minor_kPa > kLeastSpread * least->minor_kPa)
+  if (strength.circles.size() >= kMinCircles && most->minor_kPa > kMinSpread * least->minor_kPa)
     strength.set = study::strength_set(strength.circles, set.tests.front()->values.options.failure);
   return strength;
 }
@@ -191,16 +190,16 @@ SheetBox strength_box(const TestSet& set, const Strength& strength) {
         "common tangent of {} circles, σ₁′ = A + K σ₃′ by weighted least squares; in brackets 95 %",
         strength.circles.size()));
   } else {
-    box.lines.push_back(strength.circles.size() < kFewestCircles
-                            ? fmt::format("c′ and φ′ need {} specimens; {} came to failure",
-                                          kFewestCircles, strength.circles.size())
-                            : "c′ and φ′: σ₃′ at failure differs by less than half of the least");
+    box.lines.push_back(
+        strength.circles.size() < kMinCircles
+            ? fmt::format("c′ and φ′ need {} specimens; {} failed", kMinCircles,
+                          strength.circles.size())
+            : "c′ and φ′: σ₃′ at failure differs by less than half of its smallest value");
   }
   if (strength.at_constant_q > 0)
-    box.lines.push_back(
-        fmt::format("left out: {} at constant q, whose largest q is no failure (--failure "
-                    "peak-ratio counts them)",
-                    strength.at_constant_q));
+    box.lines.push_back(fmt::format(
+        "not used: {} at constant q, whose largest q is not a failure (use --failure peak-ratio)",
+        strength.at_constant_q));
   return box;
 }
 
@@ -307,7 +306,7 @@ Sheet set_sheet(const TestSet& set) {
     if (test->result.stored.header.origin == lab::Origin::simulated) ++simulated;
   Sheet sheet{.title = fmt::format("Set of {} {}triaxial tests", set.tests.size(),
                                    set.total_stress ? "unconsolidated undrained " : ""),
-              .subject = set.material.empty() ? "soil not said" : set.material,
+              .subject = set.material.empty() ? "soil not given" : set.material,
               .footer = fmt::format("triax {}; {}", study::version(),
                                     set.total_stress ? "□ failure" : kSheetLegend)};
   if (simulated == set.tests.size())
@@ -320,10 +319,10 @@ Sheet set_sheet(const TestSet& set) {
   SheetBox remarks{.title = "Remarks", .blank_lines = 2};
   if (set.read_again > 0)
     remarks.lines.push_back(fmt::format(
-        "{} more: the file was READ AGAIN, the later complete reading counts", set.read_again));
+        "{} more: the file was READ AGAIN, the latest complete replay counts", set.read_again));
   if (set.material.empty())
     remarks.lines.emplace_back(
-        "no record names its soil: whether these specimens are of one is for the reader to say");
+        "no record gives its soil: check that these specimens are of one soil");
   sheet.rows.push_back(row_of_boxes({{1, std::move(remarks)}}));
   return sheet;
 }

@@ -91,7 +91,7 @@ SheetBox specimen_box(const SheetTest& test) {
   row("e", [](const Phase& p) { return number(p.void_ratio, 3); });
   row("S_r (%)", [&](const Phase& p) { return marked(p, in_percent(p.saturation, 0)); });
   const auto& gs = test.result.stored.header.specimen.specific_gravity;
-  box.lines.push_back(gs ? fmt::format("G_s = {:.3g}", *gs) : "G_s: not said");
+  box.lines.push_back(gs ? fmt::format("G_s = {:.3g}", *gs) : "G_s: not given");
   if (phases.start.saturation_is_assumed || phases.end.saturation_is_assumed)
     box.lines.back() += "; * saturated: w = e/G_s";
   return box;
@@ -172,7 +172,7 @@ SheetBox consolidation_box(const SheetTest& test) {
                                     drained ? factors.drained : factors.undrained,
                                     drained ? "drained" : "undrained", to_string(at)));
   if (values.consolidation && values.consolidation->fit && !values.options.boundary_is_said)
-    box.lines.push_back(fmt::format("drained at {}: assumed, not said", to_string(at)));
+    box.lines.push_back(fmt::format("drained at {}: assumed", to_string(at)));
   return box;
 }
 
@@ -215,7 +215,8 @@ SheetBox failure_box(const SheetTest& test) {
   else if (holds_q(stored) &&
            values.options.failure == study::FailureCriterion::peak_deviator_stress)
     box.lines.emplace_back(
-        "q is held constant: its largest is no failure (--failure peak-ratio, strain)");
+        "q is held constant: its largest value is not a failure (use --failure peak-ratio or "
+        "strain)");
   return box;
 }
 
@@ -237,7 +238,7 @@ SheetBox verdict_box(const SheetTest& test) {
   std::string criteria;
   for (const auto& c : collapse.criteria)
     criteria += fmt::format("{}{}: {}", criteria.empty() ? "" : "; ", spaced(c.name),
-                            !c.detected   ? "not judged"
+                            !c.detected   ? "not assessed"
                             : *c.detected ? "yes"
                                           : "no");
   if (!criteria.empty()) box.facts.push_back({"criteria", {criteria}});

@@ -66,7 +66,7 @@ std::string kind_of_test(const SheetTest& test) {
     case lab::Drainage::unknown:
       break;
   }
-  return "Triaxial test, drainage not said";
+  return "Triaxial test, drainage unknown";
 }
 
 std::string failure_words(const study::SheetOptions& options) {

@@ -100,7 +100,7 @@ SheetBox total_stress_specimens_box(const std::vector<const SheetTest*>& tests) 
 SheetBox mean_box(const std::vector<double>& strengths_kPa, std::size_t specimens) {
   SheetBox box{.title = "Undrained strength of the set"};
   if (strengths_kPa.empty()) {
-    box.lines.emplace_back("none: no specimen came to failure");
+    box.lines.emplace_back("none: no specimen failed");
     return box;
   }
   const auto mean = study::mean_strength(strengths_kPa);
@@ -135,7 +135,7 @@ SheetBox total_stress_specimen_box(const SheetTest& test) {
   row("e", a.void_ratio, b.void_ratio, 1, 3);
   row("S_r (%)", a.saturation, b.saturation, 100, 0);
   const auto& gs = test.result.stored.header.specimen.specific_gravity;
-  box.lines.push_back(gs ? fmt::format("G_s = {:.3g}", *gs) : "G_s: not said");
+  box.lines.push_back(gs ? fmt::format("G_s = {:.3g}", *gs) : "G_s: not given");
   return box;
 }
 

@@ -113,7 +113,7 @@ TEST_CASE("Recorder: a database that is renamed or removed is noticed, nothing i
     const std::string elsewhere = test.folder.file("e.db");
     renamed ? fs::rename(test.path, elsewhere) : void(fs::remove(test.path));
     REQUIRE(test.noticed());  // also while no reading comes
-    REQUIRE(within_3_s([&] { return test.said.has("has all readings of the test so far"); }));
+    REQUIRE(within_3_s([&] { return test.said.has("contains all readings of the test so far"); }));
     test.send();
     CHECK(within_3_s([&] { return has_all(db::spools_beside(test.path).front(), 2); }));
     CHECK_FALSE(fs::exists(test.path));  // that is the user's decision
@@ -161,7 +161,7 @@ TEST_CASE("Recorder: readings stay beside what is no database, and a repair find
   fs::create_directory(test.path);
   REQUIRE(test.noticed());
   test.send();
-  CHECK_THROWS_WITH(test.finish(), Contains("the readings wait in") && Contains("repair"));
+  CHECK_THROWS_WITH(test.finish(), Contains("the readings are buffered in") && Contains("repair"));
   fs::remove(test.path);
   const auto taken = db::repair(test.path, {.between = 0ms}).tests;
   REQUIRE(taken.size() == 1);
@@ -174,7 +174,7 @@ TEST_CASE("Recorder: waits at the end for a database that is back but locked", "
   fs::rename(test.path, test.folder.file("e.db"));
   REQUIRE(test.noticed());
   test.send();
-  REQUIRE(within_3_s([&] { return test.said.has("has all readings of the test so far"); }));
+  REQUIRE(within_3_s([&] { return test.said.has("contains all readings of the test so far"); }));
   const std::string back = test.folder.file("back.db");
   store_small_test(back, "before");
   SQLite::Database other(back, SQLite::OPEN_READWRITE);

@@ -168,6 +168,6 @@ TEST_CASE("check_pages: pages that two trees share are refused before anything i
       "sqlite_schema WHERE name = 'events_by_test') WHERE name = 'checks_by_test'");
   const std::string copy = folder.file("copy.db");  // this process has checked the first file
   std::filesystem::copy_file(path, copy);
-  CHECK_THROWS_WITH(db::open_for_writing(copy), Contains("is damaged and not written"));
+  CHECK_THROWS_WITH(db::open_for_writing(copy), Contains("is damaged and was not changed"));
   CHECK(db::Store(path).scan_count(1) == 10);  // what can be read is read
 }

@@ -29,9 +29,9 @@ TEST_CASE("cells of AGS4: commas and doubled quotes inside quotes, blank cells, 
 
 TEST_CASE("a quote that is not closed or not doubled is told with its cell") {
   CHECK(wrong_with(R"("DATA","soft)") ==
-        "the quote of cell 2 is not closed; an AGS4 cell has no line break in it");
+        "the quote of cell 2 is not closed; an AGS4 cell cannot contain a line break");
   CHECK(wrong_with(R"("DATA","5" pipe","x")") ==
-        "text behind the closing quote of cell 2, '5'; a quote inside a cell is doubled");
+        "text after the closing quote of cell 2, '5'; write a quote inside a cell twice");
   CHECK(wrong_with("\"").find("cell 1 is not closed") != std::string::npos);
   CHECK(wrong_with(R"("a"")").find("cell 1 is not closed") != std::string::npos);
 }

@@ -48,7 +48,8 @@ TEST_CASE("what is assumed about a number, or left out, is a finding") {
   CHECK(*unitless.si == 120e3);
   REQUIRE(unitless.warnings.size() == 1);
   CHECK(unitless.warnings[0].line == 4);
-  CHECK(unitless.warnings[0].text == "TRIT_X has no unit; taken in kPa, as in the AGS4 dictionary");
+  CHECK(unitless.warnings[0].text ==
+        "TRIT_X has no unit; read as kPa, the unit of the AGS4 dictionary");
 
   const Read weight = read_cell("kN/m3", "18.63", "Mg/m3");
   CHECK(*weight.si == Approx(1899.7).margin(0.1));
@@ -59,17 +60,18 @@ TEST_CASE("what is assumed about a number, or left out, is a finding") {
     const Read none = read_cell("%", word, "%");
     CHECK_FALSE(none.si);
     REQUIRE(none.warnings.size() == 1);
-    CHECK(none.warnings[0].text.find("which is no number; left out") != std::string::npos);
+    CHECK(none.warnings[0].text.find("which is not a number; ignored") != std::string::npos);
   }
   const Read dense = read_cell("Mg/m3", "19.2", "Mg/m3");
   CHECK_FALSE(dense.si);
-  CHECK(dense.warnings.at(0).text.find("which no soil has") != std::string::npos);
+  CHECK(dense.warnings.at(0).text.find("which is impossible for soil") != std::string::npos);
 }
 
 TEST_CASE("a unit that is unknown or of another kind is refused, at the UNIT row") {
-  CHECK_THROWS_WITH(read_cell("furlong", "1", "kPa"),
-                    "x.ags:3: TRIT_X is in 'furlong', an unknown unit; the AGS4 dictionary has it "
-                    "in kPa");
-  CHECK_THROWS_WITH(read_cell("mm", "1", "kPa"), Catch::Contains("which does not fit it"));
+  CHECK_THROWS_WITH(
+      read_cell("furlong", "1", "kPa"),
+      "x.ags:3: TRIT_X is in 'furlong', an unknown unit; the AGS4 dictionary has kPa");
+  CHECK_THROWS_WITH(read_cell("mm", "1", "kPa"),
+                    Catch::Contains("which does not fit this quantity"));
   CHECK_THROWS_AS(read_cell("kPa", "1", ""), BadInput);
 }

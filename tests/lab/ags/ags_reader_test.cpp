@@ -84,8 +84,8 @@ TEST_CASE("what is broken in AGS4 is told with its line") {
   CHECK(fault_of("\"GROUP\",\"A\"\n\"HEADING\",\"X\"\n\"DATA\",\"1\"\n\"UNIT\",\"\"\n") ==
         "x.ags:4: a UNIT row below the first DATA row of group 'A'");
   CHECK(fault_of("\"GROUP\",\"A\"\n\"HEADING\",\"X\",\"X\"\n") ==
-        "x.ags:2: heading 'X' is there twice in group 'A'");
-  CHECK(fault_of("\"GROUP\",\"A\"\n\"HEADING\",\"\",\"X\"\n").find("blank cell") !=
+        "x.ags:2: heading 'X' appears twice in group 'A'");
+  CHECK(fault_of("\"GROUP\",\"A\"\n\"HEADING\",\"\",\"X\"\n").find("empty cell") !=
         std::string::npos);
   CHECK(fault_of("\"GROUP\"\n").find("x.ags:1: the GROUP row has 0 cells") == 0);
   CHECK(fault_of("\"GROUP\",\"A\",\"B\"\n").find("the GROUP row has 2 cells") != std::string::npos);

@@ -112,6 +112,7 @@ TEST_CASE("AGS4 without triaxial results is refused, with the groups that it has
   CHECK_THROWS_WITH(read_text(group("CTRD", "LOCA_ID", "", "DATA,1\n")),
                     Catch::Contains("CTRD") && Catch::Contains("cyclic"));
   CHECK_THROWS_WITH(read_text(""), Catch::Contains("no group"));
-  CHECK_THROWS_WITH(read_text(group("TRIT", "LOCA_ID,TRIT_CELL", ",m", "DATA,1,5\n")),
-                    Catch::Contains("x.ags:3: TRIT_CELL is in 'm', which does not fit it"));
+  CHECK_THROWS_WITH(
+      read_text(group("TRIT", "LOCA_ID,TRIT_CELL", ",m", "DATA,1,5\n")),
+      Catch::Contains("x.ags:3: TRIT_CELL is in 'm', which does not fit this quantity"));
 }

@@ -37,8 +37,8 @@ TEST_CASE("a file is read like memory") {
 }
 
 TEST_CASE("what is no readable file is refused with the reason") {
-  CHECK_THROWS_WITH(open_file("samples"), Catch::Contains("samples: this is a folder"));
-  CHECK_THROWS_WITH(open_file("samples/none.csv"), Catch::Contains("No such file"));
+  CHECK_THROWS_WITH(open_file("samples"), Catch::Contains("samples: is a folder"));
+  CHECK_THROWS_WITH(open_file("samples/none.csv"), Catch::Contains("file does not exist"));
   CHECK_THROWS_WITH(open_file("/dev/null"), Catch::Contains("not a regular file"));
   CHECK_THROWS_AS(open_file("samples"), BadInput);
 }

@@ -71,7 +71,8 @@ TEST_CASE("what is far from every key is not taken for any of them") {
   CHECK(nearest("xyz", {"cell_pressure", "back_pressure"}).empty());
   CHECK(nearest("Bemerkung", {"time_s", "stage"}).empty());
   CHECK(nearest(std::string(1000, 'c'), {"cell_pressure"}).empty());
-  CHECK(suggestion("xyz", {"a", "b"}) == "known: a, b");
-  CHECK(suggestion("stgae", {"time_s", "stage"}) == "did you mean 'stage'? (known: time_s, stage)");
+  CHECK(suggestion("xyz", {"a", "b"}) == "must be one of: a, b");
+  CHECK(suggestion("stgae", {"time_s", "stage"}) ==
+        "did you mean 'stage'? (must be one of: time_s, stage)");
   CHECK(joined({"a", "", "b"}) == "a, b");
 }

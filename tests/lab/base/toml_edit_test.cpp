@@ -40,13 +40,13 @@ TEST_CASE("a text stays a text, and a new key becomes what its value looks like"
 
 TEST_CASE("a way that does not exist is refused with key and value") {
   for (const auto& [key, words] :
-       {std::pair("stages.3.x", "not one of the 2 of stages"),
-        std::pair("stages.0.x", "they count from 1"),
-        std::pair("stages.first.x", "not one of the 2"), std::pair("test.seed.x", "is a value"),
-        std::pair("test", "is a table"), std::pair("stages", "is a table"),
-        std::pair("stages.1", "is a table"), std::pair("test..x", "part of the key is empty"),
-        std::pair("", "part of the key"),
-        std::pair("stages.2.rates.5", "not one of the 2 of stages.2.rates")}) {
+       {std::pair("stages.3.x", "not an item of stages; expected 1 to 2"),
+        std::pair("stages.0.x", "expected 1 to"),
+        std::pair("stages.first.x", "not an item of stages"),
+        std::pair("test.seed.x", "is a value"), std::pair("test", "is a table"),
+        std::pair("stages", "is a table"), std::pair("stages.1", "is a table"),
+        std::pair("test..x", "part of the key is empty"), std::pair("", "part of the key"),
+        std::pair("stages.2.rates.5", "not an item of stages.2.rates; expected 1 to 2")}) {
     INFO(key);
     CHECK_THROWS_WITH(edited(key, "5"), Catch::StartsWith("f: " + std::string(key) + " = 5: ") &&
                                             Catch::Contains(words));

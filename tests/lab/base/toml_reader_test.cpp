@@ -55,11 +55,12 @@ TEST_CASE("what must be there is asked for, what was probably meant by another k
   CHECK(document.required_number("hieght") == 2);
   CHECK(document.required_table("t").required_number("a") == 1);
   CHECK_THROWS_WITH(document.required_table("specimen"),
-                    "f.toml:1: [specimen] is missing; did you mean 'specimne'?");
+                    "f.toml:1: [specimen] is missing; is 'specimne' a misspelling of it?");
   CHECK_THROWS_WITH(document.table("t")->required_text("name"), "f.toml:4: [t]: name is missing");
   CHECK_THROWS_WITH(document.required_text("blank"), "f.toml:2: blank: must not be empty");
   const auto other = TomlTable::parse("hieght = 2\n", "f.toml");
-  CHECK_THROWS_WITH(other.required_number("height"), Catch::Contains("did you mean 'hieght'?"));
+  CHECK_THROWS_WITH(other.required_number("height"),
+                    Catch::Contains("is 'hieght' a misspelling of it?"));
 }
 
 TEST_CASE("numbers keep to their bounds; infinite and not-a-number are none") {

@@ -59,7 +59,7 @@ TEST_CASE("all criteria of a test are fed, and each tells its own finding") {
   CHECK(all[2].eta == peak->instant.eta());
   CHECK(all[2].evidence == peak->evidence);
   CHECK_FALSE(all[1].found());
-  CHECK(all[1].evidence.starts_with("not looked for"));  // no state came
+  CHECK(all[1].evidence.starts_with("not applied"));  // no state came
 }
 
 TEST_CASE("a criterion that could not see anything says why") {
@@ -79,9 +79,9 @@ TEST_CASE("a criterion that could not see anything says why") {
     }
     return criteria.criteria()[row].evidence;
   };
-  CHECK(evidence(AxialControl::displacement, 1).starts_with("not looked for: a displacement"));
+  CHECK(evidence(AxialControl::displacement, 1).starts_with("not applied: a displacement"));
   CHECK(evidence(AxialControl::load, 1) == collapse_criteria()[1].otherwise);
-  CHECK(evidence(AxialControl::load, 2).starts_with("not looked for: a load"));
+  CHECK(evidence(AxialControl::load, 2).starts_with("not applied: a load"));
   CHECK(evidence(AxialControl::displacement, 2) == collapse_criteria()[2].otherwise);
 }
 

@@ -304,7 +304,7 @@ TEST_CASE("a burst of pore pressure is loss of control, where it begins") {
     const auto finding = pore_finding(drainage, 500, burst, steady);
     REQUIRE(finding);
     CHECK(finding->instant.reading == 400);
-    CHECK(finding->evidence.find("pore pressure rose") == 0);
+    CHECK(finding->evidence.find("pore pressure increased") == 0);
     CHECK_FALSE(pore_finding(drainage, 400, burst, steady));
   }
 }

@@ -78,7 +78,7 @@ TEST_CASE("a leap of the strain under a load is a runaway, whatever q does after
       CHECK(c.noticed->reading == onset + 1);
       CHECK(*c.strength_lost == Approx(leap).epsilon(0.1));
       CHECK(control_of(c).found());
-      CHECK_THAT(control_of(c).evidence, Catch::Contains("came back to"));
+      CHECK_THAT(control_of(c).evidence, Catch::Contains("recovered to"));
     }
   }
 }

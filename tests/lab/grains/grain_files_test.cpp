@@ -71,20 +71,20 @@ TEST_CASE("a file that is no state is refused in one line that names it") {
     FAIL("accepted; should have said: " << words);
   };
   const auto put = [&](std::string_view bytes) { std::ofstream(path, std::ios::binary) << bytes; };
-  refused("no such file");
+  refused("file does not exist");
   put("");
   refused("not a grain state");
   put("TXGRAIN1 but nothing else that would be a state");
   refused("version");
   lab::save_state(path, moving_state());
   fs::resize_file(path, fs::file_size(path) - 1);
-  refused("cut short");
+  refused("truncated");
   fs::resize_file(path, lab::kLargestStateFile + 1);
   refused("larger than 4 GiB");
   fs::remove(path);
   fs::create_directory(path);
-  refused("is not a file");
-  CHECK_THROWS_WITH(lab::load_state("/dev/null"), Contains("/dev/null: is not a file"));
+  refused("is not a regular file");
+  CHECK_THROWS_WITH(lab::load_state("/dev/null"), Contains("/dev/null: is not a regular file"));
 
   // With a right checksum, too.
   fs::remove(path);

@@ -84,7 +84,7 @@ state = "made.grains"
   const GrainProgramme p = read_grain_programme(text, "there/g.toml");
   CHECK(p.grains.state_file == "there/made.grains");
   CHECK(p.files == std::vector<std::string>{"there/g.toml", "there/made.grains"});
-  programme_refused(text + "[contact]\ndamping = 0.1\n", "its own law");
+  programme_refused(text + "[contact]\ndamping = 0.1\n", "its contact law");
   programme_refused(text + "grains = 4\n", "grains");
   const auto packed =
       replaced(text, "state = \"made.grains\"", "packing = \"p.txt\"\npacking_axis = \"y\"");
@@ -107,7 +107,7 @@ TEST_CASE("what makes no sense in a programme of grains is refused with file, li
                     "either compaction_friction_deg or porosity");
   programme_refused(
       with("compaction_friction_deg = 20.0", "compaction_friction_deg = 20\nporosity = 0.4"),
-      "one of the two");
+      "give either");
   programme_refused(with("compaction_friction_deg = 20.0", "compaction_friction_deg = 95"),
                     "compaction_friction_deg");
   programme_refused(
@@ -116,17 +116,16 @@ TEST_CASE("what makes no sense in a programme of grains is refused with file, li
   programme_refused(with("friction_angle_deg = 30.0", "stiffness_reading = \"parallel\""),
                     "in_series");
   programme_refused(with("action = \"drained\"", "action = \"draned\""), "drained");
-  programme_refused(with("strain_rate_per_s = 0.5", "strain_rate_per_s = 0"),
-                    "nothing would happen");
+  programme_refused(with("strain_rate_per_s = 0.5", "strain_rate_per_s = 0"), "must not be 0");
   programme_refused(with("radial_stress_kPa = 120.0\n", ""), "radial_stress_kPa");
   programme_refused(with("strain_path_R = 0.9", "strain_path_R = 0"), "strain_path_R");
   programme_refused(with("quantity = \"stress_ratio\"", "quantity = \"eta\""), "stress_ratio");
   programme_refused(with("load_step_Pa = 100.0\n", ""), "load_step_Pa, kinetic_energy_J or both");
   programme_refused(with("from = \"a point\"", "from = \"a pint\""), "a point");
   programme_refused(with("from = \"isotropic\"", "from = \"hit\""), "not a stage or mark before");
-  programme_refused(with("name = \"held\"", "name = \"a point\""), "give the same file names");
-  programme_refused(with("name = \"held\"", "name = \"a:point\""), "give the same file names");
-  programme_refused(with("name = \"held\"", "name = \"specimen\""), "as made");
+  programme_refused(with("name = \"held\"", "name = \"a point\""), "lead to the same file names");
+  programme_refused(with("name = \"held\"", "name = \"a:point\""), "lead to the same file names");
+  programme_refused(with("name = \"held\"", "name = \"specimen\""), "is reserved");
   programme_refused("", "run");
 }
 

@@ -173,5 +173,5 @@ TEST_CASE("what cannot be carried out fails with the name of the stage") {
   fails(replaced(kSmallGrains, "compaction_friction_deg = 20.0", "porosity = 0.25"), "denser");
   fails(replaced(kSmallGrains, "compaction_friction_deg = 20.0",
                  "compaction_friction_deg = 20\nmost_steps = 600"),
-        "did not come to rest");
+        "did not reach equilibrium");
 }

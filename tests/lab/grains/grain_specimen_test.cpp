@@ -59,7 +59,7 @@ TEST_CASE("what stands in the grains is not given again, and a file that is none
   for (const char* key : {"material = \"a\"", "void_ratio = 0.7",
                           "initial_effective_stress_kPa = 100.0", "material_file = \"m.toml\""})
     CHECK(message_of(std::string("grains = \"small.grains\"\n") + key + "\n", file)
-              .find("excluded by grains") != std::string::npos);
+              .find("not allowed with grains") != std::string::npos);
   CHECK(message_of("grains = \"no.grains\"\n", file).find("no.grains") != std::string::npos);
   CHECK(message_of("grains = \"absent.grains\"\n", file).find("absent.grains") !=
         std::string::npos);

@@ -104,7 +104,7 @@ TEST_CASE("a stuck sensor is known late, but none of its states was judged") {
   CHECK(out.verdict.judged_until == 300);
   CHECK(out.verdict.judged_until_reason == "the pore-pressure transducer (pore_pressure) is stuck");
   CHECK(out.warnings.back().text ==
-        "no verdict after reading 300: the pore-pressure transducer (pore_pressure) is stuck");
+        "not assessed after reading 300: the pore-pressure transducer (pore_pressure) is stuck");
 }
 
 TEST_CASE("a dead load cell or displacement leaves nothing known of the axis") {
@@ -124,13 +124,14 @@ TEST_CASE("a sensor that is said to be sound is told and believed; without it th
   };
   RecordHeader header = raw_header();
   CHECK_THAT(run(600, hold, 100e3, header).warnings.front().text,
-             Catch::EndsWith("; if it is sound: --set sensors.pore_pressure=sound"));
+             Catch::EndsWith("; if the sensor is not faulty: --set sensors.pore_pressure=sound"));
   header.vouched = {Quantity::pore_pressure};
   const Run out = run(600, hold, 100e3, header);
   CHECK(std::ranges::all_of(out.passed, [](const auto& one) { return one.live; }));
   CHECK(out.verdict.judged);
   CHECK_FALSE(out.verdict.judged_until);
-  CHECK_THAT(out.warnings.front().text, Catch::EndsWith("; said to be sound, and believed"));
+  CHECK_THAT(out.warnings.front().text,
+             Catch::EndsWith("; used because the user confirmed it (=sound)"));
 }
 
 TEST_CASE("a strain that slipped back after the peak ends the verdict there") {
@@ -147,10 +148,10 @@ TEST_CASE("a strain that slipped back after the peak ends the verdict there") {
   states.finish();
   while (states.next())
     ;
-  Collapse verdict;
-  states.bound(verdict);
-  CHECK(verdict.judged_until == 50);
-  CHECK_THAT(verdict.judged_until_reason, Catch::Contains("as no unloading does"));
+  Collapse assessed;
+  states.bound(assessed);
+  CHECK(assessed.judged_until == 50);
+  CHECK_THAT(assessed.judged_until_reason, Catch::Contains("which is not an unloading"));
 }
 
 TEST_CASE("after a gap judgement goes on where nothing can have happened in it, else it ends") {

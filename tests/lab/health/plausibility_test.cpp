@@ -67,7 +67,7 @@ TEST_CASE("Plausibility: an impossible state counts for nothing after it", "[hea
   CHECK(p.impossible_count() == 2);
   REQUIRE(p.warnings().size() == 1);
   CHECK_THAT(p.warnings()[0].text,
-             Contains("2 impossible states, left out, the last at reading 2") &&
+             Contains("2 impossible states, not used, the last at reading 2") &&
                  Contains("-9999 kPa at reading 0"));
 }
 

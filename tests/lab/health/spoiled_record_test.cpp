@@ -48,7 +48,7 @@ Outcome replay(const Sheet& sheet) {
 bool tells_of_a_value(const Outcome& out) {
   return std::ranges::any_of(out.warnings, [](const std::string& text) {
     for (const char* word : {"no value", "spike", "impossible", "unknown", "gives no readings",
-                             "stuck", "saturated", "no verdict"})
+                             "stuck", "saturated", "not assessed"})
       if (text.find(word) != std::string::npos) return true;
     return false;
   });

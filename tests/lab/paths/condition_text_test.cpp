@@ -93,7 +93,7 @@ TEST_CASE("what is no condition is refused with its column and what is known") {
   condition_refused("q_kPa = nan", "total increment");
   condition_refused("0 q_kPa = 1", "the coefficient 0");
   condition_refused("1e30 q_kPa = 1", "the coefficient");
-  condition_refused("q_kPa - q_kPa = 1", "nothing is left");
+  condition_refused("q_kPa - q_kPa = 1", "the condition is empty");
   condition_refused("q_kPa = 1e9", "out of range");
   condition_refused("axial_strain = 10", "out of range");
   condition_refused("stress_11_kPa = 1", "unknown increment");

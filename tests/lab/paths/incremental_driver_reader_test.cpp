@@ -250,7 +250,7 @@ TEST_CASE("what is no set of linear conditions is refused by name, what is unkno
   CHECK_THAT(refusal("*LinearLoad\n1 1 1\n*Roscoe\n2 1\n"), Contains("test.inp:5"));
   CHECK_THAT(refusal("*TriaxialE1\n0 1 1\n-0.1\n"), Contains("number of increments is 0"));
   CHECK_THAT(refusal("*TriaxialE1\n10 1 1\n"), Contains("the change should follow"));
-  CHECK_THAT(refusal(""), Contains("has no step"));
+  CHECK_THAT(refusal(""), Contains("no step is given"));
   Files nameless("");
   nameless.texts["test.inp"] = "*TriaxialE1\n1 1 1\n-0.1\n";
   CHECK_THAT(refusal(nameless), Contains("name of the output"));

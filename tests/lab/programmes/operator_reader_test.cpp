@@ -39,12 +39,13 @@ TEST_CASE("what the operator does is read in SI, in the order of time") {
 }
 
 TEST_CASE("an order that nobody can follow is refused") {
-  CHECK_THAT(complaint_of_actions(action("pause", 1)), Contains("known: hold, resume, abort"));
+  CHECK_THAT(complaint_of_actions(action("pause", 1)),
+             Contains("must be one of: hold, resume, abort"));
   CHECK_THAT(complaint_of_actions(action("resume", 1)), Contains("no hold to resume"));
-  CHECK_THAT(complaint_of_actions(action("hold", 1) + action("hold", 2)),
-             Contains("on hold already"));
-  CHECK_THAT(complaint_of_actions(action("hold", 1)), Contains("nothing ends this hold"));
-  CHECK_THAT(complaint_of_actions(action("hold", 2) + action("resume", 1)), Contains("not later"));
+  CHECK_THAT(complaint_of_actions(action("hold", 1) + action("hold", 2)), Contains("held already"));
+  CHECK_THAT(complaint_of_actions(action("hold", 1)), Contains("this hold does not end"));
+  CHECK_THAT(complaint_of_actions(action("hold", 2) + action("resume", 1)),
+             Contains("must be later"));
   CHECK_THAT(complaint_of_actions(action("abort", 1) + action("hold", 2)),
              Contains("after an abort"));
 }

@@ -29,11 +29,13 @@ std::string error_of(const std::string& text, const TomlEdit& edit) {
 /// Keys that the reader knows in the table "specimen" or "stages.2", from its message on another.
 std::vector<std::string> known_keys(const std::string& text, const std::string& table) {
   std::string message = error_of(text, {table + ".qqqqqqqqqqqq", "1"});
-  const auto list = message.find("known: ");
+  constexpr std::string_view kBefore = "must be one of: ";
+  const auto list = message.find(kBefore);
   INFO(message);
   REQUIRE(list != std::string::npos);
   std::vector<std::string> keys;
-  for (std::string_view rest = std::string_view(message).substr(list + 7); !rest.empty();) {
+  for (std::string_view rest = std::string_view(message).substr(list + kBefore.size());
+       !rest.empty();) {
     const auto comma = std::min(rest.find(", "), rest.size());
     keys.push_back(table + '.' + std::string(rest.substr(0, comma)));
     rest.remove_prefix(std::min(comma + 2, rest.size()));

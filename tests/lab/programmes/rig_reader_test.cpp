@@ -122,7 +122,8 @@ TEST_CASE("a controller whose water gives way needs a drainage that holds the fl
   };
   for (const char* which : {"cell_controller", "back_controller"}) {
     CHECK(rig("0.05", which) == "accepted");
-    CHECK_THAT(rig("0.049", which), Contains("p.toml:14") && Contains("at least 0.05 beside"));
+    CHECK_THAT(rig("0.049", which),
+               Contains("p.toml:14") && Contains("at least 0.05 with a controller"));
   }
   CHECK_THAT(complaint_of_rig("instruments = \"standard\""), Contains("at least 0.0833"));
 }

@@ -127,7 +127,7 @@ TEST_CASE("a stage is logged as it says, else as the test is") {
   CHECK(logging("averaging_s = 0.5\n" + free).interval_s == of_the_test);
   CHECK(logging(free).averaging_s == 0);
   CHECK_THAT(complaint_of_stage("scan_interval_s = 5\naveraging_s = 6\n" + free),
-             Contains("cannot be the mean of 6 s") && Contains("averaging_s = 5 or less"));
+             Contains("cannot be averaged over 6 s") && Contains("averaging_s = 5 or less"));
   CHECK_THAT(complaint_of_stage("scan_interval_s = 0\n" + free), Contains("scan_interval_s"));
   CHECK_THAT(complaint_of_stage("averaging_s = -1\n" + free), Contains("averaging_s"));
 }

@@ -13,7 +13,7 @@ TEST_CASE("raw channels or a reduced set suffice, halves of either do not") {
   CHECK(missing({axial_strain, deviator_stress, mean_effective_stress}).empty());
   CHECK(missing({axial_strain, effective_axial_stress, effective_radial_stress}).empty());
   CHECK_THAT(missing({axial_displacement, cell_pressure}),
-             Catch::Contains("needs axial_force_kN too"));
+             Catch::Contains("also needs axial_force_kN"));
   CHECK_FALSE(missing({axial_strain, deviator_stress}).empty());
   CHECK_FALSE(missing({deviator_stress, mean_effective_stress}).empty());
   CHECK_THAT(missing({}), Catch::Contains("found: none"));

@@ -31,7 +31,7 @@ TEST_CASE("a counter set to zero between stages is joined, and the size of the j
   CHECK(join.counters.joined(back_volume));
   CHECK_FALSE(join.counters.joined(axial_displacement));
   CHECK(join.warnings[0].line == 7);
-  CHECK_THAT(join.warnings[0].text, Catch::Contains("from 8058 to 0 mm3 where stage 5 begins"));
+  CHECK_THAT(join.warnings[0].text, Catch::Contains("from 8058 to 0 mm3 at the start of stage 5"));
 }
 
 TEST_CASE("resets add up over stages") {

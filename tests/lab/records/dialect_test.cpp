@@ -46,7 +46,7 @@ TEST_CASE("what is wrong in a dialect is named with its line and the nearest rig
       {column + "[table]\nseparator = \"#\"\n",
        "d.toml:5: [table] separator: '#' is not a separator"},
       {name + "[columns]\naxial_strian = \"e\"\n", "did you mean 'axial_strain'"},
-      {name + "[columns]\nq = \"q\"\n", "d.toml:3: [columns] has no 'q'"},
+      {name + "[columns]\nq = \"q\"\n", "d.toml:3: unknown key 'q' in [columns]"},
       {name + "[columns]\naxial_strain = { names = \"e\", unit = \"kPa\" }\n", "does not fit"},
       {name + "[columns]\naxial_strain = { names = \"e\", unit = \"foo\" }\n", "unknown unit"},
       {name + "[columns]\naxial_strain = { names = \"e\", sign = 2 }\n", "1 or -1"},

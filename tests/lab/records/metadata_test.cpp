@@ -55,7 +55,8 @@ TEST_CASE("wrong keys and values are refused with what would be right") {
   CHECK_FALSE(header.specimen.height_m);
   CHECK_THROWS_WITH(
       set_metadata(header, "a:3", "test.origin", "guessed"),
-      Catch::Contains("a:3: test.origin = 'guessed' is not valid; expected recorded, simulated"));
+      Catch::Contains(
+          "a:3: test.origin = 'guessed' is not valid; must be one of: recorded, simulated"));
   for (const char* key : {"", "test", "stages.x.role", "stages.1", "stages.-1.role", "truth.q_kPa"})
     CHECK_THROWS_AS(set_metadata(header, "--set", key, "1"), BadInput);
 }
@@ -75,7 +76,7 @@ TEST_CASE("metadata written as TOML read back as the same values") {
   header.name = "a \"quoted\" name, mm³";
   header.origin = Origin::simulated;
   header.programme = "CSU";
-  header.seed = kLargestSeed;
+  header.seed = kMaxSeed;
   header.specimen.material = "Hostun S28";
   double factor = 1.1234567;
   for (const SpecimenKey& row : specimen_keys())

@@ -57,16 +57,17 @@ TEST_CASE("RowOrder: rows in their order raise nothing") {
 TEST_CASE("RowOrder: rows in reverse order are an error by time") {
   auto rows = shear(1, true);
   std::ranges::reverse(rows);
-  CHECK_THAT(fault(rows), Catch::StartsWith("m.csv:2: the rows are in reverse order: the time runs "
-                                            "back from 39 s in this line to 0 s in line 41"));
+  CHECK_THAT(fault(rows), Catch::StartsWith("m.csv:2: the rows are in reverse order: the time "
+                                            "decreases from 39 s in this line to 0 s in line 41"));
 }
 
 TEST_CASE("RowOrder: without time, a strain that runs back to zero is reversed") {
   for (const double sign : {1.0, -1.0}) {
     auto rows = shear(sign);
     std::ranges::reverse(rows);
-    CHECK_THAT(fault(rows), Catch::StartsWith("m.csv:2: the rows are in reverse order: the axial "
-                                              "strain runs back"));
+    CHECK_THAT(
+        fault(rows),
+        Catch::StartsWith("m.csv:2: the rows are in reverse order: the axial strain decreases"));
   }
 }
 
@@ -84,7 +85,7 @@ TEST_CASE("RowOrder: two rows that changed places are noted without time") {
   auto rows = shear();
   std::swap(rows[20], rows[21]);
   CHECK_THAT(fault(rows),
-             Catch::StartsWith("23: this row and the one before seem to have changed"));
+             Catch::StartsWith("23: this row and the previous row seem to be swapped"));
 }
 
 TEST_CASE("RowOrder: two rows that changed places are noted beside a noisy load") {
@@ -94,13 +95,13 @@ TEST_CASE("RowOrder: two rows that changed places are noted beside a noisy load"
   CHECK(fault(rows).empty());
   std::swap(rows[20], rows[21]);
   CHECK_THAT(fault(rows),
-             Catch::StartsWith("23: this row and the one before seem to have changed"));
+             Catch::StartsWith("23: this row and the previous row seem to be swapped"));
 }
 
 TEST_CASE("RowOrder: blocks of rows that changed places are noted without time") {
   auto rows = shear();
   std::rotate(rows.begin() + 10, rows.begin() + 18, rows.begin() + 27);
-  CHECK_THAT(fault(rows), Catch::Contains("the axial strain runs back in this row only"));
+  CHECK_THAT(fault(rows), Catch::Contains("the axial strain decreases only in this row"));
 }
 
 TEST_CASE("RowOrder: one row of unloading is in its place") {

@@ -34,8 +34,8 @@ TEST_CASE("RowSpacing: rows missing from an even series are counted with their l
   REQUIRE(found.size() == 1);
   CHECK(found[0].line == 22);
   CHECK(found[0].text ==
-        "2 rows are missing before this line: the time (s) goes from 190 to 220 in an even series "
-        "of steps of 10");
+        "2 rows are missing before this line: the time (s) goes from 190 to 220 in a series of "
+        "equal steps of 10");
 }
 
 TEST_CASE("RowSpacing: every gap is counted") {

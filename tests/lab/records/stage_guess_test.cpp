@@ -29,7 +29,7 @@ TEST_CASE("a guess says what was taken, what speaks for it, and how to say other
   StageInfo unsaid = shear;
   unsaid.control = AxialControl::unknown;
   CHECK(stage_guess(moved, unsaid, {}).taken ==
-        "shear, drainage closed, what moved the axis not known");
+        "shear, drainage closed, control of the axis unknown");
   CHECK(stage_guess(moved, unsaid, {}).remedy ==
         "--set stages.5.role=... and --set stages.5.drainage=open and "
         "--set stages.5.control=displacement, load or constant_q");

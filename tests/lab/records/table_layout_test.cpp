@@ -19,7 +19,7 @@ const std::string kHeadingsOfFive =
     "time_s,axial_displacement_mm,axial_force_kN,cell_pressure_kPa,back_volume_mm3";
 }  // namespace
 
-TEST_CASE("our own table is known by its headings, and has commas") {
+TEST_CASE("our own table is known by its headings, and uses commas as separator") {
   const auto layout = layout_of(kHeadingsOfFive + "\n0,1\n");
   CHECK(layout.dialect.name == "triax");
   CHECK(layout.separator == Separator::comma);
@@ -29,7 +29,8 @@ TEST_CASE("our own table is known by its headings, and has commas") {
   for (const char mark : {';', '\t'}) {
     std::string headings = kHeadingsOfFive;
     std::ranges::replace(headings, ',', mark);
-    CHECK_THROWS_WITH(layout_of(headings + "\n0" + mark + "1\n"), Catch::Contains("has commas"));
+    CHECK_THROWS_WITH(layout_of(headings + "\n0" + mark + "1\n"),
+                      Catch::Contains("uses commas as separator"));
   }
 }
 
@@ -71,7 +72,7 @@ TEST_CASE("what cannot be a record is refused in one line") {
       {kHeadingsOfFive + "\n", "m.csv:1: headings without a row"},
       {"a|b|c\n1|2|3\n", "m.csv:1: only one column found"},
       {"alpha,beta\n1,2\n", "m.csv:1: no dialect fits this file; headings found: 'alpha', 'beta'"},
-      {"time_s,axial_displacement_mm,cell_pressure_kPa\n0,1,2\n", "needs axial_force_kN too"},
+      {"time_s,axial_displacement_mm,cell_pressure_kPa\n0,1,2\n", "also needs axial_force_kN"},
       {kHeadingsOfFive + ",cell_pressure_psi\n0,1,2,3,4,5\n", "m.csv:1: two columns are the same"},
       {kHeadingsOfFive + ",time_s\n0,1,2,3,4,5\n", "two columns are the same"},
       {"time_s,axial_displacement_mm,axal_force_kN,cell_pressure_kPa\n0,1,2,3\n",

@@ -120,12 +120,12 @@ TEST_CASE("what is wrong in a row is named with line and column") {
   const std::string row = "0,0.1,0.2,800\n";
   const std::pair<std::string, std::string> wrong[] = {
       {"1,0.1,abc,800\n", "m.csv:3: column 'axial_force_kN' has 'abc', which is not a number"},
-      {"1,0.1,0.2\n", "m.csv:3: 3 cells where the headings in line 1 have 4"},
+      {"1,0.1,0.2\n", "m.csv:3: 3 cells, but the headings in line 1 have 4"},
       {"1,0.1,0.2,800,900\n", "m.csv:3: 5 cells"},
       {"1,0.1,0.2", "m.csv:3: the file is truncated"},
-      {"1,0.1,inf,800\n", "no instrument can have measured"},
-      {"1,0.1,1e400,800\n", "no instrument can have measured"},
-      {"1;0.1;0.2;800\n", "m.csv:3: 1 cell where"}};
+      {"1,0.1,inf,800\n", "not a possible value of an instrument"},
+      {"1,0.1,1e400,800\n", "not a possible value of an instrument"},
+      {"1;0.1;0.2;800\n", "m.csv:3: 1 cell, but the headings in line 1 have 4"}};
   for (const auto& [last, message] : wrong) {
     INFO(last);
     CHECK_THROWS_WITH(read_whole(kHeadingsOfFour + row + last), Catch::Contains(message));

@@ -57,9 +57,9 @@ TEST_CASE("TestRestart: a second test names its first reading and its line") {
   Rows rows;
   rows.add_test(100, 0);
   rows.add_test(100, 0);
-  CHECK_THAT(rows.fault(), Catch::StartsWith(kSecond + "between line 42 and line 43 axial_strain "
-                                                       "goes back from 0.2 to 0, and time_s from "
-                                                       "400 to 0"));
+  CHECK_THAT(rows.fault(),
+             Catch::StartsWith(kSecond + "between line 42 and line 43 axial_strain decreases from "
+                                         "0.2 to 0, and time_s from 400 to 0"));
 }
 
 TEST_CASE("TestRestart: found without time, and where the time goes on") {

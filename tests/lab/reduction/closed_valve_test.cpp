@@ -15,7 +15,7 @@ TEST_CASE("the volume's largest departure from the start of the stage, over the 
   REQUIRE(check);
   CHECK(*check->measured == Approx(99e-9 / 1e-6));
   CHECK_FALSE(check->ok);
-  CHECK(check->note.find("99 mm3 ran from the specimen's side by reading 99") != std::string::npos);
+  CHECK(check->note.find("99 mm3 flowed from the specimen by reading 99") != std::string::npos);
 }
 
 TEST_CASE("a volume that stands still passes, wherever its counter stands") {

@@ -35,16 +35,16 @@ TEST_CASE("the difference of q is ours less theirs, over ours") {
   const Check lower = q_check(fed(0.99, 1));
   CHECK(*lower.measured == Approx(0.01));
   CHECK(lower.ok);
-  CHECK(lower.note == "the file's own q is 1.00 % lower than ours");
+  CHECK(lower.note == "the q in the file is 1.00 % lower than the value of triax");
   CHECK_FALSE(q_check(fed(1.05, 1)).ok);
 }
 
 TEST_CASE("the area is named only where it explains the difference") {
   const Check explained = q_check(fed(1 / 0.95, 0.95));
-  CHECK(explained.note.find("3800.0 mm2, we have 4000.0 mm2") != std::string::npos);
+  CHECK(explained.note.find("3800.0 mm2, triax 4000.0 mm2") != std::string::npos);
   CHECK(explained.note.find("counter") == std::string::npos);
   const Check counted = q_check(fed(1 / 0.95, 0.95), true);
-  CHECK(counted.note.find("counter was set back") != std::string::npos);
+  CHECK(counted.note.find("counter was reset") != std::string::npos);
   CHECK(q_check(fed(1 / 0.95, 1)).note.find("area") == std::string::npos);
 }
 

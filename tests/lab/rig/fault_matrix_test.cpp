@@ -285,7 +285,7 @@ TEST_CASE("what drains is not judged as undrained, whatever else is broken") {
       if (out.safe()) continue;  // before the valve mattered, or because of the water
       REQUIRE(v.judged_until);
       CHECK(*v.judged_until <= opened + 15);
-      CHECK_THAT(out.said(), Contains("no verdict after reading"));
+      CHECK_THAT(out.said(), Contains("not assessed after reading"));
     }
   }
 }
@@ -313,7 +313,7 @@ TEST_CASE("the programmes with faults tell what became of them") {
   const Outcome pore = run("stuck_pore_pressure");
   CHECK_FALSE(pore.safe());
   CHECK_FALSE(pore.summary.collapse.detected());
-  CHECK_THAT(pore.said(), Contains("(pore_pressure) is stuck") && Contains("no verdict after"));
+  CHECK_THAT(pore.said(), Contains("(pore_pressure) is stuck") && Contains("not assessed after"));
   const Outcome open = run("load_cell_open");
   CHECK(open.safe());
   CHECK_FALSE(open.summary.collapse.detected());

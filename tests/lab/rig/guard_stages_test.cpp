@@ -67,7 +67,7 @@ TEST_CASE("a load that is handed over stays, and the crosshead goes on past its 
   VirtualRig rig(rig_programme(stages + kHandOver, kWithMass));
   const Guarded all = run_guarded(rig, 160);
   REQUIRE(all.acted > 0);
-  CHECK(all.done == "handed over to displacement at 0.5 mm/min");
+  CHECK(all.done == "switched to displacement at 0.5 mm/min");
   CHECK(rig.truth()->run_aways.empty());
   CHECK(rig.truth()->lost_sustainability);  // it was led past the peak
   const Reading& at = all.readings[all.acted - 1];
@@ -82,7 +82,7 @@ TEST_CASE("a load that is handed over stays, and the crosshead goes on past its 
     CHECK(strain_between(at, all.readings[i]) == Approx(0.5e-3 / 60 * lapse / 0.14).margin(1e-5));
   }
   CHECK(strain_between(at, all.readings.back()) == Approx(0.01).margin(2e-4));
-  CHECK_THAT(rig.header().cut_short, Contains("by the guard: handed over"));
+  CHECK_THAT(rig.header().cut_short, Contains("by the intervention: switched"));
   const StageInfo& next = *rig.header().stage(2);
   CHECK(next.role == StageRole::shear);
   CHECK(next.control == AxialControl::displacement);
@@ -200,7 +200,7 @@ TEST_CASE("safe is the safe state") {
   const Guarded all = run_guarded(rig, 160);
   REQUIRE(all.acted > 0);
   CHECK(all.readings.size() == all.acted + VirtualRig::kSafeReadings);
-  CHECK_THAT(rig.header().cut_short, Contains("safe state") && Contains("by the guard"));
+  CHECK_THAT(rig.header().cut_short, Contains("safe state") && Contains("by the intervention"));
   CHECK(rig.ending().kind == TestEnding::Kind::completed);
 }
 

@@ -17,8 +17,8 @@ TEST_CASE("MissedReadings::add: reports a gap once, with both ends", "[rig]") {
 TEST_CASE("MissedReadings::add: reports the end of several gaps in a row", "[rig]") {
   MissedReadings missed;
   CHECK(missed.add(1, 3.5, 1));
-  CHECK(missed.add(4, 6.5, 1).value_or("") == "readings are missed again and again from 4 s on");
+  CHECK(missed.add(4, 6.5, 1).value_or("") == "readings are missed repeatedly from 4 s on");
   CHECK_FALSE(missed.add(7, 9.5, 1));
-  CHECK(missed.add(10, 10, 1).value_or("") == "readings are in time again from 10 s on");
+  CHECK(missed.add(10, 10, 1).value_or("") == "readings are on time again from 10 s on");
   CHECK_FALSE(missed.add(11, 11, 1));
 }

@@ -105,7 +105,7 @@ TEST_CASE("the .gds file: counters joined, B 0.733, its own q 5.4 % too high and
   REQUIRE(closure != s.checks.end());
   CHECK(*closure->measured == Approx(-0.055).margin(0.002));
   CHECK_FALSE(closure->ok);
-  CHECK(closure->note.find("volume counter was set back") != std::string::npos);
+  CHECK(closure->note.find("volume counter was reset") != std::string::npos);
   CHECK(s.collapse.kind == CollapseKind::none);
   CHECK(mentions(s.warnings, "back_volume"));
 }

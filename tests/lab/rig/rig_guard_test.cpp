@@ -36,7 +36,7 @@ TEST_CASE("a guard is due from its level on, in a stage that it guards, and acts
   CHECK(guard.act().action == Guard::Action::hand_over);
   CHECK_FALSE(guard.is_due(1, stages[1]));
   CHECK_FALSE(guard.unloads());
-  CHECK_THAT(guard.take_news().value_or(""), Catch::Contains("handed over"));
+  CHECK_THAT(guard.take_news().value_or(""), Catch::Contains("switched"));
   CHECK_FALSE(guard.take_news());
 }
 

@@ -143,7 +143,7 @@ TEST_CASE("a verdict that another answer contradicts is withheld, and both are n
     SessionOptions options;
     options.otherwise = [=] {
       ++*asked;
-      Otherwise one{.taken = "stage 3 was taken as shear, drainage closed",
+      Otherwise one{.taken = "stage 3 was assumed to be shear, drainage closed",
                     .said = "stages.3.drainage=open",
                     .collapse = {}};
       one.collapse.kind = other;
@@ -160,7 +160,7 @@ TEST_CASE("a verdict that another answer contradicts is withheld, and both are n
   CHECK_FALSE(doubtful.judged);
   CHECK_FALSE(doubtful.onset);
   for (const std::string& part :
-       {std::string("it depends on"), std::string("flow at reading "),
+       {std::string("the assessment depends on"), std::string("flow at reading "),
         std::string("drainage closed"), std::string("stages.3.drainage=open gives no collapse")})
     CHECK(doubtful.judged_until_reason.find(part) != std::string::npos);
   // An answer with which nothing can be judged contradicts nothing.
@@ -173,7 +173,7 @@ TEST_CASE("a test that was cut short earns no verdict of none; a collapse before
   CHECK(none.judged);
   CHECK_FALSE(none.detected());
 
-  const std::string why = "stage \"shear\" ended: the law has no result beyond";
+  const std::string why = "stage \"shear\" ended: the law gives no result from there on";
   FakeRig cut(300);
   cut.cut_short(why);
   const Collapse open = run_session(cut, {}).collapse;

@@ -87,7 +87,8 @@ TEST_CASE("a sheet that is asked for, one that is not there, none that fits") {
   CHECK_NOTHROW(open_record(source_of(parts), {.sheet = "B"}));
   CHECK_THROWS_WITH(open_record(source_of(parts), {.sheet = "C"}), Catch::Contains("'A', 'B'"));
   const auto none = workbook({{"A", sheet("")}, {"B", sheet("<row>" + cell("x") + "</row>")}});
-  CHECK_THROWS_WITH(open_record(source_of(none), {}), Catch::Contains("none of its 2 sheets"));
+  CHECK_THROWS_WITH(open_record(source_of(none), {}),
+                    Catch::Contains("no readings recognised in its 2 worksheets"));
 }
 
 TEST_CASE("a dialect names sheet and cells") {

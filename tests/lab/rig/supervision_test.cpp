@@ -121,7 +121,7 @@ TEST_CASE("a pressure that does not follow its controller's set point") {
 TEST_CASE("a crosshead that moves and a displacement that does not") {
   Watch w(crosshead_stage());
   w.asked.crosshead_velocity = 1e-5;
-  CHECK_THAT(w.look(100), Contains("the displacement reads 0.000 mm"));
+  CHECK_THAT(w.look(100), Contains("the displacement reading changed by 0.000 mm"));
 }
 
 TEST_CASE("a controller at its end, and the emergency stop, which a spike does not set off") {
@@ -172,7 +172,7 @@ TEST_CASE("a noisy load cell that stands still stops the stage that follows it, 
       REQUIRE(w.look(1).empty());
     }
     const std::string reason = w.look(60);
-    if (by_load) CHECK_THAT(reason, Contains("axial_force has been at exactly"));
+    if (by_load) CHECK_THAT(reason, Contains("axial_force was at exactly"));
     if (!by_load) CHECK(reason.empty());
   }
 }
@@ -183,7 +183,7 @@ TEST_CASE("a cell that takes water at rest, and a valve that does not open") {
   CHECK(cell.look(5).empty());
   cell.reading[Quantity::cell_volume] = 3e-6;
   CHECK(cell.look(5).empty());
-  CHECK_THAT(cell.notes, Contains("the cell takes water although") && Contains("3000 mm3"));
+  CHECK_THAT(cell.notes, Contains("water flows into the cell although") && Contains("3000 mm3"));
   Watch ramping(crosshead_stage());
   ramping.asked.valve_open = false;
   for (int i = 0; i < 20; ++i) {

@@ -71,7 +71,7 @@ TEST_CASE("a level that the test does not bear out is taken back aloud") {
   alarm.interrupt("pore_pressure_kPa is stuck");
   REQUIRE(said.first(EventKind::warning_withdrawn));
   CHECK(said.first(EventKind::warning_withdrawn)->detail ==
-        "warning taken back: pore_pressure_kPa is stuck");
+        "warning withdrawn: pore_pressure_kPa is stuck");
   CHECK_FALSE(alarm.imminent());
 }
 

@@ -41,26 +41,29 @@ TEST_CASE("only this machine reaches its loopback and its serial ports") {
 
 TEST_CASE("what is no link's address is told with what is right") {
   const std::pair<const char*, const char*> cases[] = {
-      {"127.0.0.1:5025", "a link begins with tcp://, serial://, modbus-tcp:// or modbus-rtu://"},
-      {"http://a:1", "a link begins with tcp://, serial://, modbus-tcp:// or modbus-rtu://"},
-      {"tcp://a", "the port is missing, right is tcp://HOST:PORT"},
-      {"tcp://", "the port is missing, right is tcp://HOST:PORT"},
-      {"tcp://[::1]", "the port is missing, right is tcp://HOST:PORT"},
-      {"tcp://::1:5", "an IPv6 address stands in brackets: [::1]"},
-      {"tcp://:5", "the host is missing, right is tcp://HOST:PORT"},
-      {"tcp://a:65536", "port is '65536', it must be a whole number from 0 to 65535"},
-      {"tcp://a:5/1", "nothing may follow the port, right is tcp://HOST:PORT"},
-      {"tcp://a b:5", "a link has no blanks"},
-      {"modbus-tcp://a:5", "the unit is missing, right is modbus-tcp://HOST:PORT/UNIT"},
-      {"modbus-tcp://a:5/256", "unit is '256', it must be a whole number from 0 to 255"},
-      {"serial://ttyUSB0", "the port's path begins with '/', as in serial:///dev/ttyUSB0"},
-      {"serial:///dev/x?baud=fast", "baud is 'fast', it must be a whole number from 50 to 4000000"},
-      {"serial:///dev/x?parity=both", "parity is 'both', known: none, even, odd"},
+      {"127.0.0.1:5025",
+       "unknown protocol; must be one of: tcp://, serial://, modbus-tcp://, modbus-rtu://"},
+      {"http://a:1",
+       "unknown protocol; must be one of: tcp://, serial://, modbus-tcp://, modbus-rtu://"},
+      {"tcp://a", "the port is missing; expected tcp://HOST:PORT"},
+      {"tcp://", "the port is missing; expected tcp://HOST:PORT"},
+      {"tcp://[::1]", "the port is missing; expected tcp://HOST:PORT"},
+      {"tcp://::1:5", "write an IPv6 address in brackets: [::1]"},
+      {"tcp://:5", "the host is missing; expected tcp://HOST:PORT"},
+      {"tcp://a:65536", "port is '65536'; must be an integer from 0 to 65535"},
+      {"tcp://a:5/1", "unexpected text after the port; expected tcp://HOST:PORT"},
+      {"tcp://a b:5", "a link must not contain spaces"},
+      {"modbus-tcp://a:5", "the unit is missing; expected modbus-tcp://HOST:PORT/UNIT"},
+      {"modbus-tcp://a:5/256", "unit is '256'; must be an integer from 0 to 255"},
+      {"serial://ttyUSB0", "the path of the port must begin with '/', as in serial:///dev/ttyUSB0"},
+      {"serial:///dev/x?baud=fast", "baud is 'fast'; must be an integer from 50 to 4000000"},
+      {"serial:///dev/x?parity=both",
+       "parity: 'both' is not valid; must be one of: none, even, odd"},
       {"serial:///dev/x?boud=9600",
-       "setting 'boud' is unknown, did you mean 'baud'? (known: baud, parity, bits, stop)"},
-      {"serial:///dev/x?", "setting '' is unknown, known: baud, parity, bits, stop"},
+       "unknown key 'boud'; did you mean 'baud'? (must be one of: baud, parity, bits, stop)"},
+      {"serial:///dev/x?", "unknown key ''; must be one of: baud, parity, bits, stop"},
       {"modbus-rtu:///dev/x?baud=9600", "the unit is missing, as in ?baud=9600&unit=3"},
-      {"modbus-rtu:///dev/x?unit=0", "unit is '0', it must be a whole number from 1 to 247"}};
+      {"modbus-rtu:///dev/x?unit=0", "unit is '0'; must be an integer from 1 to 247"}};
   for (const auto& [text, message] : cases)
     CHECK_THROWS_WITH(parse_link(text), Equals("'" + std::string(text) + "': " + message));
 }

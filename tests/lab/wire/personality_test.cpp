@@ -51,11 +51,11 @@ TEST_CASE("what takes effect by mode is set before it, on both ways", "[personal
 TEST_CASE("an identity is held against the make", "[personality]") {
   const auto controller = find_personality("triax-controller"), meter = find_personality("34401A");
   CHECK(controller.complaint_about("triax,pressure controller,cell,1.0\n").empty());
-  CHECK_THAT(
-      controller.complaint_about("triax,loading frame,1,1"),
-      Contains("it says 'triax,loading frame,1,1'; a pressure/volume controller begins with"));
+  CHECK_THAT(controller.complaint_about("triax,loading frame,1,1"),
+             Contains("the identity is 'triax,loading frame,1,1'; that of a pressure/volume "
+                      "controller begins with"));
   CHECK(meter.complaint_about("HEWLETT-PACKARD,34401A,0,11-5-2").empty());
-  CHECK_THAT(meter.complaint_about("HEWLETT-PACKARD,34970A,0,1"), Contains("says '34401A' in it"));
+  CHECK_THAT(meter.complaint_about("HEWLETT-PACKARD,34970A,0,1"), Contains("contains '34401A'"));
   CHECK(find_personality("pad").complaint_about("").empty());
 }
 
@@ -64,28 +64,30 @@ TEST_CASE("a faulty personality names file and line", "[personality]") {
   const std::pair<std::string, const char*> cases[] = {
       {"", "x.toml"},
       {"title = \"x\"\n", "expected \"scpi\", \"modbus\", \"lines\""},
-      {"title = \"x\"\nprotocol = \"scpy\"\n", "x.toml:2: protocol: did you mean 'scpi'"},
+      {"title = \"x\"\nprotocol = \"scpy\"\n",
+       "x.toml:2: protocol: 'scpy' is not valid; did you mean 'scpi'"},
       {head, "x.toml:2: protocol: modbus needs a value with registers"},
       {"title = \"x\"\nprotocol = \"scpi\"\n", "scpi needs [scan]"},
       {"title = \"x\"\nprotocol = \"lines\"\n", "lines needs [scan]"},
       {"title = \"x\"\nprotocol = [\"scpi\", \"lines\"]\n[scan]\nask = \"A\"\n",
-       "expected one of them"},
+       "give one of them"},
       {head + "[points.a]\nmodbus = { register = 1 }\n[points.b]\nmodbus = { register = 2 }\n",
-       "x.toml:5: [points] b: register 2 is taken by a"},
+       "x.toml:5: [points] b: register 2 is used by a already"},
       {head + "[identity]\nregister = 0\n[points.b]\nmodbus = { register = 2 }\n",
-       "taken by the identity"},
+       "used by the identity already"},
       {head + "[points.a]\nmodbus = { register = 65535 }\n", "a float needs two registers"},
       {head + "[points.a]\nmodbus = { register = 1, coil = 2 }\n", "expected one of register"},
       {head + "[points.a]\nmodbus = { register = 1, form = \"float\" }\n", "unknown form 'float'"},
       {head + "[points.a]\nmodbus = { register = 1, factor = 2 }\n", "have a factor"},
-      {head + "[points.a]\naccess = \"x\"\nmodbus = { register = 1 }\n", "expected r, w or rw"},
+      {head + "[points.a]\naccess = \"x\"\nmodbus = { register = 1 }\n",
+       "must be one of: r, w, rw"},
       {head + "[points.a]\naccess = \"rw\"\nmodbus = { discrete = 1 }\n", "expected coil"},
       {head + "[points.a]\naccess = \"rw\"\nmodbus = { register = 1, input = true }\n",
        "cannot be written"},
       {head + "[points.a]\nmodbus = { register = 1 }\nhelpp = \"\"\n", "unknown key 'helpp'"},
       {head + "[line]\nterminator = \"\"\n", "terminator: expected"},
-      {head + "[line]\ndeadline_ms = 0\n", "expected more than 0"},
-      {"title = \"x\"\nprotocol = \"lines\"\n[scan]\nlines = 2\n", "cannot be told"},
+      {head + "[line]\ndeadline_ms = 0\n", "must be above 0"},
+      {"title = \"x\"\nprotocol = \"lines\"\n[scan]\nlines = 2\n", "the first line is unknown"},
       {"title = \"x\"\nprotocol = \"scpi\"\n[scan]\nask = \"MEAS? (@{at})\"\nlines = 2\n",
        "leave out lines"}};
   for (const auto& [text, words] : cases) {

@@ -43,17 +43,19 @@ TEST_CASE("what a rig's file must not say is refused with its line") {
   const auto instead = [](const std::string& from, const std::string& to) {
     return refusal(replaced(rig_text(), from, to));
   };
-  CHECK_THAT(refusal("[rig]\nname = \"a\"\n"), Contains("at least one [[instruments]]"));
+  CHECK_THAT(refusal("[rig]\nname = \"a\"\n"), Contains("write [[instruments]]"));
   CHECK_THAT(instead("role = \"frame\"", "role = \"frme\""), Contains("frame") && Contains(":"));
-  CHECK_THAT(instead("role = \"back\"", "role = \"cell\""), Contains("another instrument is the"));
-  CHECK_THAT(instead("name = \"frame\"", "name = \"scanner\""), Contains("another instrument is"));
+  CHECK_THAT(instead("role = \"back\"", "role = \"cell\""),
+             Contains("another instrument has the role"));
+  CHECK_THAT(instead("name = \"frame\"", "name = \"scanner\""),
+             Contains("another instrument has the name"));
   CHECK_THAT(instead("quantity = \"cell_volume\"", "quantity = \"back_volume\""),
-             Contains("measured twice"));
-  CHECK_THAT(instead("unit = \"N\"", "unit = \"mm\""), Contains("is no unit of axial_force"));
+             Contains("assigned to two channels"));
+  CHECK_THAT(instead("unit = \"N\"", "unit = \"mm\""), Contains("is not a unit of axial_force"));
   CHECK_THAT(instead("at = \"volume_mm3\"", "at = \"volume\""), Contains("volume"));
   CHECK_THAT(instead("personality = \"34970A\"", "personality = \"34971A\""), Contains("34970A"));
   CHECK_THAT(instead("link = \"tcp://127.0.0.1:0\"", "link = \"modbus-tcp://127.0.0.1:0/1\""),
-             Contains("speaks no Modbus"));
+             Contains("has no Modbus"));
   CHECK_THAT(instead("link = \"tcp://127.0.0.1:0\"", "link = \"127.0.0.1\""), Contains("tcp://"));
   CHECK_THAT(instead("watchdog_s = 1.0", "watchdog = 1.0"), Contains("watchdog_s"));
   CHECK_THAT(instead("gain = 5.0", "gain = 0.0"), Contains("gain"));

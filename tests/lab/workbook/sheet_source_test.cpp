@@ -92,20 +92,21 @@ TEST_CASE("what no sheet has is bad input, one line each") {
   using Catch::Contains;
   CHECK_THAT(rows_fail("<row r=\"1\"><c r=\"A1\"><f>A1</f></c></row>"),
              Contains("without a value"));
-  CHECK_THAT(rows_fail("<row r=\"2\"/><row r=\"1\"/>"), Contains("rows run"));
-  CHECK_THAT(rows_fail("<row r=\"1048577\"/>"), Contains("rows run"));
+  CHECK_THAT(rows_fail("<row r=\"2\"/><row r=\"1\"/>"), Contains("rows must ascend"));
+  CHECK_THAT(rows_fail("<row r=\"1048577\"/>"), Contains("rows must ascend"));
   CHECK_THAT(rows_fail("<row r=\"1\"><c r=\"XFE1\"><v>1</v></c></row>"), Contains("XFD"));
   CHECK_THAT(rows_fail("<row r=\"1\"><c r=\"ZZZZZ1\"><v>1</v></c></row>"), Contains("XFD"));
   CHECK_THAT(rows_fail("<row r=\"1\"><c r=\"B1\"><v>1</v></c><c r=\"A1\"><v>1</v></c></row>"),
-             Contains("columns run"));
-  CHECK_THAT(rows_fail("<row r=\"1\"><c t=\"s\"><v>9</v></c></row>"), Contains("does not have"));
+             Contains("columns must ascend"));
+  CHECK_THAT(rows_fail("<row r=\"1\"><c t=\"s\"><v>9</v></c></row>"),
+             Contains("is not in the workbook"));
   CHECK_THAT(rows_fail("<row r=\"1\">"), Contains("XML is broken"));
   std::string wide = "<row r=\"1\">";
   for (int i = 0; i < 1'000'000; ++i) wide += "<c><v>" + std::to_string(i % 7919) + "</v></c>";
   CHECK_THAT(rows_fail(wide + "</row>"), Contains("A to XFD"));
   std::string deep;
   for (int i = 0; i < 1000; ++i) deep += "<a" + std::to_string(i) + ">";
-  CHECK_THAT(rows_fail(deep), Contains("nests deeper"));
+  CHECK_THAT(rows_fail(deep), Contains("nested too deep"));
   auto laughs = workbook({{"S", "<!DOCTYPE x [<!ENTITY a \"ha\">]><x>&a;</x>"}});
   CHECK_THAT(fails(laughs), Contains("document type"));
 }
@@ -115,7 +116,7 @@ TEST_CASE("archives that are no workbook say what they are") {
   CHECK_THAT(fails({{"a/records.xlsx", "PK"}}), Contains("unpack it"));
   CHECK_THAT(fails({{"content.xml", "<x/>"}}), Contains("OpenDocument"));
   CHECK_THAT(fails({{"[Content_Types].xml", "<x/>"}, {"word/document.xml", "<x/>"}}),
-             Contains("no workbook"));
+             Contains("not a workbook"));
   CHECK_THAT(
       fails(
           {{"[Content_Types].xml", "<x/>"},
@@ -126,7 +127,7 @@ TEST_CASE("archives that are no workbook say what they are") {
   auto macros = workbook({{"S", sheet("")}});
   macros.emplace_back("xl/vbaProject.bin", "x");
   CHECK_THAT(fails(macros), Contains("macros"));
-  CHECK_THAT(fails(workbook({})), Contains("no sheet"));
+  CHECK_THAT(fails(workbook({})), Contains("no visible worksheet"));
   auto lost = workbook({{"S", sheet("")}});
   lost.erase(lost.begin() + 1);
   CHECK_THAT(fails(lost), Contains("no part"));
@@ -159,7 +160,7 @@ TEST_CASE("what others share does not grow beyond what a record needs") {
   }
   CHECK_THAT(fails(workbook({{"S", rows}}, many)), Contains("more than 48 MB of text"));
   CHECK_THAT(fails(workbook({{"S", rows}}, "<si><t>" + std::string(200'000, 'x') + "</t></si>")),
-             Contains("longer than any spreadsheet"));
+             Contains("too long for a spreadsheet"));
 }
 
 TEST_CASE("merged cells, a strict namespace, an encoding of its own, dates as texts of ISO 8601") {
@@ -188,7 +189,7 @@ TEST_CASE("hidden sheets are none, whichever way they are hidden") {
   REQUIRE(book.sheets().size() == 1);
   CHECK(book.sheets().front().name == "Data");
   CHECK_THROWS_WITH(book.sheet("Old"), Catch::Contains("'Data'"));
-  CHECK(fails(workbook({{"Old\" state=\"hidden", one}})).find("no sheet that can be seen") !=
+  CHECK(fails(workbook({{"Old\" state=\"hidden", one}})).find("no visible worksheet") !=
         std::string::npos);
 }
 
@@ -241,14 +242,14 @@ TEST_CASE("what only looks like a row is none") {
                                     "</worksheet>"}})) == "1\n");
   // What begins as a plain row is held to the same rules.
   using Catch::Contains;
-  CHECK_THAT(rows_fail(row + "<row r=\"1\"/>"), Contains("rows run"));
+  CHECK_THAT(rows_fail(row + "<row r=\"1\"/>"), Contains("rows must ascend"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"XFE2\"><v>1</v></c></row>"), Contains("XFD"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"B3\"><v>1</v></c></row>"),
-             Contains("columns run"));
+             Contains("columns must ascend"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"A2\"><f>A2</f></c></row>"),
              Contains("without a value"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c r=\"A2\" t=\"s\"><v>5</v></c></row>"),
-             Contains("does not have"));
+             Contains("is not in the workbook"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c><v>1</c></row>"), Contains("XML is broken"));
   CHECK_THAT(rows_fail(row + "<row r=\"2\"><c><v>1</v></c>"), Contains("XML is broken"));
 }

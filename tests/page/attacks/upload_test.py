@@ -104,7 +104,7 @@ with Opened() as page:
         for asked in ({"programme": grains % path}, {"programme": "icu_6", "set": {"specimen.material_file": path}},
                       {"programme": "icu_6", "set": {"specimen.grains": path}}):
             status, answer = page.post("/api/runs", asked)
-            same(f"the file {path!r}", (status, "names no files of this machine" in str(answer)), (400, True))
+            same(f"the file {path!r}", (status, "cannot use files of this computer" in str(answer)), (400, True))
     for name in ("../../etc/passwd", "/etc/passwd", "nothing", ""):
         same(f"programme {name!r}", page.post("/api/runs", {"programme": name})[0], 400)
     for wrong in ({}, [], {"programme": 1}, {"programme": "icu_6", "speed": -1}, {"programme": "icu_6", "speed": "fast"}, {"programme": "icu_6", "seed": 0.5},

@@ -11,9 +11,9 @@ with Laboratory() as laboratory, Browser(laboratory) as browser:
     browser.until(lambda: browser.heading() == "ICU 6", "the dropped record is shown as a test", 60)
     browser.settled()
     known = laboratory.report(1)
-    same("its verdict is that of the report", browser.one(".verdict").get_attribute("data-verdict"), known["collapse"]["kind"])
-    check("the word of the verdict", "flow collapse" in browser.texts(".verdict .word")[0], browser.texts(".verdict .word"))
-    check("the stress ratio of the onset", f"{known['collapse']['eta']:.2f}" in browser.texts(".verdict")[0], browser.texts(".verdict"))
+    same("its verdict is that of the report", browser.one(".assessment").get_attribute("data-verdict"), known["collapse"]["kind"])
+    check("the word of the verdict", "flow collapse" in browser.texts(".assessment .word")[0], browser.texts(".assessment .word"))
+    check("the stress ratio of the onset", f"{known['collapse']['eta']:.2f}" in browser.texts(".assessment")[0], browser.texts(".assessment"))
     check("it says what was recognised", "was replayed" in browser.texts(".notice")[0], browser.texts(".notice"))
 
     # The same record without the height and diameter of its specimen.

@@ -24,7 +24,7 @@ with Laboratory() as laboratory, Browser(laboratory) as browser:
     live = browser.until(lambda: browser.one("section[data-checksum]"), "the running test is shown")
     browser.until(lambda: int(live.get_attribute("data-received") or 0) > 15000, "readings come", 60)
     heap, nodes = held(browser)
-    browser.until(lambda: browser.all(".verdict"), "it ends", 240)
+    browser.until(lambda: browser.all(".assessment"), "it ends", 240)
     received = int(live.get_attribute("data-received"))
     more_heap, more_nodes = held(browser)
     print(f"{received} readings; heap {heap / 1e6:.2f} MB after 15,000, {more_heap / 1e6:.2f} MB at the end; nodes {nodes:.0f} and {more_nodes:.0f}")

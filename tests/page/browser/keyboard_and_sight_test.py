@@ -49,7 +49,7 @@ with Laboratory("icu_6", "icu_dense") as laboratory:
         browser.until(lambda: "Really" in browser.texts("dialog h2")[0], "asked again")
         browser.tab_to("dialog button.danger")
         browser.press(Keys.ENTER)
-        browser.until(lambda: browser.all(".verdict"), "stopped by key", 60)
+        browser.until(lambda: browser.all(".assessment"), "stopped by key", 60)
 
     def all_of(browser, name):
         through(browser, lambda part: (contrast(browser, f"{name} {part}"), names(browser, f"{name} {part}")))

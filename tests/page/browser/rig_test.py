@@ -39,7 +39,7 @@ with Laboratory() as laboratory:
             order(browser, "Hold", "Ada")
             browser.until(lambda: browser.one("[data-order=resume]").is_enabled(), "the drives are held", 60)
             order(browser, "Safe stop", "Grace")
-            browser.until(lambda: browser.all(".verdict"), "the test ends in its safe state", 120)
+            browser.until(lambda: browser.all(".assessment"), "the test ends in its safe state", 120)
         events = laboratory.report(1)["events"]
         for who in ("Ada", "Grace"):
             check(f"{who} is in the record", any(who in event["detail"] for event in events), events[-4:])

@@ -200,7 +200,7 @@ TEST_CASE("a set that cannot be a UMAT is refused with what would be right") {
   set.numbers["state_variables"] = 4000;
   CHECK_THAT(refusal(set), Contains("state_variables is 4000") && Contains("248"));
   set.numbers["state_variables"] = 2.5;
-  CHECK_THAT(refusal(set), Contains("whole number"));
+  CHECK_THAT(refusal(set), Contains("integer"));
   set = umat_fixture();
   set.lists["initial_state"].assign(13, 0);
   CHECK_THAT(refusal(set), Contains("initial_state has 13 values"));

@@ -121,13 +121,13 @@ TEST_CASE("an index out of range is an error that names the argument, at either 
   const std::string past = "reads or writes past the last value of ";
   const std::string before = "reads or writes before the first value of ";
   CHECK_THAT(verdict(Misbehaviour::past_state),
-             Contains(past + "STATEV, which has 12 values: is state_variables right?"));
+             Contains(past + "STATEV, which has 12 values; check state_variables"));
   CHECK_THAT(verdict(Misbehaviour::far_past_state), Contains(past + "STATEV"));
   CHECK_THAT(verdict(Misbehaviour::before_state), Contains(before + "STATEV"));
   CHECK_THAT(verdict(Misbehaviour::before_stress), Contains(before + "STRESS, which has 6 values"));
   CHECK_THAT(verdict(Misbehaviour::past_tangent), Contains(past + "DDSDDE, which has 36 values"));
   CHECK_THAT(verdict(Misbehaviour::past_properties),
-             Contains(past + "PROPS, which has 6 values: are properties complete?"));
+             Contains(past + "PROPS, which has 6 values; check that properties is complete"));
   CHECK_THAT(verdict(Misbehaviour::writes_past_properties), Contains(past + "PROPS"));
   CHECK_THAT(verdict(Misbehaviour::before_properties), Contains(before + "PROPS"));
   CHECK_THAT(verdict(Misbehaviour::before_tangent), Contains(before + "DDSDDE"));
@@ -235,7 +235,8 @@ TEST_CASE("a plug-in that is late three times is called no more, even if it answ
     CHECK(worker.call(sound) == "");
     CHECK_THAT(worker.call(call), Catch::Contains("the call did not end within 0.6 s"));
   }
-  const std::string refused = "each of three calls did not end within 0.6 s; it is called no more";
+  const std::string refused =
+      "each of three calls did not end within 0.6 s; it is not called again";
   CHECK_THAT(worker.call(call), Catch::EndsWith(refused));
   CHECK_THAT(worker.call(sound), Catch::EndsWith(refused));
 }

@@ -29,8 +29,8 @@ TEST_CASE("figures and text show measured beside computed of each kind of test")
     CHECK(figure.data.rows.size() == found.measured[figure.name == "drained" ? 0 : 1].knots.size());
   }
   const std::string text = calibrate_text(found);
-  for (const char* part : {"friction_angle_deg", "1 of 1 ended there", "volumetric_strain",
-                           "Misfit", "mohr_coulomb from 2 tests"})
+  for (const char* part : {"friction_angle_deg", "1 of 1 ended at this optimum",
+                           "volumetric_strain", "Misfit", "mohr_coulomb from 2 tests"})
     CHECK(text.find(part) != std::string::npos);
 }
 

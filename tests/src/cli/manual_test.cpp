@@ -19,6 +19,7 @@ struct Kettle {
     sub.add_option("CUP", cups, "where to")->type_name("");
     sub.add_option("--heat", heat, "how fast [low]")->type_name("low|high");
     sub.add_flag("--tea,-t", tea, "with tea");
+    sub.add_option("--pot", pot, "which pot")->type_name("tea-pot|3d|FILE");
     sub.add_option("--minutes", minutes, "how long")->type_name("MIN")->capture_default_str();
     command.name = "boil";
     command.purpose = "make water hot";
@@ -31,6 +32,7 @@ struct Kettle {
   std::vector<std::string> cups;
   std::string heat;
   bool tea = false;
+  std::string pot;
   int minutes = 3;
   Command command;
 };
@@ -53,7 +55,7 @@ TEST_CASE("a man page holds what the command says of itself, as roff that hides 
 TEST_CASE("completion offers commands, options, and the values of options that have few") {
   const Kettle kettle;
   const auto bash = completion_script(kettle.app, "bash");
-  CHECK(contains(bash, "boil) words=\"-h --help --heat -t --tea --minutes\""));
+  CHECK(contains(bash, "boil) words=\"-h --help --heat -t --tea --pot --minutes\""));
   CHECK(contains(bash, "boil:--heat) words=\"low high\""));
   const auto zsh = completion_script(kettle.app, "zsh");
   CHECK(contains(zsh, "'--heat[how fast \\[low\\]]:value:(low high)'"));
@@ -62,11 +64,18 @@ TEST_CASE("completion offers commands, options, and the values of options that h
   CHECK_THROWS_AS(completion_script(kettle.app, "tcsh"), triax::lab::BadInput);
 }
 
+TEST_CASE("completion_script: offers values with hyphens and digits, no placeholders", "[cli]") {
+  const Kettle kettle;
+  CHECK(contains(completion_script(kettle.app, "bash"), "boil:--pot) words=\"tea-pot 3d\"; only"));
+  CHECK(contains(completion_script(kettle.app, "zsh"), ":value:(tea-pot 3d)'"));
+  CHECK(contains(completion_script(kettle.app, "fish"), "-x -a 'tea-pot 3d'"));
+}
+
 TEST_CASE("man_page, completion_script: show the default of an option in brackets", "[cli]") {
   const Kettle kettle;
   CHECK(contains(man_page(kettle.sub, kettle.command), "\\fIMIN\\fR\nhow long [3]\n"));
   CHECK(contains(completion_script(kettle.app, "zsh"), "'--minutes[how long \\[3\\]]:value"));
-  CHECK(contains(completion_script(kettle.app, "fish"), "-l minutes -d 'how long [3]'"));
+  CHECK(contains(completion_script(kettle.app, "fish"), "-l minutes -d 'how long [3]' -r"));
 }
 
 TEST_CASE("quotation marks in a purpose do not end the shell's own") {

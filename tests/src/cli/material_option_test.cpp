@@ -41,7 +41,7 @@ TEST_CASE("sets of the user's own take the place of the shipped ones") {
   CHECK(set.name == "elastic/mine");
   CHECK_THROWS_WITH(
       src::chosen_material(parsed("--materials " + file.string() + " --material inl2/S28-general")),
-      Contains("known: elastic/mine"));
+      Contains("must be one of: elastic/mine"));
   std::filesystem::remove(file);
 }
 

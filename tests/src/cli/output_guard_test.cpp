@@ -52,14 +52,14 @@ TEST_CASE("a folder for the output: one that is there, one that can be made, and
   CHECK_NOTHROW(check("there", "domain"));
   CHECK_NOTHROW(check("none/yet", "domain"));
   CHECK_THROWS_WITH(check("there", "probe"), Contains("probe.svg is a folder"));
-  CHECK_THROWS_WITH(check("file", "probe"), Contains("this is a file; expected a folder"));
+  CHECK_THROWS_WITH(check("file", "probe"), Contains("is a file; expected a folder"));
   CHECK_THROWS_WITH(check("file/deep", "probe"), Contains("file is a file; expected a folder"));
   CHECK_NOTHROW(src::check_folder("--output", "", {"x"}));
   CHECK(src::prefix_in("", "probe").empty());
   src::make_folder("--output", (base / "a/b").string());
   CHECK(std::filesystem::is_directory(base / "a/b"));
   CHECK_THROWS_WITH(src::make_folder("--output", (base / "file/b").string()),
-                    Contains("file/b: cannot create folder: Not a directory"));
+                    Contains("file/b: folder cannot be created: Not a directory"));
   std::filesystem::remove_all(base);
 }
 
@@ -74,13 +74,13 @@ TEST_CASE("targets are looked at before the work: folders, missing folders, a na
   CHECK_NOTHROW(check("y"));
   CHECK_THROWS_WITH(check("x"), Contains("x.svg is a folder"));
   CHECK_THROWS_AS(check("x"), lab::BadInput);
-  CHECK_THROWS_AS(check("none/y"), lab::WorkFailed);
+  CHECK_THROWS_WITH(check("none/y"), Contains("none does not exist; create it first"));
   CHECK_THROWS_AS(check("x.svg/"), lab::BadInput);
   CHECK_NOTHROW(src::check_targets("--output", "-", {"-"}));
   CHECK_NOTHROW(src::check_targets("--output", "", {".csv"}));
   CHECK_NOTHROW(src::check_targets("--output", "/dev/null", {"/dev/null"}));
   std::filesystem::create_symlink("none/there", folder / "z.csv");
-  CHECK_THROWS_AS(check("z"), lab::WorkFailed);
+  CHECK_THROWS_AS(check("z"), lab::BadInput);
   const auto files = src::files_of_prefix("p", {"", "_cones"});
   CHECK(files.size() == 10);
   CHECK(files.back() == "p_cones.pdf");

@@ -51,7 +51,7 @@ TEST_CASE("beside --merge only what does not compute is taken") {
     if (option->get_items_expected_min() > 0)
       arguments.push_back(name == "--plane" ? "plane-strain" : "1");
     INFO(name);
-    CHECK_THAT(refusal(arguments), Contains(name + " and --merge"));
+    CHECK_THAT(refusal(arguments), Contains(name + " cannot be used with --merge"));
     ++refused;
   }
   CHECK(refused >= 10);
@@ -77,7 +77,7 @@ TEST_CASE("the grid says which criteria were looked for, and refuses what a law 
   o.p = "50:60:2";
   CHECK(chosen_grid(o, inl2).columns == 6);
   o.p = "50:60:3";
-  CHECK_THROWS_WITH(chosen_grid(o, inl2), Contains("does not meet its end"));
+  CHECK_THROWS_WITH(chosen_grid(o, inl2), Contains("does not reach its end"));
   o.p = "50";
   CHECK_THROWS_WITH(chosen_grid(o, inl2), Contains("FROM:TO/COUNT"));
 }

@@ -36,8 +36,8 @@ TEST_CASE("a run in full has its specimen as facts and its stages as tables") {
   CHECK(titles == std::vector<std::string>{"Stages", "Paths", "Strain paths", "Marks", "Rests",
                                            "Stage probes: responses and contacts",
                                            "Stage probes: density of second-order work (J/m³)",
-                                           "Stage probes: what microscopic and macroscopic work "
-                                           "differ by (J/m³)",
+                                           "Stage probes: difference of microscopic and "
+                                           "macroscopic work (J/m³)",
                                            "Stage probes: energy", "Perturbations", "Energy"});
   CHECK_FALSE(content.sections[6].facts.empty());
 }

@@ -123,7 +123,7 @@ TEST_CASE("directions without an answer are null and empty, and told") {
   CHECK(src::probe_text(result, {}).find("unknown") != std::string::npos);
   circle.refused = 1;
   result.states[0].refusal = "its own words";
-  CHECK(src::probe_text(result, {}).find("of 12 directions 1 refused by the law: its own words") !=
+  CHECK(src::probe_text(result, {}).find("of 12 directions 1 rejected by the law: its own words") !=
         std::string::npos);
   CHECK(json::parse(src::probe_json(result))["refusal"] == "its own words");
   CHECK(json::parse(src::probe_json(result))["refused_directions"] == 1);

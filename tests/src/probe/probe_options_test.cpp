@@ -45,7 +45,7 @@ TEST_CASE("probes that make no sense are bad input") {
   };
   says("--step 0", "--step 0: out of range; expected a number");
   says("--step nan", "--step nan");
-  says("--step 7", "360 degrees must be a multiple");
+  says("--step 7", "it must divide 360 degrees");
   says("--step 90", "0.01 to 45");
   says("--norm-kPa=-1", "--norm-kPa -1");
   says("--norm-kPa inf", "--norm-kPa inf");

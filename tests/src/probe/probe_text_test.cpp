@@ -53,7 +53,7 @@ TEST_CASE("the first unstable state of a list is that of least |eta|, in whateve
   const auto first = result.first_unstable();
   REQUIRE(first);
   CHECK(first->eta() == Approx(0.6));
-  CHECK(src::probe_text(result, {}).find("unstable state of these by |η|: p′ 70.00 kPa, q 42.00") !=
+  CHECK(src::probe_text(result, {}).find("unstable state (smallest |η|): p′ 70.00 kPa, q 42.00") !=
         std::string::npos);
   auto tests = result;
   for (auto& state : tests.states) state.test = src::test::tested(3.7);

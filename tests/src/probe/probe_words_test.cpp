@@ -16,7 +16,7 @@ TEST_CASE("without a cone the words say how many directions were answered") {
   circle.least.answered = true;
   CHECK(src::cones_in_words(circle, 36) == "none");
   circle.unanswered = 6;
-  CHECK(src::cones_in_words(circle, 36) == "none found in the 30 answered");
+  CHECK(src::cones_in_words(circle, 36) == "none found in the 30 with a result");
   circle.unanswered = 36;
   circle.least.answered = false;
   CHECK(src::cones_in_words(circle, 36) == "unknown");

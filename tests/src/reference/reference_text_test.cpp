@@ -39,8 +39,8 @@ TEST_CASE("the text says what the file is, in lines that fit the terminal") {
   lab::AgsResults file = file_with(12);
   file.warnings = {{4, "something \x1b[31m assumed"}};
   const std::string text = src::reference_text(file, "t.db", 80);
-  CHECK(text.find(
-            "x.ags: AGS4 results: no readings in it, nothing to judge; 12 triaxial results") == 0);
+  CHECK(text.find("x.ags: AGS4 results without readings, nothing to assess; 12 triaxial results") ==
+        0);
   CHECK(text.find("reference values in t.db\n") != std::string::npos);
   CHECK(text.find("1302.5") != std::string::npos);
   CHECK(text.find("\x1b") == std::string::npos);

@@ -31,8 +31,8 @@ TEST_CASE("a part of a document gives values of the right kind and range") {
   CHECK_THROWS_WITH(root["z"], "f.json: z is missing");
   CHECK_THROWS_WITH(root.number("t"), "f.json: t must be a number, -1e+12 to 1e+12");
   CHECK_THROWS_WITH(root.number("x", 2, 3), "f.json: x must be a number, 2 to 3");
-  CHECK_THROWS_WITH(root.whole("x", 0, 9), "f.json: x must be a whole number, 0 to 9");
-  CHECK_THROWS_WITH(root.whole("n", 8, 9), "f.json: n must be a whole number, 8 to 9");
+  CHECK_THROWS_WITH(root.whole("x", 0, 9), "f.json: x must be an integer, 0 to 9");
+  CHECK_THROWS_WITH(root.whole("n", 8, 9), "f.json: n must be an integer, 8 to 9");
   CHECK_THROWS_WITH(root.flag("n"), "f.json: n must be true or false");
   CHECK_THROWS_WITH(root.text("n"), "f.json: n must be a text");
   CHECK_THROWS_WITH(root.array("n"), "f.json: n must be an array");

@@ -70,20 +70,21 @@ TEST_CASE("what was said stands in lines of a hundred columns, with units and wo
   for (std::string line; std::getline(lines, line);) CHECK(src::display_width(line) <= 100);
   for (const char* words :
        {"1234.57 kPa of q", "1234.57 kPa of p′", "0.059 % of ε₁", "none: passed", "62.7 min",
-        "0.559 to 0.629", "approaching", "imminent", "taken back", "lost", "failure", " end ",
-        "begins", "of reading 300: fell", "1 of 64 forecasts are shown", "said once and taken back",
+        "0.559 to 0.629", "approaching", "imminent", "withdrawn", "lost", "failure", " end ",
+        "begins", "at reading 300: fell", "1 of 64 forecasts are shown",
+        "issued once and withdrawn",
         "10 readings and 1.0 s before the onset; η forecast 0.594 (0.559 to 0.629), 0.006 too low",
-        "known at reading 330, 30 readings and 3.0 s after the onset"})
+        "detected at reading 330, 30 readings and 3.0 s after the onset"})
     CHECK_THAT(flat(text), Contains(words));
 }
 
 TEST_CASE("silence is told, and a level that stood for nothing") {
   const auto test = src::test::stable_test().stored;
   study::LiveAccount a;
-  CHECK_THAT(flat(src::live_text(test, a)), Contains("never said") &&
+  CHECK_THAT(flat(src::live_text(test, a)), Contains("never issued") &&
                                                 Contains("No onset was forecast") &&
                                                 Contains("no onset was found"));
   auto warned = test;
   warned.summary.collapse.approaching = outlook(lab::Quantity::axial_strain, 0.00059);
-  CHECK_THAT(flat(src::live_text(warned, a)), Contains("not taken back; no onset was found"));
+  CHECK_THAT(flat(src::live_text(warned, a)), Contains("not withdrawn; no onset was found"));
 }

@@ -72,6 +72,6 @@ TEST_CASE("a number is a test's; names are of tests or runs; grains: is a run's"
 TEST_CASE("a name of a test and of a run says both; one of neither says so") {
   using Catch::Contains;
   CHECK_THROWS_WITH(chosen({"both"}), Contains("test 2") && Contains("grains:3"));
-  CHECK_THROWS_WITH(chosen({"none"}), Contains("unknown test 'none'"));
-  CHECK_THROWS_WITH(chosen({"grains:9"}), Contains("no run of grains with the id or name '9'"));
+  CHECK_THROWS_WITH(chosen({"none"}), Contains("test 'none' does not exist"));
+  CHECK_THROWS_WITH(chosen({"grains:9"}), Contains("grain run '9' does not exist"));
 }

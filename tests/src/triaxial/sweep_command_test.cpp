@@ -17,9 +17,9 @@ TEST_CASE("a sweep that no test can be made of is refused before anything is sto
   const std::string db = folder.file("t.db");
   for (const auto& [text, words] :
        {std::pair("specimen.viod_ratio=1.0,1.1", "did you mean 'void_ratio'"),
-        std::pair("stages.9.axial_rate_mm_per_min=1", "not one of the 1 of stages"),
+        std::pair("stages.9.axial_rate_mm_per_min=1", "not an item of stages"),
         std::pair("specimen.void_ratio=98,99", "[void_ratio 98]"),
-        std::pair("seed=5:1:1", "never comes from 5 to 1")}) {
+        std::pair("seed=5:1:1", "cannot reach 1 from 5")}) {
     INFO(text);
     CHECK_THROWS_AS(run_sweep_command({programme, {}, {text}, db, 0, 1, false}), lab::BadInput);
     CHECK_THROWS_WITH(run_sweep_command({programme, {}, {text}, db, 0, 1, false}),

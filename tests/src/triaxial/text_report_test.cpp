@@ -54,19 +54,19 @@ TEST_CASE("each test says its evidence, its doubts and that it is simulated or i
   CHECK(holds(text_of_test(test::interrupted_test()), "INTERRUPTED"));
   auto blind = test::stable_test();
   blind.stored.summary.collapse.judged = false;
-  CHECK(holds(text_of_test(blind), "not judged"));
+  CHECK(holds(text_of_test(blind), "not assessed"));
   CHECK_FALSE(holds(text_of_test(blind), "stayed controllable"));
   auto leapt = test::stable_test();
   CHECK(holds(text_of_test(leapt), "stayed controllable"));
   leapt.stored.summary.collapse.criteria.push_back(
       {.name = "loss_of_control", .detected = false, .reading = 77, .evidence = "jumped"});
   CHECK_FALSE(holds(text_of_test(leapt), "stayed controllable"));
-  CHECK(holds(text_of_test(leapt), "a burst at reading 77"));
+  CHECK(holds(text_of_test(leapt), "a runaway at reading 77"));
 }
 
 TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known") {
   auto test = test::flow_test();
-  CHECK(holds(text_report({test}), "Noticed not before the record ended"));
+  CHECK(holds(text_report({test}), "Detected not before the record ended"));
   auto& collapse = test.stored.summary.collapse;
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
   collapse.noticed = triax::lab::Moment{330, 33.0};
@@ -76,6 +76,6 @@ TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known
   const std::string text = text_report({test});
   CHECK(holds(text, "loss of sustainability 301 30.1 s 335 33.5 s q fell away"));
   CHECK(holds(text, "with 95 %: η 0.570 to 0.620, q 58.0 to 61.0 kPa, p′ 96.0 to 104.0 kPa"));
-  CHECK(holds(text, "Noticed at reading 330, 33.0 s; 30 readings after the onset"));
+  CHECK(holds(text, "Detected at reading 330, 33.0 s; 30 readings after the onset"));
   CHECK(holds(text, "340"));
 }

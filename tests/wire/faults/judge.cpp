@@ -80,11 +80,11 @@ class Judging {
   void take_news(const Look& look) {
     for (const Event& event : look.events) {
       const std::string name = event.detail.substr(0, event.detail.find(' '));
-      if (event.detail.find("has a clock") != std::string::npos) {  // no gap
+      if (event.detail.find(" clock ") != std::string::npos) {  // no gap
         told_.emplace_back(name, event.detail);
         if (!wrong_at(name) && log_.stall_s < 0.1)
           complain("a clock that is right: " + event.detail);
-      } else if (event.detail.find("answers again") != std::string::npos) {
+      } else if (event.detail.find("responds again") != std::string::npos) {
         if (open_.erase(name) == 0) complain("the end of no gap is told: " + event.detail);
         not_taken_.erase(name);
       } else {
@@ -122,7 +122,7 @@ class Judging {
       // No time is left to ask again for an unusual value: it is missing until later replies
       // confirm it.
       const auto is_gap = [&](const auto& event) {
-        return ours(event) && event.second.find("reply rejected") == std::string::npos;
+        return ours(event) && event.second.find("response rejected") == std::string::npos;
       };
       const auto gap = std::ranges::find_if(told_, is_gap);
       if (gap != told_.end() && plan_.wrongs.size() == 1 && log_.stall_s < 0.05)

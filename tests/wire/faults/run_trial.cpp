@@ -167,8 +167,8 @@ class WatchedApparatus : public Apparatus {
     if (broken_ == Broken::untold) done.events.clear();
     if (broken_ == Broken::identity)
       std::erase_if(done.events, [](const Event& e) {
-        return e.detail.find("it says") != std::string::npos ||
-               e.detail.find("another in") != std::string::npos;
+        return e.detail.find("the identity is") != std::string::npos ||
+               e.detail.find("another identity") != std::string::npos;
       });
     log_.looks.back().running = tick.running;
     log_.looks.back().events = done.events;

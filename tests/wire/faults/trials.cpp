@@ -28,8 +28,8 @@ Kind line_kind(const std::string& name, const std::string& word, std::vector<std
 }
 
 std::vector<Kind> all_kinds() {
-  const std::string late = "no answer", wrongly = "answered wrongly", down = "the link is down",
-                    unreached = "cannot be reached";
+  const std::string late = "no response", wrongly = "invalid response",
+                    down = "the connection is down", unreached = "cannot be reached";
   std::vector<Kind> kinds{
       line_kind("silent", "SILENT", {late}),
       line_kind("slow, just in time", "SLOW,0.2", {}),
@@ -47,8 +47,8 @@ std::vector<Kind> all_kinds() {
                      .causes = {late, wrongly, down},
                      .modbus_only = true});
   // The cable is changed: out, and in again at another instrument a moment later.
-  for (const auto& [name, word, told] :
-       {std::tuple{"another make", "ON", "it says"}, {"another of its make", "TWIN", "another in"}})
+  for (const auto& [name, word, told] : {std::tuple{"another make", "ON", "the identity is"},
+                                         {"another of its make", "TWIN", "another identity"}})
     kinds.push_back({.name = name,
                      .on = {std::string("LINE:PRET \"{}\",") + word, "LINE:FAULT \"{}\",REFUSE",
                             "+0.1", "LINE:FAULT \"{}\",NONE"},
@@ -112,8 +112,9 @@ std::vector<TrialPlan> all_trials() {
   };
   for (const bool by_modbus : {false, true})
     for (const char* const instrument : {"frame", "back"}) {
-      Wrong minute = wrong_of(line_kind("cable out", "REFUSE", {"the link is down", "cannot be"}),
-                              instrument, 1, 60);
+      Wrong minute =
+          wrong_of(line_kind("cable out", "REFUSE", {"the connection is down", "cannot be"}),
+                   instrument, 1, 60);
       add(by_modbus, {minute});
     }
   // A long deadline is no excuse for getting safe late.
@@ -121,8 +122,8 @@ std::vector<TrialPlan> all_trials() {
     for (const char* const instrument : {"scanner", "frame", "cell", "back"}) {
       // What the scanner reads of the Modbus rig is not needed.
       if (by_modbus && std::string(instrument) == "scanner") continue;
-      const Wrong silent =
-          wrong_of(line_kind("silent", "SILENT", {"no answer"}), instrument, start_of(++stride), 5);
+      const Wrong silent = wrong_of(line_kind("silent", "SILENT", {"no response"}), instrument,
+                                    start_of(++stride), 5);
       add(by_modbus, {silent});
       all.back().deadline_s = 2;
     }
@@ -137,7 +138,7 @@ std::vector<TrialPlan> all_trials() {
   for (Wrong one : modbus) {
     if (one.kind.starts_with("another") || one.kind.starts_with("its clock")) continue;
     if (one.kind == "reset" || one.kind == "cable out")
-      one.causes = {"no answer", "answered wrongly"};
+      one.causes = {"no response", "invalid response"};
     // Questions go one after the other on such a line.
     for (std::string& command : one.on) {
       if (command.ends_with("SLOW,0.2")) command.replace(command.size() - 3, 3, "0.1");

@@ -5,7 +5,7 @@ import { el, field, fill } from "./dom.js";
 import { failed, leaveNotice } from "./notice.js";
 
 const recognisedAs = (r) => (!r || typeof r === "string" ? r : [r.dialect, r.programme, `${r.columns?.length ?? 0} columns`].filter(Boolean).join(", "));
-const guess = (g) => (typeof g === "string" ? g : `${g.what}: taken as ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`);
+const guess = (g) => (typeof g === "string" ? g : `${g.what}: assumed to be ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`);
 
 function missingForm(answer, answers, send) {
   const inputs = answer.missing.map(({ key, label, unit, why }) => {
@@ -15,7 +15,7 @@ function missingForm(answer, answers, send) {
   const form = el("form", { class: "stack", on: { submit: (event) => {
     event.preventDefault();
     send({ ...answers, ...Object.fromEntries(new FormData(form)) });
-  } } }, el("h2", { tabindex: -1 }, "This the record does not say"), el("div", { class: "columns" }, inputs),
+  } } }, el("h2", { tabindex: -1 }, "Missing from the record"), el("div", { class: "columns" }, inputs),
   el("div", { class: "row" }, el("button", { class: "main", type: "submit" }, "Replay with these")));
   return form;
 }
@@ -29,7 +29,7 @@ export function dropZone(main, most) {
   const zone = el("div", { class: "drop" }, el("span", {}, "Drop a record of a logger here"), choose, input);
 
   async function send(file, answers) {
-    if (file.size > most) return fill(result, failed(new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MB; the page takes in at most ${most / 2 ** 20}. "triax replay" has no such limit.`)));
+    if (file.size > most) return fill(result, failed(new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MB; the page accepts at most ${most / 2 ** 20}. "triax replay" has no such limit.`)));
     fill(result, el("p", { class: "notice", role: "status" }, `Reading ${file.name}…`));
     try {
       const answer = await postRecord(file, answers);
@@ -41,7 +41,7 @@ export function dropZone(main, most) {
       }
       fill(result, el("section", { class: "panel stack", "aria-label": "What was found in the record" },
         el("p", {}, el("strong", {}, file.name), answer.recognised ? `: recognised as ${recognisedAs(answer.recognised)}.` : "."),
-        guessed.length ? [el("h3", {}, "Guessed"), el("ul", {}, guessed.map((g) => el("li", {}, g)))] : null,
+        guessed.length ? [el("h3", {}, "Assumed"), el("ul", {}, guessed.map((g) => el("li", {}, g)))] : null,
         answer.error ? failed(new Error(answer.error)) : null,
         answer.missing?.length ? missingForm(answer, answers, (more) => send(file, more)) : null));
       result.querySelector("h2")?.focus();

@@ -3,7 +3,7 @@
 import { el, field, select } from "./dom.js";
 import { DASH, words } from "./format.js";
 
-const OF = { type: (t) => t.test.programme ?? DASH, material: (t) => t.specimen.material ?? DASH, kind: (t) => t.collapse.kind ?? "not judged", origin: (t) => t.test.origin };
+const OF = { type: (t) => t.test.programme ?? DASH, material: (t) => t.specimen.material ?? DASH, kind: (t) => t.collapse.kind ?? "not assessed", origin: (t) => t.test.origin };
 const RANGES = { p: (t) => t.consolidation?.p_eff_kPa, e: (t) => t.consolidation?.void_ratio ?? t.specimen.void_ratio };
 
 let values = {};

@@ -3,20 +3,20 @@
 import { words } from "./format.js";
 
 const KINDS = {
-  flow: ["flow collapse", "alarm", "strength is lost and does not return"],
-  partial: ["partial collapse", "alarm", "part of the strength is lost for good"],
-  limited: ["limited collapse", "care", "strength is lost and comes back"],
-  cyclic_mobility: ["cyclic mobility", "care", "strength is lost in each cycle and comes back"],
+  flow: ["flow collapse", "alarm", "strength is lost and not recovered"],
+  partial: ["partial collapse", "alarm", "part of the strength is lost permanently"],
+  limited: ["limited collapse", "care", "strength is lost and recovered"],
+  cyclic_mobility: ["cyclic mobility", "care", "strength is lost and recovered in each cycle"],
   none: ["no collapse", "good", "second-order work stayed positive"],
 };
 
 export function verdict(collapse) {
   if (!collapse || collapse.detected === null || collapse.detected === undefined)
-    return { word: "not judged", tone: "off", why: collapse?.judged?.reason ?? "there is no verdict" };
+    return { word: "not assessed", tone: "off", why: collapse?.judged?.reason ?? "there is no assessment" };
   const [word, tone, why] = KINDS[collapse.kind] ?? [words(collapse.kind), collapse.detected ? "alarm" : "good", ""];
   return { word, tone, why };
 }
 
 export const SHAPES = { alarm: "▲", care: "◆", good: "●", off: "○", info: "■" };
 
-export const judgement = (value, yes = "yes", no = "no") => (value === null || value === undefined ? "not judged" : value ? yes : no);
+export const judgement = (value, yes = "yes", no = "no") => (value === null || value === undefined ? "not assessed" : value ? yes : no);

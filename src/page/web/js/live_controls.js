@@ -4,9 +4,9 @@ import { post } from "./api.js";
 import { el, field, fill } from "./dom.js";
 
 const ORDERS = {
-  hold: { text: "‖ Hold", title: "Hold the test?", says: "The drives stand still where they are; readings go on.", sure: "Really hold it now?", yes: "Hold now" },
-  resume: { text: "▶ Go on", title: "Go on with the test?", says: "The stage goes on from where it was held.", sure: "Really go on now?", yes: "Go on now" },
-  stop: { text: "■ Safe stop", title: "Stop the test?", says: "The rig goes to its safe state and the test ends. It cannot be gone on with.", sure: "Really end this test?", yes: "Stop now", danger: true },
+  hold: { text: "‖ Hold", title: "Hold the test?", says: "The drives stop at their positions. Readings continue.", sure: "Really hold it now?", yes: "Hold now" },
+  resume: { text: "▶ Go on", title: "Go on with the test?", says: "The stage continues from where it was held.", sure: "Really go on now?", yes: "Go on now" },
+  stop: { text: "■ Safe stop", title: "Stop the test?", says: "The rig goes to its safe state and the test ends. It cannot be continued.", sure: "Really end this test?", yes: "Stop now", danger: true },
 };
 
 let who = "";
@@ -48,7 +48,7 @@ export function controls(id, name, told) {
       told(failure.message);
     }
   } } }, text)]));
-  return { node: el("div", { class: "row controls", role: "group", "aria-label": "Orders" }, Object.values(buttons)), show: (state) => {
+  return { node: el("div", { class: "row controls", role: "group", "aria-label": "Commands" }, Object.values(buttons)), show: (state) => {
     buttons.hold.disabled = state !== "running";
     buttons.resume.disabled = state !== "held";
     buttons.stop.disabled = state !== "running" && state !== "held";

@@ -19,7 +19,7 @@ export function gauge(node, { eta, forecast, limit }) {
       svg("text", { x: x(forecast.eta_forecast), y: 11, "text-anchor": "middle" }, `instability line η ${fixed(forecast.eta_forecast, 2)}`)] : null,
     limit ? [svg("line", { class: "limit", x1: x(limit), x2: x(limit), y1: 16, y2: 54 }), svg("text", { class: "soft", x: x(limit), y: close ? 86 : 70, "text-anchor": "end" }, `limit surface M ${fixed(limit, 2)}`)] : null,
     known ? svg("text", { x: Math.min(WIDE - 60, Math.max(0, x(eta) - 4)), y: 70, "text-anchor": x(eta) > 60 ? "end" : "start" }, `now η ${fixed(eta, 2)}`) : null);
-  node.setAttribute("aria-label", known ? `stress ratio ${fixed(eta, 2)}${forecast ? `, forecast of the onset at ${fixed(forecast.eta_forecast, 2)}, between ${fixed(forecast.eta_low, 2)} and ${fixed(forecast.eta_high, 2)}` : ", no forecast"}` : "stress ratio not known");
+  node.setAttribute("aria-label", known ? `stress ratio ${fixed(eta, 2)}${forecast ? `, forecast of the onset at ${fixed(forecast.eta_forecast, 2)}, between ${fixed(forecast.eta_low, 2)} and ${fixed(forecast.eta_high, 2)}` : ", no forecast"}` : "stress ratio unknown");
 }
 
 export const gaugeNode = () => svg("svg", { class: "gauge", viewBox: `0 0 ${WIDE} 88`, role: "img" });

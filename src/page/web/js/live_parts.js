@@ -12,7 +12,7 @@ export function signalOf({ state, level, forecast, lost, end }) {
   const rest = amount && forecast.left.value <= 0 ? "the forecast onset is reached" : amount ? `${amount.value} ${amount.unit} of ${amount.of}${forecast.left.time_s === null ? "" : `, ${time(forecast.left.time_s)}`} left at the present rate` : null;
   if (lost) return { word: "unstable", tone: "alarm", sub: lost.detail };
   if (end) return { word: "ended", tone: "off", sub: end.error || words(end.status ?? "") };
-  if (state === "held") return { word: "held", tone: "off", sub: "the drives stand still" };
+  if (state === "held") return { word: "held", tone: "off", sub: "the drives are stopped" };
   if (level === "imminent") return { word: "imminent", tone: "alarm", sub: rest ?? "the onset is near" };
   if (level === "approaching") return { word: "approaching", tone: "care", sub: rest ?? "the onset comes nearer" };
   return { word: "no alarm", tone: "good", sub: rest ? `onset forecast: ${rest}` : "no onset is forecast" };
@@ -29,7 +29,7 @@ export function showSignal(node, signal) {
 /** stage: {number, name, role, drainage, control}; share: of the programme, 0 to 1. */
 export function stageLine() {
   const words1 = el("div", { "aria-live": "polite" });
-  const bar = el("progress", { max: 1, "aria-label": "share of the programme that is done" });
+  const bar = el("progress", { max: 1, "aria-label": "completed fraction of the programme" });
   return { node: el("div", { class: "stage" }, words1, bar), stage: ({ number, name, role, drainage, control }) =>
     fill(words1, el("strong", {}, `Stage ${number}: ${name ?? words(role)}`), " ", el("span", { class: "quiet" }, [words(role), drainage && `drainage ${words(drainage)}`, control && `control: ${words(control)}`].filter(Boolean).join(", "))),
   share: (value) => {

@@ -50,7 +50,7 @@ class RunPage {
     return el("section", { class: "stack", "aria-label": "Running test" },
       el("div", { class: "head" }, el("div", { class: "row" }, el("h1", { tabindex: -1 }, this.test.name),
         el("span", { class: `tag ${this.simulated ? "care" : "info"}` }, this.simulated ? "SIMULATED" : "recorded"), this.link),
-      controlled ? this.orders.node : el("span", { class: "quiet" }, "recorded by another program: look only")),
+      controlled ? this.orders.node : el("span", { class: "quiet" }, "recorded by another program: view only")),
       this.trouble, this.verdict,
       el("div", { class: "live-state" }, this.signal, el("section", { class: "panel", "aria-label": "Now" }, this.bigs, this.bar)),
       el("section", { class: "panel", "aria-label": "Stage" }, this.stage.node), this.charts.node,
@@ -182,7 +182,7 @@ class RunPage {
       window: (missed) => this.came(missed),
       end: (end) => this.finish(end).catch(wrong),
       back: () => this.connection("live", "good"),
-      lost: (closed) => this.connection(closed ? "no connection" : "coming back", "alarm"),
+      lost: (closed) => this.connection(closed ? "no connection" : "reconnecting", "alarm"),
     });
   }
 

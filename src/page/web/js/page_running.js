@@ -12,6 +12,6 @@ export async function show(main) {
   const name = (id) => tests.find((t) => t.test.id === id)?.test.name ?? `test ${id}`;
   fill(main, el("div", { class: "stack" }, el("h1", { tabindex: -1 }, "Running tests"),
     running.length ? el("ul", { class: "panel" }, running.map((id) => el("li", {}, el("a", { href: `#/run/${id}` }, name(id)))))
-      : el("p", { class: "panel empty" }, "No test runs now. ", el("a", { href: "#/try" }, "Try one"), " on the virtual apparatus, or start triax open with a rig.")));
+      : el("p", { class: "panel empty" }, "No test is running. ", el("a", { href: "#/try" }, "Try one"), " on the virtual apparatus, or start triax open with a rig.")));
   return { title: "Running" };
 }

@@ -158,7 +158,7 @@ class StabilityPage {
     const at = kept.cursor;
     const show = (...content) => fill(this.side, el("h2", {}, "At the cursor"), figures(at), content);
     try {
-      if (at[1] / at[0] >= this.limit) show(el("p", {}, "Beyond the limit of the material: no state of it."));
+      if (at[1] / at[0] >= this.limit) show(el("p", {}, "Beyond the limit of the material: no such state."));
       else show(this.cone(await probed(at)));
     } catch (failure) {
       show(el("p", { class: "quiet" }, failure.message));

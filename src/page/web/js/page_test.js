@@ -22,7 +22,7 @@ export async function show(main, [id]) {
   fill(main, el("div", { class: "stack" },
     takeNotice(),
     el("div", { class: "head" },
-      el("div", { class: "row" }, el("h1", { tabindex: -1 }, test.name), el("span", { class: "tag" }, test.programme ?? "type not known"),
+      el("div", { class: "row" }, el("h1", { tabindex: -1 }, test.name), el("span", { class: "tag" }, test.programme ?? "type unknown"),
         el("span", { class: `tag ${test.origin === "simulated" ? "care" : "info"}` }, test.origin === "simulated" ? "SIMULATED" : "recorded"),
         test.status !== "complete" ? el("span", { class: "tag care" }, test.status.replaceAll("_", " ")) : null,
         running ? el("a", { href: `#/run/${test.id}` }, "watch it live") : null),

@@ -4,7 +4,7 @@ import { get, post } from "./api.js";
 import { el, field, fill, fresh, select } from "./dom.js";
 import { failed } from "./notice.js";
 
-const SPEEDS = [["0", "as fast as it computes"], ["600", "600 times the clock"], ["60", "60 times the clock"], ["10", "10 times the clock"], ["1", "the clock"]];
+const SPEEDS = [["0", "as fast as it computes"], ["600", "600 times real time"], ["60", "60 times real time"], ["10", "10 times real time"], ["1", "real time"]];
 const kept = { programme: null, speed: "600", values: {}, rig: false };
 
 function slider(spec, value, set) {
@@ -80,7 +80,7 @@ export async function show(main) {
     })), field("Speed", select(SPEEDS, kept.speed, (v) => (kept.speed = v))),
     rig ? el("div", { class: "row" }, field("On the instruments of the rig", rig)) : null), remark),
   el("section", { class: "panel", "aria-label": "Specimen and test" }, fields),
-  wrong, el("div", { class: "row" }, go, el("span", { class: "quiet" }, "A virtual specimen: SIMULATED, no measurement.")));
+  wrong, el("div", { class: "row" }, go, el("span", { class: "quiet" }, "A virtual specimen: SIMULATED, not measured.")));
   build();
   fill(main, el("div", { class: "stack" }, el("h1", { tabindex: -1 }, "Try a test before you run it"), form));
   return { title: "Try it" };

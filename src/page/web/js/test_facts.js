@@ -29,27 +29,27 @@ export function verdictPanel({ collapse, test }) {
     figure("limit surface", inside === null ? "unknown" : inside ? "inside" : "on it", limit),
     collapse.truth?.lost_sustainability ? figure("truth (specimen)", `η ${fixed(collapse.truth.eta, 2)}`, el("small", {}, ` ${time(collapse.truth.time_s)}`)) : null,
   ] : [
-    figure("judged", collapse.judged?.complete ? "to the end" : collapse.judged?.to_reading !== null && collapse.judged?.to_reading !== undefined ? `to reading ${collapse.judged.to_reading}` : DASH),
+    figure("assessed", collapse.judged?.complete ? "to the end" : collapse.judged?.to_reading !== null && collapse.judged?.to_reading !== undefined ? `to reading ${collapse.judged.to_reading}` : DASH),
     collapse.nearest ? figure("least W₂ normalised", fixed(collapse.nearest.second_order_work_normalised, 3), el("small", {}, ` reading ${collapse.nearest.reading}`)) : null,
     figure("limit surface", collapse.limit_stress_ratio ? null : "unknown", limit),
   ];
-  return el("section", { class: `panel verdict ${tone}`, "aria-label": "Verdict", data: { verdict: String(collapse.kind), test: String(test.id) } },
+  return el("section", { class: `panel assessment ${tone}`, "aria-label": "Assessment", data: { verdict: String(collapse.kind), test: String(test.id) } },
     el("div", {}, el("div", { class: "word" }, el("span", { "aria-hidden": "true" }, `${SHAPES[tone]} `), word), el("div", { class: "quiet" }, why)),
     el("dl", { class: "figures" }, figures));
 }
 
 export function criteriaTable({ collapse }) {
-  return table("Criteria", [["Criterion"], ["Detected"], ["Reading", "number"], ["Time", "number"], ["η", "number"], ["Noticed at", "number"], ["Evidence"]],
+  return table("Criteria", [["Criterion"], ["Detected"], ["Reading", "number"], ["Time", "number"], ["η", "number"], ["Detected at", "number"], ["Evidence"]],
     (collapse.criteria ?? []).map((c) => el("tr", {}, el("th", { scope: "row", "data-label": "Criterion" }, words(c.name)),
       cell("Detected", el("span", { class: `tag ${c.detected ? "alarm" : c.detected === false ? "good" : ""}` }, judgement(c.detected))),
-      number("Reading", c.reading ?? DASH), number("Time", time(c.time_s)), number("η", fixed(c.eta, 2)), number("Noticed at", c.noticed_reading ?? DASH),
+      number("Reading", c.reading ?? DASH), number("Time", time(c.time_s)), number("η", fixed(c.eta, 2)), number("Detected at", c.noticed_reading ?? DASH),
       el("td", { class: "long", "data-label": "Evidence" }, c.evidence ?? ""))));
 }
 
 export function checksTable({ checks }) {
-  return table("Checks", [["Check"], ["Verdict"], ["Measured", "number"], ["Limit", "number"], ["What it is"]],
+  return table("Checks", [["Check"], ["Result"], ["Measured", "number"], ["Limit", "number"], ["What it is"]],
     checks.map((c) => el("tr", {}, el("th", { scope: "row", "data-label": "Check" }, words(c.name)),
-      cell("Verdict", el("span", { class: `tag ${c.ok ? "good" : c.ok === null ? "" : "alarm"}` }, judgement(c.ok, "ok", "not ok"))),
+      cell("Result", el("span", { class: `tag ${c.ok ? "good" : c.ok === null ? "" : "alarm"}` }, judgement(c.ok, "ok", "not ok"))),
       number("Measured", digits(c.measured, 4)), number("Limit", digits(c.limit, 4)), el("td", { class: "long", "data-label": "What it is" }, c.note ?? ""))));
 }
 
@@ -62,26 +62,26 @@ export function eventsTable({ events }, goTo) {
 
 export function guessesPanel({ guesses }) {
   if (!guesses?.length) return null;
-  return el("section", { class: "panel", "aria-label": "Guessed" }, el("h2", {}, "Guessed ", el("span", { class: "tag care" }, String(guesses.length))),
-    el("ul", {}, guesses.map((g) => el("li", {}, `${g.what}: taken as ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`))));
+  return el("section", { class: "panel", "aria-label": "Assumed" }, el("h2", {}, "Assumed ", el("span", { class: "tag care" }, String(guesses.length))),
+    el("ul", {}, guesses.map((g) => el("li", {}, `${g.what}: assumed to be ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`))));
 }
 
 export function warningsPanel({ warnings, collapse }) {
-  const depends = (collapse.depends_on ?? []).map((d) => `The verdict rests on a guess: ${d.guess}. ${d.remedy ?? ""}`);
+  const depends = (collapse.depends_on ?? []).map((d) => `The assessment depends on an assumption: ${d.guess}. ${d.remedy ?? ""}`);
   const all = [...warnings, ...depends];
   return el("section", { class: "panel", "aria-label": "Warnings" }, el("h2", {}, "Warnings ", el("span", { class: `tag ${warnings.length ? "care" : "good"}` }, String(warnings.length))),
-    all.length ? el("ul", {}, all.map((text) => el("li", {}, text))) : el("p", { class: "quiet" }, "Nothing that would make this verdict doubtful was found."));
+    all.length ? el("ul", {}, all.map((text) => el("li", {}, text))) : el("p", { class: "quiet" }, "No problem was found that affects this assessment."));
 }
 
 export function specimenPanel({ test, specimen, consolidation, corrections, notes }) {
-  const facts = [["Kind of record", test.origin === "simulated" ? "SIMULATED: a virtual specimen, no measurement" : "recorded"], ["Type of test", test.programme],
+  const facts = [["Kind of record", test.origin === "simulated" ? "SIMULATED: a virtual specimen, not measured" : "recorded"], ["Type of test", test.programme],
     ["Source", test.source], ["Dialect", test.dialect], ["Seed", test.seed], ["Readings", test.readings], ["Stored", date(test.stored_at)], ["Tags", test.tags?.join(", ") || null],
     ["Material", specimen.material], ["Height, diameter", specimen.height_mm ? `${fixed(specimen.height_mm, 2)} mm, ${fixed(specimen.diameter_mm, 2)} mm` : null],
     ["Void ratio as built", specimen.void_ratio === null ? null : fixed(specimen.void_ratio, 4)],
     ["p′ at the start of shear", consolidation.p_eff_kPa === null ? null : `${fixed(consolidation.p_eff_kPa)} kPa`],
     ["Void ratio at the start of shear", consolidation.void_ratio === null ? null : fixed(consolidation.void_ratio, 4)],
     ["B value", consolidation.b_value === null ? null : fixed(consolidation.b_value, 3)], ["Membrane correction", corrections?.membrane],
-    ...(notes ?? []).map(({ label, text }) => [`The file says${label ? `: ${label}` : ""}`, text])];
+    ...(notes ?? []).map(({ label, text }) => [`From the file${label ? `: ${label}` : ""}`, text])];
   return el("section", { class: "panel" }, el("h2", {}, "Test and specimen"), el("table", {}, el("tbody", {},
     facts.filter(([, value]) => value !== null && value !== undefined).map(([name, value]) => el("tr", {}, el("th", { scope: "row" }, name), el("td", { class: "long" }, value))))));
 }

@@ -181,7 +181,7 @@ TEST_CASE("a saturated transducer is said once") {
       "end = [{quantity = \"axial_strain_pct\", above = 1.0}]\n")));
   CHECK(run(rig).back()[Quantity::pore_pressure] == 310e3);
   REQUIRE(rig.header().warnings.size() == 2);
-  CHECK_THAT(rig.header().warnings[0].text, Contains("pore_pressure went out of its range"));
+  CHECK_THAT(rig.header().warnings[0].text, Contains("pore_pressure left its range"));
   CHECK_THAT(rig.header().warnings[1].text, Contains("pore_pressure is at the end of its range"));
 }
 
@@ -197,7 +197,7 @@ end = [{quantity = "cell_pressure_kPa", below = 200.0}]
   CHECK(run(rig).size() > 50);
   REQUIRE_FALSE(rig.header().warnings.empty());
   CHECK_THAT(rig.header().warnings.back().text,
-             Contains("too far") && Contains("the law has no result beyond"));
+             Contains("too far") && Contains("the law gives no result from there on"));
 }
 
 TEST_CASE("any law can be the specimen; where one ends the test ends with its readings") {
@@ -214,7 +214,7 @@ TEST_CASE("any law can be the specimen; where one ends the test ends with its re
   CHECK(run(liquefied).size() > 100);
   REQUIRE(liquefied.header().warnings.size() == 1);
   CHECK_THAT(liquefied.header().warnings[0].text,
-             Contains("the law has no result beyond") && Contains("liquefied"));
+             Contains("the law gives no result from there on") && Contains("liquefied"));
   CHECK(liquefied.header().cut_short == liquefied.header().warnings[0].text);
   CHECK(liquefied.truth()->lost_sustainability);
 }

@@ -34,7 +34,7 @@ TEST_CASE("what a guard was good for: the same test with and without it") {
   REQUIRE(event != events.end());
   CHECK(event->reading == guard.at.reading);
   CHECK(event->noticed->reading == guard.at.reading);
-  CHECK_THAT(event->detail, Contains("on imminent: handed over") && Contains("second-order work"));
+  CHECK_THAT(event->detail, Contains("on imminent: switched") && Contains("second-order work"));
   // 16.8 % is where the fall ends at the stop.
   REQUIRE(guard.without);
   CHECK(*guard.without->last_axial_strain > 0.15);

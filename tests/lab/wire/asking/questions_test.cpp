@@ -23,8 +23,9 @@ TEST_CASE("the link says in which protocol an instrument is asked", "[asking]") 
         std::string("\7\4\0\0\0\2", 6));
   CHECK(first(pad, "serial:///dev/ttyS0", {{}, 1}) == "SS\r\n");
   CHECK_THROWS_WITH(first(pad, "modbus-tcp://localhost:502/7", {{}, 1}),
-                    Contains("does not speak Modbus"));
+                    Contains("has no Modbus interface"));
   const auto deaf = parse_personality(
       "title = \"x\"\nprotocol = \"modbus\"\n[points.a]\nmodbus = { register = 1 }\n", "x.toml");
-  CHECK_THROWS_WITH(first(deaf, "tcp://localhost:502", {"a", {}}), Contains("speaks Modbus only"));
+  CHECK_THROWS_WITH(first(deaf, "tcp://localhost:502", {"a", {}}),
+                    Contains("has a Modbus interface only"));
 }

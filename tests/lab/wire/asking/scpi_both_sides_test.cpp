@@ -60,7 +60,7 @@ TEST_CASE("what is asked and set by SCPI reaches a device made from the same per
     // Refused before mode is sent.
     tank.written.clear();
     const auto refused = questions->set({{settings[1].point, 2000}, {"mode", 1}});
-    CHECK_THROWS_WITH(refused[0].values(answer(refused[0])), Contains("it refuses: -222"));
+    CHECK_THROWS_WITH(refused[0].values(answer(refused[0])), Contains("it reports: -222"));
     CHECK(tank.written.empty());
     // Nothing of it is left for the next setting.
     const auto again = questions->set({{settings[1].point, 20}});

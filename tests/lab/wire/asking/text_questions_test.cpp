@@ -45,7 +45,7 @@ TEST_CASE("values are set by SCPI in the personality's order and checked", "[ask
   CHECK(together[0].values("0,\"No error\"\n").empty());
   CHECK(together[0].values("+0,\"No error\"\n").empty());
   CHECK_THROWS_WITH(together[0].values("-222,\"Data out of range\"\n"),
-                    "it refuses: -222,\"Data out of range\"");
+                    "it reports: -222,\"Data out of range\"");
   CHECK_THROWS_AS(together[0].values("\n"), Malformed);
   tank.compound = false;
   const auto apart = text_questions(tank)->set(settings);
@@ -85,7 +85,7 @@ TEST_CASE("a multimeter has one value", "[asking]") {
   CHECK(read[0].exchange.values("+1.00000000E-01\n") == std::vector<double>{0.1});
   CHECK_THROWS_AS(text_questions(meter)->read({{"", 2}}), BadInput);
   CHECK_THROWS_WITH(text_questions(meter)->read({{"volt", {}}}),
-                    Contains("its channels have numbers"));
+                    Contains("its channels are numbered"));
 }
 
 TEST_CASE("a pad answers by eight lines", "[asking]") {
@@ -116,7 +116,7 @@ TEST_CASE("numbers that come unasked", "[asking]") {
 TEST_CASE("what cannot be asked or set by SCPI is bad input", "[asking]") {
   const auto tank = tank_personality();
   const auto questions = text_questions(tank);
-  CHECK_THROWS_WITH(questions->read({{"coil_19", {}}}), Contains("by Modbus only"));
-  CHECK_THROWS_WITH(questions->set({{"level_mm", 1}}), Contains("only read"));
-  CHECK_THROWS_WITH(questions->read({{"", 1}}), Contains("no channels by number"));
+  CHECK_THROWS_WITH(questions->read({{"coil_19", {}}}), Contains("over Modbus only"));
+  CHECK_THROWS_WITH(questions->set({{"level_mm", 1}}), Contains("read-only"));
+  CHECK_THROWS_WITH(questions->read({{"", 1}}), Contains("no numbered channels"));
 }

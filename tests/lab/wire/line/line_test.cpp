@@ -48,7 +48,7 @@ TEST_CASE("an answer that is late is never taken for the next one") {
   echo.server.set_fault(echo.link, WireFault::slow, 0.15);
   const Asked late = echo.ask("1", 0.1);
   CHECK(late.kind == Kind::late);
-  CHECK(late.why == "no answer");
+  CHECK(late.why == "no response");
   CHECK(echo.loop.now_s() - late.sent_s < 1);
   echo.server.set_fault(echo.link, WireFault::none);
   CHECK(echo.ask("2", 0.3).values == std::vector{2.0});
@@ -63,7 +63,7 @@ TEST_CASE("an answer that is late is never taken for the next one") {
     echo.line.on_lost([&](const std::string& why) { lost = why; });
     echo.server.set_fault(echo.link, WireFault::silent);
     CHECK(echo.ask("4", 0.05).kind == Kind::late);
-    CHECK(echo.ask("5", 0.05).why == "the line was busy until the deadline");
+    CHECK(echo.ask("5", 0.05).why == "the connection was busy until the deadline");
     CHECK(echo.loop.run_until([&] { return !lost.empty(); }, echo.loop.now_s() + 1));
     CHECK_FALSE(echo.line.is_open());
     CHECK(echo.ask("6").kind == Kind::closed);
@@ -109,7 +109,7 @@ TEST_CASE("half an answer, garbage and a reset are told as what they are") {
   echo.server.set_fault(echo.link, WireFault::half_frame);
   const Asked half = echo.ask("123456", 0.05);
   CHECK(half.kind == Kind::late);
-  CHECK(half.why == "an answer without its end");
+  CHECK(half.why == "a response without its end");
   echo.loop.run_for(0.15);
   CHECK_FALSE(echo.line.is_open());
 

@@ -38,22 +38,22 @@ TEST_CASE("a question by RTU and its answer", "[modbus]") {
 
 TEST_CASE("what is no answer to the question is malformed, in words", "[modbus]") {
   const std::pair<const char*, const char*> tcp[] = {
-      {"1500 0000 0009 05", "an answer to question 5376, asked was 5377"},
+      {"1500 0000 0009 05", "a response to query 5376 instead of 5377"},
       {"1501 0001 0009 05", "protocol is not 0"},
       {"1501 0000 0002 05", "a length of 2"},
       {"1501 0000 0100 05", "a length of 256"},
-      {"1501 0000 0009 06", "an answer of unit 6, asked was 5"},
-      {"1501 0000 0009 05 04", "an answer to function 4, asked was 3"},
+      {"1501 0000 0009 06", "a response from unit 6 to a query to unit 5"},
+      {"1501 0000 0009 05 04", "a response to function 4 instead of 3"},
       {"1501 0000 0007 05 03 06 022B 0000", "does not fit"}};
   for (const auto& [bytes, words] : tcp) {
     INFO(bytes);
     CHECK_THROWS_WITH(over_tcp().whole(hex(bytes)), Contains(words));
   }
-  CHECK_THROWS_WITH(over_rtu().whole("\x06"), Contains("an answer of unit 6"));
-  CHECK_THROWS_WITH(over_rtu().whole(hex("05 10")), Contains("an answer to function 16"));
+  CHECK_THROWS_WITH(over_rtu().whole("\x06"), Contains("a response from unit 6"));
+  CHECK_THROWS_WITH(over_rtu().whole(hex("05 10")), Contains("a response to function 16"));
   auto spoilt = rtu_frame(5, hex("03 06 022B 0000 0064"));
   spoilt.back() = static_cast<char>(spoilt.back() ^ 1);
-  CHECK_THROWS_WITH(over_rtu().whole(spoilt), Contains("a wrong check sum"));
+  CHECK_THROWS_WITH(over_rtu().whole(spoilt), Contains("a wrong checksum"));
 }
 
 TEST_CASE("an exception of the instrument is malformed, in words", "[modbus]") {

@@ -38,7 +38,7 @@ TEST_CASE("a read request has the bytes of the standard's examples", "[modbus]")
 
 TEST_CASE("exceptions in words", "[modbus]") {
   CHECK(exception_text(2) == "exception 2 (illegal data address)");
-  CHECK(exception_text(11) == "exception 11 (no answer of the unit)");
+  CHECK(exception_text(11) == "exception 11 (no response of the unit)");
   CHECK(exception_text(7) == "exception 7");
   CHECK(exception_text(0) == "exception 0");
   CHECK(exception_text(200) == "exception 200");

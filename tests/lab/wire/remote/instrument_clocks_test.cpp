@@ -24,7 +24,7 @@ TEST_CASE("a clock that jumps is told once, with the size of its jump", "[remote
   const auto news = clocks.news();
   REQUIRE(news.size() == 1);
   CHECK_THAT(news.front(),
-             Contains("scanner has a clock that jumped by " + std::string(jump_s > 0 ? "+" : "-")));
+             Contains("scanner clock jumped by " + std::string(jump_s > 0 ? "+" : "-")));
   CHECK(clocks.news().empty());
 }
 

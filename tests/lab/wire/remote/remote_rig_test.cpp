@@ -128,7 +128,7 @@ TEST_CASE("a rig that lacks what a test needs is refused with all that is missin
       replaced(replaced(rig_text(), "\nrole = \"frame\"", ""), "axial_force", "room"), "rig.toml");
   LineLoop loop;
   CHECK_THROWS_WITH(RemoteApparatus(loop, rig, programme),
-                    Contains("role = \"frame\"") && Contains("measures axial_force"));
+                    Contains("role = \"frame\"") && Contains("a channel for axial_force"));
 }
 
 TEST_CASE("a channel that falls silent is missing, told, and leads to the safe state within 3 s") {
@@ -156,7 +156,7 @@ TEST_CASE("a channel that falls silent is missing, told, and leads to the safe s
   }
   CHECK(safe);
   CHECK(loop.now_s() - silent_s < 4.5);
-  CHECK_THAT(told, Contains("scanner gives no readings: no answer within 0.3 s") &&
+  CHECK_THAT(told, Contains("scanner gives no readings: no response within 0.3 s") &&
                        Contains("gives no readings"));
   CHECK_THAT(remote.header().cut_short, Contains("safe state"));
   tell(control, "LINE:FAULT \"scanner\",NONE");
@@ -178,7 +178,7 @@ TEST_CASE("a drive that does not answer leads to the safe state, though it reads
   while (remote.header().cut_short.empty() && loop.now_s() < silent_s + 6 && remote.next(reading))
     CHECK_FALSE(std::isnan(reading[Quantity::axial_displacement]));
   CHECK_THAT(remote.header().cut_short,
-             Contains("frame has not answered rightly for 3 s: ") && Contains("no answer"));
+             Contains("frame sent no valid response for 3 s: ") && Contains("no response"));
 }
 
 namespace {
@@ -209,14 +209,14 @@ TEST_CASE("RemoteRig: reports a short stall as a gap and goes on", "[wire][stall
   const StalledTest test(2.1);
   CHECK_THAT(test.told, Contains("readings are missed from 3 s to 4."));
   CHECK(test.ending.kind == TestEnding::Kind::completed);
-  CHECK_FALSE(test.told.find("stood still for") < test.told.size());
+  CHECK_FALSE(test.told.find("was suspended for") < test.told.size());
 }
 
 TEST_CASE("RemoteRig: a stall above the limit leads to the safe state", "[wire][stall]") {
   const StalledTest test(3.3);
-  CHECK_THAT(test.told, Contains("this program stood still for 3."));
+  CHECK_THAT(test.told, Contains("this program was suspended for 3."));
   CHECK(test.ending.kind == TestEnding::Kind::safe_state);
-  CHECK_THAT(test.ending.reason, Contains("this program stood still for 3."));
+  CHECK_THAT(test.ending.reason, Contains("this program was suspended for 3."));
 }
 
 TEST_CASE("a channel may count from what it says when the test begins") {
@@ -252,8 +252,7 @@ TEST_CASE("a drive that refuses its order again and again leads to the safe stat
   RemoteRig remote(loop, bench.client, fast);
   const std::vector<Reading> readings = readings_of(remote);
   CHECK(readings.size() < 20);
-  CHECK_THAT(remote.header().cut_short,
-             Contains("frame does not take what it is told") && Contains("-222"));
+  CHECK_THAT(remote.header().cut_short, Contains("frame rejects commands") && Contains("-222"));
   CHECK(std::fabs(readings.back()[Quantity::axial_displacement]) < 1e-9);
 }
 

@@ -22,7 +22,7 @@ Reply reply(std::vector<double> values, std::size_t length = 8) {
   return {.values = std::move(values), .length = length};
 }
 
-Reply malformed() { return {.values = {}, .trouble = "answered wrongly: no number"}; }
+Reply malformed() { return {.values = {}, .trouble = "invalid response: no number"}; }
 
 /// The replies of one scan, of which all but the last are to be followed by another question.
 ReplyCheck::Outcome scan(ReplyCheck& check, const std::vector<Reply>& replies) {
@@ -59,10 +59,10 @@ TEST_CASE("ReplyCheck: the first reading is the median of five replies") {
 TEST_CASE("ReplyCheck: first replies that come late are completed by later scans") {
   ReplyCheck check({place("u")}, true);
   for (int i = 0; i < 3; ++i) CHECK(check.add(reply({300})));
-  check.fail("no answer within 1 s");
+  check.fail("no response within 1 s");
   const auto late = check.end();
   CHECK(std::isnan(late.values[0]));
-  CHECK(late.why == "no answer within 1 s");
+  CHECK(late.why == "no response within 1 s");
   CHECK(scan(check, {reply({300}), reply({300})}).values[0] == 300);
 }
 
@@ -86,7 +86,8 @@ TEST_CASE("ReplyCheck: values that disagree are missing with their cause") {
   const auto outcome =
       scan(check, {reply({3005}), reply({30.5}), reply({4711}), reply({1}), reply({900})});
   CHECK(std::isnan(outcome.values[0]));
-  CHECK(outcome.why == "reply rejected: pore_pressure 900 when asked again, expected about 300");
+  CHECK(outcome.why ==
+        "response rejected: pore_pressure 900 when queried again, expected about 300");
   CHECK(scan(check, {reply({300})}).why.empty());
 }
 
@@ -120,7 +121,7 @@ TEST_CASE("ReplyCheck: what cannot be understood is asked for again, then missin
   CHECK(scan(check, {malformed(), reply({300})}).values[0] == 300);
   const auto outcome = scan(check, std::vector(ReplyCheck::kMaxReplies, malformed()));
   CHECK(std::isnan(outcome.values[0]));
-  CHECK(outcome.why == "answered wrongly: no number");
+  CHECK(outcome.why == "invalid response: no number");
 }
 
 TEST_CASE("ReplyCheck: an impossible value is never taken, however often it comes") {
@@ -129,7 +130,7 @@ TEST_CASE("ReplyCheck: an impossible value is never taken, however often it come
   ReplyCheck check = settled({limited}, {300});
   const auto outcome = scan(check, std::vector(ReplyCheck::kMaxReplies, reply({2000})));
   CHECK(std::isnan(outcome.values[0]));
-  CHECK_THAT(outcome.why, Contains("u 2000 is outside of -1000 to 1000"));
+  CHECK_THAT(outcome.why, Contains("u 2000 is outside -1000 to 1000"));
   ReplyCheck begun({limited}, true);
   CHECK_THAT(scan(begun, std::vector(ReplyCheck::kFirstReplies, reply({2000}))).why,
              Contains("outside"));

@@ -59,8 +59,8 @@ TEST_CASE("what is wrong with a rig is said in words") {
   CHECK_THAT(named(checks, "frame").trouble, Contains("somebody,else"));
   CHECK(named(checks, "cell").trouble.empty());
   const auto& channels = named(checks, "scanner").channels;
-  CHECK_THAT(channels[0].trouble, Contains("no date of calibration"));
+  CHECK_THAT(channels[0].trouble, Contains("no calibration date"));
   CHECK(channels[1].trouble.empty());
-  CHECK_THAT(channels[2].trouble, Contains("outside the range"));
-  CHECK_THAT(channels[3].trouble, Contains("no triaxial apparatus measures that"));
+  CHECK_THAT(channels[2].trouble, Contains("outside the calibrated range"));
+  CHECK_THAT(channels[3].trouble, Contains("impossible in a triaxial apparatus"));
 }

@@ -100,8 +100,8 @@ TEST_CASE("a gap is a row of empty cells, told with its cause and its end") {
                    }});
   CHECK(logged.missing_cells >= 5);
   CHECK(logged.missing_cells < 22);
-  CHECK_THAT(told, Contains("cell gives no readings: no answer within 0.2 s") &&
-                       Contains("cell answers again after"));
+  CHECK_THAT(told, Contains("cell gives no readings: no response within 0.2 s") &&
+                       Contains("cell responds again after"));
 }
 
 TEST_CASE("log_rig: reports the readings that a stall missed", "[wire][stall]") {
@@ -143,7 +143,7 @@ TEST_CASE("log_rig: names the instruments that are silent at its end", "[wire]")
                                         }});
   CHECK(logged.stopped);
   REQUIRE(logged.silent.size() == 1);
-  CHECK_THAT(logged.silent[0], Contains("cell: ") && Contains("no answer"));
+  CHECK_THAT(logged.silent[0], Contains("cell: ") && Contains("no response"));
   tell(control, "LINE:FAULT \"cell\",NONE");
 }
 

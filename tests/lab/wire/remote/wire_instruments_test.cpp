@@ -50,7 +50,7 @@ TEST_CASE("WireInstruments::scan: waits for what it asked after a stall", "[wire
   rig.instruments.scan(take, stall_before_second);
   // None was read within its deadline from the instant of the scan on; of the frame nothing is
   // read.
-  const std::string late = "no answer within 0.3 s";
+  const std::string late = "no response within 0.3 s";
   CHECK(causes == std::vector<std::string>{"", late, late, late});
   rig.loop.run_for(0.2);
   CHECK(causes.size() == 4);

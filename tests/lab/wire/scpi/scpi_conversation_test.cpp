@@ -39,7 +39,7 @@ TEST_CASE("what cannot be understood or done has its code") {
   AskedDevice asked;
   const std::pair<const char*, const char*> cases[] = {
       {"MEAS!PRES?", "-101,\"Invalid character; 'MEAS!PRES?'\""},
-      {"PRES:TARG 1,,2", "-102,\"Syntax error; nothing before a comma\""},
+      {"PRES:TARG 1,,2", "-102,\"Syntax error; no parameter before a comma\""},
       {"PRES:TARG,1", "-103,\"Invalid separator; 'PRES:TARG,1'\""},
       {"PRES:TARG abc", "-104,\"Data type error; no number: 'abc'\""},
       {"PRES:TARG 1,2", "-108,\"Parameter not allowed; PRES:TARG\""},

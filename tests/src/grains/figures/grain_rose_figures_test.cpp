@@ -35,7 +35,8 @@ TEST_CASE("the envelope shows the strains as they are, without what did not come
   CHECK(test::any_has_point(*drawing.plot, 0, 1, 1e-9));   // dσ₁ = 1 kPa
   const double a = sim::radians(140);
   CHECK_FALSE(test::any_has_point(*drawing.plot, 10 * std::cos(a), 10 * std::sin(a), 1e-6));
-  CHECK(test::contains(drawing.caption, "1 of 36 probes did not come to rest. They are left out."));
+  CHECK(test::contains(drawing.caption,
+                       "1 of 36 probes did not reach equilibrium. They are not used."));
   CHECK(test::contains(drawing.caption, "W₂ < 0 vermilion"));
 }
 

@@ -70,8 +70,8 @@ TEST_CASE("programme_of: every key that names a file is refused") {
   CHECK(programme_of(text, {}).name == "CSU 26");
   for (const auto& [table, key] : lab::kProgrammeFileKeys) {
     const std::string name = std::string(table) + '.' + std::string(key);
-    const auto refusal =
-        Catch::Contains(name + ": a programme of the page names no files of this machine");
+    const auto refusal = Catch::Contains(
+        name + ": a programme in the web interface cannot use files of this computer");
     CHECK_THROWS_WITH(programme_of("csu_26", {{name, "/etc/passwd"}}), refusal);
     std::string with_file = text;
     with_file.replace(with_file.find("[specimen]"), 10,

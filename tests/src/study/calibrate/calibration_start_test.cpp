@@ -56,9 +56,9 @@ TEST_CASE("parameters are freed and fixed by name") {
   CHECK(start.set.parameters.numbers.at("critical_friction_angle_deg") == 33.1);
   CHECK_THROWS_WITH(calibration_start({.law = "hypoplast"}), Contains("unknown law 'hypoplast'"));
   CHECK_THROWS_WITH(calibration_start({.law = "hypoplastic", .free = {"peak"}}),
-                    Contains("--free 'peak': has no range to be searched"));
+                    Contains("--free 'peak': has no search range"));
   CHECK_THROWS_WITH(calibration_start({.law = "hypoplastic", .start = "sanisand/S28-loose"}),
-                    Contains("is a set of sanisand, not of hypoplastic"));
+                    Contains("is a parameter set of sanisand, not of hypoplastic"));
   CHECK_THROWS_WITH(calibration_start({.law = "hypoplastic", .fixed = {{"peak_exponent", -1}}}),
                     Contains("peak_exponent"));
   CHECK_THROWS_WITH(calibration_start({.law = "elastic"}), Contains("under [search]"));
@@ -81,9 +81,9 @@ compression_slope = [0.11, 0.01]
   CHECK(start.free[0].high == 0.2);
   CHECK(start.free[0].prior->error == 0.01);
   CHECK_THROWS_WITH(calibration_start({.law = "cam_clay", .start = file.path + ":b"}),
-                    Contains("has no set 'b'"));
+                    Contains("no parameter set 'b'"));
   CHECK_THROWS_WITH(calibration_start({.law = "norsand", .start = file.path}),
-                    Contains("holds sets of cam_clay, not of norsand"));
+                    Contains("contains parameter sets of cam_clay, not of norsand"));
 }
 
 TEST_CASE("what triax soil measured becomes the start and a prior") {
@@ -135,7 +135,7 @@ critical_pressure_kPa = 50.0
   CHECK(clay.set.parameters.numbers.at("compression_slope") > 0);
   CHECK(range_called(clay, "compression_slope")->low > 0);
   REQUIRE(clay.notes.size() == 1);
-  CHECK_THAT(clay.notes[0], Contains("compression_slope -0.004 ± 0.02") && Contains("not taken"));
+  CHECK_THAT(clay.notes[0], Contains("compression_slope -0.004 ± 0.02") && Contains("not used"));
 }
 
 TEST_CASE("a range that a measured value widens beyond ratios is searched in steps") {

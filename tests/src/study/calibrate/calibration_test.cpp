@@ -226,8 +226,9 @@ TEST_CASE("intervals of noisy tests hold the truth about as often as they say") 
 TEST_CASE("too few tests for the parameters is one clear line") {
   const auto request = request_of(kSand);
   CHECK_NOTHROW(check_enough(8, {request.paths[0], request.paths[1]}));
-  CHECK_THROWS_WITH(check_enough(8, {request.paths[0]}),
-                    "8 free parameters from 1 test: at most 4 can be told from it; give 2 tests or "
-                    "more, or fix some with --fix");
-  CHECK_THROWS_WITH(check_enough(3, {}), Contains("there is no test to calibrate on"));
+  CHECK_THROWS_WITH(
+      check_enough(8, {request.paths[0]}),
+      "8 free parameters from 1 test: at most 4 can be determined from it; give 2 tests or "
+      "more, or fix some with --fix");
+  CHECK_THROWS_WITH(check_enough(3, {}), Contains("no test to calibrate on"));
 }

@@ -202,7 +202,7 @@ TEST_CASE("each law that ships with ranges has a domain or says why not") {
   const std::vector<std::pair<std::string, std::string>> said = {
       {"sanisand/Toyoura-DM04", ""},
       {"cam_clay/check", "before the plastic limit (η = 1.000"},
-      {"norsand/S28-true-state", "does not answer all directions"}};
+      {"norsand/S28-true-state", "gives no result in some directions"}};
   for (const auto& [name, why] : said) {
     INFO(name);
     const Calibrated c(name, {{{.key = "critical_stress_ratio", .low = 0.8, .high = 1.5}, 0.02}});

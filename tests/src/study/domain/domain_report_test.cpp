@@ -79,7 +79,7 @@ TEST_CASE("what a law refuses is told with its words; a set out of its range is 
   ReportedDomain domain = sample_domain();
   domain.columns[2].refusal = "the law has no such state";
   domain.columns[2].states[0].kind = sim::DomainStateKind::refused;
-  CHECK_THAT(domain_text(domain), Contains("at p′ 150 kPa first: the law has no such state"));
+  CHECK_THAT(domain_text(domain), Contains("first at p′ 150 kPa: the law has no such state"));
   const auto json = nlohmann::json::parse(domain_json(domain));
   CHECK(json["refused"]["states"] == 1);
   CHECK(json["refused"]["reason"] == "the law has no such state");

@@ -96,8 +96,8 @@ TEST_CASE(
   CHECK(*found.gap_left == Approx(0.01));
   CHECK(*found.gap_of_grains > 0.8);
   CHECK(*found.gap_of_grains < 0.9);
-  CHECK(*found.most_boundary == Approx(0.03));
-  CHECK(*found.most_ledger_error == Approx(0.005));
+  CHECK(*found.max_boundary_term == Approx(0.03));
+  CHECK(*found.max_energy_error == Approx(0.005));
   rose.probes[3].work.grains_turning = std::nan("");
   found = rose_findings(rose);
   CHECK_FALSE(found.gap_left);

@@ -131,7 +131,7 @@ TEST_CASE("where stress control has no answer in some directions, roots are thos
   CHECK(control.roots[0].at.R == Approx(0.3786).margin(1e-4));
   CHECK(control.lost.at(0).from == Approx(control.roots[0].at.R).epsilon(1e-6));
   const auto words = src::roots_in_words(control);
-  CHECK(words.find("in the directions that the law answers") != std::string::npos);
+  CHECK(words.find("in the directions with a result") != std::string::npos);
 }
 
 TEST_CASE("a root of any law at any state has no second-order work in its own direction") {
@@ -223,7 +223,7 @@ TEST_CASE("ranges that the search cuts off say so, and tables hold a row an R") 
         "loading lost for R 0.05 (and below) to 0.5, 2 to 5 (and above); unloading lost for R 0.6 "
         "(no answer below) to 0.7 (no answer above)");
   control.asked = control.unanswered = 402;
-  CHECK(src::lost_in_words(control) == "unknown, no R was answered");
+  CHECK(src::lost_in_words(control) == "unknown, no result for any R");
   const auto seen = at<Axisymmetric>("inl2/S28-general", 0.6, {0.5, 1, 2}).control;
   const auto table = src::scan_table(seen);
   REQUIRE(table.rows.size() == 3);

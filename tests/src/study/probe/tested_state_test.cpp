@@ -102,7 +102,7 @@ TEST_CASE("the onset of a failure is taken, and said; without any --at asks for 
 
 TEST_CASE("readings that are not there, have no stress, or are no reading are bad input") {
   const StoredPath stored;
-  CHECK(stored.refusal("1500").find("they go from 0 to 1499") != std::string::npos);
+  CHECK(stored.refusal("1500").find("must be 0 to 1499") != std::string::npos);
   CHECK(stored.refusal("7").find("has no effective stresses") != std::string::npos);
   for (const char* bad : {"-1", "1.5", "here", "12x", "99999999999999999999"})
     CHECK(stored.refusal(bad).find("collapse, peak, end or the number") != std::string::npos);

@@ -71,7 +71,7 @@ TEST_CASE("A cyclic test that lies off the others is named") {
   auto soil = cyclic_soil({3, 8, 20, 50, 120, 250, 400}, {1, 1.02, 0.98, 2.0, 1, 1.01, 0.99});
   study::fit_cyclic(soil, {});
   REQUIRE(!soil.cyclic.empty());
-  CHECK(soil.tests[3].reason.find("ln CSR lies 0.69") == 0);
+  CHECK(soil.tests[3].reason.find("ln CSR is 0.69") == 0);
   CHECK(-soil.cyclic.front().trend.line.b == Approx(kB).margin(0.02));
 }
 

@@ -88,7 +88,7 @@ TEST_CASE("A void ratio that is wrong is named, and left out unless it is to sta
   auto tests = campaign();
   tests[2] = drained(3, 200, kM, 0.1);
   const auto soil = study::study_soil(tests, "sand");
-  CHECK(soil.tests[2].reason.find("e at the critical state lies") != std::string::npos);
+  CHECK(soil.tests[2].reason.find("e at the critical state is") != std::string::npos);
   CHECK(soil.critical_line->line.tests == 5);
   CHECK(soil.critical_line->line.b == Approx(-kLambda).epsilon(1e-2));
   const auto kept = study::study_soil(tests, "sand", {.keep_odd = true});
@@ -144,7 +144,7 @@ TEST_CASE("The same test twice counts once, whatever it is called") {
   tests.back().name = "again";
   const auto soil = study::study_soil(tests, "sand");
   CHECK_FALSE(soil.tests[1].used);
-  CHECK(soil.tests[1].reason == "the same test as 7 (again), which counts");
+  CHECK(soil.tests[1].reason == "the same test as 7 (again), which replaces it");
   CHECK(soil.critical_ratio->fit.mean.tests == 6);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("Tests without void ratio are told and count for M") {
   const auto soil = study::study_soil(tests, "sand");
   CHECK_FALSE(soil.critical_line);
   CHECK(soil.critical_ratio->fit.mean.value == Approx(kM).epsilon(1e-3));
-  CHECK(soil.notes.front().starts_with("no void ratio is known of D1, D2"));
+  CHECK(soil.notes.front().starts_with("the void ratio of D1, D2"));
 }
 
 TEST_CASE("No test with a shear is bad input") {

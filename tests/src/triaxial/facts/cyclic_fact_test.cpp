@@ -21,5 +21,5 @@ TEST_CASE("cycles, and when they liquefied the specimen or what they came to at 
   CHECK(lines[0] ==
         "7.5 cycles of q from -20.0 to 24.6 kPa, CSR = (q_max − q_min)/(4 p′₀) = 0.149");
   CHECK(lines[1] == "r_u = Δu/σ₃′₀ of 0.95 in cycle 6, at reading 712");
-  CHECK(lines[2] == "double amplitude of 5 % not reached, 3.12 % at most");
+  CHECK(lines[2] == "double amplitude of 5 % not reached, maximum 3.12 %");
 }

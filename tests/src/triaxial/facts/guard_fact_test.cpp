@@ -16,7 +16,7 @@ namespace {
 lab::GuardOutcome outcome() {
   lab::GuardOutcome guard;
   guard.level = lab::WarningLevel::imminent;
-  guard.done = "handed over to displacement at 0.05 mm/min";
+  guard.done = "switched to displacement at 0.05 mm/min";
   guard.at = {
       .reading = 1522, .time_s = 3044.0, .axial_strain = 0.00283, .q_pa = 41.95e3, .p_eff_pa = {}};
   guard.second_order_work_normalised = 0.335;
@@ -31,7 +31,7 @@ TEST_CASE("a guard is told with what the test came to, with it and without it") 
   const auto alone = src::guard_lines(guard);
   REQUIRE(alone.size() == 2);
   CHECK(alone[0] ==
-        "on imminent: handed over to displacement at 0.05 mm/min; axial strain 0.283 %, q 41.95 "
+        "on imminent: switched to displacement at 0.05 mm/min; axial strain 0.283 %, q 41.95 "
         "kPa, normalised second-order work 0.335, at reading 1522, 50.7 min");
   CHECK(alone[1] == "axial strain 2.283 % at the end");
   guard.without = {.kind = lab::CollapseKind::flow,
@@ -46,10 +46,11 @@ TEST_CASE("a guard is told with what the test came to, with it and without it") 
 
 TEST_CASE("reports and documents carry the guard, null where none acted") {
   auto test = src::test::simulated_test();
-  CHECK(src::text_report({test}).find("Guard") == std::string::npos);
+  CHECK(src::text_report({test}).find("Intervention") == std::string::npos);
   CHECK(nlohmann::json::parse(src::json_report({test}))["guard"].is_null());
   test.stored.summary.guard = outcome();
-  CHECK_THAT(src::text_report({test}), Contains("Guard") && Contains("on imminent: handed over"));
+  CHECK_THAT(src::text_report({test}),
+             Contains("Intervention") && Contains("on imminent: switched"));
   auto guard = nlohmann::json::parse(src::json_report({test}))["guard"];
   CHECK(guard["level"] == "imminent");
   CHECK(guard["reading"] == 1522);
