@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loose Hostun sand compressed undrained, as a law and as a recorded test: undrained RECORD.csv
+// undrained [RECORD.csv]: finds the onset of instability of loose Hostun sand in undrained
+// compression, of a law and of a recorded test.
 #include <cstdio>
 
 #include "db/store.hpp"
@@ -13,7 +14,7 @@ using namespace triax;
 using Space = sim::Axisymmetric;
 
 int main(int count, char** arguments) {
-  // The law alone: increments of axial strain at constant volume until second-order work vanishes.
+  // Law: applies axial strain at constant volume until the second-order work is not positive.
   const lab::MaterialSet sand = lab::find_material("inl2/S28-general");
   const auto& law = *sand.material.law<Space>();
   const auto increment = sim::MixedControl<Space>::strain_path(1e-4);
@@ -27,7 +28,7 @@ int main(int count, char** arguments) {
     break;
   }
 
-  // A record: reduced, watched and stored as the program does it, then read back.
+  // Record: reduces, monitors and stores the test like the program, then reads the result.
   if (count < 2) return 0;
   std::string database = "undrained.db";
   const auto id = study::run_test(*lab::open_record(arguments[1], {}), {}, database);

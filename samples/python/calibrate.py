@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A law from tests: two of its parameters with intervals, what they predict, and a new test with them."""
+"""Calibrates a law on tests, predicts each test from the others, and simulates a new test."""
 from pathlib import Path
 
 import triax

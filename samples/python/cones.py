@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Directions in which a state is unstable, as the stress ratio rises: the cone appears and opens."""
+"""Finds the unstable directions at increasing stress ratios: a cone appears and opens."""
 import numpy as np
 import triax
 

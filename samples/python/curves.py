@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""States of a test as arrays: peak, strength that is left, pore pressure ratio, all with numpy."""
+"""Gets the peak, the remaining strength and the pore pressure ratio of a test from its arrays."""
 from pathlib import Path
 
 import numpy as np

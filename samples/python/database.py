@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is in a database: its tests, and a question in SQL."""
+"""Lists the tests of a database and runs an SQL query."""
 from pathlib import Path
 
 import triax

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bifurcation domain of a loose sand: from which stress ratio on some increment makes it unstable."""
+"""Finds the stress ratio from which a loose sand has unstable directions (bifurcation domain)."""
 import numpy as np
 import triax
 

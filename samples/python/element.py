@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A material point along a path: where second-order work vanishes, and a load that cannot be carried."""
+"""Runs a material point along a path to instability, and under a load that it cannot carry."""
 from pathlib import Path
 
 import triax

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures with matplotlib: stress paths and second-order work of two tests, with their onsets."""
+"""Draws the stress paths, onsets and second-order work of two tests with matplotlib."""
 from pathlib import Path
 
 import matplotlib

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SANISAND at five hundred void ratios at once, undrained: the peak of q and what is left of it."""
+"""Shears SANISAND undrained at 500 void ratios at once, and prints the loss of strength."""
 import numpy as np
 import triax
 
 sand = triax.Material("sanisand/S28-general")
 e = np.linspace(0.85, 1.05, 500)
 points = triax.Points(sand, np.full((e.size, 2), 100.0), e)
-undrained = (np.zeros((2, 2)), [[1, 0], [1, 2]])  # S, E: axial strain and volume are given
+undrained = (np.zeros((2, 2)), [[1, 0], [1, 2]])  # S, E: axial strain and constant volume
 peak = np.zeros(e.size)
 for _ in range(200):
     step = points.advance(control=undrained, increment=[5e-4, 0], tolerance=1e-6)

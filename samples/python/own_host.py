@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A host program of one's own: drained triaxial tests on a law, cell pressure constant, with a reversal on the way. The states
-are arrays that the program reads and writes in place."""
+"""A host program for a law: drained triaxial tests at constant cell pressure, with an unloading.
+The program reads and writes the states in place, as arrays."""
 import numpy as np
 import triax
 
 clay = triax.Material("cam_clay/Hostun-like")
 cell_kPa = np.array([50.0, 100.0, 200.0])
 points = triax.Points(clay, np.column_stack([cell_kPa, cell_kPa]), 0.9)
-drained = ([[0, 0], [0, 1]], [[1, 0], [0, 0]])  # axial strain given, radial stress constant
-stress = points.stress_kPa  # shows the states themselves
+drained = ([[0, 0], [0, 1]], [[1, 0], [0, 0]])  # S, E: axial strain and constant radial stress
+stress = points.stress_kPa  # refers to the states, no copy
 for part, axial in (("loaded", 5e-4), ("unloaded", -2e-5), ("loaded again", 5e-4)):
     for _ in range(40):
         if not points.advance(control=drained, increment=[axial, 0]).accepted:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Four tests of one sand: its critical state line and M with their intervals, and a figure of them with matplotlib."""
+"""Estimates the critical state line and M of a sand from four tests, and draws them."""
 from pathlib import Path
 
 import matplotlib
@@ -22,7 +22,7 @@ print(f"{sand.group}: M {m['value']:.2f}, 95 % between {m['low']:.2f} and {m['hi
 states, line = sand.critical_states, sand.critical_line(np.geomspace(5, 600, 50))
 for test, reached, p, e in zip(states.test, states.reached, states.p_eff_kPa, states.void_ratio):
     print(f"test {test}: p' {p:.0f} kPa, e {e:.3f}, {'reached' if reached else 'extrapolated'}")
-sand.write("soil.toml")  # triax.calibrate starts from it
+sand.write("soil.toml")  # triax.calibrate can start from this file
 
 figure, (plane, paths) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
 plane.fill_between(line.p_eff_kPa, line.low, line.high, color="tab:blue", alpha=0.2, linewidth=0)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A recorded test: when it became unstable, at what stress ratio, and how sure that is."""
+"""Assesses a recorded test: onset of instability, stress ratio and confidence interval."""
 from pathlib import Path
 
 import triax

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One programme of the virtual apparatus with looser and looser specimens: which of them collapse."""
+"""Simulates one programme at four void ratios and prints which specimens collapse."""
 from pathlib import Path
 
 import triax
