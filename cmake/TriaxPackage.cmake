@@ -14,10 +14,10 @@ set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${TRIAX_MAINTAINER}")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Of each package: the first line is its summary.
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "laboratory for triaxial tests and the onset of collapse
-triax replays records of triaxial tests on soil, simulates tests on a
-virtual apparatus, keeps every reading in SQLite and reports when, why and
-at what stress ratio a specimen became unstable, by the sign of its
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "triaxial tests on soil and the onset of collapse
+triax reads records of triaxial tests on soil, simulates tests on a virtual
+apparatus, stores every reading in SQLite and reports whether, when and at
+what stress ratio a specimen became unstable, from the sign of its
 second-order work.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME triax)
 # Figures need a font; everything else that the program needs is found by dpkg-shlibdeps.
