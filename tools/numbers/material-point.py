@@ -55,4 +55,4 @@ def table2(triax) -> str:
 With the set `S28-general` INL2 gives the collapse of the ten tests of Table 2 at η = {min(etas):.2f} to {max(etas):.2f}. Measured
 were {min(measured):.2f} to {max(measured):.2f}. The rms difference is {rms([a - b for a, b in found]):.3f}; a constant value gives at least {rms([m - mean for m in measured]):.3f}.
 Undrained and constant-q paths differ by at most {max(apart):.3f}: one instability line, as in the paper. These are
-paths of a material point. [Table 2](../explanation/table2.md) has the tests in the apparatus.""", 100)
+paths of a material point. [Table 2](../explanation/paper.md) has the tests in the apparatus.""", 100)

@@ -10,12 +10,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def page_file(page: str) -> pathlib.Path:
-    """README, or the page of that name in any folder of docs/: names are unique."""
+    """README, or the page of that name in any folder of docs/ or in bench/results/: names are unique."""
     if page == "README":
         return ROOT / "README.md"
-    found = sorted((ROOT / "docs").rglob(f"{page}.md"))
+    found = sorted(path for folder in ("docs", "bench/results") for path in (ROOT / folder).rglob(f"{page}.md"))
     if len(found) != 1:
-        sys.exit(f"{page}: docs/ has {len(found)} pages of that name")
+        sys.exit(f"{page}: docs/ and bench/results/ have {len(found)} pages of that name")
     return found[0]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blocks of docs/reference/benchmarks-alarm.md (tools/pages): output of the benchmark of the alarm. Minutes."""
+"""Blocks of bench/results/alarm.md (tools/pages): output of the benchmark of the alarm. Minutes."""
 from remade.benchmark import sampled
 
 

@@ -1,15 +1,56 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of docs/explanation/grains-paper.md (tools/pages): of 10,000 grains from docs/data/grains.json, which tools/grains-figures makes; of 500
-grains from the program itself, in seconds."""
+"""The numbers of docs/explanation/paper.md (tools/pages): of Table 2 from tools/table2, in half a minute; of 10,000 grains from
+docs/data/grains.json, which tools/grains-figures makes; of 500 grains from the program itself, in seconds."""
 import json
+import os
 import pathlib
+import re
 import runpy
+import shutil
+import subprocess
 import textwrap
 
 results = runpy.run_path(str(pathlib.Path(__file__).resolve().parent.parent / "grains-results"))
 kept_results = results["kept_results"]
-IMAGES = results["ROOT"] / "docs/images/grains"
+ROOT = results["ROOT"]
+IMAGES = ROOT / "docs/images/grains"
 
+
+# ---- Table 2
+
+def table2(triax, block: str) -> str:
+    """A block that tools/table2 writes. Unless pages are only checked, its figures replace those of the page."""
+    folder = triax.folder / "table2"
+    if not folder.exists():
+        subprocess.run([ROOT / "tools/table2", folder], env={**os.environ, "TRIAX": triax.program}, check=True)
+    text = (folder / f"{block}.md").read_text(encoding="utf-8")
+    if block == "table2_figures" and not triax.checking:
+        for figure in re.findall(r"\(\.\./images/table2/(\w+\.svg)\)", text):
+            shutil.copy(folder / "figures" / figure, ROOT / "docs/images/table2" / figure)
+    return text
+
+
+def ten_tests(triax) -> str:
+    return table2(triax, "ten_tests")
+
+
+def statements(triax) -> str:
+    return table2(triax, "statements")
+
+
+def pore_pressure(triax) -> str:
+    return table2(triax, "pore_pressure")
+
+
+def influence_of_q(triax) -> str:
+    return table2(triax, "influence_of_q")
+
+
+def table2_figures(triax) -> str:
+    return table2(triax, "table2_figures")
+
+
+# ---- grains
 
 def stage(run: dict, name: str) -> dict:
     return next(s for s in run["stages"] if s["name"] == name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blocks of docs/reference/benchmarks-accuracy.md (tools/pages): output of the benchmarks of accuracy. Minutes each."""
+"""Blocks of bench/results/accuracy.md (tools/pages): output of the benchmarks of accuracy. Minutes each."""
 from remade.benchmark import sampled
 
 

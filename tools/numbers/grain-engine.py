@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blocks of docs/reference/benchmarks-grains.md (tools/pages): output of the benchmark of the grain engine. Minutes."""
+"""Blocks of bench/results/grain-engine.md (tools/pages): output of the benchmark of the grain engine. Minutes."""
 
 
 def grains(triax) -> str:
