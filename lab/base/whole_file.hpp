@@ -21,8 +21,8 @@ class NoRoom : public WorkFailed {
 /// replaced, the link stays. A file that is replaced passes its permissions on.
 class WholeFile {
  public:
-  /// Throws BadInput where `path` is there and is no regular file (folder, device, pipe, socket);
-  /// WorkFailed where its folder does not let itself be written.
+  /// Throws BadInput if `path` exists and is no regular file (folder, device, pipe, socket), or if
+  /// its folder does not exist; WorkFailed if the folder is not writable.
   explicit WholeFile(const std::string& path);
   /// Without finish(): nothing remains.
   ~WholeFile();

@@ -32,9 +32,8 @@ std::vector<std::string> files_of_prefix(const std::string& prefix,
 void check_folder(const std::string& option, const std::string& folder,
                   const std::vector<std::string>& targets);
 
-/// The same of single files. Throws lab::BadInput where `output`, as the user gave it, is a folder,
-/// lab::WorkFailed where its folder is missing or lets nothing be written in it. "-" is always
-/// possible.
+/// The same of single files. Throws lab::BadInput if `output`, as the user gave it, is a folder or
+/// its folder does not exist, lab::WorkFailed if that is not writable. "-" is always possible.
 void check_targets(const std::string& option, const std::string& output,
                    const std::vector<std::string>& targets);
 

@@ -25,7 +25,7 @@ std::string with_unit(const std::string& number, const std::string& unit);
 /// "41.0 s", "12.3 min" or "1.70 h", whichever is short.
 std::string duration(std::optional<double> seconds);
 
-/// A name of the JSON document as people read it: "second_order_work" is "second order work".
+/// A name of the JSON document as people read it: "second_order_work" is "second-order work".
 std::string spaced(std::string name);
 
 /// ", last sign of life 3 s ago"; ", no sign of life since 2026-11-23T06:39:12Z"; "" where there is

@@ -102,7 +102,7 @@ TEST_CASE("a load beyond the limit: status 1, the limiting variable, and the fai
 
   CHECK(here.triax("element " + kIcuPath + " --save-failure none.toml").status == 0);
   CHECK_FALSE(here.has("none.toml"));
-  CHECK(here.triax("element " + kBeyond + " --save-failure no/where.toml").status == 1);
+  CHECK(here.triax("element " + kBeyond + " --save-failure no/where.toml").status == 2);
 }
 
 TEST_CASE("bad paths and settings are one line and status 2, and nothing is printed") {

@@ -42,5 +42,5 @@ with tempfile.TemporaryDirectory() as made:
             words = [str(cell.value) for row in saved["specimen"].iter_rows() for cell in row] + [saved["charts"]["A1"].value]
             expect(any(EVIL in word for word in words), True, "the test's name, as a text")
         answers = [row[1] for row in saved["verdict"].iter_rows(values_only=True) if row[0] == "answer"]
-        expect(len(answers) == 1 and answers[0] in ("collapse", "none", "not judged"), True, f"one of three answers: {answers}")
+        expect(len(answers) == 1 and answers[0] in ("collapse", "none", "not assessed"), True, f"one of three answers: {answers}")
         expect(len(live["charts"]._charts) in (0, 4), True, "charts")

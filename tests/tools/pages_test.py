@@ -114,6 +114,25 @@ class Pages(unittest.TestCase):
             self.assertEqual(self.pages("page").returncode, 0)
             self.assertEqual(self.page(), PAGE)
 
+    def test_commands_run_in_order_and_the_wrong_ones_are_named(self):
+        self.write("README.md", "# Readme\n\n    triax replay a.csv > a.txt\n\nThen\n\n    triax lost    # exit status 1\n    triax replay $(cat a.txt)\n")
+        self.assertEqual(self.pages("--run", "README").returncode, 0)
+        self.write("README.md", "# Readme\n\n    triax replay a.csv\n\nThen\n\n    triax nonsense\n")
+        self.write("tools/remade/not_run.toml", "")
+        done = self.pages("--run")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("README: exit status 2, not 0: triax nonsense", done.stderr)
+        self.write("tools/remade/not_run.toml", '[README]\n"triax nonsense" = "fails"\n"triax gone" = "is on no page"\n')
+        self.assertIn("README: not_run.toml has what is not there: triax gone", self.pages("--run", "README").stderr)
+
+    def test_a_server_runs_until_the_end_of_its_page(self):
+        self.write("triax", "#!/bin/sh\ncase $1 in serve) echo $$ >pid; exec sleep 60 ;; ask) kill -0 $(cat pid) ;; esac\n")
+        self.write("tools/remade/not_run.toml", "")
+        self.write("README.md", "# Readme\n\n    triax serve rig.toml\n\nThen\n\n    triax ask\n")
+        self.assertEqual(self.pages("--run", "README").stderr, "")
+        self.write("triax", "#!/bin/sh\necho no rig >&2; exit 1\n")
+        self.assertIn("no rig", self.pages("--run", "README").stderr)
+
     def test_a_status_that_is_not_said(self):
         self.finds(PAGE.replace("    # exit status 1", ""), "status 1")
 

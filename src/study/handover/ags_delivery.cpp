@@ -18,11 +18,11 @@ namespace {
 /// Groups whose rows a test brings, its specimen's own first.
 constexpr std::array kTestGroups{"LOCA", "SAMP", "TREG", "TRET", "TRIG", "TRIT", "CTRG", "CTRC"};
 
-AgsCells project_cells() { return {{"PROJ_ID", "not said"}}; }
+AgsCells project_cells() { return {{"PROJ_ID", "not stated"}}; }
 
 AgsCells transmission_cells(const std::string& date) {
-  return {{"TRAN_ISNO", "1"},     {"TRAN_DATE", date},   {"TRAN_PROD", "not said"},
-          {"TRAN_STAT", "Draft"}, {"TRAN_AGS", "4.1.1"}, {"TRAN_RECV", "not said"},
+  return {{"TRAN_ISNO", "1"},     {"TRAN_DATE", date},   {"TRAN_PROD", "not stated"},
+          {"TRAN_STAT", "Draft"}, {"TRAN_AGS", "4.1.1"}, {"TRAN_RECV", "not stated"},
           {"TRAN_DLIM", "|"},     {"TRAN_RCON", "+"}};
 }
 

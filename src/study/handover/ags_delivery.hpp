@@ -29,7 +29,7 @@ void add_triaxial_rows(AgsRows& rows, const AgsTest& test, const AgsCells& keys)
 void add_total_stress_rows(AgsRows& rows, const AgsTest& test, const AgsCells& keys);
 void add_cyclic_rows(AgsRows& rows, const AgsTest& test, const AgsCells& keys);
 
-/// "flow", "none", "not judged".
+/// "flow", "none", "not assessed".
 std::string ags_kind(const db::StoredTest& test);
 /// "Simulated, not measured. ..." and how stresses were found: what every general row says.
 std::string ags_remark(const db::StoredTest& test);

@@ -81,7 +81,7 @@ std::string ags_value(const std::string& heading, double si, double unit_si) {
 }
 
 std::string ags_kind(const db::StoredTest& test) {
-  return has_verdict(test) ? std::string(to_string(test.summary.collapse.kind)) : "not judged";
+  return has_verdict(test) ? std::string(to_string(test.summary.collapse.kind)) : "not assessed";
 }
 
 std::string ags_remark(const db::StoredTest& test) {

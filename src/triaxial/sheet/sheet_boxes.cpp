@@ -224,7 +224,7 @@ SheetBox verdict_box(const SheetTest& test) {
   const auto& stored = test.result.stored;
   const auto& collapse = stored.summary.collapse;
   SheetBox box{.title = "Collapse", .marked = study::has_verdict(stored) && collapse.detected()};
-  box.facts.push_back({"verdict", {verdict_line(stored)}});
+  box.facts.push_back({"result", {verdict_line(stored)}});
   if (const auto onset = study::collapse_onset(stored)) {
     box.facts.push_back({"onset", {instant(*onset)}});
     if (onset->interval)

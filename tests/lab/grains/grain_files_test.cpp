@@ -50,7 +50,7 @@ TEST_CASE("a state that was saved and loaded goes on bit for bit") {
 TEST_CASE("a state that cannot be written leaves nothing") {
   const Folder folder;
   CHECK_THROWS_AS(lab::save_state(folder.path.string(), moving_state()), lab::BadInput);
-  CHECK_THROWS_AS(lab::save_state(folder.file("no/such/folder"), moving_state()), lab::WorkFailed);
+  CHECK_THROWS_AS(lab::save_state(folder.file("no/such/folder"), moving_state()), lab::BadInput);
   CHECK(fs::is_empty(folder.path));
 }
 

@@ -153,6 +153,6 @@ TEST_CASE("a record without time has no time column; a folder that is not there 
   writer.write(random_readings(1)[0]);
   writer.finish(header, {});
   CHECK_FALSE(open_record(folder / "r.csv", {})->header().has_time);
-  CHECK_THROWS_AS(RecordWriter(folder / "none/r.csv", header), WorkFailed);
+  CHECK_THROWS_AS(RecordWriter(folder / "none/r.csv", header), BadInput);
   CHECK_THROWS_AS(RecordWriter("/dev/null", header), BadInput);
 }

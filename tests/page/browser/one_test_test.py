@@ -72,7 +72,7 @@ with Laboratory("icu_6") as laboratory, Browser(laboratory, width=1440, height=1
             again = laboratory.folder / "again.csv"
             again.write_bytes(content)
             laboratory.triax("replay", str(again), "--db", str(laboratory.folder / "again.db"))
-    browser.button("Report sheet").click()
+    browser.button("Test report").click()
     browser.until(lambda: len(browser.driver.window_handles) == 2, "the report sheet opens")
     browser.driver.switch_to.window(browser.driver.window_handles[1])
     browser.until(lambda: "flow" in browser.script("return document.body.innerText"), "the report sheet has the verdict", 60)

@@ -105,8 +105,8 @@ TEST_CASE("a file in the way that is none is bad input, a missing folder work th
   const Folder folder;
   fs::create_directory(folder.in("a.png"));
   CHECK_THROWS_AS(write_figure(diagram(), folder.in("a")), lab::BadInput);
-  CHECK_THROWS_AS(write_figure(diagram(), folder.in("no/such")), lab::WorkFailed);
-  CHECK_THROWS_AS(write_figure_data(table(), folder.in("no/such")), lab::WorkFailed);
+  CHECK_THROWS_AS(write_figure(diagram(), folder.in("no/such")), lab::BadInput);
+  CHECK_THROWS_AS(write_figure_data(table(), folder.in("no/such")), lab::BadInput);
   CHECK_FALSE(fs::exists(folder.in("a.pdf")));
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("a PDF appears whole, with more pages for more tests") {
   CHECK(pages(src::pdf_bytes(src::test::sheets_of({src::test::flow_test()}, true))) > 2);
   CHECK_THROWS_AS(src::pdf_report(src::test::sheets_of({src::test::stable_test()}),
                                   (folder / "no/where.pdf").string()),
-                  lab::WorkFailed);
+                  lab::BadInput);
   CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 2);
   std::filesystem::remove_all(folder);
 }

@@ -10,7 +10,7 @@ const FORMATS = [["pdf", "PDF"], ["html", "HTML"], ["json", "JSON"], ["csv", "CS
 
 function downloads(id) {
   return el("nav", { class: "row", "aria-label": "Report and downloads" },
-    el("a", { class: "button main", href: `/api/tests/${id}/sheet`, target: "_blank", rel: "noopener" }, "Report sheet"),
+    el("a", { class: "button main", href: `/api/tests/${id}/sheet`, target: "_blank", rel: "noopener" }, "Test report"),
     FORMATS.map(([format, text]) => el("a", { class: "button", href: `/api/tests/${id}/export?format=${format}`, download: "" }, `↓ ${text}`)));
 }
 

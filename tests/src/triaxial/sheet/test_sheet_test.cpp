@@ -78,7 +78,7 @@ TEST_CASE("the sheet says what the JSON report says") {
   CHECK(cell(specimen, "e", 2) == number(json["consolidation"]["void_ratio"], "{:.3f}"));
   const auto verdict = verdict_box(sheet);
   CHECK(verdict.marked == json["collapse"]["detected"].get<bool>());
-  CHECK(value(verdict, "verdict").starts_with(json["collapse"]["kind"].get<std::string>()));
+  CHECK(value(verdict, "result").starts_with(json["collapse"]["kind"].get<std::string>()));
   CHECK(value(verdict, "onset").find("η " + number(json["collapse"]["eta"], "{:.2f}")) !=
         std::string::npos);
 }
