@@ -76,10 +76,10 @@ TEST_CASE("the sheet says what the JSON report says") {
   CHECK(cell(specimen, "D (mm)", 1) == number(json["specimen"]["diameter_mm"], "{:.2f}"));
   CHECK(cell(specimen, "e", 1) == number(json["specimen"]["void_ratio"], "{:.3f}"));
   CHECK(cell(specimen, "e", 2) == number(json["consolidation"]["void_ratio"], "{:.3f}"));
-  const auto verdict = verdict_box(sheet);
-  CHECK(verdict.marked == json["collapse"]["detected"].get<bool>());
-  CHECK(value(verdict, "result").starts_with(json["collapse"]["kind"].get<std::string>()));
-  CHECK(value(verdict, "onset").find("η " + number(json["collapse"]["eta"], "{:.2f}")) !=
+  const auto collapse = verdict_box(sheet);
+  CHECK(collapse.marked == json["collapse"]["detected"].get<bool>());
+  CHECK(value(collapse, "result").starts_with(json["collapse"]["kind"].get<std::string>()));
+  CHECK(value(collapse, "onset").find("η " + number(json["collapse"]["eta"], "{:.2f}")) !=
         std::string::npos);
 }
 
