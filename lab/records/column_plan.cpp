@@ -155,8 +155,9 @@ class Planner {
     }
     const auto unit = sim::find_unit(*text);
     if (!unit)
-      fail(fmt::format("column {} is in {}, an unknown unit; expected {}", excerpt(name),
-                       excerpt(*text), wanted.empty() ? "%" : wanted));
+      fail(fmt::format(
+          "column {} is in {}, an unknown unit; expected {} or another unit of this quantity",
+          excerpt(name), excerpt(*text), wanted.empty() ? "%" : wanted));
     if (unit->dimension != sim::find_unit(wanted)->dimension)
       fail(fmt::format("column {} is in {}; expected {}", excerpt(name), excerpt(*text),
                        wanted.empty() ? "a number without unit, or %" : wanted));

@@ -54,8 +54,8 @@ Calibration read_calibration(const TomlTable& table) {
   calibration.gain = table.number("gain").value_or(1);
   if (calibration.gain == 0) table.fail("gain", "must not be 0: all readings would be equal");
   calibration.offset = table.number("offset").value_or(0);
+  const auto range = table.numbers("range");
   if (table.has("range")) {
-    const auto range = table.numbers("range");
     if (range.size() != 2 || !(range[0] < range[1]))
       table.fail("range", "expected [MIN, MAX] in the unit of the channel");
     calibration.range = {range[0], range[1]};

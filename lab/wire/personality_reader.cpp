@@ -92,8 +92,8 @@ void read_registers(PersonalityPoint& point, const TomlTable& table) {
 }
 
 std::optional<std::pair<double, double>> read_range(const TomlTable& table) {
-  if (!table.has("range")) return std::nullopt;
   const auto range = table.numbers("range");
+  if (!table.has("range")) return std::nullopt;
   if (range.size() != 2 || !(range[0] < range[1]))
     table.fail("range", "expected [MIN, MAX] in the unit of the instrument");
   return std::pair(range[0], range[1]);

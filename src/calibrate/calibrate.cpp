@@ -133,7 +133,7 @@ Command calibrate_command() {
             "give --merge the law, tests and options of the pieces"}},
       .examples =
           {{"triax calibrate hypoplastic --output my_sand.toml",
-            "calibrate all parameters against all tests of the database"},
+            "calibrate all parameters with a search range against all tests of the database"},
            {"triax calibrate sanisand TMD1 TMD3 TMU1 --fix poisson_ratio=0.05 --figures curves",
             "use three tests, keep one parameter fixed, and draw measured and computed curves"},
            {"triax calibrate norsand --start soil/soil.toml --output my_norsand.toml",

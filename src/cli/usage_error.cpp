@@ -107,6 +107,12 @@ std::string not_valid(const CLI::Option& option, const std::string& message) {
   if (type.find('|') != std::string::npos)
     return fmt::format("{}: {}", option.get_name(),
                        lab::invalid_value(given.empty() ? "" : given.back(), choices(type)));
+  constexpr std::string_view kSet = " not in {";  // of an argument that is one of a few words
+  if (const auto set = message.find(kSet); set != std::string::npos) {
+    const auto words = message.substr(set + kSet.size());
+    return fmt::format("{}: {} is not valid; must be one of: {}", option.get_name(), value,
+                       words.substr(0, words.find('}')));
+  }
   return fmt::format("{}: {} is not valid; expected {}", option.get_name(), value,
                      as_typed(option));
 }

@@ -48,7 +48,8 @@ study::GridLine line(const char* option, const std::string& text, const study::G
 void add_domain_options(CLI::App& app, DomainOptions& o) {
   add_material(app, o.material);
   app.add_option("--p-kPa", o.p,
-                 "mean effective stresses in kPa; RANGE is FROM:TO/COUNT or FROM:TO:STEP "
+                 "mean effective stresses in kPa; RANGE is FROM:TO (200 values), FROM:TO/COUNT or "
+                 "FROM:TO:STEP "
                  "[10:300/200 within the range of the set]")
       ->type_name("RANGE");
   app.add_option(

@@ -191,9 +191,9 @@ Command export_command() {
                        "correct the value of --set: it is not of the type of its heading, or has a "
                        "character that AGS4 does not allow"}},
       .examples =
-          {{"triax export csu_26 --format csv", "export the record as csu_26.csv"},
+          {{"triax export csu_26 --format csv", "export the record of CSU 26 as CSU_26.csv"},
            {"triax export csu_26 --format xlsx",
-            "export a workbook with live formulas as csu_26.xlsx"},
+            "export a workbook with live formulas as CSU_26.xlsx"},
            {"triax export 1 2 --format ags --set LOCA_ID=BH1 --set 1/SAMP_REF=22 --output lab.ags",
             "export two tests as AGS4 with the references of the client"},
            {"triax export --format json --output all.json",

@@ -223,7 +223,7 @@ std::vector<std::string> summary_notes() {
       "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it; unknown "
       "without "
       "a friction angle",
-      "Criteria: how many of the criteria applied agree that the specimen collapsed",
+      "Criteria: number of criteria that detected the collapse, of all criteria",
   };
 }
 

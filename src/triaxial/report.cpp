@@ -288,7 +288,7 @@ Command report_command() {
                    {"triax report 1 2 3 --output set.pdf --failure peak-ratio --set borehole=B3",
                     "write the test reports of a set and of its tests"},
                    {"triax report --sweep densities --output sweep.pdf",
-                    "report all tests of a sweep on one page"},
+                    "report all tests of a sweep (above 24 tests: only pages of the sets)"},
                    {"triax report csu_26 --live",
                     "list what was reported during the test, and when"},
                    {"triax report 1 2 3 --format json", "print three tests as one JSON document"},

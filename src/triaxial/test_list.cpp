@@ -62,8 +62,8 @@ std::string test_list_text(const std::vector<db::ListedTest>& tests) {
   const auto again = std::ranges::count(tests, false, &db::ListedTest::counted);
   if (again > 0)
     text += fmt::format(
-        "\n{} of these {}: the file was read again, and statistics use the later reading\n", again,
-        again == 1 ? "does not count" : "do not count");
+        "\n{} of these {}: the file was replayed again, and statistics use the latest replay\n",
+        again, again == 1 ? "does not count" : "do not count");
   return text;
 }
 

@@ -116,6 +116,7 @@ TEST_CASE("a wrong command line is told in our words, with the nearest right one
               "--format: 'docx' is not valid; must be one of: text, json, html, pdf"},
         Wrong{"report --format pfd", "did you mean 'pdf'?"},
         Wrong{"report --format pdf --json", "--json: excludes --format pdf"},
+        Wrong{"rig chek rig.toml", "ACTION: 'chek' is not valid; must be one of: check"},
         Wrong{"tests shwo 3", "ACTION: 'shwo' is not valid; did you mean 'show'?"},
         Wrong{"probe --norm-kPa x", "--norm-kPa: 'x' is not valid; expected --norm-kPa KPA"}}) {
     const Outcome outcome = here.triax(wrong.arguments);

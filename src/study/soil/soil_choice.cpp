@@ -53,11 +53,10 @@ std::vector<SoilGroup> chosen_groups(const SoilChoice& choice, const std::functi
     group.tests.push_back(load_sheared_test(store, id));
   }
   if (groups.empty())
-    throw lab::BadInput(
-        "no test " +
-        (choice.where.empty()
-             ? std::string("in the database")
-             : "matches --where; `triax query specimens` lists the columns of all tests"));
+    throw lab::BadInput("no test " +
+                        (choice.where.empty()
+                             ? std::string("in the database")
+                             : "matches --where; `triax soil --help` lists the columns"));
   std::vector<SoilGroup> all;
   for (auto& [name, group] : groups) {
     refuse_several_materials(group);

@@ -25,7 +25,7 @@ std::string limit_line(const db::StoredTest& test) {
   const bool of_the_law = test.header.origin == lab::Origin::simulated &&
                           test.header.specimen.limit_friction_angle_rad.has_value();
   if (of_the_law)
-    line += " (friction angle from the law)";
+    line += " (friction angle of the specimen)";
   else if (!collapse.limit_source.empty())
     line += fmt::format(" ({})", collapse.limit_source);
   return line;

@@ -55,7 +55,8 @@ TEST_CASE("a faulty calibration names its line", "[calibration]") {
            {"date = \"2026-02-29\"", "is not a date"},
            {"date = \"17.3.2026\"", "is not a date"},
            {"date = \"2026-03--1\"", "is not a date"},
-           {"gian = 1", "did you mean 'gain'"}}) {
+           {"gian = 1", "did you mean 'gain'"},
+           {"gian = 1", "offset, range, date"}}) {
     INFO(text);
     CHECK_THROWS_WITH(read(text), Contains(words));
     CHECK_THROWS_AS(read(text), BadInput);

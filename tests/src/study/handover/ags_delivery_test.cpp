@@ -71,7 +71,7 @@ TEST_CASE("an undrained test as TREG and TRET, by hand") {
 
 TEST_CASE("a test that was not judged says so and has no stress ratio; a simulated one says so") {
   const auto cut = ags_delivery({undrained(src::test::interrupted_test())}, {}, "2026-11-25");
-  CHECK(cell(cut, "TRET_KIND") == "not judged");
+  CHECK(cell(cut, "TRET_KIND") == "not assessed");
   CHECK(cell(cut, "TRET_ETAC") == "(none)");
   const auto simulated = ags_delivery({undrained(src::test::simulated_test())}, {}, "2026-11-25");
   CHECK(cell(simulated, "TREG_REM").starts_with("SIMULATED, not measured"));
