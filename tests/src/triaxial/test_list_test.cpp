@@ -44,7 +44,7 @@ TEST_CASE("a line a test, no wider than the terminal") {
   CHECK_THAT(text, Contains("2026-01-02 03:04  loose, thesis"));
   CHECK_THAT(text, Contains("SIMULATED"));
   CHECK_THAT(text, Contains("not assessed"));
-  CHECK_THAT(text, Contains("1 of these does not count: the file was read again"));
+  CHECK_THAT(text, Contains("1 of these does not count: the file was replayed again"));
   tests.front().name = "a very long name of a test of many words, as some loggers write them out";
   std::istringstream lines(test_list_text(tests));
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
