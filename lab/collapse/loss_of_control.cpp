@@ -136,17 +136,17 @@ bool LossOfControl::Run::carried_on() const {
   return long_enough && !shed && least > (1 - kLostQ) * q_before && last >= q_before;
 }
 
-Finding LossOfControl::Run::told() const {
-  Finding told = *finding;
+Finding LossOfControl::Run::final_finding() const {
+  Finding result = *finding;
   if (carried_on()) {
-    told.detected = false;
-    told.evidence +=
+    result.detected = false;
+    result.evidence +=
         fmt::format("; q increased further to {:.2f} kPa, no strength was lost", last / 1e3);
   } else if (loss && loss->came_back()) {
-    told.evidence += fmt::format("; q fell to {:.2f} kPa and recovered to {:.2f} kPa",
-                                 loss->least() / 1e3, loss->largest_since() / 1e3);
+    result.evidence += fmt::format("; q fell to {:.2f} kPa and recovered to {:.2f} kPa",
+                                   loss->least() / 1e3, loss->largest_since() / 1e3);
   }
-  return told;
+  return result;
 }
 
 /// Of two the one that is not made good, else the first.
@@ -158,14 +158,14 @@ const LossOfControl::Run* LossOfControl::decisive() const {
 }
 
 std::optional<Finding> LossOfControl::finding() const {
-  if (const Run* run = decisive()) return run->told();
-  if (run_.finding) return run_.told();
-  return earlier_.finding ? earlier_.told() : step_;
+  if (const Run* run = decisive()) return run->final_finding();
+  if (run_.finding) return run_.final_finding();
+  return earlier_.finding ? earlier_.final_finding() : step_;
 }
 
 std::optional<Finding> LossOfControl::lost() const {
   const Run* run = decisive();
-  return run ? std::optional(run->told()) : std::nullopt;
+  return run ? std::optional(run->final_finding()) : std::nullopt;
 }
 
 const LossAndReturn* LossOfControl::loss() const {

@@ -121,7 +121,8 @@ class LossOfControl : public CollapseCriterion {
     void add(const State& state);
     bool carried_on() const;
     bool lost() const { return finding && !carried_on(); }
-    Finding told() const;
+    /// The finding, withdrawn if the load increased further.
+    Finding final_finding() const;
   };
   Run run_, earlier_;
   std::optional<Finding> step_;  ///< a leap with which the load grew

@@ -93,7 +93,8 @@ std::string stress_and_strain(const lab::Instant& at) {
 
 std::string spaced(std::string name) {
   constexpr std::string_view kCompound = "second_order";
-  if (const auto at = name.find(kCompound); at != std::string::npos) name[at + 6] = '-';
+  if (const auto at = name.find(kCompound); at != std::string::npos)
+    name.replace(at, kCompound.size(), "second-order");
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }

@@ -11,6 +11,7 @@ import subprocess
 import tomllib
 
 from remade.program import ROOT, Triax
+from remade.transcript import expected_status
 from remade.unchecked import FENCED, INDENTED, first_line, only_commands
 
 NOT_RUN = ROOT / "tools/remade/not_run.toml"
@@ -43,8 +44,29 @@ def blocks_of(text: str, generated: re.Pattern) -> list[str]:
     return [re.sub(r"^ {4}", "", body, flags=re.M).strip("\n") for _, body in sorted(found) if only_commands(body)]
 
 
-def run_page(page: str, text: str, triax: Triax, generated: re.Pattern) -> list[str]:
+def stop_servers(triax: Triax) -> None:
+    servers = triax.folder / "servers"
+    for server in servers.read_text(encoding="utf-8").split() if servers.exists() else []:
+        try:
+            os.killpg(int(server), signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
+
+def run_block(block: str, triax: Triax) -> str | None:
     """What went wrong."""
+    script = re.sub(r"^\$ ", "", block, flags=re.M)
+    try:
+        done = triax.shell(f"set -e\n{script}", TIME_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        return f"still running after {TIME_LIMIT_S} s: {first_line(block)}"
+    if done.returncode != expected_status(script):
+        return f"exit status {done.returncode}, not {expected_status(script)}: {block}\n{done.stdout[-1000:]}"
+    return None
+
+
+def run_page(page: str, text: str, triax: Triax, generated: re.Pattern) -> list[str]:
+    """What went wrong, one text for each block."""
     reasons = tomllib.loads(NOT_RUN.read_text(encoding="utf-8")).get(page, {})
     if "*" in reasons:
         return []
@@ -52,26 +74,9 @@ def run_page(page: str, text: str, triax: Triax, generated: re.Pattern) -> list[
     program.unlink()
     program.write_text(WRAPPER.format(program=triax.program), encoding="utf-8")
     program.chmod(0o755)
-    surroundings = {**os.environ, "PATH": f"{triax.folder}/.bin:{os.environ['PATH']}"}
-    wrong = []
-    for block in blocks_of(text, generated):
-        if reasons.pop(first_line(block), None):
-            continue
-        script = re.sub(r"^\$ ", "", block, flags=re.M)
-        expected = int(m[1]) if (m := re.search(r"# .*exit status (\d)", script)) else 0
-        try:
-            done = subprocess.run(["bash", "-e", "-c", script], cwd=triax.folder, env=surroundings, stdin=subprocess.DEVNULL,
-                                  capture_output=True, text=True, check=False, timeout=TIME_LIMIT_S)
-        except subprocess.TimeoutExpired:
-            wrong.append(f"{page}: still running after {TIME_LIMIT_S} s: {first_line(block)}")
-            continue
-        if done.returncode != expected:
-            wrong.append(f"{page}: exit status {done.returncode}, not {expected}: {block}\n{done.stdout[-500:]}{done.stderr[-1000:]}")
-    wrong += [f"{page}: not_run.toml has what is not there: {key}" for key in reasons]
-    servers = triax.folder / "servers"
-    for server in servers.read_text(encoding="utf-8").split() if servers.exists() else []:
-        try:
-            os.killpg(int(server), signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-    return wrong
+    try:
+        wrong = [run_block(block, triax) for block in blocks_of(text, generated) if not reasons.pop(first_line(block), None)]
+    finally:
+        stop_servers(triax)
+    wrong += [f"not_run.toml has what is not there: {key}" for key in reasons]
+    return [f"{page}: {one}" for one in wrong if one]

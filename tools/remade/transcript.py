@@ -33,12 +33,16 @@ def as_much_as(before: list[str], told: list[str]) -> list[str]:
     return head + shown + ["    ..."]
 
 
+def expected_status(command: str) -> int:
+    remark = re.search(r"# .*exit status (\d)", command)
+    return int(remark[1]) if remark else 0
+
+
 def made_anew(body: str, triax) -> str:
     lines = []
     for command, before in commands_of(body):
         done = triax.shell(command.lstrip().removeprefix("$ "))
-        expected = re.search(r"# .*exit status (\d)", command)
-        if done.returncode != (int(expected[1]) if expected else 0):
+        if done.returncode != expected_status(command):
             sys.exit(f"{command}\nstatus {done.returncode}\n{done.stdout}")
         after = [f"    {line}".rstrip() for line in done.stdout.rstrip("\n").split("\n")]
         lines += [command, *(as_much_as(before, after) if before else [])]

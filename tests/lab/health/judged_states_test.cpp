@@ -6,33 +6,15 @@
 #include <cmath>
 #include <vector>
 
-#include "lab/devices/noise.hpp"
+#include "tests/lab/health/noisy_states.hpp"
 #include "tests/lab/reduction/raw_record.hpp"
 
 using namespace triax::lab;
+using triax::lab::testing::noisy;
 using triax::lab::testing::raw_header;
+using triax::lab::testing::state_of;
 
 namespace {
-
-/// A noisy reading of stage 3 and a state of q 100 kPa, p' 100 kPa that goes with it.
-Reading noisy(std::int64_t i) {
-  Reading r = triax::lab::testing::reading({3, 0.001 * double(i), 0.4, 400, 300, 0}, i);
-  for (std::size_t k = 0; k < 5; ++k)
-    r.si[k] += 1e-4 * std::abs(r.si[k] + 1e-3) * standard_normal(1, k, std::uint64_t(i));
-  return r;
-}
-State state_of(const Reading& r, double q = 100e3) {
-  State s;
-  s.reading = r.number;
-  s.time_s = r.time_s;
-  s.stage = r.stage;
-  s.q = q;
-  s.p_eff = std::max(100e3, q / 2);  // within what a friction angle allows
-  s.strain = {1e-6 * double(r.number), 0};
-  s.volumetric_strain = 0;
-  s.pore_pressure = 300e3;
-  return s;
-}
 
 struct Run {
   std::vector<JudgedStates::Judged> passed;
@@ -367,46 +349,4 @@ TEST_CASE("a sensor that died in the last readings of shear ends the verdict bef
   }
   // It died afterwards.
   CHECK_FALSE(held_from(300).judged_until);
-}
-
-TEST_CASE("JudgedStates: an impossible state is left out, many end the verdict", "[health]") {
-  for (const std::int64_t count : {1, 5, 40}) {
-    JudgedStates states(raw_header());
-    std::vector<bool> live;
-    for (std::int64_t i = 0; i < 200; ++i) {
-      const Reading r = noisy(i);
-      State s = state_of(r);
-      if (i >= 100 && i < 100 + count) s.p_eff = -6628e3;
-      if (i >= 140) s.q = 150e3;
-      CHECK(states.is_possible(s) == (s.p_eff > 0));
-      states.add(r, s);
-      while (const auto* judged = states.next()) {
-        live.push_back(judged->live);
-        if (judged->state.p_eff < 0) CHECK_FALSE(judged->axis_live);
-      }
-    }
-    states.finish();
-    while (const auto* judged = states.next()) live.push_back(judged->live);
-    INFO(count << " impossible states");
-    REQUIRE(live.size() == 200);
-    for (std::size_t i = 0; i < 200; ++i)
-      CHECK(live[i] == (i < 100 || (i >= std::size_t(100 + count) && count < 40)));
-    Collapse verdict;
-    states.bound(verdict);
-    CHECK(verdict.judged_until == (count < 40 ? std::optional<std::int64_t>() : 99));
-    CHECK_FALSE(states.trusts_axis());
-    CHECK_THAT(states.warnings().at(0).text, Catch::Contains("-6628.0 kPa at reading 100"));
-  }
-}
-
-TEST_CASE("JudgedStates: no onset where p' is not above zero", "[health]") {
-  JudgedStates states(raw_header());
-  for (const double p_eff : {10e3, -2e3}) {
-    Collapse verdict;
-    verdict.kind = CollapseKind::flow;
-    verdict.onset.emplace();
-    verdict.onset->p_eff_pa = p_eff;
-    states.bound(verdict);
-    CHECK(verdict.judged == (p_eff > 0));
-  }
 }
