@@ -77,6 +77,8 @@ void write_and_print(const Options& o, const db::StoredGrainRun& run) {
 }
 
 constexpr const char* kStopped = "stopped by the operator; the completed stages are stored";
+constexpr const char* kStoppedAfterMerge =
+    "stopped by the operator; the run is stored, no file is written";
 constexpr const char* kStoppedEarly = "stopped by the operator before the specimen was built";
 
 /// Shows the progress until the operator stops it.
@@ -124,11 +126,20 @@ void run_piece(const Options& o, const lab::GrainProgramme& programme) {
   write_file(o.output, study::grain_piece_json(*made));
 }
 
+/// The whole run is stored before a signal ends the process.
+db::StoredGrainRun stored_merge(const Options& o, const lab::GrainProgramme& programme) {
+  const Interruption interruption;
+  db::StoredGrainRun stored =
+      study::merge_grains(programme, chosen_jobs(o.jobs), o.db, o.merge,
+                          {.say = notify, .stop = [&] { return interruption.requested(); }});
+  if (interruption.requested()) throw lab::WorkFailed(kStoppedAfterMerge);
+  return stored;
+}
+
 void run_merge(const Options& o, const lab::GrainProgramme& programme) {
   study::stage_for_pieces(programme);
   check_output(o, programme, {});
-  write_and_print(
-      o, study::merge_grains(programme, chosen_jobs(o.jobs), o.db, o.merge, {.say = notify}));
+  write_and_print(o, stored_merge(o, programme));
 }
 
 void run(const Options& o) {
