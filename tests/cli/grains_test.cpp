@@ -160,3 +160,30 @@ TEST_CASE("grains: stopped by Ctrl-C the stages that ended are there; killed, th
   CHECK(here.triax("tests repair").out.find("grain run 2 ") == 0);
   CHECK(count_of(here, "grain_runs WHERE status = 'interrupted'") == 2);
 }
+
+TEST_CASE("grains: --merge stores the whole run before a signal ends it") {
+  const Workplace here;
+  write(here / "g.toml",
+        kSmallGrains.substr(0, kSmallGrains.find("[[stages]]\nname = \"probes\"")));
+  REQUIRE(here.triax("grains g.toml --output out").status == 0);
+  write(here / "p.toml",
+        "[run]\nname = \"p\"\n[specimen]\nstate = \"out/grains_at_rest.grains\"\n"
+        "[[stages]]\nname = \"probes\"\naction = \"probes\"\ndirections = 4\n");
+  REQUIRE(here.triax("grains p.toml --piece 1/2 --output 1.json").status == 0);
+  REQUIRE(here.triax("grains p.toml --piece 2/2 --output 2.json").status == 0);
+
+  // The signal comes while the merge waits for the lock of another program, which then ends.
+  SQLite::Database other((here / "triax.db").string(), SQLite::OPEN_READWRITE);
+  other.exec("BEGIN IMMEDIATE");
+  const Running child(here, "grains p.toml --merge 1.json 2.json");
+  REQUIRE(child.says("database is locked"));
+  std::thread unlock([&other] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    other.exec("ROLLBACK");
+  });
+  CHECK(child.end_by(SIGINT) == 1);
+  unlock.join();
+  CHECK_THAT(child.err(), Catch::Contains("stopped by the operator; the run is stored"));
+  CHECK(count_of(here, "grain_runs WHERE name = 'p' AND status = 'complete'") == 1);
+  CHECK(count_of(here, "grain_probes WHERE run_id = 2") == 5);
+}

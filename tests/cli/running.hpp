@@ -38,6 +38,15 @@ class Running {
     return false;
   }
 
+  /// Waits until standard error has this text. False after two minutes.
+  bool says(const std::string& text) const {
+    for (int i = 0; i < 2400; ++i) {
+      if (here_.has(".child_err") && err().find(text) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  }
+
   /// Sends the signal, so many times at once, and gives the exit status; -1 where the signal itself
   /// ended the program.
   int end_by(int signal, int times = 1) const {

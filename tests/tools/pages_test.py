@@ -123,7 +123,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("README: exit status 2, not 0: triax nonsense", done.stderr)
         self.write("tools/remade/not_run.toml", '[README]\n"triax nonsense" = "fails"\n"triax gone" = "is on no page"\n')
-        self.assertIn("README: not_run.toml has what is not there: triax gone", self.pages("--run", "README").stderr)
+        self.assertIn("README: not_run.toml lists a block that the page does not have: triax gone", self.pages("--run", "README").stderr)
 
     def test_a_server_runs_until_the_end_of_its_page(self):
         self.write("triax", "#!/bin/sh\ncase $1 in serve) echo $$ >pid; exec sleep 60 ;; ask) kill -0 $(cat pid) ;; esac\n")
@@ -192,7 +192,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(self.page(), page)
 
     def test_an_exception_for_nothing_is_found(self):
-        self.assertIn("has what is not there: eta", self.unchecked(PAGE, '["docs/page.md"]\n"eta" = "of others"\n')[1])
+        self.assertIn("lists a text that the page does not have: eta", self.unchecked(PAGE, '["docs/page.md"]\n"eta" = "of others"\n')[1])
         self.assertIn("there is no docs/gone.md", self.unchecked(PAGE, '["docs/gone.md"]\n"*" = "of others"\n')[1])
 
 

@@ -37,10 +37,10 @@ class Triax:
         (self.folder / ".bin/triax").symlink_to(self.program)
 
     def shell(self, command: str, timeout_s: float | None = None) -> subprocess.CompletedProcess:
-        """What a reader who types that sees, errors too. Raises subprocess.TimeoutExpired."""
-        surroundings = {**os.environ, "PATH": f"{self.folder}/.bin:{os.environ['PATH']}"}
-        surroundings.pop("COLUMNS", None)
-        return subprocess.run(["bash", "-c", command], cwd=self.folder, env=surroundings, stdin=subprocess.DEVNULL,
+        """Runs a command as a reader types it; errors are in its output. Raises subprocess.TimeoutExpired."""
+        environment = {**os.environ, "PATH": f"{self.folder}/.bin:{os.environ['PATH']}"}
+        environment.pop("COLUMNS", None)
+        return subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, timeout=timeout_s)
 
     def run(self, *arguments: str, may_fail: bool = False) -> str:

@@ -78,5 +78,5 @@ def run_page(page: str, text: str, triax: Triax, generated: re.Pattern) -> list[
         wrong = [run_block(block, triax) for block in blocks_of(text, generated) if not reasons.pop(first_line(block), None)]
     finally:
         stop_servers(triax)
-    wrong += [f"not_run.toml has what is not there: {key}" for key in reasons]
+    wrong += [f"not_run.toml lists a block that the page does not have: {key}" for key in reasons]
     return [f"{page}: {one}" for one in wrong if one]

@@ -58,7 +58,7 @@ def report(blocks: re.Pattern) -> int:
         for key in of_page(blocks.sub("\n", text)):
             if not reasons.pop(key, None):
                 wrong.append(f"{page}: no command makes: {key}\n  let tools/pages make it, or say in {EXCEPTIONS.name} why not")
-        wrong += [f"{page}: exceptions.toml has what is not there: {key}" for key in reasons]
+        wrong += [f"{page}: exceptions.toml lists a text that the page does not have: {key}" for key in reasons]
     wrong += [f"exceptions.toml: there is no {page}" for page in excepted]
     print(*wrong, sep="\n", end="\n" if wrong else "", file=sys.stderr)
     return 1 if wrong else 0
