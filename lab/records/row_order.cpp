@@ -123,11 +123,12 @@ void RowOrder::finish() const {
   const bool runs_to_zero = strain_.first > 0 ? rows_run_back(strain_.back, strain_.forward)
                                               : rows_run_back(strain_.forward, strain_.back);
   if (std::isnan(time_.first) && to_zero && runs_to_zero)
-    throw BadInput(file_, first_line_,
-                   fmt::format("the rows are in reverse order: the axial strain decreases from its "
-                               "largest value in this line to {:.2g} of it in line {}; sort them, "
-                               "or add a column of time if the specimen was unloaded",
-                               std::fabs(strain_.last) / largest, last_line_));
+    throw BadInput(
+        file_, first_line_,
+        fmt::format("the rows are in reverse order: the axial strain decreases from its "
+                    "largest value in this line to {:.2g} % of that value in line {}; sort "
+                    "them, or add a column of time if the specimen was unloaded",
+                    100 * std::fabs(strain_.last) / largest, last_line_));
 }
 
 }  // namespace triax::lab
